@@ -1,0 +1,2 @@
+//! The workbench on the command line.
+fn main() {}
