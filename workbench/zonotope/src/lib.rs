@@ -1,1 +1,4 @@
-//! Placeholder.
+//! Zonotopes as bounding volumes: exact, certified algorithms of computational geometry.
+
+pub mod numeric;
+pub mod tally;

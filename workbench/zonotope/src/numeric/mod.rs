@@ -1,0 +1,13 @@
+//! The numeric ground: exact values, exact sums, exact signs, named tolerances.
+//!
+//! | file | what it decides |
+//! |---|---|
+//! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
+//! | [`exact_sum`] | the exact sum of any number of doubles |
+//! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
+
+pub mod dyadic;
+pub mod exact_sum;
+pub mod tolerance;
+
+pub use dashu_ratio::RBig as Rational;

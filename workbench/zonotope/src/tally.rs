@@ -1,0 +1,82 @@
+//! Counting what an algorithm does: exact, machine-independent, free when unused.
+//!
+//! Every algorithm has a counted variant that takes a [`Tally`]. The unit type counts nothing and compiles to nothing;
+//! [`OperationCounts`] keeps a number for each [`Operation`]. Growth claims are fitted on these numbers, never on times.
+
+use std::fmt;
+
+/// What is counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Operation {
+    /// One line of an arrangement read and evaluated; divided by the number of lines: passes over the data.
+    LineEvaluation,
+    /// Two keys (positions along a line, slopes, coordinates) compared in a sort, a merge or a selection.
+    Comparison,
+    /// One orientation test of three points.
+    Turn,
+    /// One point read by a pass over the points.
+    PointRead,
+    /// One step of an outer search: a line search, a vertical line, a cell.
+    SearchStep,
+    /// One sign that floating point could not decide and exact arithmetic did.
+    ExactFallback,
+}
+
+impl Operation {
+    /// All operations, in the order in which they are reported.
+    pub const ALL: [Self; 6] =
+        [Self::LineEvaluation, Self::Comparison, Self::Turn, Self::PointRead, Self::SearchStep, Self::ExactFallback];
+
+    /// The name used in records: lower-case words joined by underscores.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::LineEvaluation => "line_evaluation",
+            Self::Comparison => "comparison",
+            Self::Turn => "turn",
+            Self::PointRead => "point_read",
+            Self::SearchStep => "search_step",
+            Self::ExactFallback => "exact_fallback",
+        }
+    }
+}
+
+impl fmt::Display for Operation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A counter of operations.
+pub trait Tally {
+    /// Adds `count` operations.
+    fn add(&mut self, operation: Operation, count: u64);
+}
+
+impl Tally for () {
+    #[inline(always)]
+    fn add(&mut self, _: Operation, _: u64) {}
+}
+
+/// A number for each operation.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct OperationCounts([u64; Operation::ALL.len()]);
+
+impl OperationCounts {
+    /// How many operations of this kind were counted.
+    pub fn get(&self, operation: Operation) -> u64 {
+        self.0[operation as usize]
+    }
+
+    /// Every operation with its count, in the order of [`Operation::ALL`].
+    pub fn iter(&self) -> impl Iterator<Item = (Operation, u64)> + '_ {
+        Operation::ALL.into_iter().map(|operation| (operation, self.get(operation)))
+    }
+}
+
+impl Tally for OperationCounts {
+    #[inline]
+    fn add(&mut self, operation: Operation, count: u64) {
+        self.0[operation as usize] += count;
+    }
+}
