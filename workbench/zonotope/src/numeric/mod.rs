@@ -4,10 +4,12 @@
 //! |---|---|
 //! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
+//! | [`orientation`] | the sign of a cross product of edges between points, exactly |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
 
 pub mod dyadic;
 pub mod exact_sum;
+pub mod orientation;
 pub mod tolerance;
 
 pub use dashu_ratio::RBig as Rational;
