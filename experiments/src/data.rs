@@ -60,6 +60,14 @@ pub fn airports() -> &'static [[f64; 2]] {
     &AIRPORTS
 }
 
+/// The points of the real input called `name`: `airports`, or an outline.
+pub fn points(name: &str) -> Option<&'static [[f64; 2]]> {
+    match name {
+        "airports" => Some(airports()),
+        _ => outline(name).map(|outline| outline.points.as_slice()),
+    }
+}
+
 /// Two named columns of a CSV text. The files are part of the program, so a broken one is a broken build.
 fn columns(text: &str, names: [&str; 2]) -> Vec<[f64; 2]> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());

@@ -1,0 +1,244 @@
+//! What an experiment is: a static value with plain fields and functions. Definitions live one a file in
+//! [`definitions`](crate::definition) and are listed in [`catalog`](crate::catalog).
+
+use crate::fit::GrowthModel;
+use crate::runner::stopwatch::Stopwatch;
+use crate::{data, families, seed};
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// How much is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profile {
+    /// A minute or so.
+    Quick,
+    /// Everything, up to the largest sizes.
+    Full,
+}
+
+impl fmt::Display for Profile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Quick => "quick",
+            Self::Full => "full",
+        })
+    }
+}
+
+/// A value for either profile.
+#[derive(Clone, Copy, Debug)]
+pub struct PerProfile<T> {
+    /// The value of the quick profile.
+    pub quick: T,
+    /// The value of the full profile.
+    pub full: T,
+}
+
+impl<T: Copy> PerProfile<T> {
+    /// One value for both profiles.
+    pub const fn both(value: T) -> Self {
+        Self {
+            quick: value,
+            full: value,
+        }
+    }
+
+    /// The value of `profile`.
+    pub fn get(&self, profile: Profile) -> T {
+        match profile {
+            Profile::Quick => self.quick,
+            Profile::Full => self.full,
+        }
+    }
+}
+
+/// One of the things an experiment compares, usually a method.
+#[derive(Clone, Copy, Debug)]
+pub struct Variant {
+    /// Stable name: part of every case id.
+    pub id: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    /// Sizes above are left out for this variant.
+    pub largest: PerProfile<usize>,
+}
+
+/// The number that a fit looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// The sum of all operation counts.
+    AllCounts,
+    /// One operation count.
+    Count(&'static str),
+    /// One of the values.
+    Value(&'static str),
+    /// One lap of the stopwatch, in nanoseconds: the median over the repetitions.
+    Time(&'static str),
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AllCounts => f.write_str("operations"),
+            Self::Count(name) | Self::Value(name) => f.write_str(name),
+            Self::Time(lap) => write!(f, "time of {lap} (ns)"),
+        }
+    }
+}
+
+/// A growth law that an experiment looks for: one fit for every family.
+#[derive(Clone, Copy, Debug)]
+pub struct FitPlan {
+    /// What is fitted.
+    pub quantity: Quantity,
+    /// For which variant.
+    pub variant: &'static str,
+    /// On which families, one fit each.
+    pub families: &'static [&'static str],
+    /// What it is compared with.
+    pub models: &'static [GrowthModel],
+    /// The model that the theory predicts, when it predicts one.
+    pub expected: Option<GrowthModel>,
+}
+
+/// What is timed after the counting, and how often.
+#[derive(Clone, Copy, Debug)]
+pub struct Timing {
+    /// Sizes that are timed: some of the experiment's sizes.
+    pub sizes: PerProfile<&'static [usize]>,
+    /// Timed repetitions of every case, after one that is not recorded.
+    pub repetitions: PerProfile<u32>,
+    /// Makes the input and returns the work; only what the work passes to the stopwatch is timed.
+    pub prepare: fn(&Case) -> Result<TimedWork, String>,
+}
+
+/// Work that can be repeated: laps go to the stopwatch, and the digest of the answer comes back (it must be that of the counted run).
+pub type TimedWork = Box<dyn FnMut(&mut Stopwatch) -> Result<u64, String>>;
+
+/// An experiment.
+#[derive(Clone, Copy, Debug)]
+pub struct Experiment {
+    /// Stable name.
+    pub id: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    /// What to notice in the result.
+    pub question: &'static str,
+    /// Claims of the paper that it is evidence for.
+    pub claims: &'static [&'static str],
+    /// Families (of points or of lines) that give instances of every size.
+    pub families: &'static [&'static str],
+    /// Real inputs (`airports`, or the name of an outline) that give one instance each, of their own size.
+    pub real_inputs: &'static [&'static str],
+    /// Sizes of the instances.
+    pub sizes: PerProfile<&'static [usize]>,
+    /// Instances of every family and size, with different seeds.
+    pub instances: PerProfile<u32>,
+    /// What is compared.
+    pub variants: &'static [Variant],
+    /// Runs a case with counting on, and checks the answer.
+    pub measure: fn(&Case) -> Result<Measurement, String>,
+    /// What is timed, if anything.
+    pub timing: Option<Timing>,
+    /// Growth laws to look for.
+    pub fits: &'static [FitPlan],
+}
+
+/// One run of one variant on one instance.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Case {
+    /// The experiment's id.
+    pub experiment: &'static str,
+    /// The family, or the real input.
+    pub family: &'static str,
+    /// The variant's id.
+    pub variant: &'static str,
+    /// Size of the instance.
+    pub n: usize,
+    /// Which of the instances of this family and size.
+    pub instance: u32,
+    /// Seed of the instance: one for all variants and experiments.
+    pub instance_seed: u64,
+    /// Seed of the method's own random choices.
+    pub seed: u64,
+}
+
+impl Case {
+    /// The case with its seeds derived from the master seed.
+    pub fn new(
+        master_seed: u64,
+        experiment: &'static str,
+        family: &'static str,
+        variant: &'static str,
+        n: usize,
+        instance: u32,
+    ) -> Self {
+        let mut case = Self {
+            experiment,
+            family,
+            variant,
+            n,
+            instance,
+            instance_seed: 0,
+            seed: 0,
+        };
+        case.instance_seed = seed::seed_of(master_seed, &format!("{family}/n={n}/{instance}"));
+        case.seed = seed::seed_of(master_seed, &case.id());
+        case
+    }
+
+    /// `experiment/family/variant/n=…/instance`: unique in a run.
+    pub fn id(&self) -> String {
+        let Self {
+            experiment,
+            family,
+            variant,
+            n,
+            instance,
+            ..
+        } = self;
+        format!("{experiment}/{family}/{variant}/n={n}/{instance}")
+    }
+
+    /// The instance, when the family is one of points or a real input.
+    pub fn points(&self) -> Result<Vec<[f64; 2]>, String> {
+        if let Some(family) = families::find(self.family) {
+            return Ok(family.generate(self.n, self.instance_seed));
+        }
+        data::points(self.family)
+            .map(<[_]>::to_vec)
+            .ok_or_else(|| format!("no points are called {}", self.family))
+    }
+
+    /// The instance, when the family is one of lines.
+    pub fn lines(&self) -> Result<Vec<families::lines::LineRow>, String> {
+        families::lines::find(self.family)
+            .map(|family| family.generate(self.n, self.instance_seed))
+            .ok_or_else(|| format!("no lines are called {}", self.family))
+    }
+}
+
+/// Whether an answer is right.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// It passed this check.
+    Correct(String),
+    /// It did not, and its times are void.
+    Wrong(String),
+    /// Nothing checked it, for this reason.
+    Unchecked(String),
+}
+
+/// What one case yields. Everything in it is the same on every run and machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// Operation counts by name.
+    pub counts: BTreeMap<String, u64>,
+    /// Other numbers by name: sizes of results, ratios, areas.
+    pub values: BTreeMap<String, f64>,
+    /// Hash of the answer; timed runs must reproduce it.
+    pub digest: u64,
+    /// Whether the answer is right.
+    pub verdict: Verdict,
+}

@@ -1,0 +1,93 @@
+//! Where and with what a run was made: recorded beside every time.
+
+use crate::seed::Digest;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::process::Command;
+
+/// Overrides the source revision, for builds away from their repository.
+pub const REVISION_VARIABLE: &str = "ZONOBENCH_REVISION";
+
+/// Everything about the machine and the build that a time depends on.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Environment {
+    /// Version of this package.
+    pub version: String,
+    /// Source revision, with `-dirty` for a changed tree; `unknown` without a repository.
+    pub revision: String,
+    /// Compiler, with its version.
+    pub toolchain: String,
+    /// Target triple, optimisation level and extra compiler flags.
+    pub build: String,
+    /// Hash of the running program: two builds of one revision differ here when their code does.
+    pub program: String,
+    /// Processor model.
+    pub cpu: String,
+    /// Logical processors available to the process.
+    pub processors: usize,
+    /// Operating system and architecture.
+    pub system: String,
+}
+
+impl Environment {
+    /// The environment of the running process.
+    pub fn current() -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            revision: revision(),
+            toolchain: env!("EXPERIMENTS_TOOLCHAIN").to_owned(),
+            build: env!("EXPERIMENTS_BUILD").to_owned(),
+            program: program_hash(),
+            cpu: cpu_model(),
+            processors: std::thread::available_parallelism().map_or(1, usize::from),
+            system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+        }
+    }
+
+    /// A short name that times refer to.
+    pub fn id(&self) -> String {
+        let text = format!("{self:?}");
+        format!("{:016x}", Digest::default().bytes(text.as_bytes()).finish())
+    }
+}
+
+fn revision() -> String {
+    if let Ok(revision) = std::env::var(REVISION_VARIABLE) {
+        return revision;
+    }
+    let source = Path::new(env!("CARGO_MANIFEST_DIR"));
+    Command::new("git")
+        .arg("-C")
+        .arg(source)
+        .args([
+            "describe",
+            "--always",
+            "--dirty",
+            "--abbrev=40",
+            "--exclude=*",
+        ])
+        .output()
+        .ok()
+        .filter(|output| output.status.success())
+        .map_or_else(
+            || "unknown".to_owned(),
+            |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
+        )
+}
+
+fn program_hash() -> String {
+    std::env::current_exe().and_then(std::fs::read).map_or_else(
+        |_| "unknown".to_owned(),
+        |bytes| format!("{:016x}", Digest::default().bytes(&bytes).finish()),
+    )
+}
+
+fn cpu_model() -> String {
+    std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .and_then(|text| {
+            let line = text.lines().find(|line| line.starts_with("model name"))?;
+            Some(line.split_once(':')?.1.trim().to_owned())
+        })
+        .unwrap_or_else(|| "unknown".to_owned())
+}

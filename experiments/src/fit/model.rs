@@ -1,0 +1,68 @@
+//! The growth models that measurements are compared with.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// A function M(n) of the size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GrowthModel {
+    /// 1: for quantities that should not depend on n.
+    Constant,
+    /// n.
+    Linear,
+    /// n log n.
+    Linearithmic,
+    /// n log^2 n.
+    LinearLogSquared,
+    /// n^2.
+    Quadratic,
+}
+
+impl GrowthModel {
+    /// The four models that a running time is compared with.
+    pub const RUNNING_TIMES: &'static [Self] = &[
+        Self::Linear,
+        Self::Linearithmic,
+        Self::LinearLogSquared,
+        Self::Quadratic,
+    ];
+
+    /// The running-time models and the constant.
+    pub const ALL: &'static [Self] = &[
+        Self::Constant,
+        Self::Linear,
+        Self::Linearithmic,
+        Self::LinearLogSquared,
+        Self::Quadratic,
+    ];
+
+    /// M(n), with logarithms to base 2, for n >= 2.
+    pub fn value(self, n: f64) -> f64 {
+        let log = libm::log2(n);
+        match self {
+            Self::Constant => 1.0,
+            Self::Linear => n,
+            Self::Linearithmic => n * log,
+            Self::LinearLogSquared => n * log * log,
+            Self::Quadratic => n * n,
+        }
+    }
+
+    /// The natural logarithm of M(n).
+    pub fn ln_value(self, n: f64) -> f64 {
+        libm::log(self.value(n))
+    }
+}
+
+impl fmt::Display for GrowthModel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Constant => "1",
+            Self::Linear => "n",
+            Self::Linearithmic => "n log n",
+            Self::LinearLogSquared => "n log^2 n",
+            Self::Quadratic => "n^2",
+        })
+    }
+}
