@@ -1,0 +1,152 @@
+//! Points from a JSON document: a list of rows, or an object with such a list under `points`.
+
+use std::path::Path;
+
+use super::columns::{Column, Columns};
+use super::error::{InputError, Place, Problem};
+use super::push_limited;
+use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
+
+/// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
+pub(super) fn points(file: &Path, content: &[u8], columns: Option<&Columns>) -> Result<Vec<[f64; 2]>, InputError> {
+    let document = parse(file, content)?;
+    let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
+        (Some(rows), _) => (rows, String::new()),
+        (None, Some(rows)) => (rows, "points".to_owned()),
+        (None, None) => {
+            let problem = Problem::Shape(format!(
+                "expected a list of points, or an object with a list `points`, found {}",
+                document.describe()
+            ));
+            return Err(problem.at(file, Place::File));
+        }
+    };
+    let mut width = None;
+    let mut points = Vec::with_capacity(rows.len());
+    for (index, row) in rows.iter().enumerate() {
+        let at = |(problem, cell): (Problem, String)| problem.at(file, Place::Path(format!("{path}[{index}]{cell}")));
+        let point = coordinates(row, columns, &mut width).map_err(at)?;
+        push_limited(&mut points, point).map_err(|problem| at((problem, String::new())))?;
+    }
+    Ok(points)
+}
+
+/// Parses a document, with the parser's complaints placed in the file.
+pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
+    json::read(content, MAX_VALUES).map_err(|error| match error {
+        ReadError::TooManyValues { limit } => Problem::TooMany { what: "values", limit }.at(file, Place::File),
+        ReadError::OutOfRange { line, column } => {
+            Problem::Shape(ReadError::OutOfRange { line, column }.to_string()).at(file, cell(line, column))
+        }
+        ReadError::RepeatedField { ref field, line, column } => {
+            Problem::Shape(format!("the field `{field}` occurs twice in one object")).at(file, cell(line, column))
+        }
+        ReadError::Syntax { line, column, message } => Problem::NotJson(message).at(file, cell(line, column)),
+    })
+}
+
+fn cell(line: usize, column: usize) -> Place {
+    Place::Cell { line: line as u64, column: column as u64 }
+}
+
+type Misplaced = (Problem, String);
+
+fn coordinates(row: &Tree, columns: Option<&Columns>, width: &mut Option<usize>) -> Result<[f64; 2], Misplaced> {
+    match row {
+        Tree::List(cells) => {
+            let expected = *width.get_or_insert(cells.len());
+            if cells.len() != expected {
+                let found = cells.len();
+                return Err((Problem::Ragged { found, expected }, String::new()));
+            }
+            let positions = match columns {
+                Some(Columns([first, second])) => [position(first, cells.len())?, position(second, cells.len())?],
+                None if cells.len() == 2 => [0, 1],
+                None => return Err((Problem::ChooseColumns { cells: cells.len() }, String::new())),
+            };
+            let coordinate =
+                |position: usize| number(&cells[position]).map_err(|problem| (problem, format!("[{position}]")));
+            Ok([coordinate(positions[0])?, coordinate(positions[1])?])
+        }
+        Tree::Object(fields) => {
+            let names = match columns {
+                Some(Columns([first, second])) => [first.to_string(), second.to_string()],
+                None => ["x".to_owned(), "y".to_owned()],
+            };
+            let coordinate = |name: &String| {
+                let value = row.field(name).ok_or_else(|| {
+                    let available: Vec<_> = fields.iter().map(|(field, _)| field.as_str()).collect();
+                    let problem = Problem::NoSuchColumn { name: name.clone(), available: available.join(", ") };
+                    (problem, String::new())
+                })?;
+                number(value).map_err(|problem| (problem, format!(".{name}")))
+            };
+            Ok([coordinate(&names[0])?, coordinate(&names[1])?])
+        }
+        other => {
+            let problem = Problem::Shape(format!("expected a point, found {}", other.describe()));
+            Err((problem, String::new()))
+        }
+    }
+}
+
+fn position(column: &Column, cells: usize) -> Result<usize, Misplaced> {
+    match column {
+        Column::Number(number) if *number <= cells => Ok(number - 1),
+        Column::Number(number) => {
+            let number = *number;
+            Err((Problem::NoColumnNumber { number, cells }, String::new()))
+        }
+        Column::Name(name) => {
+            let problem = Problem::NoSuchColumn { name: name.clone(), available: format!("numbered 1 to {cells}") };
+            Err((problem, String::new()))
+        }
+    }
+}
+
+/// A finite number; strings are no numbers here, except that the non-finite ones are named for what they are.
+pub(super) fn number(value: &Tree) -> Result<f64, Problem> {
+    match value {
+        Tree::Number(number) => Ok(*number),
+        Tree::Text(text) if NonFinite::spelled(text).is_some() => Err(Problem::NotFinite(text.clone())),
+        Tree::Text(text) => Err(Problem::NotANumber(text.clone())),
+        other => Err(Problem::Shape(format!("expected a number, found {}", other.describe()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
+        let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
+        points(Path::new("p.json"), content.as_bytes(), columns.as_ref()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn rows_may_be_lists_or_objects() {
+        let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
+        assert_eq!(read("[[1,2],[3,4]]", None), expected);
+        assert_eq!(read("{\"name\":\"n\",\"points\":[[1,2],[3,4]]}", None), expected);
+        assert_eq!(read("[[2,0,1],[4,0,3]]", Some("3,1")), expected);
+        assert_eq!(read("[{\"x\":1,\"y\":2},{\"y\":4,\"x\":3}]", None), expected);
+        assert_eq!(read("[{\"a\":1,\"b\":2},{\"a\":3,\"b\":4}]", Some("a,b")), expected);
+        assert_eq!(read("[]", None), Ok(vec![]));
+    }
+
+    #[test]
+    fn complaints_name_the_place() {
+        let complaint = |content, columns| read(content, columns).expect_err("the document is wrong");
+        assert_eq!(complaint("[[1,2],[3,\"NaN\"]]", None), "p.json: [1][1]: 'NaN' is not a finite number");
+        assert_eq!(complaint("{\"points\":[[1,2],[3]]}", None), "p.json: points[1]: the row has 1 cells, not 2");
+        assert_eq!(complaint("[{\"x\":1}]", None), "p.json: [0]: there is no column 'y'; the columns are x");
+        assert_eq!(complaint("[[1,null]]", None), "p.json: [0][1]: expected a number, found null");
+        assert_eq!(complaint("[[1,2,3]]", None), "p.json: [0]: has 3 column(s); choose two with --columns");
+        assert_eq!(
+            complaint("[[1,1e999]]", None),
+            "p.json: line 1, column 9: a number is outside the range of a double"
+        );
+        assert!(complaint("[[1,2],\n[3,", None).starts_with("p.json: line 2, column 3: is not JSON: EOF"));
+        assert!(complaint("7", None).contains("expected a list of points"));
+    }
+}

@@ -1,0 +1,150 @@
+//! What can be wrong with a data file, each as one line that names the file and the place.
+
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+/// A complaint about a data file: the file, the place in it, and what is wrong there.
+#[derive(Debug, Error)]
+#[error("{}: {}{problem}", .file.display(), .place.prefix())]
+pub struct InputError {
+    /// The file as the caller named it.
+    pub file: PathBuf,
+    /// Where in the file.
+    pub place: Place,
+    /// What is wrong there.
+    pub problem: Problem,
+}
+
+/// A place in a data file; lines, columns and positions count from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    File,
+    /// A line of the file.
+    Line(u64),
+    /// A cell of a table, or a character of a line of JSON.
+    Cell {
+        /// Line of the file.
+        line: u64,
+        /// Column of the table, or of the line's characters.
+        column: u64,
+    },
+    /// A value inside a JSON document, as a path such as `points[3][1]` (indices from 0, as in the document's own notation).
+    Path(String),
+}
+
+impl Place {
+    fn prefix(&self) -> String {
+        match self {
+            Self::File => String::new(),
+            Self::Line(line) => format!("line {line}: "),
+            Self::Cell { line, column } => format!("line {line}, column {column}: "),
+            Self::Path(path) => format!("{path}: "),
+        }
+    }
+}
+
+/// What is wrong at a place of a data file.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// The file cannot be opened or read.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[from] std::io::Error),
+    /// The file is larger than the reader takes.
+    #[error("is too large: more than {limit} bytes")]
+    TooManyBytes {
+        /// The limit in bytes.
+        limit: u64,
+    },
+    /// The file holds more points or values than the reader takes.
+    #[error("is too large: more than {limit} {what}")]
+    TooMany {
+        /// What is counted.
+        what: &'static str,
+        /// The limit.
+        limit: usize,
+    },
+    /// There is no point in the file.
+    #[error("holds no points")]
+    Empty,
+    /// The extension says nothing about the format.
+    #[error("the format cannot be told from the name; say --format csv, geojson or json")]
+    UnknownFormat,
+    /// A cell that should hold a number holds something else.
+    #[error("'{0}' is not a number")]
+    NotANumber(String),
+    /// A cell that should hold a number is empty.
+    #[error("the cell is empty")]
+    EmptyCell,
+    /// A cell holds NaN, an infinity, or a number beyond the range of a double.
+    #[error("'{0}' is not a finite number")]
+    NotFinite(String),
+    /// A row has another length than the first one.
+    #[error("the row has {found} cells, not {expected}")]
+    Ragged {
+        /// Cells in this row.
+        found: usize,
+        /// Cells in the first row.
+        expected: usize,
+    },
+    /// A named column does not exist.
+    #[error("there is no column '{name}'; the columns are {available}")]
+    NoSuchColumn {
+        /// The name asked for.
+        name: String,
+        /// The names of the header.
+        available: String,
+    },
+    /// A numbered column does not exist.
+    #[error("there is no column {number}; the row has {cells} cells")]
+    NoColumnNumber {
+        /// The number asked for.
+        number: usize,
+        /// Cells in the row.
+        cells: usize,
+    },
+    /// The file has too many or too few columns for the pair of coordinates to be guessed.
+    #[error("has {cells} column(s); choose two with --columns")]
+    ChooseColumns {
+        /// Cells in the first row.
+        cells: usize,
+    },
+    /// The bytes are not text.
+    #[error("is not UTF-8 text")]
+    NotText,
+    /// The text is not JSON.
+    #[error("is not JSON: {0}")]
+    NotJson(String),
+    /// The JSON has another shape than a set of points.
+    #[error("{0}")]
+    Shape(String),
+    /// The table cannot be parsed.
+    #[error("cannot be parsed as a table: {0}")]
+    Table(String),
+}
+
+impl Problem {
+    /// The complaint about `file` at `place`.
+    pub fn at(self, file: &Path, place: Place) -> InputError {
+        InputError { file: file.to_path_buf(), place, problem: self.shortened() }
+    }
+
+    /// Cells quoted in a message stay on one line and are cut to a readable length.
+    fn shortened(self) -> Self {
+        const LONGEST: usize = 60;
+        let tidy = |text: String| {
+            let mut kept: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
+            if text.chars().count() > LONGEST {
+                kept.push('…');
+            }
+            kept
+        };
+        match self {
+            Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
+            Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
+            other => other,
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Files that appear whole or not at all.
+
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+use thiserror::Error;
+
+/// Why a file was not written.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// The file exists and may not be replaced.
+    #[error("{}: exists already; --force replaces it", .0.display())]
+    Exists(PathBuf),
+    /// The file cannot be written.
+    #[error("{}: cannot be written: {source}", .file.display())]
+    Unwritable {
+        /// The file.
+        file: PathBuf,
+        /// The system's complaint.
+        source: io::Error,
+    },
+}
+
+/// Whether a file that exists may be replaced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Existing {
+    /// Refuse.
+    Keep,
+    /// Replace it.
+    Replace,
+}
+
+impl Existing {
+    /// The meaning of the switch `--force`.
+    pub fn from_force(force: bool) -> Self {
+        if force { Self::Replace } else { Self::Keep }
+    }
+}
+
+/// Refuses early, before the work is done, what [`write_whole`] would refuse after it.
+pub fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
+    if existing == Existing::Keep && file.symlink_metadata().is_ok() {
+        return Err(OutputError::Exists(file.to_path_buf()));
+    }
+    if file.is_dir() {
+        return Err(unwritable(file)(io::Error::from(io::ErrorKind::IsADirectory)));
+    }
+    Ok(())
+}
+
+/// Writes `content` under a temporary name in the same folder, then gives it its own name in one step, so that whatever
+/// interrupts the program, nothing partial ever stands under the final name. Missing folders are made.
+pub fn write_whole(file: &Path, content: &[u8], existing: Existing) -> Result<(), OutputError> {
+    check_free(file, existing)?;
+    let folder = match file.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    fs::create_dir_all(folder).map_err(unwritable(file))?;
+    let temporary = written(folder, content).map_err(unwritable(file))?;
+    let outcome = match existing {
+        Existing::Replace => temporary.persist(file),
+        Existing::Keep => temporary.persist_noclobber(file),
+    };
+    match outcome {
+        Ok(_) => Ok(()),
+        Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => {
+            Err(OutputError::Exists(file.to_path_buf()))
+        }
+        Err(error) => Err(unwritable(file)(error.error)),
+    }
+}
+
+fn written(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".zonobench-");
+    // Ordinary permissions (the process's mask applies) in place of a temporary file's private ones.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let temporary = builder.tempfile_in(folder)?;
+    let mut writer = BufWriter::new(&temporary);
+    writer.write_all(content)?;
+    writer.flush()?;
+    drop(writer);
+    temporary.as_file().sync_all()?;
+    Ok(temporary)
+}
+
+fn unwritable(file: &Path) -> impl FnOnce(io::Error) -> OutputError {
+    let file = file.to_path_buf();
+    |source| OutputError::Unwritable { file, source }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_kept_unless_replacing_is_asked_for() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let file = folder.path().join("a/b.txt");
+        write_whole(&file, b"one", Existing::Keep).expect("free");
+        let refused = write_whole(&file, b"two", Existing::Keep).expect_err("taken");
+        assert!(refused.to_string().ends_with("b.txt: exists already; --force replaces it"));
+        assert_eq!(fs::read(&file).expect("readable"), b"one");
+        write_whole(&file, b"two", Existing::Replace).expect("replaced");
+        assert_eq!(fs::read(&file).expect("readable"), b"two");
+        let names: Vec<_> = fs::read_dir(file.parent().expect("a folder")).expect("listed").collect();
+        assert_eq!(names.len(), 1, "no temporary file stays behind");
+    }
+
+    #[test]
+    fn folders_are_not_replaced() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        assert!(write_whole(folder.path(), b"", Existing::Replace).is_err());
+    }
+}

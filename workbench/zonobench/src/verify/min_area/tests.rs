@@ -1,0 +1,123 @@
+use super::*;
+
+/// Small integers in a fixed pseudo-random order.
+struct Sequence(u64);
+
+impl Sequence {
+    fn below(&mut self, bound: u64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 33) % bound) as f64
+    }
+
+    fn points(&mut self, count: usize) -> Vec<[f64; 2]> {
+        (0..count).map(|_| [self.below(12), self.below(12)]).collect()
+    }
+}
+
+/// The right triangle (0,0), (2,0), (0,2) in the square [0,2]², whose area 4 is twice the triangle's: the least possible.
+fn triangle() -> (Vec<[f64; 2]>, MinAreaAnswer) {
+    let answer = MinAreaAnswer {
+        area: 4.0,
+        center: [1.0, 1.0],
+        generators: vec![[1.0, 0.0], [0.0, 1.0]],
+        lower_bound: 4.0,
+        certificate: Certificate {
+            // (0,0), (2,0), (0,2) counter-clockwise; only the edge from (2,0) to (0,2) has v_t ≠ 0 at the centre: −4.
+            hull: vec![0, 1, 2],
+            farthest: vec![2, 0, 1],
+            coefficients: vec![0.0, -1.0, 0.0],
+            basis: vec![0, 2],
+        },
+    };
+    (vec![[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]], answer)
+}
+
+#[test]
+fn the_triangle_is_proved_optimal() {
+    let (points, answer) = triangle();
+    let proof = check_min_area(&points, &answer).expect("worked out by hand");
+    assert_eq!(proof, MinAreaProof { area: 4.0, proven_bound: 4.0, gap: 0.0 });
+}
+
+#[test]
+fn every_false_statement_is_caught() {
+    let caught = |change: fn(&mut MinAreaAnswer), expected: &str| {
+        let (points, mut answer) = triangle();
+        change(&mut answer);
+        let complaint = check_min_area(&points, &answer).expect_err(expected);
+        assert!(complaint.contains(expected), "{complaint}");
+    };
+    caught(|answer| answer.center[0] += 2.0_f64.powi(-52), "point 1 lies outside");
+    caught(|answer| answer.generators[1][1] = 1.0 - f64::EPSILON, "point 1 lies outside");
+    caught(|answer| answer.area = 4.0 + 1e-11, "area is 4.00000000001");
+    caught(|answer| answer.area = f64::INFINITY, "area is inf");
+    caught(|answer| answer.lower_bound = 4.0 + 1e-15, "all that the certificate proves");
+    caught(|answer| answer.lower_bound = 4.0 - 1e-11, "by more than rounding");
+    caught(|answer| answer.lower_bound = f64::NAN, "lower_bound is NaN");
+    caught(|answer| answer.certificate.hull = vec![0, 2, 1], "not a convex polygon");
+    caught(|answer| answer.certificate.hull = vec![0, 1, 3], "does not exist");
+    caught(|answer| answer.certificate.hull = vec![0, 1], "outside the hull");
+    caught(|answer| answer.certificate.farthest[1] = 2, "not the farthest");
+    caught(|answer| answer.certificate.farthest = vec![2, 0], "2 entries for 3 edges");
+    caught(|answer| answer.certificate.coefficients[1] = 1.0, "all that the certificate proves");
+    caught(|answer| answer.certificate.coefficients[1] = -1.5, "outside [-1, 1]");
+    caught(|answer| answer.certificate.basis = vec![0], "do not close");
+    caught(|answer| answer.certificate.basis = vec![], "do not close");
+    caught(|answer| answer.certificate.basis = vec![0, 0], "parallel");
+    caught(|answer| answer.certificate.basis = vec![0, 1, 2], "at most two");
+    caught(|answer| answer.certificate.basis = vec![0, 7], "does not exist");
+}
+
+#[test]
+fn a_larger_zonogon_is_not_optimal() {
+    let (points, mut answer) = triangle();
+    answer.generators[0] = [2.0, 0.0];
+    answer.area = 8.0;
+    assert!(check_min_area(&points, &answer).is_err());
+}
+
+#[test]
+fn points_on_a_line_need_no_certificate() {
+    let points = [[0.0, 0.0], [2.0, 6.0], [1.0, 3.0]];
+    let answer = MinAreaAnswer {
+        area: 0.0,
+        center: [1.0, 3.0],
+        generators: vec![[1.0, 3.0]],
+        lower_bound: 0.0,
+        certificate: Certificate { hull: vec![0, 1], farthest: vec![], coefficients: vec![], basis: vec![] },
+    };
+    let proof = check_min_area(&points, &answer).expect("the segment itself");
+    assert_eq!(proof, MinAreaProof { area: 0.0, proven_bound: 0.0, gap: 0.0 });
+}
+
+/// The identity f(O) = constant + 1/2 Σ |v_t(O)|, from which the proof of the bound follows, on pairs of random centres.
+#[test]
+fn the_area_differs_from_half_the_sum_of_offsets_by_a_constant() {
+    let mut sequence = Sequence(11);
+    for _ in 0..400 {
+        let count = 3 + sequence.below(8) as usize;
+        let points: Vec<Point> =
+            sequence.points(count).into_iter().map(|point| point.map(|c| IBig::from(c as i64))).collect();
+        let hull = ConvexPolygon::hull(points);
+        let vertices = hull.vertices();
+        let count = vertices.len();
+        if count < 3 {
+            continue;
+        }
+        let mut constants = (0..2).map(|_| {
+            let center = [IBig::from(sequence.below(30) as i64 - 9), IBig::from(sequence.below(30) as i64 - 9)];
+            let reflected = vertices.iter().map(|[x, y]| [&center[0] * 2 - x, &center[1] * 2 - y]);
+            let symmetric = ConvexPolygon::hull(vertices.iter().cloned().chain(reflected).collect());
+            let offsets: IBig = (0..count)
+                .map(|t| {
+                    let edge = vector(&vertices[t], &vertices[(t + 1) % count]);
+                    let farthest = vertices.iter().max_by_key(|vertex| cross(&edge, vertex)).expect("not empty");
+                    let doubled = [&center[0] * 2, &center[1] * 2];
+                    cross(&edge, &vector(farthest, &vector(&vertices[t], &doubled))).abs()
+                })
+                .sum();
+            symmetric.doubled_area() - offsets
+        });
+        assert_eq!(constants.next(), constants.next());
+    }
+}

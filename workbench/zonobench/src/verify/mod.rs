@@ -1,0 +1,19 @@
+//! An exact check of answers, by code that shares nothing with the solvers but the big integers.
+//!
+//! Every double is a whole multiple of a power of two. So all the numbers of one question and its answer are laid on one
+//! [`grid`]: integers, in which sums and products are exact. What is proved on the grid holds for the numbers as written.
+//! Distances between a rounded figure and the exact one are measured in the same integers.
+
+mod grid;
+mod min_area;
+mod polygon;
+mod proportion;
+mod support;
+mod transcript;
+
+pub use min_area::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+pub use support::{SupportAnswer, check_support};
+pub use transcript::{Verdict, check};
+
+/// The largest relative difference that is accepted between a figure of an answer and its exact value.
+pub const RELATIVE_ERROR: f64 = 1e-12;
