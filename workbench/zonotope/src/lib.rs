@@ -1,4 +1,5 @@
 //! Zonotopes as bounding volumes: exact, certified algorithms of computational geometry.
 
+pub mod hull;
 pub mod numeric;
 pub mod tally;

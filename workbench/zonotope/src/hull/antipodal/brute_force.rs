@@ -1,0 +1,81 @@
+//! Farthest vertex of each edge of a convex polygon, by comparing the heights of all vertices over the edge.
+//!
+//! # Statement
+//! Input: a convex hull. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the largest distance from its line,
+//! and whether vertex s + 1 has the same distance; of two such vertices the first in counter-clockwise order. Empty for a
+//! point and for a segment.
+//!
+//! # Source
+//! The vertex P_s that Section 4.1 of the paper assigns to the edge P_t P_{t+1}. The paper assumes that it is unique.
+//!
+//! # Method
+//! 1. Over edge t, vertex p is higher than vertex q if (P_{t+1} − P_t) × (p − q) is positive; keep the highest.
+//! 2. Two vertices that are equally high are neighbours; the first is the one that the other follows.
+//!
+//! # Complexity
+//! h edges: O(h²) time, O(h) space.
+//!
+//! # Shapes
+//! One answer an edge, in the order of the edges.
+//!
+//! # Numerics
+//! All decisions are exact.
+//!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! This is the truth, by definition.
+//!
+//! # Example
+//! ```
+//! use zonotope::hull::{antipodal, convex_hull};
+//!
+//! // the top edge is parallel to the bottom edge, the other two have one farthest vertex
+//! let trapezium = convex_hull(&[[0.0, 0.0], [4.0, 0.0], [3.0, 1.0], [1.0, 1.0]])?;
+//! let farthest = antipodal::brute_force::farthest_vertices(&trapezium);
+//! assert_eq!(farthest.iter().map(|s| (s.vertex().get(), s.is_tied())).collect::<Vec<_>>(),
+//!     [(2, true), (0, false), (0, true), (1, false)]);
+//! # Ok::<(), zonotope::hull::HullError>(())
+//! ```
+
+use super::FarthestVertex;
+use crate::hull::polygon::{ConvexHull, VertexIndex};
+use crate::numeric::orientation::{Turn, cross_sign_counted};
+use crate::tally::Tally;
+
+/// The farthest vertex of each edge.
+pub fn farthest_vertices(hull: &ConvexHull) -> Vec<FarthestVertex> {
+    farthest_vertices_counted(hull, &mut ())
+}
+
+/// [`farthest_vertices`], counting cross products.
+pub fn farthest_vertices_counted(hull: &ConvexHull, tally: &mut impl Tally) -> Vec<FarthestVertex> {
+    (0..hull.edge_count()).map(|edge| farthest_vertex(hull, VertexIndex::new(edge), tally)).collect()
+}
+
+fn farthest_vertex(hull: &ConvexHull, edge: VertexIndex, tally: &mut impl Tally) -> FarthestVertex {
+    let [from, to] = hull.edge(edge);
+    let mut best = edge;
+    let mut is_tied = false;
+    for candidate in (0..hull.vertex_count()).map(VertexIndex::new) {
+        let (low, high) = (hull.vertex(best), hull.vertex(candidate));
+        if candidate == best {
+            continue;
+        }
+        match cross_sign_counted(from, to, low, high, tally) {
+            Turn::Left => (best, is_tied) = (candidate, false),
+            Turn::Straight => {
+                is_tied = true;
+                if hull.next(candidate) == best {
+                    best = candidate;
+                }
+            }
+            Turn::Right => {}
+        }
+    }
+    FarthestVertex::new(best.get(), is_tied)
+}

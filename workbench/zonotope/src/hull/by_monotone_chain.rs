@@ -1,0 +1,70 @@
+//! Planar convex hull, by monotone chains: sort by x, then one scan builds the hull below and the hull above.
+//!
+//! # Statement
+//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their convex
+//! hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence in the
+//! input. Equal points give one vertex, collinear points two.
+//!
+//! # Source
+//! Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979. The paper takes the hull for granted ("our
+//! input can be assumed to be a convex polygon", Section 4.1).
+//!
+//! # Method
+//! 1. Sort the points lexicographically, equal ones by their position in the input.
+//! 2. Scan them. The side of the line from the first to the last point decides to which chain a point goes; points on that
+//!    line are dropped.
+//! 3. Appending to a chain, drop its last vertex while the turn there is not strictly to the left (to the right, above).
+//!
+//! # Complexity
+//! n points: O(n log n) time for the sort, then at most 3n orientation tests; 24n bytes for the sorted points and at most 8n
+//! for the chains, besides the answer.
+//!
+//! # Shapes
+//! `points`: n × 2.
+//!
+//! # Numerics
+//! All decisions are exact; −0 equals 0. Vertices are input points, bit for bit.
+//!
+//! # Errors
+//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`] ⇔ more than
+//! [`MAX_POINTS`](super::MAX_POINTS) points.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force) and [`verify`](super::verify).
+//!
+//! # Example
+//! ```
+//! let points = [[1.0, 1.0], [0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [0.0, 2.0]];
+//! let hull = zonotope::hull::by_monotone_chain::convex_hull(&points)?;
+//! assert_eq!(hull.vertices(), [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]);
+//! # Ok::<(), zonotope::hull::HullError>(())
+//! ```
+
+use super::error::{HullError, check_count, check_finite};
+use super::polygon::{ConvexHull, PointIndex};
+use super::sites::{self, Site};
+use crate::tally::Tally;
+
+/// The convex hull.
+///
+/// # Errors
+/// See the module.
+pub fn convex_hull(points: &[[f64; 2]]) -> Result<ConvexHull, HullError> {
+    convex_hull_counted(points, &mut ())
+}
+
+/// [`convex_hull`], counting orientation tests.
+///
+/// # Errors
+/// See the module.
+pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
+    check_count(points.len())?;
+    check_finite(points)?;
+    let mut sorted: Vec<Site> =
+        points.iter().enumerate().map(|(at, &point)| Site { point, index: PointIndex::new(at) }).collect();
+    sites::sort(&mut sorted);
+    Ok(sites::hull_of_sorted(&sorted, tally))
+}

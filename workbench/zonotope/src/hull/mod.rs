@@ -1,0 +1,28 @@
+//! Problem: the convex hull of a finite set of points in the plane, and for each of its edges the farthest vertex.
+//!
+//! The hull is given by its vertices in counter-clockwise order, starting from the lexicographically smallest, no three of
+//! them on a line; each vertex comes with the index of its first occurrence in the input. Points and segments are hulls
+//! too, with one and two vertices. Every decision is exact, so the answer does not depend on the method.
+//!
+//! | method | time | notes |
+//! |---|---|---|
+//! | [`brute_force`] | O(n·h) | gift wrapping; the truth |
+//! | [`by_monotone_chain`] | O(n log n) | sort by x, then one chain below and one above (Andrew) |
+//!
+//! n points, h of them vertices of the hull. [`convex_hull`] is the default method; [`antipodal`] is a problem of its own and
+//! [`verify`] checks an answer without trusting any of the methods.
+
+pub mod antipodal;
+pub mod brute_force;
+pub mod by_monotone_chain;
+mod error;
+mod polygon;
+mod sites;
+pub mod verify;
+
+pub use by_monotone_chain::{convex_hull, convex_hull_counted};
+pub use error::{HullError, MAX_POINTS};
+pub use polygon::{ConvexHull, PointIndex, VertexIndex};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,198 @@
+use proptest::prelude::*;
+
+use super::verify::{HullDefect, verify};
+use super::*;
+use crate::numeric::dyadic::scale_by_power_of_two;
+use crate::tally::{Operation, OperationCounts};
+
+type Method = fn(&[[f64; 2]]) -> Result<ConvexHull, HullError>;
+
+const METHODS: [(&str, Method); 3] = [
+    ("brute_force", brute_force::convex_hull),
+    ("by_monotone_chain", by_monotone_chain::convex_hull),
+    ("default", convex_hull),
+];
+
+fn nudge(value: f64, steps: i64) -> f64 {
+    let moved = f64::from_bits(value.to_bits().wrapping_add_signed(steps));
+    if moved.is_finite() { moved } else { value }
+}
+
+fn points_of<S: Strategy<Value = f64>>(coordinate: impl Fn() -> S) -> impl Strategy<Value = Vec<[f64; 2]>> {
+    prop::collection::vec([coordinate(), coordinate()], 1..60)
+}
+
+/// Multiples of a direction from an origin, rounded, then moved by a few ulps.
+fn nearly_collinear(ulps: i64) -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let steps = prop::collection::vec((-20_i32..=20, -ulps..=ulps, -ulps..=ulps), 1..40);
+    ([-1.0..1.0, -1.0..1.0], [-1.0..1.0, -1.0..1.0], steps).prop_map(|(origin, direction, steps)| {
+        let at = |axis: usize, along: i32| origin[axis] + f64::from(along) * direction[axis];
+        steps.into_iter().map(|(k, x, y)| [nudge(at(0, k), x), nudge(at(1, k), y)]).collect()
+    })
+}
+
+/// Points on a circle, in a regular pattern or not, with repetitions.
+fn circular() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    (3_u32..40, any::<bool>(), prop::collection::vec(any::<u32>(), 3..80)).prop_map(|(sides, is_regular, picks)| {
+        let angle = |pick: u32| {
+            let fraction = f64::from(pick) / f64::from(if is_regular { sides } else { u32::MAX });
+            fraction * std::f64::consts::TAU
+        };
+        let picks = picks.into_iter().map(|pick| if is_regular { pick % sides } else { pick });
+        picks.map(|pick| [libm::cos(angle(pick)), libm::sin(angle(pick))]).collect()
+    })
+}
+
+fn symmetric() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    points_of(|| -1.0..1.0).prop_map(|points| {
+        let opposite: Vec<_> = points.iter().map(|&[x, y]| [-x, -y]).collect();
+        [points, opposite].concat()
+    })
+}
+
+fn unscaled() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    prop_oneof![
+        points_of(|| -1.0..1.0),
+        points_of(|| (-3_i32..=3).prop_map(f64::from)),
+        points_of(|| prop::sample::select(vec![0.0, -0.0, 1.0])),
+        (points_of(|| -1.0..1.0), -1.0..1.0).prop_map(|(points, x)| points.iter().map(|p| [x, p[1]]).collect()),
+        nearly_collinear(0),
+        nearly_collinear(1),
+        circular(),
+        symmetric(),
+    ]
+}
+
+/// Instances of every family, at every scale of the double range, and with scales mixed within an instance.
+pub(super) fn point_sets() -> impl Strategy<Value = Vec<[f64; 2]>> {
+    let exponent = prop::sample::select(vec![-1070_i64, -1020, -540, -400, 0, 100, 480, 512, 1015]);
+    let any_finite = || any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |value| value.is_finite());
+    prop_oneof![
+        3 => unscaled(),
+        2 => (unscaled(), exponent).prop_map(|(points, exponent)| {
+            points.iter().map(|point| point.map(|value| scale_by_power_of_two(value, exponent))).collect()
+        }),
+        1 => (unscaled(), unscaled(), -1040_i64..1015).prop_map(|(mut points, other, exponent)| {
+            points.extend(other.iter().map(|point| point.map(|value| scale_by_power_of_two(value, exponent))));
+            points
+        }),
+        1 => (unscaled(), points_of(any_finite)).prop_map(|(points, other)| [points, other].concat()),
+    ]
+}
+
+/// Repeats and shuffles an instance until it is long enough for the stages that only large inputs reach.
+fn enlarged(points: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+    (0..count).map(|k| points[(k * 7919 + k / points.len()) % points.len()]).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn methods_agree_and_verify(points in point_sets()) {
+        let truth = brute_force::convex_hull(&points).expect("the points are finite");
+        prop_assert_eq!(verify(&points, &truth), Ok(()));
+        for (name, method) in METHODS {
+            prop_assert_eq!(method(&points), Ok(truth.clone()), "{}", name);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn methods_agree_on_many_points(points in point_sets(), count in 500_usize..4000) {
+        let points = enlarged(&points, count);
+        let truth = brute_force::convex_hull(&points).expect("the points are finite");
+        prop_assert_eq!(convex_hull(&points), Ok(truth));
+    }
+}
+
+fn check_vertices(points: &[[f64; 2]], vertices: &[[f64; 2]], indices: &[usize]) {
+    for (name, method) in METHODS {
+        let hull = method(points).expect("the points are finite");
+        assert_eq!(hull.vertices(), vertices, "{name}");
+        assert_eq!(hull.indices().iter().map(|index| index.get()).collect::<Vec<_>>(), indices, "{name}");
+    }
+}
+
+#[test]
+fn one_point() {
+    check_vertices(&[[3.0, 4.0]], &[[3.0, 4.0]], &[0]);
+    check_vertices(&[[3.0, 4.0]; 5], &[[3.0, 4.0]], &[0]);
+    check_vertices(&[[0.0, -0.0], [-0.0, 0.0]], &[[0.0, 0.0]], &[0]);
+}
+
+#[test]
+fn segments() {
+    check_vertices(&[[3.0, 4.0], [1.0, 2.0]], &[[1.0, 2.0], [3.0, 4.0]], &[1, 0]);
+    check_vertices(&[[1.0, 5.0], [1.0, 2.0], [1.0, 2.0], [1.0, 4.0]], &[[1.0, 2.0], [1.0, 5.0]], &[1, 0]);
+    check_vertices(&[[1.0, 1.0], [0.0, 0.0], [2.0, 2.0], [1.0, 1.0], [2.0, 2.0]], &[[0.0, 0.0], [2.0, 2.0]], &[1, 2]);
+}
+
+#[test]
+fn a_square_with_all_its_lattice_points_twice() {
+    let points: Vec<[f64; 2]> = (0..50).map(|k| [f64::from(k % 5), f64::from(k / 5 % 5)]).collect();
+    check_vertices(&points, &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], &[0, 4, 24, 20]);
+}
+
+#[test]
+fn the_largest_coordinates_and_the_smallest() {
+    let (big, small) = (f64::MAX, 5e-324);
+    let points = [[0.0, small], [big, big], [-big, big], [0.0, 0.0], [small, 0.0], [-big, -big], [big, -big]];
+    check_vertices(&points, &[[-big, -big], [big, -big], [big, big], [-big, big]], &[5, 6, 1, 2]);
+}
+
+#[test]
+fn bad_input_is_refused() {
+    for (name, method) in METHODS {
+        assert_eq!(method(&[]), Err(HullError::Empty), "{name}");
+        for value in [f64::INFINITY, f64::NEG_INFINITY] {
+            let mut points = vec![[0.0; 2]; 3000];
+            points[2001][1] = value;
+            points[2500][0] = f64::NAN;
+            assert_eq!(method(&points), Err(HullError::NonFinite { index: 2001, coordinate: 1, value }), "{name}");
+        }
+        let refused = method(&[[1.0, 2.0], [f64::NAN, f64::NAN]]);
+        assert!(
+            matches!(refused, Err(HullError::NonFinite { index: 1, coordinate: 0, value }) if value.is_nan()),
+            "{name}"
+        );
+    }
+    assert_eq!(error::check_count(MAX_POINTS), Ok(()));
+    assert_eq!(error::check_count(MAX_POINTS + 1), Err(HullError::TooMany { count: MAX_POINTS + 1 }));
+    assert_eq!(
+        HullError::NonFinite { index: 3, coordinate: 1, value: f64::NAN }.to_string(),
+        "point 3, coordinate 1 is NaN"
+    );
+}
+
+#[test]
+fn counting_changes_nothing_and_counts() {
+    let points: Vec<[f64; 2]> = (0..2000).map(|k| f64::from(k) - 1000.0).map(|x| [x, x * x]).collect();
+    let mut counts = OperationCounts::default();
+    assert_eq!(convex_hull_counted(&points, &mut counts), convex_hull(&points));
+    assert!((2000..8000).contains(&counts.get(Operation::Turn)));
+    assert_eq!(counts.get(Operation::ExactFallback), 0);
+}
+
+#[test]
+fn the_verifier_finds_defects() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0], [2.0, 2.0]];
+    let polygon = |indices: &[usize]| {
+        let vertices = indices.iter().map(|&at| points[at]).collect();
+        ConvexHull::from_parts(vertices, indices.iter().map(|&at| PointIndex::new(at)).collect())
+    };
+    let (vertex, point) = (VertexIndex::new, PointIndex::new);
+    assert_eq!(verify(&points, &polygon(&[0, 1, 2, 3])), Ok(()));
+    assert_eq!(verify(&points, &polygon(&[0, 1, 2])), Err(HullDefect::PointOutside(point(3))));
+    assert_eq!(verify(&points, &polygon(&[0, 2])), Err(HullDefect::PointOutside(point(1))));
+    assert_eq!(verify(&points, &polygon(&[0])), Err(HullDefect::PointOutside(point(1))));
+    assert_eq!(verify(&points, &polygon(&[1, 2, 3, 0])), Err(HullDefect::NotMonotone(vertex(2))));
+    assert_eq!(verify(&points, &polygon(&[0, 3, 2, 1])), Err(HullDefect::NotConvex(vertex(1))));
+    assert_eq!(verify(&points, &polygon(&[0, 1, 4, 2, 3])), Err(HullDefect::NotMonotone(vertex(3))));
+    assert_eq!(verify(&points, &polygon(&[0, 1, 5, 3])), Err(HullDefect::NotFirstOccurrence(vertex(2), point(2))));
+    let moved = ConvexHull::from_parts(vec![[0.5, 0.0]], vec![point(0)]);
+    assert_eq!(verify(&points, &moved), Err(HullDefect::NotAnInputPoint(vertex(0))));
+}
