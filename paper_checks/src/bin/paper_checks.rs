@@ -1,0 +1,8 @@
+//! Checks every claim of the paper and prints claim, place, evidence and verdict, one line each.
+
+use paper_checks::{CheckContext, run, text};
+
+fn main() {
+    let results = run(&CheckContext::default(), |_| ());
+    print!("{}", text(&results));
+}

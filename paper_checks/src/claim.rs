@@ -1,0 +1,171 @@
+//! What a claim is, what its check is given, and what it may answer.
+
+use crate::catalog;
+
+/// One statement of the paper, or one correction to it.
+#[derive(Debug)]
+pub struct Claim {
+    /// The name by which experiments, figures and reports refer to it, such as `lemma-4.3`.
+    pub id: &'static str,
+    /// Where the paper says it.
+    pub place: Place,
+    /// What sort of statement it is.
+    pub kind: ClaimKind,
+    /// The statement, in our own words; for a correction, the paper's statement as it stands.
+    pub statement: &'static str,
+    /// What to do or to read instead, where the paper is wrong, silent or weaker than the truth.
+    pub remedy: Option<&'static str>,
+    /// The modules that implement it, as Rust paths.
+    pub code: &'static [&'static str],
+    /// Ids of the experiments that measure it.
+    pub experiments: &'static [&'static str],
+    /// Ids of the figures that show it.
+    pub figures: &'static [&'static str],
+    /// How it is checked.
+    pub check: Check,
+}
+
+impl Claim {
+    /// The base of a claim that is listed but neither implemented nor checked.
+    pub const LISTED: Claim = Claim {
+        id: "",
+        place: Place {
+            section: "",
+            label: "",
+        },
+        kind: ClaimKind::Statement,
+        statement: "",
+        remedy: None,
+        code: &[],
+        experiments: &[],
+        figures: &[],
+        check: Check::NotYetImplemented,
+    };
+
+    /// Runs the check, following a restatement to its original; `None` when there is no check yet.
+    pub fn verdict(&self, context: &CheckContext) -> Option<Verdict> {
+        match self.check {
+            Check::NotYetImplemented => None,
+            Check::Restates(id) => catalog::find(id)?.verdict(context),
+            Check::Run(check) => Some(check(context)),
+        }
+    }
+}
+
+/// A place in the paper.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// The section's number, such as `4.1`.
+    pub section: &'static str,
+    /// The label or a few words that find the place within the section.
+    pub label: &'static str,
+}
+
+/// The sort of a statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClaimKind {
+    /// A statement in running text.
+    Statement,
+    /// A numbered lemma.
+    Lemma,
+    /// A numbered corollary.
+    Corollary,
+    /// A numbered theorem.
+    Theorem,
+    /// A figure.
+    Figure,
+    /// An open question of the conclusions.
+    OpenQuestion,
+    /// A place where the paper is wrong, silent or too weak: the claim is the paper's version.
+    Erratum,
+}
+
+/// How a claim is checked.
+#[derive(Clone, Copy, Debug)]
+pub enum Check {
+    /// Nothing checks it yet.
+    NotYetImplemented,
+    /// It says what the claim of this id says, and shares its verdict.
+    Restates(&'static str),
+    /// By this function.
+    Run(fn(&CheckContext) -> Verdict),
+}
+
+/// What a check is given.
+#[derive(Clone, Debug)]
+pub struct CheckContext {
+    /// The seed of every random instance.
+    pub seed: u64,
+    /// What finished experiments have to say; empty when none was run.
+    pub measurements: Vec<Measurement>,
+}
+
+impl Default for CheckContext {
+    /// The context of the committed ledger: seed 2003, no experiments.
+    fn default() -> Self {
+        CheckContext {
+            seed: 2003,
+            measurements: Vec::new(),
+        }
+    }
+}
+
+impl CheckContext {
+    /// The measurements of one experiment.
+    pub fn measurements_of<'a>(
+        &'a self,
+        experiment: &'a str,
+    ) -> impl Iterator<Item = &'a Measurement> {
+        self.measurements
+            .iter()
+            .filter(move |measurement| measurement.experiment == experiment)
+    }
+}
+
+/// A sentence that an experiment contributes to a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Measurement {
+    /// The experiment's id.
+    pub experiment: String,
+    /// What was measured, with its numbers.
+    pub summary: String,
+    /// Whether the measurement agrees with the claim.
+    pub agrees: bool,
+}
+
+/// What a check found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The statement held wherever it was tried; the text says where.
+    Holds(String),
+    /// The statement is false; the text is the witness.
+    Refuted(String),
+    /// The check could not decide; the text says why.
+    Inconclusive(String),
+}
+
+impl Verdict {
+    /// The verdict in one word.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Verdict::Holds(_) => "holds",
+            Verdict::Refuted(_) => "refuted",
+            Verdict::Inconclusive(_) => "inconclusive",
+        }
+    }
+
+    /// The evidence, witness or reason.
+    pub fn evidence(&self) -> &str {
+        match self {
+            Verdict::Holds(text) | Verdict::Refuted(text) | Verdict::Inconclusive(text) => text,
+        }
+    }
+
+    /// `Holds(evidence)` if nothing failed, else `Refuted` with the first failure.
+    pub(crate) fn unless(failure: Option<String>, evidence: impl FnOnce() -> String) -> Self {
+        match failure {
+            Some(witness) => Verdict::Refuted(witness),
+            None => Verdict::Holds(evidence()),
+        }
+    }
+}

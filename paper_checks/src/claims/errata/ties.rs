@@ -1,0 +1,54 @@
+//! Vertices that share an x, and vertical lines.
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+
+use crate::instances::polygon;
+use crate::plane::{arrangement_vertices, bisectors};
+use crate::ratio::integer;
+
+/// The claim.
+pub static CLAIM: Claim = Claim {
+    id: "erratum-4.1-ties",
+    place: Place {
+        section: "4.1",
+        label: "before Theorem 4.5",
+    },
+    kind: ClaimKind::Erratum,
+    statement: "A vertical line splits the candidate vertices into two halves of equal size",
+    remedy: Some(
+        "many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the vertices on it as well",
+    ),
+    code: &[
+        "zonotope::lad::by_slope_selection",
+        "zonotope::arrangement::slope_selection",
+    ],
+    check: Check::Run(check),
+    ..Claim::LISTED
+};
+
+/// Shows a symmetric hexagon whose lines all meet in one point, and a polygon with a vertical line l_t.
+fn check(_context: &CheckContext) -> Verdict {
+    let hexagon = polygon(&[(3, 0), (1, 2), (-2, 3), (-3, 0), (-1, -2), (2, -3)]);
+    let lines = bisectors(&hexagon);
+    let vertices = arrangement_vertices(&lines);
+    let pairs = (0..lines.len())
+        .flat_map(|one| (0..one).map(move |other| (one, other)))
+        .filter(|&(one, other)| lines[one].intersection(&lines[other]).is_some())
+        .count();
+    let triangle = polygon(&[(0, -2), (0, 2), (5, 0)]);
+    let vertical = bisectors(&triangle)
+        .iter()
+        .filter(|line| line.edge.x == integer(0))
+        .count();
+    if vertices.len() != 1 || vertical == 0 {
+        return Verdict::Holds(format!(
+            "the hexagon has {} vertices, the triangle {vertical} vertical lines",
+            vertices.len()
+        ));
+    }
+    Verdict::Refuted(format!(
+        "hexagon ±(3,0), ±(1,2), ±(-2,3): all {pairs} crossings of its 6 lines are the one point {}, so every vertical line \
+         leaves all of them on one side; triangle (0,-2), (0,2), (5,0): {vertical} line l_t is vertical and has no slope",
+        vertices[0]
+    ))
+}

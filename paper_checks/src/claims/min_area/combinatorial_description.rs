@@ -1,0 +1,71 @@
+//! The runs of Z(O).
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+
+use crate::instances::{generator, listed, polygons, random_point, reach};
+use crate::plane::Point;
+use crate::runs::{Run, runs};
+
+/// The claim.
+pub static CLAIM: Claim = Claim {
+    id: "combinatorial-description",
+    place: Place {
+        section: "4.1",
+        label: "fifth paragraph",
+    },
+    kind: ClaimKind::Statement,
+    statement: "Z(O) is a circular sequence of runs of consecutive points and runs of consecutive reflected points, in turn",
+    code: &["zonotope::enclosing::centered_zonogon"],
+    check: Check::Run(check),
+    ..Claim::LISTED
+};
+
+/// Reads the runs off the hull; they are consecutive on H, odd in number, and opposite runs are reflections.
+fn check(context: &CheckContext) -> Verdict {
+    let mut random = generator(context.seed, 4);
+    let mut tried = 0;
+    let mut longest = 0;
+    for instance in polygons(&mut random, 60) {
+        let polygon = &instance.polygon;
+        for _ in 0..6 {
+            let center = random_point(&mut random, reach(polygon));
+            let Some(runs) = runs(polygon, &center) else {
+                continue;
+            };
+            if !is_description(polygon, &center, &runs) {
+                return Verdict::Refuted(format!("{} about {center}", listed(polygon)));
+            }
+            tried += 1;
+            longest = longest.max(runs.len());
+        }
+    }
+    Verdict::Holds(format!(
+        "{tried} zonogons are k runs of consecutive points and k of consecutive reflected points in turn; opposite runs are \
+         reflections, so k is odd (at most {longest} here)"
+    ))
+}
+
+fn is_description(polygon: &[Point], center: &Point, runs: &[Run]) -> bool {
+    let consecutive = |run: &mut dyn Iterator<Item = Point>| {
+        let indices: Vec<Option<usize>> = run
+            .map(|vertex| polygon.iter().position(|point| *point == vertex))
+            .collect();
+        indices.windows(2).all(|pair| match pair {
+            [Some(one), Some(next)] => (one + 1) % polygon.len() == *next,
+            _ => false,
+        })
+    };
+    let mirrored = |run: &Run| {
+        run.reflected
+            .iter()
+            .map(|vertex| vertex.reflected_through(center))
+            .collect::<Vec<_>>()
+    };
+    let k = runs.len();
+    k % 2 == 1
+        && runs.iter().enumerate().all(|(s, run)| {
+            consecutive(&mut run.original.iter().cloned())
+                && consecutive(&mut mirrored(run).into_iter())
+                && mirrored(run) == runs[(s + k.div_ceil(2)) % k].original
+        })
+}

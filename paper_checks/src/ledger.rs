@@ -1,0 +1,144 @@
+//! Running the claims and writing the ledger.
+
+use std::fmt::Write;
+
+use crate::catalog::CLAIMS;
+use crate::claim::{Check, CheckContext, Claim, Verdict};
+
+/// A claim with what its check found.
+#[derive(Clone, Debug)]
+pub struct ClaimResult {
+    /// The claim.
+    pub claim: &'static Claim,
+    /// The verdict; `None` while the claim has no check.
+    pub verdict: Option<Verdict>,
+}
+
+impl ClaimResult {
+    /// The verdict in one word or three.
+    pub fn word(&self) -> &'static str {
+        self.verdict
+            .as_ref()
+            .map_or("not yet implemented", Verdict::word)
+    }
+
+    /// The evidence in one line: for a restatement, the claim that it restates.
+    pub fn evidence(&self) -> String {
+        match (&self.verdict, self.claim.check) {
+            (Some(_), Check::Restates(id)) => format!("restates `{id}`"),
+            (Some(verdict), _) => verdict.evidence().to_owned(),
+            (None, _) => String::new(),
+        }
+    }
+}
+
+/// Checks every claim in the order of the catalog; `progress` sees each result as it arrives.
+pub fn run(context: &CheckContext, mut progress: impl FnMut(&ClaimResult)) -> Vec<ClaimResult> {
+    let mut results: Vec<ClaimResult> = Vec::with_capacity(CLAIMS.len());
+    for &claim in CLAIMS {
+        let known = match claim.check {
+            Check::Restates(id) => results.iter().find(|result| result.claim.id == id),
+            _ => None,
+        };
+        let verdict = match known {
+            Some(original) => original.verdict.clone(),
+            None => claim.verdict(context),
+        };
+        let result = ClaimResult { claim, verdict };
+        progress(&result);
+        results.push(result);
+    }
+    results
+}
+
+const WORDS: [&str; 4] = ["holds", "refuted", "inconclusive", "not yet implemented"];
+
+fn tally(results: &[ClaimResult]) -> String {
+    let counts: Vec<String> = WORDS
+        .iter()
+        .map(|word| {
+            let count = results
+                .iter()
+                .filter(|result| result.word() == *word)
+                .count();
+            format!("{count} {word}")
+        })
+        .collect();
+    format!("{} claims: {}", results.len(), counts.join(", "))
+}
+
+/// The ledger as Markdown: claim, place, evidence, verdict.
+pub fn markdown(results: &[ClaimResult]) -> String {
+    let mut page = String::from(
+        "# Claims\n\n\
+         Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003), with the evidence that the\n\
+         checks of this crate produce in exact arithmetic and the verdict. A refuted row says what to read instead. The\n\
+         file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
+    );
+    let mut line = |text: std::fmt::Arguments| {
+        writeln!(page, "{text}").expect("because writing to a string does not fail");
+    };
+    line(format_args!("{}.\n", tally(results)));
+    line(format_args!("| Claim | Place | Evidence | Verdict |"));
+    line(format_args!("| --- | --- | --- | --- |"));
+    for result in results {
+        let claim = result.claim;
+        line(format_args!(
+            "| **{}**: {} | {}, {} | {} | {} |",
+            cell(claim.id),
+            cell(claim.statement),
+            cell(claim.place.section),
+            cell(claim.place.label),
+            evidence_cell(result),
+            result.word(),
+        ));
+    }
+    page
+}
+
+fn evidence_cell(result: &ClaimResult) -> String {
+    let claim = result.claim;
+    let mut parts: Vec<String> = Vec::new();
+    let evidence = result.evidence();
+    if !evidence.is_empty() {
+        parts.push(cell(&evidence));
+    }
+    if let Some(remedy) = claim.remedy {
+        parts.push(format!("*Instead:* {}", cell(remedy)));
+    }
+    for (title, names) in [
+        ("Code", claim.code),
+        ("Experiments", claim.experiments),
+        ("Figures", claim.figures),
+    ] {
+        if !names.is_empty() {
+            let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            parts.push(format!("*{title}:* {}", quoted.join(", ")));
+        }
+    }
+    parts.join("<br>")
+}
+
+/// Text as it may stand in a cell of a Markdown table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace('*', "\\*")
+}
+
+/// The ledger as plain lines for a terminal: claim, place, evidence and verdict in turn.
+pub fn text(results: &[ClaimResult]) -> String {
+    let mut page = String::new();
+    for result in results {
+        let claim = result.claim;
+        page.push_str(&format!(
+            "{} | {}, {} | {} | {}\n",
+            claim.id,
+            claim.place.section,
+            claim.place.label,
+            result.evidence(),
+            result.word()
+        ));
+    }
+    page.push_str(&tally(results));
+    page.push_str(".\n");
+    page
+}

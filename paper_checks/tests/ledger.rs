@@ -1,0 +1,76 @@
+//! The committed ledger is the generated one, and the catalog is in order.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use paper_checks::catalog::{self, CLAIMS};
+use paper_checks::{Check, CheckContext, markdown, run};
+
+#[test]
+fn the_committed_ledger_is_the_generated_one() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("CLAIMS.md");
+    let generated = markdown(&run(&CheckContext::default(), |_| ()));
+    if std::env::var_os("ZONOTOPE_BLESS").is_some_and(|value| value == "1") {
+        std::fs::write(&path, &generated).expect("CLAIMS.md can be written");
+    }
+    let committed = std::fs::read_to_string(&path).expect("CLAIMS.md is committed");
+    for (committed, generated) in committed.lines().zip(generated.lines()) {
+        assert_eq!(
+            committed, generated,
+            "CLAIMS.md differs; rewrite it with ZONOTOPE_BLESS=1"
+        );
+    }
+    assert_eq!(committed, generated, "CLAIMS.md has lost or gained lines");
+}
+
+#[test]
+fn ids_are_unique_and_restatements_resolve() {
+    let ids: BTreeSet<&str> = CLAIMS.iter().map(|claim| claim.id).collect();
+    assert_eq!(ids.len(), CLAIMS.len());
+    for claim in CLAIMS {
+        assert!(
+            !claim.statement.is_empty() && !claim.place.label.is_empty(),
+            "{}",
+            claim.id
+        );
+        if let Check::Restates(id) = claim.check {
+            let original = catalog::find(id).expect("a restated claim is listed");
+            assert!(
+                !matches!(original.check, Check::Restates(_)),
+                "{}",
+                claim.id
+            );
+        }
+    }
+}
+
+#[test]
+fn every_claim_file_is_in_the_catalog() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/claims");
+    let mut files = 0;
+    for section in std::fs::read_dir(folder).expect("the folder exists") {
+        let section = section.expect("the folder can be read").path();
+        if section.is_dir() {
+            files += std::fs::read_dir(section)
+                .expect("the section can be read")
+                .filter(|file| file.as_ref().is_ok_and(|file| file.file_name() != "mod.rs"))
+                .count();
+        }
+    }
+    assert_eq!(files, CLAIMS.len());
+}
+
+#[test]
+fn verdicts_do_not_hang_on_the_seed() {
+    let words = |seed| {
+        let context = CheckContext {
+            seed,
+            ..CheckContext::default()
+        };
+        run(&context, |_| ())
+            .iter()
+            .map(|result| (result.claim.id, result.word()))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(words(2003), words(71));
+}
