@@ -2,8 +2,8 @@
 
 use crate::claim::Claim;
 use crate::claims::{
-    dynamic_collision, errata, fixed_directions, fundamentals, introduction, min_area,
-    min_total_length, open_questions, space_time, static_collision, summary,
+    dynamic_collision, errata, fixed_directions, fundamentals, introduction, min_area, min_total_length,
+    open_questions, space_time, static_collision, summary,
 };
 
 /// Every claim.

@@ -29,10 +29,7 @@ impl Claim {
     /// The base of a claim that is listed but neither implemented nor checked.
     pub const LISTED: Claim = Claim {
         id: "",
-        place: Place {
-            section: "",
-            label: "",
-        },
+        place: Place { section: "", label: "" },
         kind: ClaimKind::Statement,
         statement: "",
         remedy: None,
@@ -103,22 +100,14 @@ pub struct CheckContext {
 impl Default for CheckContext {
     /// The context of the committed ledger: seed 2003, no experiments.
     fn default() -> Self {
-        CheckContext {
-            seed: 2003,
-            measurements: Vec::new(),
-        }
+        CheckContext { seed: 2003, measurements: Vec::new() }
     }
 }
 
 impl CheckContext {
     /// The measurements of one experiment.
-    pub fn measurements_of<'a>(
-        &'a self,
-        experiment: &'a str,
-    ) -> impl Iterator<Item = &'a Measurement> {
-        self.measurements
-            .iter()
-            .filter(move |measurement| measurement.experiment == experiment)
+    pub fn measurements_of<'a>(&'a self, experiment: &'a str) -> impl Iterator<Item = &'a Measurement> {
+        self.measurements.iter().filter(move |measurement| measurement.experiment == experiment)
     }
 }
 
@@ -158,14 +147,6 @@ impl Verdict {
     pub fn evidence(&self) -> &str {
         match self {
             Verdict::Holds(text) | Verdict::Refuted(text) | Verdict::Inconclusive(text) => text,
-        }
-    }
-
-    /// `Holds(evidence)` if nothing failed, else `Refuted` with the first failure.
-    pub(crate) fn unless(failure: Option<String>, evidence: impl FnOnce() -> String) -> Self {
-        match failure {
-            Some(witness) => Verdict::Refuted(witness),
-            None => Verdict::Holds(evidence()),
         }
     }
 }

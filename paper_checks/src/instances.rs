@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::plane::{Point, convex_hull};
-use crate::ratio::fraction;
+use crate::ratio::{fraction, integer};
 
 /// A polygon with the words that name it in a witness.
 #[derive(Clone, Debug)]
@@ -32,12 +32,7 @@ pub fn polygon(coordinates: &[(i64, i64)]) -> Vec<Point> {
 pub fn random_polygon(random: &mut Pcg64Mcg, draws: usize, reach: i64) -> Vec<Point> {
     loop {
         let points: Vec<Point> = (0..draws)
-            .map(|_| {
-                Point::at(
-                    random.random_range(-reach..=reach),
-                    random.random_range(-reach..=reach),
-                )
-            })
+            .map(|_| Point::at(random.random_range(-reach..=reach), random.random_range(-reach..=reach)))
             .collect();
         let hull = convex_hull(&points);
         if hull.len() >= 3 {
@@ -63,88 +58,52 @@ pub fn random_point(random: &mut Pcg64Mcg, reach: i64) -> Point {
     Point::new(x, coordinate())
 }
 
+/// A random centre for a polygon: one time in three anywhere about it, else near its middle, where Z(O) changes most.
+pub fn random_center(random: &mut Pcg64Mcg, polygon: &[Point]) -> Point {
+    let anywhere = random_point(random, reach(polygon));
+    let share = [integer(1), fraction(1, 5), fraction(1, 40)][random.random_range(0..3)].clone();
+    let middle = polygon.iter().fold(Point::at(0, 0), |sum, point| sum.plus(&fraction(1, polygon.len() as i64), point));
+    middle.plus(&share, &middle.to(&anywhere))
+}
+
 /// Polygons with parallel edges, vertical and horizontal edges, symmetry, many collinear coincidences, and thin ones.
 pub fn degenerate_polygons() -> Vec<Instance> {
     let named: [(&str, &[(i64, i64)]); 12] = [
-        (
-            "the triangle (0,0), (4,0), (1,3)",
-            &[(0, 0), (4, 0), (1, 3)],
-        ),
-        (
-            "the isosceles triangle with a vertical edge",
-            &[(0, -2), (0, 2), (5, 0)],
-        ),
+        ("the triangle (0,0), (4,0), (1,3)", &[(0, 0), (4, 0), (1, 3)]),
+        ("the isosceles triangle with a vertical edge", &[(0, -2), (0, 2), (5, 0)]),
         ("the unit square", &[(0, 0), (1, 0), (1, 1), (0, 1)]),
-        (
-            "the parallelogram (0,0), (5,1), (7,4), (2,3)",
-            &[(0, 0), (5, 1), (7, 4), (2, 3)],
-        ),
-        (
-            "the trapezoid (0,0), (6,0), (4,2), (1,2)",
-            &[(0, 0), (6, 0), (4, 2), (1, 2)],
-        ),
-        (
-            "the kite (0,-3), (2,0), (0,1), (-2,0)",
-            &[(0, -3), (2, 0), (0, 1), (-2, 0)],
-        ),
+        ("the parallelogram (0,0), (5,1), (7,4), (2,3)", &[(0, 0), (5, 1), (7, 4), (2, 3)]),
+        ("the trapezoid (0,0), (6,0), (4,2), (1,2)", &[(0, 0), (6, 0), (4, 2), (1, 2)]),
+        ("the kite (0,-3), (2,0), (0,1), (-2,0)", &[(0, -3), (2, 0), (0, 1), (-2, 0)]),
         (
             "the centrally symmetric hexagon (±3,0), ±(1,2), ±(-2,3)",
             &[(3, 0), (1, 2), (-2, 3), (-3, 0), (-1, -2), (2, -3)],
         ),
         (
             "the symmetric lattice octagon (±1,±3), (±3,±1)",
-            &[
-                (1, 3),
-                (3, 1),
-                (3, -1),
-                (1, -3),
-                (-1, -3),
-                (-3, -1),
-                (-3, 1),
-                (-1, 3),
-            ],
+            &[(1, 3), (3, 1), (3, -1), (1, -3), (-1, -3), (-3, -1), (-3, 1), (-1, 3)],
         ),
-        (
-            "the house (0,0), (2,0), (2,2), (1,3), (0,2)",
-            &[(0, 0), (2, 0), (2, 2), (1, 3), (0, 2)],
-        ),
-        (
-            "the needle (0,0), (1000000,1), (1000001,2)",
-            &[(0, 0), (1_000_000, 1), (1_000_001, 2)],
-        ),
+        ("the house (0,0), (2,0), (2,2), (1,3), (0,2)", &[(0, 0), (2, 0), (2, 2), (1, 3), (0, 2)]),
+        ("the needle (0,0), (1000000,1), (1000001,2)", &[(0, 0), (1_000_000, 1), (1_000_001, 2)]),
         (
             "the nearly parallel quadrilateral (0,0), (10^6,0), (10^6,10^6), (0,10^6+1)",
-            &[
-                (0, 0),
-                (1_000_000, 0),
-                (1_000_000, 1_000_000),
-                (0, 1_000_001),
-            ],
+            &[(0, 0), (1_000_000, 0), (1_000_000, 1_000_000), (0, 1_000_001)],
         ),
-        (
-            "the hexagon with three parallel pairs and no centre",
-            &[(0, 0), (4, 0), (5, 1), (5, 3), (4, 3), (0, -1)],
-        ),
+        ("the hexagon with three parallel pairs and no centre", &[(0, 0), (4, 0), (5, 1), (5, 3), (4, 3), (0, -1)]),
     ];
     named
         .into_iter()
-        .map(|(name, coordinates)| Instance {
-            name: name.to_owned(),
-            polygon: polygon(coordinates),
-        })
+        .map(|(name, coordinates)| Instance { name: name.to_owned(), polygon: polygon(coordinates) })
         .collect()
 }
 
-/// `count` random polygons of 3 to about 10 vertices, on coarse and on fine lattices.
+/// `count` random polygons of 3 to about 16 vertices, on coarse and on fine lattices.
 pub fn random_polygons(random: &mut Pcg64Mcg, count: usize) -> Vec<Instance> {
     (0..count)
         .map(|index| {
-            let draws = 3 + index % 12;
-            let reach = [6, 40, 10_000][index % 3];
-            Instance {
-                name: format!("random polygon {index}"),
-                polygon: random_polygon(random, draws, reach),
-            }
+            let draws = [3 + index % 8, 20, 150][index % 3];
+            let reach = [6, 40, 10_000, 300][index % 4];
+            Instance { name: format!("random polygon {index}"), polygon: random_polygon(random, draws, reach) }
         })
         .collect()
 }
@@ -156,8 +115,8 @@ pub fn polygons(random: &mut Pcg64Mcg, count: usize) -> Vec<Instance> {
     all
 }
 
-/// A square's half-width that holds the polygon with room to spare.
-pub fn reach(polygon: &[Point]) -> i64 {
+/// The half-width of a square about the origin that holds the polygon with room to spare.
+fn reach(polygon: &[Point]) -> i64 {
     polygon
         .iter()
         .flat_map(|point| [&point.x, &point.y])

@@ -17,9 +17,7 @@ pub struct ClaimResult {
 impl ClaimResult {
     /// The verdict in one word or three.
     pub fn word(&self) -> &'static str {
-        self.verdict
-            .as_ref()
-            .map_or("not yet implemented", Verdict::word)
+        self.verdict.as_ref().map_or("not yet implemented", Verdict::word)
     }
 
     /// The evidence in one line: for a restatement, the claim that it restates.
@@ -57,10 +55,7 @@ fn tally(results: &[ClaimResult]) -> String {
     let counts: Vec<String> = WORDS
         .iter()
         .map(|word| {
-            let count = results
-                .iter()
-                .filter(|result| result.word() == *word)
-                .count();
+            let count = results.iter().filter(|result| result.word() == *word).count();
             format!("{count} {word}")
         })
         .collect();
@@ -106,11 +101,7 @@ fn evidence_cell(result: &ClaimResult) -> String {
     if let Some(remedy) = claim.remedy {
         parts.push(format!("*Instead:* {}", cell(remedy)));
     }
-    for (title, names) in [
-        ("Code", claim.code),
-        ("Experiments", claim.experiments),
-        ("Figures", claim.figures),
-    ] {
+    for (title, names) in [("Code", claim.code), ("Experiments", claim.experiments), ("Figures", claim.figures)] {
         if !names.is_empty() {
             let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             parts.push(format!("*{title}:* {}", quoted.join(", ")));

@@ -152,25 +152,18 @@ pub fn farthest_vertices(polygon: &[Point], t: usize) -> Vec<usize> {
     let (from, to) = (&polygon[t], &polygon[(t + 1) % polygon.len()]);
     let heights: Vec<RBig> = polygon.iter().map(|point| turn(from, to, point)).collect();
     let farthest = heights.iter().max().expect("a polygon has vertices");
-    (0..polygon.len())
-        .filter(|&s| heights[s] == *farthest)
-        .collect()
+    (0..polygon.len()).filter(|&s| heights[s] == *farthest).collect()
 }
 
 /// The line ℓ_t with the farthest vertex `s`.
 pub fn bisector(polygon: &[Point], t: usize, s: usize) -> Bisector {
     let (from, to) = (&polygon[t], &polygon[(t + 1) % polygon.len()]);
-    Bisector {
-        start: polygon[s].midpoint(from),
-        edge: from.to(to),
-    }
+    Bisector { start: polygon[s].midpoint(from), edge: from.to(to) }
 }
 
 /// The lines ℓ_t of a counter-clockwise convex polygon, one for each edge.
 pub fn bisectors(polygon: &[Point]) -> Vec<Bisector> {
-    (0..polygon.len())
-        .map(|t| bisector(polygon, t, farthest_vertices(polygon, t)[0]))
-        .collect()
+    (0..polygon.len()).map(|t| bisector(polygon, t, farthest_vertices(polygon, t)[0])).collect()
 }
 
 /// All points where two of the lines meet, in order and without repetition.
@@ -178,11 +171,7 @@ pub fn arrangement_vertices(lines: &[Bisector]) -> Vec<Point> {
     let mut vertices: Vec<Point> = lines
         .iter()
         .enumerate()
-        .flat_map(|(index, line)| {
-            lines[..index]
-                .iter()
-                .filter_map(|other| line.intersection(other))
-        })
+        .flat_map(|(index, line)| lines[..index].iter().filter_map(|other| line.intersection(other)))
         .collect();
     vertices.sort();
     vertices.dedup();
@@ -203,10 +192,7 @@ pub fn hinge_sum(lines: &[Bisector], center: &Point) -> RBig {
 
 /// The side of each line on which `center` lies: the name of its cell.
 pub fn cell(lines: &[Bisector], center: &Point) -> Vec<Ordering> {
-    lines
-        .iter()
-        .map(|line| line.height(center).cmp(&RBig::ZERO))
-        .collect()
+    lines.iter().map(|line| line.height(center).cmp(&RBig::ZERO)).collect()
 }
 
 /// The gradient of f inside the cell of `center`, which must lie on none of the lines.
@@ -214,9 +200,7 @@ pub fn cell_gradient(lines: &[Bisector], center: &Point) -> Point {
     lines
         .iter()
         .filter(|line| line.height(center) > RBig::ZERO)
-        .fold(Point::at(0, 0), |sum, line| {
-            sum.plus(&integer(2), &line.gradient())
-        })
+        .fold(Point::at(0, 0), |sum, line| sum.plus(&integer(2), &line.gradient()))
 }
 
 /// The least value of f, by looking at every vertex of the arrangement, and where it is attained.
@@ -227,9 +211,7 @@ pub fn least_area(polygon: &[Point]) -> (RBig, Vec<Point>) {
     let mut minimizers = Vec::new();
     for vertex in arrangement_vertices(&lines) {
         let value = &constant + hinge_sum(&lines, &vertex);
-        let order = best
-            .as_ref()
-            .map_or(Ordering::Less, |least| value.cmp(least));
+        let order = best.as_ref().map_or(Ordering::Less, |least| value.cmp(least));
         if order == Ordering::Less {
             minimizers.clear();
             best = Some(value);
@@ -238,8 +220,5 @@ pub fn least_area(polygon: &[Point]) -> (RBig, Vec<Point>) {
             minimizers.push(vertex);
         }
     }
-    (
-        best.expect("the edges of a polygon are not all parallel"),
-        minimizers,
-    )
+    (best.expect("the edges of a polygon are not all parallel"), minimizers)
 }

@@ -17,31 +17,20 @@ pub(crate) struct Run {
 /// The description of Z(O), or `None` when some vertex of it is both a point and a reflected point.
 pub(crate) fn runs(polygon: &[Point], center: &Point) -> Option<Vec<Run>> {
     let zonogon = zonogon_about(polygon, center);
-    let is_original: Vec<bool> = zonogon
-        .iter()
-        .map(|vertex| polygon.contains(vertex))
-        .collect();
+    let is_original: Vec<bool> = zonogon.iter().map(|vertex| polygon.contains(vertex)).collect();
     let is_reflected = |vertex: &Point| polygon.contains(&vertex.reflected_through(center));
-    if zonogon
-        .iter()
-        .zip(&is_original)
-        .any(|(vertex, &original)| original && is_reflected(vertex))
-    {
+    if zonogon.iter().zip(&is_original).any(|(vertex, &original)| original && is_reflected(vertex)) {
         return None;
     }
     let count = zonogon.len();
-    let first = (0..count)
-        .find(|&index| is_original[index] && !is_original[(index + count - 1) % count])?;
+    let first = (0..count).find(|&index| is_original[index] && !is_original[(index + count - 1) % count])?;
     let mut runs: Vec<Run> = Vec::new();
     for step in 0..count {
         let index = (first + step) % count;
         let vertex = zonogon[index].clone();
         if is_original[index] {
             if runs.last().is_none_or(|run| !run.reflected.is_empty()) {
-                runs.push(Run {
-                    original: Vec::new(),
-                    reflected: Vec::new(),
-                });
+                runs.push(Run { original: Vec::new(), reflected: Vec::new() });
             }
             runs.last_mut()?.original.push(vertex);
         } else {

@@ -24,11 +24,7 @@ fn hinges(lines: &[Bisector], center: &Point) -> (Point, Vec<Point>) {
 }
 
 /// The derivative of f at `center` in a direction.
-pub(crate) fn directional_derivative(
-    lines: &[Bisector],
-    center: &Point,
-    direction: &Point,
-) -> RBig {
+pub(crate) fn directional_derivative(lines: &[Bisector], center: &Point, direction: &Point) -> RBig {
     let dot = |vector: &Point| &vector.x * &direction.x + &vector.y * &direction.y;
     let (fixed, active) = hinges(lines, center);
     let mut slope = dot(&fixed);
@@ -43,15 +39,12 @@ pub(crate) fn directional_derivative(
 /// Between consecutive directions of lines through the point the directional derivative is linear, so it is nowhere
 /// negative if it is not negative along those lines; this needs two lines that are not parallel.
 pub(crate) fn is_minimizer(lines: &[Bisector], center: &Point) -> bool {
-    lines
-        .iter()
-        .filter(|line| line.height(center) == RBig::ZERO)
-        .all(|line| {
-            [1, -1].into_iter().all(|sign| {
-                let direction = Point::at(0, 0).plus(&integer(sign), &line.edge);
-                directional_derivative(lines, center, &direction) >= RBig::ZERO
-            })
+    lines.iter().filter(|line| line.height(center) == RBig::ZERO).all(|line| {
+        [1, -1].into_iter().all(|sign| {
+            let direction = Point::at(0, 0).plus(&integer(sign), &line.edge);
+            directional_derivative(lines, center, &direction) >= RBig::ZERO
         })
+    })
 }
 
 /// A point of the vertical line through `x` where f is least on that line: among the crossings with the lines.

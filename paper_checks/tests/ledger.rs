@@ -15,10 +15,7 @@ fn the_committed_ledger_is_the_generated_one() {
     }
     let committed = std::fs::read_to_string(&path).expect("CLAIMS.md is committed");
     for (committed, generated) in committed.lines().zip(generated.lines()) {
-        assert_eq!(
-            committed, generated,
-            "CLAIMS.md differs; rewrite it with ZONOTOPE_BLESS=1"
-        );
+        assert_eq!(committed, generated, "CLAIMS.md differs; rewrite it with ZONOTOPE_BLESS=1");
     }
     assert_eq!(committed, generated, "CLAIMS.md has lost or gained lines");
 }
@@ -28,18 +25,10 @@ fn ids_are_unique_and_restatements_resolve() {
     let ids: BTreeSet<&str> = CLAIMS.iter().map(|claim| claim.id).collect();
     assert_eq!(ids.len(), CLAIMS.len());
     for claim in CLAIMS {
-        assert!(
-            !claim.statement.is_empty() && !claim.place.label.is_empty(),
-            "{}",
-            claim.id
-        );
+        assert!(!claim.statement.is_empty() && !claim.place.label.is_empty(), "{}", claim.id);
         if let Check::Restates(id) = claim.check {
             let original = catalog::find(id).expect("a restated claim is listed");
-            assert!(
-                !matches!(original.check, Check::Restates(_)),
-                "{}",
-                claim.id
-            );
+            assert!(!matches!(original.check, Check::Restates(_)), "{}", claim.id);
         }
     }
 }
@@ -63,14 +52,8 @@ fn every_claim_file_is_in_the_catalog() {
 #[test]
 fn verdicts_do_not_hang_on_the_seed() {
     let words = |seed| {
-        let context = CheckContext {
-            seed,
-            ..CheckContext::default()
-        };
-        run(&context, |_| ())
-            .iter()
-            .map(|result| (result.claim.id, result.word()))
-            .collect::<Vec<_>>()
+        let context = CheckContext { seed, ..CheckContext::default() };
+        run(&context, |_| ()).iter().map(|result| (result.claim.id, result.word())).collect::<Vec<_>>()
     };
     assert_eq!(words(2003), words(71));
 }

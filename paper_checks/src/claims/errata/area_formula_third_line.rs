@@ -4,17 +4,14 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygon, polygons, random_point, reach};
+use crate::instances::{generator, polygon, polygons, random_center};
 use crate::plane::{Point, zonogon_area};
 use crate::runs::{displayed_lines, first_points_area, runs};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-third-line",
-    place: Place {
-        section: "4.1",
-        label: "displayed formula, third line",
-    },
+    place: Place { section: "4.1", label: "displayed formula, third line" },
     kind: ClaimKind::Erratum,
     statement: "f(O) equals the third displayed line of the area formula",
     remedy: Some(
@@ -30,17 +27,14 @@ fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 15);
     let (mut tried, mut wrong) = (0, 0);
     for instance in polygons(&mut random, 60) {
-        let center = random_point(&mut random, reach(&instance.polygon));
+        let center = random_center(&mut random, &instance.polygon);
         let Some(runs) = runs(&instance.polygon, &center) else {
             continue;
         };
         let [_, _, third, _] = displayed_lines(&runs, &center);
         let gap: RBig = zonogon_area(&instance.polygon, &center) - third;
         if gap != first_points_area(&runs) {
-            return Verdict::Inconclusive(format!(
-                "{}: the gap at {center} is another, {gap}",
-                instance.name
-            ));
+            return Verdict::Inconclusive(format!("{}: the gap at {center} is another, {gap}", instance.name));
         }
         tried += 1;
         wrong += usize::from(gap != RBig::ZERO);
@@ -53,9 +47,7 @@ fn check(context: &CheckContext) -> Verdict {
     let [_, _, third, last] = displayed_lines(&runs, &center);
     let area = zonogon_area(&triangle, &center);
     if third == area || last != area {
-        return Verdict::Holds(
-            "the triangle (0,0), (6,0), (0,6) about (2,2) is no counterexample".to_owned(),
-        );
+        return Verdict::Holds("the triangle (0,0), (6,0), (0,6) about (2,2) is no counterexample".to_owned());
     }
     Verdict::Refuted(format!(
         "triangle (0,0), (6,0), (0,6) about (2,2): Z(O) has area {area}, the last line gives {last}, the third {third}; in {wrong} \

@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygon, polygons, random_point, reach};
+use crate::instances::{generator, polygon, polygons, random_center};
 use crate::plane::{Point, bisectors, cell_gradient, hinge_sum, least_area};
 use crate::ratio::fraction;
 use crate::subdifferential::{deciding_interval, least_on_vertical};
@@ -12,10 +12,7 @@ use crate::subdifferential::{deciding_interval, least_on_vertical};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-coefficient",
-    place: Place {
-        section: "4.1",
-        label: "after Corollary 4.4",
-    },
+    place: Place { section: "4.1", label: "after Corollary 4.4" },
     kind: ClaimKind::Erratum,
     statement: "f has a linear coefficient at O_l, and it tells the side of the minimum",
     remedy: Some(
@@ -32,13 +29,10 @@ fn check(context: &CheckContext) -> Verdict {
     let mut tried = 0;
     for instance in polygons(&mut random, 40) {
         let lines = bisectors(&instance.polygon);
-        let x = random_point(&mut random, reach(&instance.polygon)).x;
+        let x = random_center(&mut random, &instance.polygon).x;
         let center = least_on_vertical(&lines, &x);
         if lines.iter().all(|line| line.height(&center) != RBig::ZERO) {
-            return Verdict::Inconclusive(format!(
-                "{}: O_l = {center} lies inside a cell",
-                instance.name
-            ));
+            return Verdict::Inconclusive(format!("{}: O_l = {center} lies inside a cell", instance.name));
         }
         tried += 1;
     }
@@ -48,13 +42,7 @@ fn check(context: &CheckContext) -> Verdict {
     let x = fraction(11, 12);
     let center = least_on_vertical(&lines, &x);
     let near = fraction(1, 1_000_000);
-    let slope_beside = |sign: i64| {
-        cell_gradient(
-            &lines,
-            &center.plus(&(&near * RBig::from(sign)), &Point::at(0, 1)),
-        )
-        .x
-    };
+    let slope_beside = |sign: i64| cell_gradient(&lines, &center.plus(&(&near * RBig::from(sign)), &Point::at(0, 1))).x;
     let (below, above) = (slope_beside(-1), slope_beside(1));
     let deciding = deciding_interval(&lines, &center);
     let least_at = |x: &RBig| hinge_sum(&lines, &least_on_vertical(&lines, x));

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.2-extreme-points",
-    place: Place {
-        section: "4.2",
-        label: "second paragraph",
-    },
+    place: Place { section: "4.2", label: "second paragraph" },
     kind: ClaimKind::Erratum,
     statement: "The two extreme points along each facet normal suffice, whatever the directions",
     remedy: Some(

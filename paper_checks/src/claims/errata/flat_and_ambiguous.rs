@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-vertex",
-    place: Place {
-        section: "4.1",
-        label: "before Theorem 4.5",
-    },
+    place: Place { section: "4.1", label: "before Theorem 4.5" },
     kind: ClaimKind::Erratum,
     statement: "The minimum is at a vertex of the arrangement, and there is one to be located",
     remedy: Some(

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-3-independent-generators",
-    place: Place {
-        section: "3",
-        label: "first paragraph",
-    },
+    place: Place { section: "3", label: "first paragraph" },
     kind: ClaimKind::Erratum,
     statement: "Any d generators may be assumed linearly independent",
     remedy: Some(

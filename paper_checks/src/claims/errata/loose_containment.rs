@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.3-containment",
-    place: Place {
-        section: "4.3",
-        label: "third paragraph",
-    },
+    place: Place { section: "4.3", label: "third paragraph" },
     kind: ClaimKind::Erratum,
     statement: "The error of the net is (1 + d eps), so O(1 / eps^(d-1)) directions and the axes are needed",
     remedy: Some(

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-6-rotation",
-    place: Place {
-        section: "6",
-        label: "fourth to sixth paragraph",
-    },
+    place: Place { section: "6", label: "fourth to sixth paragraph" },
     kind: ClaimKind::Erratum,
     statement: "The square around the circle through the farthest arc end bounds the rotation, in whatever order rotation and translation happen",
     remedy: Some(

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.1-separators",
-    place: Place {
-        section: "5.1",
-        label: "separators",
-    },
+    place: Place { section: "5.1", label: "separators" },
     kind: ClaimKind::Erratum,
     statement: "L_k meets the lines from left to right, and the chain extends v' by v'",
     remedy: Some(

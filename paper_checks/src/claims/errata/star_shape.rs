@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-corollary-5.4",
-    place: Place {
-        section: "5.2",
-        label: "proof of Corollary 5.4",
-    },
+    place: Place { section: "5.2", label: "proof of Corollary 5.4" },
     kind: ClaimKind::Erratum,
     statement: "Locating a ray from the origin is the same as locating a point",
     remedy: Some(

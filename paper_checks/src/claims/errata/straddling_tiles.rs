@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-lemma-5.3",
-    place: Place {
-        section: "5.2",
-        label: "proof of Lemma 5.3",
-    },
+    place: Place { section: "5.2", label: "proof of Lemma 5.3" },
     kind: ClaimKind::Erratum,
     statement: "A cell of the mapped cutting is crossed by the lines that cross its trapezoid",
     remedy: Some(

@@ -9,19 +9,13 @@ use crate::ratio::integer;
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-ties",
-    place: Place {
-        section: "4.1",
-        label: "before Theorem 4.5",
-    },
+    place: Place { section: "4.1", label: "before Theorem 4.5" },
     kind: ClaimKind::Erratum,
     statement: "A vertical line splits the candidate vertices into two halves of equal size",
     remedy: Some(
         "many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the vertices on it as well",
     ),
-    code: &[
-        "zonotope::lad::by_slope_selection",
-        "zonotope::arrangement::slope_selection",
-    ],
+    code: &["zonotope::lad::by_slope_selection", "zonotope::arrangement::slope_selection"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
@@ -36,10 +30,7 @@ fn check(_context: &CheckContext) -> Verdict {
         .filter(|&(one, other)| lines[one].intersection(&lines[other]).is_some())
         .count();
     let triangle = polygon(&[(0, -2), (0, 2), (5, 0)]);
-    let vertical = bisectors(&triangle)
-        .iter()
-        .filter(|line| line.edge.x == integer(0))
-        .count();
+    let vertical = bisectors(&triangle).iter().filter(|line| line.edge.x == integer(0)).count();
     if vertices.len() != 1 || vertical == 0 {
         return Verdict::Holds(format!(
             "the hexagon has {} vertices, the triangle {vertical} vertical lines",

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.3-objective",
-    place: Place {
-        section: "4.3",
-        label: "first paragraph",
-    },
+    place: Place { section: "4.3", label: "first paragraph" },
     kind: ClaimKind::Erratum,
     statement: "What total length measures is left unsaid",
     remedy: Some(

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-6-translation",
-    place: Place {
-        section: "6",
-        label: "third paragraph",
-    },
+    place: Place { section: "6", label: "third paragraph" },
     kind: ClaimKind::Erratum,
     statement: "The translation vector v is added to the generators",
     remedy: Some(

@@ -11,10 +11,7 @@ use crate::ratio::{fraction, integer};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-unimodality",
-    place: Place {
-        section: "4.1",
-        label: "Lemma 4.3 to Corollary 4.4",
-    },
+    place: Place { section: "4.1", label: "Lemma 4.3 to Corollary 4.4" },
     kind: ClaimKind::Erratum,
     statement: "A planar function that is unimodal on every line is unimodal, and that is enough to decide the side of its minimum from a line",
     remedy: Some(
@@ -27,19 +24,9 @@ pub static CLAIM: Claim = Claim {
 
 /// g(x, y) = r for r = max(|x|, |y|) up to 1, then 1 up to 2, then r - 1: every sublevel set is a square.
 fn g(point: &Point) -> RBig {
-    let size = |value: &RBig| {
-        if *value < RBig::ZERO {
-            -value.clone()
-        } else {
-            value.clone()
-        }
-    };
+    let size = |value: &RBig| if *value < RBig::ZERO { -value.clone() } else { value.clone() };
     let r = size(&point.x).max(size(&point.y));
-    if r <= integer(2) {
-        r.min(RBig::ONE)
-    } else {
-        r - RBig::ONE
-    }
+    if r <= integer(2) { r.min(RBig::ONE) } else { r - RBig::ONE }
 }
 
 /// Shows that g is unimodal on lines, yet flat around a point that is no minimum, and not convex.
@@ -48,21 +35,12 @@ fn check(context: &CheckContext) -> Verdict {
     let mut lines = 0;
     for _ in 0..200 {
         let (from, to) = (random_point(&mut random, 4), random_point(&mut random, 4));
-        let values: Vec<RBig> = (-20..=40)
-            .map(|step| g(&from.plus(&fraction(step, 20), &from.to(&to))))
-            .collect();
+        let values: Vec<RBig> = (-20..=40).map(|step| g(&from.plus(&fraction(step, 20), &from.to(&to)))).collect();
         let lowest = values.iter().min().expect("the samples are not empty");
-        let bottom = values
-            .iter()
-            .position(|value| value == lowest)
-            .expect("the least value is one of them");
+        let bottom = values.iter().position(|value| value == lowest).expect("the least value is one of them");
         let (falling, rising) = values.split_at(bottom);
-        if falling.windows(2).any(|pair| pair[0] < pair[1])
-            || rising.windows(2).any(|pair| pair[0] > pair[1])
-        {
-            return Verdict::Inconclusive(format!(
-                "g rises and falls again between {from} and {to}"
-            ));
+        if falling.windows(2).any(|pair| pair[0] < pair[1]) || rising.windows(2).any(|pair| pair[0] > pair[1]) {
+            return Verdict::Inconclusive(format!("g rises and falls again between {from} and {to}"));
         }
         lines += 1;
     }

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-lemma-5.6",
-    place: Place {
-        section: "5.2",
-        label: "Lemma 5.6",
-    },
+    place: Place { section: "5.2", label: "Lemma 5.6" },
     kind: ClaimKind::Erratum,
     statement: "Each face has four neighbours, found as neighbours of a vertex of the arrangement",
     remedy: Some(

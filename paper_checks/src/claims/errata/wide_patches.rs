@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-lemma-5.5",
-    place: Place {
-        section: "5.2",
-        label: "proof of Lemma 5.5",
-    },
+    place: Place { section: "5.2", label: "proof of Lemma 5.5" },
     kind: ClaimKind::Erratum,
     statement: "Any subdivision of the hemisphere into k patches of angle O(1/sqrt(k)) will do",
     remedy: Some(

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "boxes-are-zonotopes",
-    place: Place {
-        section: "1",
-        label: "fifth paragraph",
-    },
+    place: Place { section: "1", label: "fifth paragraph" },
     kind: ClaimKind::Statement,
     statement: "Axis-aligned and oriented bounding boxes are special zonotopes",
     ..Claim::LISTED

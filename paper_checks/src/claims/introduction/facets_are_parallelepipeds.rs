@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "facets-are-parallelepipeds",
-    place: Place {
-        section: "1",
-        label: "second paragraph",
-    },
+    place: Place { section: "1", label: "second paragraph" },
     kind: ClaimKind::Statement,
     statement: "A zonotope is a convex polytope whose facets are parallelepipeds spanned by (d-1)-tuples of generators",
     remedy: Some(

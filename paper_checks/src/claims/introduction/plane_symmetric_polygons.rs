@@ -11,10 +11,7 @@ use crate::ratio::{fraction, integer};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "planar-symmetric-is-zonogon",
-    place: Place {
-        section: "1",
-        label: "second paragraph",
-    },
+    place: Place { section: "1", label: "second paragraph" },
     kind: ClaimKind::Statement,
     statement: "In the plane every centrally symmetric convex polygon is a zonogon",
     code: &["zonotope::zonotope"],
@@ -56,11 +53,7 @@ fn sum_of_segments(center: &Point, generators: &[Point]) -> Vec<Point> {
     let signs = [integer(1), integer(-1)];
     let mut sums = vec![center.clone()];
     for generator in generators {
-        let ends = |point: &Point| {
-            signs
-                .each_ref()
-                .map(|sign: &RBig| point.plus(sign, generator))
-        };
+        let ends = |point: &Point| signs.each_ref().map(|sign: &RBig| point.plus(sign, generator));
         sums = convex_hull(&sums.iter().flat_map(ends).collect::<Vec<_>>());
     }
     sums

@@ -4,17 +4,14 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, listed, polygons, random_point, reach};
+use crate::instances::{generator, listed, polygons, random_center};
 use crate::plane::zonogon_area;
 use crate::runs::{displayed_lines, runs};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "area-formula",
-    place: Place {
-        section: "4.1",
-        label: "displayed formula",
-    },
+    place: Place { section: "4.1", label: "displayed formula" },
     kind: ClaimKind::Statement,
     statement: "In the notation of the combinatorial description, f(O) = sum over s of ([P_{a'} P_a P_{a+1}] + 4 [P_a ... P_b O] - 2 [P_a ... P_b P_{a'}]) - [P_{a_1} ... P_{a_k}], the last displayed line",
     code: &["zonotope::enclosing::min_area_zonogon"],
@@ -29,17 +26,13 @@ fn check(context: &CheckContext) -> Verdict {
     for instance in polygons(&mut random, 90) {
         let polygon = &instance.polygon;
         for _ in 0..6 {
-            let center = random_point(&mut random, reach(polygon));
+            let center = random_center(&mut random, polygon);
             let Some(runs) = runs(polygon, &center) else {
                 continue;
             };
             let area = zonogon_area(polygon, &center);
             let lines = displayed_lines(&runs, &center);
-            for (number, line) in [
-                ("first", &lines[0]),
-                ("second", &lines[1]),
-                ("last", &lines[3]),
-            ] {
+            for (number, line) in [("first", &lines[0]), ("second", &lines[1]), ("last", &lines[3])] {
                 let gap: RBig = line - &area;
                 if gap != RBig::ZERO {
                     return Verdict::Refuted(format!(

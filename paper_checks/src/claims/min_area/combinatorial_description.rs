@@ -2,17 +2,14 @@
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, listed, polygons, random_point, reach};
+use crate::instances::{generator, listed, polygons, random_center};
 use crate::plane::Point;
 use crate::runs::{Run, runs};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "combinatorial-description",
-    place: Place {
-        section: "4.1",
-        label: "fifth paragraph",
-    },
+    place: Place { section: "4.1", label: "fifth paragraph" },
     kind: ClaimKind::Statement,
     statement: "Z(O) is a circular sequence of runs of consecutive points and runs of consecutive reflected points, in turn",
     code: &["zonotope::enclosing::centered_zonogon"],
@@ -28,7 +25,7 @@ fn check(context: &CheckContext) -> Verdict {
     for instance in polygons(&mut random, 60) {
         let polygon = &instance.polygon;
         for _ in 0..6 {
-            let center = random_point(&mut random, reach(polygon));
+            let center = random_center(&mut random, polygon);
             let Some(runs) = runs(polygon, &center) else {
                 continue;
             };
@@ -47,20 +44,13 @@ fn check(context: &CheckContext) -> Verdict {
 
 fn is_description(polygon: &[Point], center: &Point, runs: &[Run]) -> bool {
     let consecutive = |run: &mut dyn Iterator<Item = Point>| {
-        let indices: Vec<Option<usize>> = run
-            .map(|vertex| polygon.iter().position(|point| *point == vertex))
-            .collect();
+        let indices: Vec<Option<usize>> = run.map(|vertex| polygon.iter().position(|point| *point == vertex)).collect();
         indices.windows(2).all(|pair| match pair {
             [Some(one), Some(next)] => (one + 1) % polygon.len() == *next,
             _ => false,
         })
     };
-    let mirrored = |run: &Run| {
-        run.reflected
-            .iter()
-            .map(|vertex| vertex.reflected_through(center))
-            .collect::<Vec<_>>()
-    };
+    let mirrored = |run: &Run| run.reflected.iter().map(|vertex| vertex.reflected_through(center)).collect::<Vec<_>>();
     let k = runs.len();
     k % 2 == 1
         && runs.iter().enumerate().all(|(s, run)| {

@@ -2,17 +2,14 @@
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Point, arrangement_vertices, bisectors, zonogon_area};
 use crate::ratio::integer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "corollary-4.4",
-    place: Place {
-        section: "4.1",
-        label: "Corollary 4.4",
-    },
+    place: Place { section: "4.1", label: "Corollary 4.4" },
     kind: ClaimKind::Corollary,
     statement: "f is unimodal",
     code: &["zonotope::lad"],
@@ -30,7 +27,7 @@ fn check(context: &CheckContext) -> Verdict {
         for trial in 0..12 {
             let mut end = |index: usize| -> Point {
                 if trial % 2 == 0 {
-                    random_point(&mut random, reach(polygon))
+                    random_center(&mut random, polygon)
                 } else {
                     vertices[(trial * 7 + index * 3) % vertices.len()].clone()
                 }

@@ -4,17 +4,14 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Point, bisectors, hinge_sum, least_area, zonogon_area};
 use crate::subdifferential::{deciding_interval, least_on_vertical};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "deciding-side",
-    place: Place {
-        section: "4.1",
-        label: "after Corollary 4.4",
-    },
+    place: Place { section: "4.1", label: "after Corollary 4.4" },
     kind: ClaimKind::Statement,
     statement: "From the least point O_l of f on a vertical line, found in O(n log n) time, one can tell whether it is the global minimum and, if not, on which side the minimum lies",
     code: &["zonotope::lad::by_slope_selection"],
@@ -30,22 +27,15 @@ fn check(context: &CheckContext) -> Verdict {
         let polygon = &instance.polygon;
         let lines = bisectors(polygon);
         let (least, minimizers) = least_area(polygon);
-        let mut places: Vec<RBig> = (0..5)
-            .map(|_| random_point(&mut random, reach(polygon)).x)
-            .collect();
+        let mut places: Vec<RBig> = (0..5).map(|_| random_center(&mut random, polygon).x).collect();
         places.extend(lines.iter().map(|line| line.start.x.clone()));
         places.extend(minimizers.iter().map(|point| point.x.clone()));
         for x in places {
             let center = least_on_vertical(&lines, &x);
             let Some((low, high)) = deciding_interval(&lines, &center) else {
-                return Verdict::Refuted(format!(
-                    "{}: no flat subgradient at {center}",
-                    instance.name
-                ));
+                return Verdict::Refuted(format!("{}: no flat subgradient at {center}", instance.name));
             };
-            let agrees = |side: fn(&RBig, &RBig) -> bool| {
-                minimizers.iter().all(|point: &Point| side(&point.x, &x))
-            };
+            let agrees = |side: fn(&RBig, &RBig) -> bool| minimizers.iter().all(|point: &Point| side(&point.x, &x));
             let (index, right) = if low > RBig::ZERO {
                 (0, agrees(|point, line| point < line))
             } else if high < RBig::ZERO {
@@ -53,10 +43,7 @@ fn check(context: &CheckContext) -> Verdict {
             } else {
                 (1, zonogon_area(polygon, &center) == least)
             };
-            if !right
-                || hinge_sum(&lines, &center)
-                    > hinge_sum(&lines, &Point::new(x.clone(), RBig::ZERO))
-            {
+            if !right || hinge_sum(&lines, &center) > hinge_sum(&lines, &Point::new(x.clone(), RBig::ZERO)) {
                 return Verdict::Refuted(format!("{} at x = {x}", instance.name));
             }
             sides[index] += 1;

@@ -4,17 +4,14 @@ use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
 use std::cmp::Ordering;
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Point, bisector, farthest_vertices, turn, zonogon_about};
 use crate::ratio::integer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "edge-criterion",
-    place: Place {
-        section: "4.1",
-        label: "before Lemma 4.1",
-    },
+    place: Place { section: "4.1", label: "before Lemma 4.1" },
     kind: ClaimKind::Statement,
     statement: "The edge P_t P_{t+1} of H is an edge of Z(O) iff O is to the left of the line l_t through the midpoints of P_s P_t and P_s P_{t+1}, P_s the vertex farthest from the edge",
     code: &["zonotope::enclosing::bisectors"],
@@ -29,27 +26,16 @@ fn check(context: &CheckContext) -> Verdict {
     for instance in polygons(&mut random, 60) {
         let polygon = &instance.polygon;
         for t in 0..polygon.len() {
-            let lines: Vec<_> = farthest_vertices(polygon, t)
-                .into_iter()
-                .map(|s| bisector(polygon, t, s))
-                .collect();
+            let lines: Vec<_> = farthest_vertices(polygon, t).into_iter().map(|s| bisector(polygon, t, s)).collect();
             ties += lines.len() - 1;
-            let mut centers: Vec<Point> = (0..3)
-                .map(|_| random_point(&mut random, reach(polygon)))
-                .collect();
+            let mut centers: Vec<Point> = (0..3).map(|_| random_center(&mut random, polygon)).collect();
             centers.push(lines[0].start.clone());
             centers.push(lines[0].start.plus(&integer(1), &lines[0].edge));
             for center in &centers {
-                let sides: Vec<Ordering> = lines
-                    .iter()
-                    .map(|line| line.height(center).cmp(&integer(0)))
-                    .collect();
+                let sides: Vec<Ordering> = lines.iter().map(|line| line.height(center).cmp(&integer(0))).collect();
                 let truth = side_by_hull(polygon, t, center);
                 if sides.iter().any(|side| *side != truth) {
-                    return Verdict::Refuted(format!(
-                        "edge {t} of {} about {center}",
-                        instance.name
-                    ));
+                    return Verdict::Refuted(format!("edge {t} of {} about {center}", instance.name));
                 }
                 tried += 1;
                 on_line += usize::from(truth == Ordering::Equal);
@@ -66,18 +52,9 @@ fn check(context: &CheckContext) -> Verdict {
 fn side_by_hull(polygon: &[Point], t: usize, center: &Point) -> Ordering {
     let (from, to) = (&polygon[t], &polygon[(t + 1) % polygon.len()]);
     let zonogon = zonogon_about(polygon, center);
-    if zonogon
-        .iter()
-        .any(|vertex| turn(from, to, vertex) < integer(0))
-    {
+    if zonogon.iter().any(|vertex| turn(from, to, vertex) < integer(0)) {
         return Ordering::Less;
     }
-    let touched = polygon
-        .iter()
-        .any(|point| turn(from, to, &point.reflected_through(center)) == integer(0));
-    if touched {
-        Ordering::Equal
-    } else {
-        Ordering::Greater
-    }
+    let touched = polygon.iter().any(|point| turn(from, to, &point.reflected_through(center)) == integer(0));
+    if touched { Ordering::Equal } else { Ordering::Greater }
 }

@@ -4,17 +4,14 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, listed, polygons, random_point, reach};
+use crate::instances::{generator, listed, polygons, random_center};
 use crate::plane::{Point, signed_area, zonogon_area};
 use crate::runs::{Run, runs};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "figure-2",
-    place: Place {
-        section: "4.1",
-        label: "Figure 2",
-    },
+    place: Place { section: "4.1", label: "Figure 2" },
     kind: ClaimKind::Figure,
     statement: "Z(O) is cut into the quadrilaterals O P_a P'_{a'} P_{a+1} and the caps beyond them, which is the first line of the area formula",
     code: &["zonotope::enclosing::centered_zonogon"],
@@ -29,7 +26,7 @@ fn check(context: &CheckContext) -> Verdict {
     let mut pieces = 0;
     for instance in polygons(&mut random, 50) {
         let polygon = &instance.polygon;
-        let center = random_point(&mut random, reach(polygon));
+        let center = random_center(&mut random, polygon);
         let Some(runs) = runs(polygon, &center) else {
             continue;
         };
@@ -43,9 +40,7 @@ fn check(context: &CheckContext) -> Verdict {
         }
         pieces += areas.len();
     }
-    Verdict::Holds(format!(
-        "{pieces} pieces, none of negative area, add up to their zonogons"
-    ))
+    Verdict::Holds(format!("{pieces} pieces, none of negative area, add up to their zonogons"))
 }
 
 /// The quadrilaterals and the caps on both sides of each.

@@ -2,17 +2,14 @@
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Point, turn, zonogon_about};
 use crate::ratio::integer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "fixed-center-optimum",
-    place: Place {
-        section: "4.1",
-        label: "third paragraph",
-    },
+    place: Place { section: "4.1", label: "third paragraph" },
     kind: ClaimKind::Statement,
     statement: "Among the zonogons centred at O that contain the points, the convex hull Z(O) of the points and their reflections through O has the least area",
     code: &["zonotope::enclosing::centered_zonogon"],
@@ -27,17 +24,14 @@ fn check(context: &CheckContext) -> Verdict {
     let mut tried = 0;
     for instance in polygons(&mut random, 40) {
         let polygon = &instance.polygon;
-        let mut centers: Vec<Point> = (0..4)
-            .map(|_| random_point(&mut random, 2 * reach(polygon)))
-            .collect();
+        let mut centers: Vec<Point> = (0..4).map(|_| random_center(&mut random, polygon)).collect();
         centers.push(polygon[0].clone());
         centers.push(polygon[0].midpoint(&polygon[1]));
         for center in centers {
             let zonogon = zonogon_about(polygon, &center);
             let fails = zonogon.iter().any(|vertex| {
                 let mirrored = vertex.reflected_through(&center);
-                !zonogon.contains(&mirrored)
-                    || !(polygon.contains(vertex) || polygon.contains(&mirrored))
+                !zonogon.contains(&mirrored) || !(polygon.contains(vertex) || polygon.contains(&mirrored))
             });
             if fails || !polygon.iter().all(|point| contains(&zonogon, point)) {
                 return Verdict::Refuted(format!("{} about {center}", instance.name));
@@ -51,6 +45,5 @@ fn check(context: &CheckContext) -> Verdict {
 }
 
 fn contains(polygon: &[Point], point: &Point) -> bool {
-    (0..polygon.len())
-        .all(|t| turn(&polygon[t], &polygon[(t + 1) % polygon.len()], point) >= integer(0))
+    (0..polygon.len()).all(|t| turn(&polygon[t], &polygon[(t + 1) % polygon.len()], point) >= integer(0))
 }

@@ -11,10 +11,7 @@ use crate::ratio::{fraction, integer};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "hull-suffices",
-    place: Place {
-        section: "4",
-        label: "first paragraph",
-    },
+    place: Place { section: "4", label: "first paragraph" },
     kind: ClaimKind::Statement,
     statement: "Only the convex hull of the geometry matters: a zonotope encloses the points iff it encloses their hull",
     code: &["zonotope::hull"],
@@ -27,9 +24,7 @@ fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 2);
     let mut compared = 0;
     for trial in 0..120 {
-        let mut points: Vec<Point> = (0..3 + trial % 20)
-            .map(|_| random_point(&mut random, 9))
-            .collect();
+        let mut points: Vec<Point> = (0..3 + trial % 20).map(|_| random_point(&mut random, 9)).collect();
         if trial % 3 == 0 {
             let (first, second) = (points[0].clone(), points[1].clone());
             points.push(first.clone());
@@ -43,12 +38,7 @@ fn check(context: &CheckContext) -> Verdict {
         compared += points.len() - hull.len();
     }
     let none = integer(0);
-    let flat = [
-        Point::at(0, 0),
-        Point::new(none.clone(), none),
-        Point::at(1, 2),
-        Point::at(2, 4),
-    ];
+    let flat = [Point::at(0, 0), Point::new(none.clone(), none), Point::at(1, 2), Point::at(2, 4)];
     if zonogon_about(&flat, &flat[2]) != zonogon_about(&convex_hull(&flat), &flat[2]) {
         return Verdict::Refuted("collinear points with a duplicate".to_owned());
     }

@@ -6,23 +6,17 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Bisector, Point, bisectors, cell, cell_gradient, hinge_sum, zonogon_area};
 use crate::ratio::{fraction, integer};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "lemma-4.1",
-    place: Place {
-        section: "4.1",
-        label: "Lemma 4.1",
-    },
+    place: Place { section: "4.1", label: "Lemma 4.1" },
     kind: ClaimKind::Lemma,
     statement: "The area function f is piecewise affine over the arrangement of the n lines l_t",
-    code: &[
-        "zonotope::enclosing::bisectors",
-        "zonotope::enclosing::min_area_zonogon",
-    ],
+    code: &["zonotope::enclosing::bisectors", "zonotope::enclosing::min_area_zonogon"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
@@ -36,19 +30,14 @@ fn check(context: &CheckContext) -> Verdict {
         let lines = bisectors(polygon);
         let f = |center: &Point| zonogon_area(polygon, center);
         let constant = f(&polygon[0]) - hinge_sum(&lines, &polygon[0]);
-        let mut centers: Vec<Point> = (0..40)
-            .map(|_| random_point(&mut random, reach(polygon)))
-            .collect();
+        let mut centers: Vec<Point> = (0..40).map(|_| random_center(&mut random, polygon)).collect();
         centers.extend(lines.iter().map(|line| line.start.clone()));
 
         let mut first_of_cell: BTreeMap<_, (Point, RBig)> = BTreeMap::new();
         for center in centers {
             let value = f(&center);
             if value != &constant + hinge_sum(&lines, &center) {
-                return Verdict::Refuted(format!(
-                    "{}: f({center}) is not the hinge sum",
-                    instance.name
-                ));
+                return Verdict::Refuted(format!("{}: f({center}) is not the hinge sum", instance.name));
             }
             values += 1;
             let name = cell(&lines, &center);
@@ -57,10 +46,7 @@ fn check(context: &CheckContext) -> Verdict {
                 let step = other.to(&center);
                 let predicted = other_value + &gradient.x * &step.x + &gradient.y * &step.y;
                 if predicted != value {
-                    return Verdict::Refuted(format!(
-                        "{}: f is not affine from {other} to {center}",
-                        instance.name
-                    ));
+                    return Verdict::Refuted(format!("{}: f is not affine from {other} to {center}", instance.name));
                 }
             } else {
                 first_of_cell.insert(name, (center, value));
@@ -69,10 +55,7 @@ fn check(context: &CheckContext) -> Verdict {
         cells += first_of_cell.len();
         for line in &lines {
             if !bends_across(f, line) {
-                return Verdict::Refuted(format!(
-                    "{}: f is affine across a line l_t",
-                    instance.name
-                ));
+                return Verdict::Refuted(format!("{}: f is affine across a line l_t", instance.name));
             }
             bends += 1;
         }
@@ -86,9 +69,6 @@ fn check(context: &CheckContext) -> Verdict {
 /// Whether f at a point of the line is below the mean of its values on either side, close by.
 fn bends_across(f: impl Fn(&Point) -> RBig, line: &Bisector) -> bool {
     let across = line.gradient();
-    let (left, right) = (
-        line.start.plus(&fraction(1, 1000), &across),
-        line.start.plus(&fraction(-1, 1000), &across),
-    );
+    let (left, right) = (line.start.plus(&fraction(1, 1000), &across), line.start.plus(&fraction(-1, 1000), &across));
     integer(2) * f(&line.start) < f(&left) + f(&right)
 }

@@ -4,23 +4,17 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, parabola_polygon, polygons, random_point, reach};
+use crate::instances::{generator, parabola_polygon, polygons, random_center, random_point};
 use crate::plane::{Bisector, Point, bisectors, zonogon_area};
 use crate::ratio::integer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "lemma-4.2",
-    place: Place {
-        section: "4.1",
-        label: "Lemma 4.2",
-    },
+    place: Place { section: "4.1", label: "Lemma 4.2" },
     kind: ClaimKind::Lemma,
     statement: "The restriction of f to any line can be computed in O(n log n) time: sort the crossings with the lines l_t, then add one slope at each",
-    code: &[
-        "zonotope::lad::by_slope_selection",
-        "zonotope::lad::by_line_search",
-    ],
+    code: &["zonotope::lad::by_slope_selection", "zonotope::lad::by_line_search"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
@@ -39,24 +33,14 @@ fn check(context: &CheckContext) -> Verdict {
     for instance in polygons(&mut random, 30) {
         let polygon = &instance.polygon;
         let lines = bisectors(polygon);
-        let through = random_point(&mut random, reach(polygon));
-        let mut directions = vec![
-            random_point(&mut random, 5),
-            Point::at(0, 1),
-            Point::at(1, 0),
-        ];
+        let through = random_center(&mut random, polygon);
+        let mut directions = vec![random_point(&mut random, 5), Point::at(0, 1), Point::at(1, 0)];
         directions.push(lines[0].edge.clone());
-        for direction in directions
-            .into_iter()
-            .filter(|direction| *direction != Point::at(0, 0))
-        {
+        for direction in directions.into_iter().filter(|direction| *direction != Point::at(0, 0)) {
             let restriction = restrict(&lines, &through, &direction);
             let f = |along: &RBig| zonogon_area(polygon, &through.plus(along, &direction));
             if let Some(place) = first_mismatch(&restriction, f) {
-                return Verdict::Refuted(format!(
-                    "{} at {place} along {direction} from {through}",
-                    instance.name
-                ));
+                return Verdict::Refuted(format!("{} at {place} along {direction} from {through}", instance.name));
             }
             breaks += restriction.breaks.len();
         }
@@ -65,16 +49,9 @@ fn check(context: &CheckContext) -> Verdict {
     for exponent in [4, 6, 8, 10] {
         let n = 1 << exponent;
         let polygon = parabola_polygon(&mut random, n);
-        let restriction = restrict(
-            &flat_bisectors(&polygon),
-            &Point::at(1, 1),
-            &Point::at(3, 7),
-        );
+        let restriction = restrict(&flat_bisectors(&polygon), &Point::at(1, 1), &Point::at(3, 7));
         if restriction.comparisons > n * exponent {
-            return Verdict::Refuted(format!(
-                "{} comparisons for n = {n}",
-                restriction.comparisons
-            ));
+            return Verdict::Refuted(format!("{} comparisons for n = {n}", restriction.comparisons));
         }
         growth.push(format!("{} at n = {n}", restriction.comparisons));
     }
@@ -95,10 +72,7 @@ fn flat_bisectors(polygon: &[Point]) -> Vec<Bisector> {
             while edge.cross(&polygon[s % n].to(&polygon[(s + 1) % n])) > RBig::ZERO {
                 s += 1;
             }
-            Bisector {
-                start: polygon[s % n].midpoint(&polygon[t]),
-                edge,
-            }
+            Bisector { start: polygon[s % n].midpoint(&polygon[t]), edge }
         })
         .collect()
 }
@@ -115,20 +89,12 @@ fn restrict(lines: &[Bisector], through: &Point, direction: &Point) -> Restricti
         if rate < RBig::ZERO {
             slope += integer(2) * &rate;
         }
-        let jump = if rate < RBig::ZERO {
-            -rate.clone()
-        } else {
-            rate.clone()
-        };
+        let jump = if rate < RBig::ZERO { -rate.clone() } else { rate.clone() };
         crossings.push((-height / rate, integer(2) * jump));
     }
     let mut comparisons = 0;
     let sorted = merge_sorted(crossings, &mut comparisons);
-    let mut restriction = Restriction {
-        breaks: Vec::new(),
-        slopes: vec![slope.clone()],
-        comparisons,
-    };
+    let mut restriction = Restriction { breaks: Vec::new(), slopes: vec![slope.clone()], comparisons };
     for (place, jump) in sorted {
         slope += jump;
         restriction.breaks.push(place);
@@ -148,11 +114,7 @@ fn merge_sorted(mut items: Vec<(RBig, RBig)>, comparisons: &mut usize) -> Vec<(R
     let mut merged = Vec::new();
     while let (Some(one), Some(other)) = (left.peek(), right.peek()) {
         *comparisons += 1;
-        let next = if one.0 <= other.0 {
-            left.next()
-        } else {
-            right.next()
-        };
+        let next = if one.0 <= other.0 { left.next() } else { right.next() };
         merged.extend(next);
     }
     merged.extend(left);
@@ -166,13 +128,10 @@ fn first_mismatch(restriction: &Restriction, f: impl Fn(&RBig) -> RBig) -> Optio
     let mut places = vec![first - integer(3)];
     places.extend(restriction.breaks.iter().cloned());
     places.push(last + integer(5));
-    places
-        .windows(2)
-        .zip(&restriction.slopes)
-        .find_map(|(pair, slope)| {
-            let half = (&pair[0] + &pair[1]) / integer(2);
-            let start = f(&pair[0]);
-            let fits = |end: &RBig| f(end) == &start + slope * (end - &pair[0]);
-            (!fits(&half) || !fits(&pair[1])).then(|| pair[0].clone())
-        })
+    places.windows(2).zip(&restriction.slopes).find_map(|(pair, slope)| {
+        let half = (&pair[0] + &pair[1]) / integer(2);
+        let start = f(&pair[0]);
+        let fits = |end: &RBig| f(end) == &start + slope * (end - &pair[0]);
+        (!fits(&half) || !fits(&pair[1])).then(|| pair[0].clone())
+    })
 }

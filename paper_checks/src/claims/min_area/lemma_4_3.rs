@@ -4,17 +4,14 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Bisector, Point, bisectors, zonogon_area};
 use crate::ratio::integer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "lemma-4.3",
-    place: Place {
-        section: "4.1",
-        label: "Lemma 4.3",
-    },
+    place: Place { section: "4.1", label: "Lemma 4.3" },
     kind: ClaimKind::Lemma,
     statement: "On any line the slope of f never decreases, so that f is unimodal on it",
     code: &["zonotope::lad::by_slope_selection"],
@@ -31,20 +28,13 @@ fn check(context: &CheckContext) -> Verdict {
         let lines = bisectors(polygon);
         let mut tested: Vec<(Point, Point)> = [(0, 1), (1, 0), (3, -2)]
             .into_iter()
-            .map(|(x, y)| (random_point(&mut random, reach(polygon)), Point::at(x, y)))
+            .map(|(x, y)| (random_center(&mut random, polygon), Point::at(x, y)))
             .collect();
-        tested.extend(
-            lines
-                .iter()
-                .map(|line| (line.start.clone(), line.edge.clone())),
-        );
+        tested.extend(lines.iter().map(|line| (line.start.clone(), line.edge.clone())));
         for (through, direction) in tested {
             let slopes = slopes_along(polygon, &lines, &through, &direction);
             if slopes.windows(2).any(|pair| pair[0] > pair[1]) {
-                return Verdict::Refuted(format!(
-                    "{} along {direction} through {through}",
-                    instance.name
-                ));
+                return Verdict::Refuted(format!("{} along {direction} through {through}", instance.name));
             }
             restrictions += 1;
             pieces += slopes.len();
@@ -56,12 +46,7 @@ fn check(context: &CheckContext) -> Verdict {
 }
 
 /// The slopes of f on the pieces between the crossings with the lines l_t, from two values of f on each.
-fn slopes_along(
-    polygon: &[Point],
-    lines: &[Bisector],
-    through: &Point,
-    direction: &Point,
-) -> Vec<RBig> {
+fn slopes_along(polygon: &[Point], lines: &[Bisector], through: &Point, direction: &Point) -> Vec<RBig> {
     let mut breaks: Vec<RBig> = lines
         .iter()
         .filter(|line| line.edge.cross(direction) != RBig::ZERO)
@@ -73,10 +58,7 @@ fn slopes_along(
         breaks.insert(0, first - integer(1));
         breaks.push(last + integer(1));
     }
-    let values: Vec<RBig> = breaks
-        .iter()
-        .map(|along| zonogon_area(polygon, &through.plus(along, direction)))
-        .collect();
+    let values: Vec<RBig> = breaks.iter().map(|along| zonogon_area(polygon, &through.plus(along, direction))).collect();
     (1..breaks.len())
         .map(|index| (&values[index] - &values[index - 1]) / (&breaks[index] - &breaks[index - 1]))
         .collect()

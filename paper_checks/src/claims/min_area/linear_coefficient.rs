@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Point, zonogon_about, zonogon_area};
 use crate::ratio::{fraction, integer};
 use crate::runs::runs;
@@ -12,10 +12,7 @@ use crate::runs::runs;
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "linear-coefficient",
-    place: Place {
-        section: "4.1",
-        label: "after the formula",
-    },
+    place: Place { section: "4.1", label: "after the formula" },
     kind: ClaimKind::Statement,
     statement: "The linear coefficient of f in a region depends only on the edges of H that appear on Z(O)",
     code: &["zonotope::enclosing::min_area_zonogon"],
@@ -29,7 +26,7 @@ fn check(context: &CheckContext) -> Verdict {
     let mut tried = 0;
     for instance in polygons(&mut random, 60) {
         let polygon = &instance.polygon;
-        let center = random_point(&mut random, reach(polygon));
+        let center = random_center(&mut random, polygon);
         if runs(polygon, &center).is_none() {
             continue;
         }
@@ -64,20 +61,13 @@ fn edges_on_zonogon(polygon: &[Point], center: &Point) -> Vec<usize> {
             zonogon
                 .iter()
                 .position(|vertex| *vertex == polygon[t])
-                .is_some_and(|index| {
-                    zonogon[(index + 1) % zonogon.len()] == polygon[(t + 1) % polygon.len()]
-                })
+                .is_some_and(|index| zonogon[(index + 1) % zonogon.len()] == polygon[(t + 1) % polygon.len()])
         })
         .collect()
 }
 
 /// A step that keeps the edges on Z(O), halved until it does.
-fn step_within_region(
-    polygon: &[Point],
-    center: &Point,
-    direction: &Point,
-    edges: &[usize],
-) -> Option<RBig> {
+fn step_within_region(polygon: &[Point], center: &Point, direction: &Point, edges: &[usize]) -> Option<RBig> {
     let mut step = integer(1);
     for _ in 0..40 {
         let moved = center.plus(&step, direction);

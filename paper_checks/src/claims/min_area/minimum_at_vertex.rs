@@ -2,17 +2,14 @@
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
-use crate::instances::{generator, polygons, random_point, reach};
+use crate::instances::{generator, polygons, random_center};
 use crate::plane::{bisectors, least_area, zonogon_area};
 use crate::subdifferential::is_minimizer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "minimum-at-vertex",
-    place: Place {
-        section: "4.1",
-        label: "before Theorem 4.5",
-    },
+    place: Place { section: "4.1", label: "before Theorem 4.5" },
     kind: ClaimKind::Statement,
     statement: "f has a global minimum at a vertex of the arrangement",
     code: &["zonotope::lad::brute_force"],
@@ -29,18 +26,12 @@ fn check(context: &CheckContext) -> Verdict {
         let lines = bisectors(polygon);
         let (least, minimizers) = least_area(polygon);
         if !minimizers.iter().all(|vertex| is_minimizer(&lines, vertex)) {
-            return Verdict::Refuted(format!(
-                "{}: f descends from its best vertex",
-                instance.name
-            ));
+            return Verdict::Refuted(format!("{}: f descends from its best vertex", instance.name));
         }
         for _ in 0..10 {
-            let center = random_point(&mut random, reach(polygon));
+            let center = random_center(&mut random, polygon);
             if zonogon_area(polygon, &center) < least {
-                return Verdict::Refuted(format!(
-                    "{}: f({center}) is below every vertex",
-                    instance.name
-                ));
+                return Verdict::Refuted(format!("{}: f({center}) is below every vertex", instance.name));
             }
         }
         tried += 1;

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "open-approximation-quality",
-    place: Place {
-        section: "7",
-        label: "first question",
-    },
+    place: Place { section: "7", label: "first question" },
     kind: ClaimKind::OpenQuestion,
     statement: "In R^3, how well can a zonotope approximate a given centrally symmetric convex polyhedron?",
     ..Claim::LISTED

@@ -5,10 +5,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "open-generator-count",
-    place: Place {
-        section: "7",
-        label: "third question",
-    },
+    place: Place { section: "7", label: "third question" },
     kind: ClaimKind::OpenQuestion,
     statement: "How many generators does that zonotope have?",
     ..Claim::LISTED

@@ -5,10 +5,7 @@ use crate::claim::{Check, Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "summary-min-area",
-    place: Place {
-        section: "2",
-        label: "first bullet",
-    },
+    place: Place { section: "2", label: "first bullet" },
     kind: ClaimKind::Statement,
     statement: "The minimum-area zonogon enclosing n points of the plane takes O(n log^2 n) time",
     check: Check::Restates("theorem-4.5"),

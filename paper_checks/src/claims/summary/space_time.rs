@@ -5,10 +5,7 @@ use crate::claim::{Check, Claim, ClaimKind, Place};
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "summary-space-time",
-    place: Place {
-        section: "2",
-        label: "sixth bullet",
-    },
+    place: Place { section: "2", label: "sixth bullet" },
     kind: ClaimKind::Statement,
     statement: "Bounding space-time volumes of moving zonotopes are easy to build, so that no collision is missed",
     check: Check::Restates("theorem-6.1"),
