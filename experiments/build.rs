@@ -9,10 +9,7 @@ fn main() {
     let toolchain = var("RUSTC")
         .ok()
         .and_then(|rustc| Command::new(rustc).arg("--version").output().ok())
-        .map_or_else(
-            || "unknown".to_owned(),
-            |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
-        );
+        .map_or_else(|| "unknown".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
     let value = |name: &str| var(name).unwrap_or_else(|_| "unknown".to_owned());
     let flags = value("CARGO_ENCODED_RUSTFLAGS").replace('\u{1f}', " ");
     println!("cargo::rustc-env=EXPERIMENTS_TOOLCHAIN={toolchain}");

@@ -33,17 +33,10 @@ static OUTLINE_FILES: [(&str, &str); 10] = outline_files![
 static AIRPORTS_FILE: &str = include_str!("../data/airports.csv");
 
 static OUTLINES: LazyLock<Vec<Outline>> = LazyLock::new(|| {
-    OUTLINE_FILES
-        .iter()
-        .map(|&(name, text)| Outline {
-            name,
-            points: columns(text, ["lon", "lat"]),
-        })
-        .collect()
+    OUTLINE_FILES.iter().map(|&(name, text)| Outline { name, points: columns(text, ["lon", "lat"]) }).collect()
 });
 
-static AIRPORTS: LazyLock<Vec<[f64; 2]>> =
-    LazyLock::new(|| columns(AIRPORTS_FILE, ["longitude", "latitude"]));
+static AIRPORTS: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| columns(AIRPORTS_FILE, ["longitude", "latitude"]));
 
 /// The ten country outlines, in alphabetical order.
 pub fn outlines() -> &'static [Outline] {
@@ -71,25 +64,14 @@ pub fn points(name: &str) -> Option<&'static [[f64; 2]]> {
 /// Two named columns of a CSV text. The files are part of the program, so a broken one is a broken build.
 fn columns(text: &str, names: [&str; 2]) -> Vec<[f64; 2]> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let headers = reader
-        .headers()
-        .expect("an embedded file has a header line")
-        .clone();
-    let positions = names.map(|name| {
-        headers
-            .iter()
-            .position(|header| header == name)
-            .expect("an embedded file has its columns")
-    });
+    let headers = reader.headers().expect("an embedded file has a header line").clone();
+    let positions =
+        names.map(|name| headers.iter().position(|header| header == name).expect("an embedded file has its columns"));
     reader
         .records()
         .map(|record| {
             let record = record.expect("an embedded file is rectangular");
-            positions.map(|column| {
-                record[column]
-                    .parse()
-                    .expect("an embedded column is numeric")
-            })
+            positions.map(|column| record[column].parse().expect("an embedded column is numeric"))
         })
         .collect()
 }
@@ -100,10 +82,7 @@ mod tests {
 
     #[test]
     fn every_file_is_read_whole() {
-        let sizes: Vec<_> = outlines()
-            .iter()
-            .map(|o| (o.name, o.points.len()))
-            .collect();
+        let sizes: Vec<_> = outlines().iter().map(|o| (o.name, o.points.len())).collect();
         let expected = [
             ("australia", 1153),
             ("canada", 3316),
@@ -123,15 +102,9 @@ mod tests {
     #[test]
     fn points_are_longitude_then_latitude() {
         assert_eq!(airports()[0], [-89.23450472, 31.95376472]);
-        assert_eq!(
-            outline("iceland").expect("listed").points[0],
-            [-15.543155431554311, 66.22915881643195]
-        );
+        assert_eq!(outline("iceland").expect("listed").points[0], [-15.543155431554311, 66.22915881643195]);
         for point in outlines().iter().flat_map(|o| &o.points).chain(airports()) {
-            assert!(
-                point[0].abs() <= 180.0 && point[1].abs() <= 90.0,
-                "{point:?}"
-            );
+            assert!(point[0].abs() <= 180.0 && point[1].abs() <= 90.0, "{point:?}");
         }
     }
 }

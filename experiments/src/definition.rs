@@ -1,5 +1,5 @@
 //! What an experiment is: a static value with plain fields and functions. Definitions live one a file in
-//! [`definitions`](crate::definition) and are listed in [`catalog`](crate::catalog).
+//! [`definitions`](crate::definitions) and are listed in [`catalog`](crate::catalog).
 
 use crate::fit::GrowthModel;
 use crate::runner::stopwatch::Stopwatch;
@@ -37,10 +37,7 @@ pub struct PerProfile<T> {
 impl<T: Copy> PerProfile<T> {
     /// One value for both profiles.
     pub const fn both(value: T) -> Self {
-        Self {
-            quick: value,
-            full: value,
-        }
+        Self { quick: value, full: value }
     }
 
     /// The value of `profile`.
@@ -173,15 +170,7 @@ impl Case {
         n: usize,
         instance: u32,
     ) -> Self {
-        let mut case = Self {
-            experiment,
-            family,
-            variant,
-            n,
-            instance,
-            instance_seed: 0,
-            seed: 0,
-        };
+        let mut case = Self { experiment, family, variant, n, instance, instance_seed: 0, seed: 0 };
         case.instance_seed = seed::seed_of(master_seed, &format!("{family}/n={n}/{instance}"));
         case.seed = seed::seed_of(master_seed, &case.id());
         case
@@ -189,14 +178,7 @@ impl Case {
 
     /// `experiment/family/variant/n=…/instance`: unique in a run.
     pub fn id(&self) -> String {
-        let Self {
-            experiment,
-            family,
-            variant,
-            n,
-            instance,
-            ..
-        } = self;
+        let Self { experiment, family, variant, n, instance, .. } = self;
         format!("{experiment}/{family}/{variant}/n={n}/{instance}")
     }
 
@@ -205,9 +187,7 @@ impl Case {
         if let Some(family) = families::find(self.family) {
             return Ok(family.generate(self.n, self.instance_seed));
         }
-        data::points(self.family)
-            .map(<[_]>::to_vec)
-            .ok_or_else(|| format!("no points are called {}", self.family))
+        data::points(self.family).map(<[_]>::to_vec).ok_or_else(|| format!("no points are called {}", self.family))
     }
 
     /// The instance, when the family is one of lines.

@@ -59,27 +59,17 @@ fn revision() -> String {
     Command::new("git")
         .arg("-C")
         .arg(source)
-        .args([
-            "describe",
-            "--always",
-            "--dirty",
-            "--abbrev=40",
-            "--exclude=*",
-        ])
+        .args(["describe", "--always", "--dirty", "--abbrev=40", "--exclude=*"])
         .output()
         .ok()
         .filter(|output| output.status.success())
-        .map_or_else(
-            || "unknown".to_owned(),
-            |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
-        )
+        .map_or_else(|| "unknown".to_owned(), |output| String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 fn program_hash() -> String {
-    std::env::current_exe().and_then(std::fs::read).map_or_else(
-        |_| "unknown".to_owned(),
-        |bytes| format!("{:016x}", Digest::default().bytes(&bytes).finish()),
-    )
+    std::env::current_exe()
+        .and_then(std::fs::read)
+        .map_or_else(|_| "unknown".to_owned(), |bytes| format!("{:016x}", Digest::default().bytes(&bytes).finish()))
 }
 
 fn cpu_model() -> String {

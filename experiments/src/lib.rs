@@ -1,14 +1,17 @@
 //! Experiment definitions, the harness that runs them, and the instances they run on.
 //!
 //! - [`families`]: deterministic generators of point sets and line sets; [`data`]: real inputs, compiled in.
-//! - [`definition`]: what an experiment is.
+//! - [`definition`]: what an experiment is; [`definitions`]: the experiments; [`catalog`]: their list.
 //! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]: stable seeds.
-//! - [`fit`]: growth laws with intervals and model comparison.
+//! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
 //!
 //! `METHODOLOGY.md` in this crate's folder says how things are measured, and what the numbers cannot tell.
 
+pub mod analysis;
+pub mod catalog;
 pub mod data;
 pub mod definition;
+pub mod definitions;
 pub mod environment;
 pub mod families;
 pub mod fit;

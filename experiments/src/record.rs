@@ -85,10 +85,7 @@ impl CountRow {
                 verdict: measurement.verdict,
             },
         );
-        Self {
-            key: case.into(),
-            outcome,
-        }
+        Self { key: case.into(), outcome }
     }
 
     /// The operation count called `name`.
@@ -119,21 +116,14 @@ impl CountRow {
     pub fn fault(&self) -> Option<&str> {
         match &self.outcome {
             CountOutcome::Failed { error } => Some(error),
-            CountOutcome::Measured {
-                verdict: Verdict::Wrong(reason),
-                ..
-            } => Some(reason),
+            CountOutcome::Measured { verdict: Verdict::Wrong(reason), .. } => Some(reason),
             CountOutcome::Measured { .. } => None,
         }
     }
 }
 
 fn all_finite(measurement: Measurement) -> Result<Measurement, String> {
-    match measurement
-        .values
-        .iter()
-        .find(|(_, value)| !value.is_finite())
-    {
+    match measurement.values.iter().find(|(_, value)| !value.is_finite()) {
         Some((name, value)) => Err(format!("the value {name} is {value}")),
         None => Ok(measurement),
     }

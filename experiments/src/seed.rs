@@ -33,9 +33,7 @@ impl Digest {
     /// Adds the bits of floats; both zeros count as one number.
     #[must_use]
     pub fn floats<'a>(self, floats: impl IntoIterator<Item = &'a f64>) -> Self {
-        floats
-            .into_iter()
-            .fold(self, |digest, &x| digest.word((x + 0.0).to_bits()))
+        floats.into_iter().fold(self, |digest, &x| digest.word((x + 0.0).to_bits()))
     }
 
     /// The hash of everything added.
@@ -72,13 +70,7 @@ mod tests {
 
     #[test]
     fn zeros_are_one_number() {
-        assert_eq!(
-            Digest::default().floats(&[0.0]).finish(),
-            Digest::default().floats(&[-0.0]).finish()
-        );
-        assert_ne!(
-            Digest::default().floats(&[0.0]).finish(),
-            Digest::default().floats(&[1.0]).finish()
-        );
+        assert_eq!(Digest::default().floats(&[0.0]).finish(), Digest::default().floats(&[-0.0]).finish());
+        assert_ne!(Digest::default().floats(&[0.0]).finish(), Digest::default().floats(&[1.0]).finish());
     }
 }

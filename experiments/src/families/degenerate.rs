@@ -40,12 +40,8 @@ fn symmetric(n: usize, seed: u64) -> Vec<[f64; 2]> {
 
 fn duplicates(n: usize, seed: u64) -> Vec<[f64; 2]> {
     let mut source = RandomSource::new(seed);
-    let distinct: Vec<_> = (0..n.isqrt().max(1))
-        .map(|_| source.normal_pair())
-        .collect();
-    (0..n)
-        .map(|_| distinct[source.below(distinct.len())])
-        .collect()
+    let distinct: Vec<_> = (0..n.isqrt().max(1)).map(|_| source.normal_pair()).collect();
+    (0..n).map(|_| distinct[source.below(distinct.len())]).collect()
 }
 
 fn collinear(n: usize, seed: u64) -> Vec<[f64; 2]> {

@@ -18,8 +18,5 @@ fn points(n: usize, seed: u64) -> Vec<[f64; 2]> {
     let mut cells: Vec<usize> = (0..side * side).collect();
     RandomSource::new(seed).shuffle(&mut cells);
     cells.truncate(n);
-    cells
-        .iter()
-        .map(|cell| [(cell % side) as f64, (cell / side) as f64])
-        .collect()
+    cells.iter().map(|cell| [(cell % side) as f64, (cell / side) as f64]).collect()
 }

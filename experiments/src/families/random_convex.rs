@@ -28,11 +28,7 @@ fn points(n: usize, seed: u64) -> Vec<[f64; 2]> {
     let steps_x = closed_steps(n, &mut source);
     let mut steps_y = closed_steps(n, &mut source);
     source.shuffle(&mut steps_y);
-    let mut edges: Vec<[i64; 2]> = steps_x
-        .into_iter()
-        .zip(steps_y)
-        .map(|(x, y)| [x, y])
-        .collect();
+    let mut edges: Vec<[i64; 2]> = steps_x.into_iter().zip(steps_y).map(|(x, y)| [x, y]).collect();
     edges.sort_by(by_direction);
 
     let unit = 1.0 / (1_u64 << COORDINATE_BITS) as f64;
@@ -50,9 +46,7 @@ fn points(n: usize, seed: u64) -> Vec<[f64; 2]> {
 
 /// `n` random integers of sum 0, whose positive part sums to less than 2^51.
 fn closed_steps(n: usize, source: &mut RandomSource) -> Vec<i64> {
-    let mut values: Vec<i64> = (0..n)
-        .map(|_| (source.bits() >> (64 - COORDINATE_BITS)) as i64)
-        .collect();
+    let mut values: Vec<i64> = (0..n).map(|_| (source.bits() >> (64 - COORDINATE_BITS)) as i64).collect();
     values.sort_unstable();
     let (Some(&smallest), Some(&largest)) = (values.first(), values.last()) else {
         return Vec::new();
@@ -66,11 +60,7 @@ fn closed_steps(n: usize, source: &mut RandomSource) -> Vec<i64> {
         ends[chain] = value;
     }
     // Both chains end at the largest value; the chain that already does has a last step of 0.
-    steps.push(if ends[0] == largest {
-        ends[1] - largest
-    } else {
-        largest - ends[0]
-    });
+    steps.push(if ends[0] == largest { ends[1] - largest } else { largest - ends[0] });
     steps
 }
 

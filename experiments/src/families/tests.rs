@@ -10,11 +10,7 @@ fn point_families_have_the_asked_size_and_depend_on_nothing_but_the_seed() {
         for n in SIZES {
             let points = family.generate(n, 7);
             assert_eq!(points.len(), n, "{}", family.id);
-            assert!(
-                points.iter().flatten().all(|x| x.is_finite()),
-                "{}",
-                family.id
-            );
+            assert!(points.iter().flatten().all(|x| x.is_finite()), "{}", family.id);
             assert_eq!(points, family.generate(n, 7), "{}", family.id);
             if n >= 10 && family.id != "regular_polygon" {
                 assert_ne!(points, family.generate(n, 8), "{}", family.id);
@@ -29,11 +25,7 @@ fn line_families_have_the_asked_size_and_no_zero_normal() {
         for n in SIZES {
             let rows = family.generate(n, 7);
             assert_eq!(rows.len(), n, "{}", family.id);
-            assert!(
-                rows.iter().all(|(a, b)| *a != [0.0, 0.0] && b.is_finite()),
-                "{}",
-                family.id
-            );
+            assert!(rows.iter().all(|(a, b)| *a != [0.0, 0.0] && b.is_finite()), "{}", family.id);
             assert_eq!(rows, family.generate(n, 7), "{}", family.id);
         }
     }
@@ -41,11 +33,7 @@ fn line_families_have_the_asked_size_and_no_zero_normal() {
 
 #[test]
 fn ids_are_distinct() {
-    let ids: BTreeSet<_> = FAMILIES
-        .iter()
-        .map(|f| f.id)
-        .chain(LINE_FAMILIES.iter().map(|f| f.id))
-        .collect();
+    let ids: BTreeSet<_> = FAMILIES.iter().map(|f| f.id).chain(LINE_FAMILIES.iter().map(|f| f.id)).collect();
     assert_eq!(ids.len(), FAMILIES.len() + LINE_FAMILIES.len());
 }
 
@@ -64,17 +52,9 @@ fn random_convex_points_are_all_in_convex_position() {
     for (i, p) in points.iter().enumerate() {
         // p is extreme when the directions to all other points leave a gap of more than pi, that is, when one of those
         // directions has every other one on its left.
-        let others: Vec<_> = points
-            .iter()
-            .enumerate()
-            .filter(|&(j, _)| j != i)
-            .map(|(_, q)| q)
-            .collect();
+        let others: Vec<_> = points.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, q)| q).collect();
         let extreme = others.iter().any(|q| {
-            others.iter().all(|r| {
-                std::ptr::eq(*q, *r)
-                    || (q[0] - p[0]) * (r[1] - p[1]) > (q[1] - p[1]) * (r[0] - p[0])
-            })
+            others.iter().all(|r| std::ptr::eq(*q, *r) || (q[0] - p[0]) * (r[1] - p[1]) > (q[1] - p[1]) * (r[0] - p[0]))
         });
         assert!(extreme, "point {i}");
     }
@@ -92,10 +72,7 @@ fn symmetric_families_are_exactly_symmetric() {
 
 #[test]
 fn concurrent_lines_meet_exactly() {
-    for (a, b) in super::lines::find("concurrent_lines")
-        .expect("listed")
-        .generate(100, 5)
-    {
+    for (a, b) in super::lines::find("concurrent_lines").expect("listed").generate(100, 5) {
         // Half-integers below 2^41: every product and sum here is exact.
         assert_eq!(3.0 * a[0] - 5.0 * a[1] + b, 0.0);
     }

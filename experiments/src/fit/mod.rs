@@ -156,23 +156,14 @@ pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Grow
     sizes.sort_by(f64::total_cmp);
     let (smallest, largest) = (sizes.first().copied(), sizes.last().copied());
     sizes.dedup();
-    let (Some(smallest), Some(largest), true, true) = (
-        smallest,
-        largest,
-        samples.len() >= FEWEST_SAMPLES,
-        sizes.len() >= FEWEST_SIZES,
-    ) else {
-        return Err(FitError::TooFew {
-            samples: samples.len(),
-            sizes: sizes.len(),
-        });
+    let (Some(smallest), Some(largest), true, true) =
+        (smallest, largest, samples.len() >= FEWEST_SAMPLES, sizes.len() >= FEWEST_SIZES)
+    else {
+        return Err(FitError::TooFew { samples: samples.len(), sizes: sizes.len() });
     };
 
     let power = Regression::new(samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y))));
-    let models = models
-        .iter()
-        .map(|&model| fit_model(samples, model))
-        .collect();
+    let models = models.iter().map(|&model| fit_model(samples, model)).collect();
     Ok(Growth {
         samples: samples.len(),
         smallest,
@@ -186,10 +177,8 @@ pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Grow
 }
 
 fn fit_model(samples: &[(f64, f64)], model: GrowthModel) -> ModelFit {
-    let ratios: Vec<(f64, f64)> = samples
-        .iter()
-        .map(|&(n, y)| (libm::log(n), libm::log(y) - model.ln_value(n)))
-        .collect();
+    let ratios: Vec<(f64, f64)> =
+        samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y) - model.ln_value(n))).collect();
     let mean = ratios.iter().map(|r| r.1).sum::<f64>() / ratios.len() as f64;
     let residual_squares = ratios.iter().map(|r| (r.1 - mean) * (r.1 - mean)).sum();
     let excess_exponent = Regression::new(ratios.iter().copied()).slope;
@@ -217,11 +206,7 @@ fn verdict(excess: Estimate) -> ModelVerdict {
 fn aicc(samples: usize, residual_squares: f64, parameters: usize) -> f64 {
     let (m, k) = (samples as f64, parameters as f64);
     let mean_square = (residual_squares / m).max(LOG_RESOLUTION * LOG_RESOLUTION);
-    let correction = if m > k + 1.0 {
-        2.0 * k * (k + 1.0) / (m - k - 1.0)
-    } else {
-        0.0
-    };
+    let correction = if m > k + 1.0 { 2.0 * k * (k + 1.0) / (m - k - 1.0) } else { 0.0 };
     m * libm::log(mean_square) + 2.0 * k + correction
 }
 

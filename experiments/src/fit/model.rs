@@ -21,21 +21,12 @@ pub enum GrowthModel {
 
 impl GrowthModel {
     /// The four models that a running time is compared with.
-    pub const RUNNING_TIMES: &'static [Self] = &[
-        Self::Linear,
-        Self::Linearithmic,
-        Self::LinearLogSquared,
-        Self::Quadratic,
-    ];
+    pub const RUNNING_TIMES: &'static [Self] =
+        &[Self::Linear, Self::Linearithmic, Self::LinearLogSquared, Self::Quadratic];
 
     /// The running-time models and the constant.
-    pub const ALL: &'static [Self] = &[
-        Self::Constant,
-        Self::Linear,
-        Self::Linearithmic,
-        Self::LinearLogSquared,
-        Self::Quadratic,
-    ];
+    pub const ALL: &'static [Self] =
+        &[Self::Constant, Self::Linear, Self::Linearithmic, Self::LinearLogSquared, Self::Quadratic];
 
     /// M(n), with logarithms to base 2, for n >= 2.
     pub fn value(self, n: f64) -> f64 {

@@ -16,12 +16,7 @@ impl Regression {
         let m = count as f64;
         let mean_x = points.clone().map(|p| p.0).sum::<f64>() / m;
         let mean_y = points.clone().map(|p| p.1).sum::<f64>() / m;
-        let sum = |term: fn(f64, f64) -> f64| {
-            points
-                .clone()
-                .map(|(x, y)| term(x - mean_x, y - mean_y))
-                .sum::<f64>()
-        };
+        let sum = |term: fn(f64, f64) -> f64| points.clone().map(|(x, y)| term(x - mean_x, y - mean_y)).sum::<f64>();
         let spread = sum(|x, _| x * x);
         let slope = sum(|x, y| x * y) / spread;
         let intercept = mean_y - slope * mean_x;
@@ -35,15 +30,7 @@ impl Regression {
         let freedom = count - 2;
         let standard_error = (residual_squares / freedom as f64 / spread).sqrt();
         let half_width = t_quantile_975(freedom) * standard_error;
-        let slope = Estimate {
-            value: slope,
-            low: slope - half_width,
-            high: slope + half_width,
-        };
-        Self {
-            slope,
-            intercept,
-            residual_squares,
-        }
+        let slope = Estimate { value: slope, low: slope - half_width, high: slope + half_width };
+        Self { slope, intercept, residual_squares }
     }
 }

@@ -14,9 +14,8 @@ fn synthetic(growth: impl Fn(f64) -> f64, noise: f64) -> Vec<(f64, f64)> {
 fn a_regression_worked_out_by_hand() {
     // y = e^0, e^1, e^1, e^2 at n = e^1 .. e^4: slope 0.6, intercept -0.5, residuals -0.1, 0.3, -0.3, 0.1, RSS 0.2,
     // standard error sqrt(0.2 / 2 / 5) = 0.141421, t(2) = 4.3027.
-    let samples: Vec<(f64, f64)> = [(1.0, 0.0), (2.0, 1.0), (3.0, 1.0), (4.0, 2.0)]
-        .map(|(x, y)| (libm::exp(x), libm::exp(y)))
-        .to_vec();
+    let samples: Vec<(f64, f64)> =
+        [(1.0, 0.0), (2.0, 1.0), (3.0, 1.0), (4.0, 2.0)].map(|(x, y)| (libm::exp(x), libm::exp(y))).to_vec();
     let growth = fit_growth(&samples, &[]).expect("four sizes");
     assert!((growth.exponent.value - 0.6).abs() < 1e-12);
     assert!((growth.exponent.high - (0.6 + 4.3027 * 0.02_f64.sqrt())).abs() < 1e-12);
@@ -37,11 +36,7 @@ fn each_model_is_recognised_and_its_neighbours_are_refused() {
                     std::cmp::Ordering::Less => ModelVerdict::Faster,
                     std::cmp::Ordering::Greater => ModelVerdict::Slower,
                 };
-                assert_eq!(
-                    fit.verdict, expected,
-                    "{} against {truth}, noise {noise}",
-                    fit.model
-                );
+                assert_eq!(fit.verdict, expected, "{} against {truth}, noise {noise}", fit.model);
             }
         }
     }
@@ -53,13 +48,7 @@ fn a_small_lower_order_term_is_within_the_slack() {
     let growth = fit_growth(&samples, GrowthModel::ALL).expect("enough samples");
     let linear = growth.model(GrowthModel::Linear).expect("asked for");
     assert_eq!(linear.verdict, ModelVerdict::Consistent);
-    assert!(
-        growth
-            .model(GrowthModel::Linearithmic)
-            .expect("asked for")
-            .verdict
-            == ModelVerdict::Slower
-    );
+    assert!(growth.model(GrowthModel::Linearithmic).expect("asked for").verdict == ModelVerdict::Slower);
 }
 
 #[test]
@@ -82,18 +71,8 @@ fn the_interval_covers_the_true_exponent_about_nineteen_times_in_twenty() {
 
 #[test]
 fn quantiles_agree_with_tables_beyond_the_table() {
-    for (freedom, quantile) in [
-        (1, 12.7062),
-        (30, 2.0423),
-        (31, 2.0395),
-        (40, 2.0211),
-        (60, 2.0003),
-        (120, 1.9799),
-    ] {
-        assert!(
-            (t_quantile_975(freedom) - quantile).abs() < 1e-4,
-            "{freedom}"
-        );
+    for (freedom, quantile) in [(1, 12.7062), (30, 2.0423), (31, 2.0395), (40, 2.0211), (60, 2.0003), (120, 1.9799)] {
+        assert!((t_quantile_975(freedom) - quantile).abs() < 1e-4, "{freedom}");
     }
 }
 
@@ -101,25 +80,9 @@ fn quantiles_agree_with_tables_beyond_the_table() {
 fn unusable_samples_are_refused() {
     assert_eq!(
         fit_growth(&[(4.0, 1.0), (4.0, 2.0), (8.0, 2.0), (8.0, 3.0)], &[]),
-        Err(FitError::TooFew {
-            samples: 4,
-            sizes: 2
-        })
+        Err(FitError::TooFew { samples: 4, sizes: 2 })
     );
-    assert_eq!(
-        fit_growth(&[], &[]),
-        Err(FitError::TooFew {
-            samples: 0,
-            sizes: 0
-        })
-    );
+    assert_eq!(fit_growth(&[], &[]), Err(FitError::TooFew { samples: 0, sizes: 0 }));
     let zero = [(4.0, 1.0), (8.0, 0.0), (16.0, 2.0), (32.0, 3.0)];
-    assert_eq!(
-        fit_growth(&zero, &[]),
-        Err(FitError::OutOfRange {
-            index: 1,
-            n: 8.0,
-            y: 0.0
-        })
-    );
+    assert_eq!(fit_growth(&zero, &[]), Err(FitError::OutOfRange { index: 1, n: 8.0, y: 0.0 }));
 }

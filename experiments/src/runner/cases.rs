@@ -5,32 +5,15 @@ use crate::definition::{Case, Experiment, Profile};
 
 /// The cases of `experiment`: real inputs first, then families by size, then variants and instances.
 pub fn cases(experiment: &Experiment, profile: Profile, master_seed: u64) -> Vec<Case> {
-    let real = experiment
-        .real_inputs
-        .iter()
-        .map(|&name| (name, data::points(name).map_or(0, <[_]>::len), 1));
+    let real = experiment.real_inputs.iter().map(|&name| (name, data::points(name).map_or(0, <[_]>::len), 1));
     let instances = experiment.instances.get(profile);
     let sizes = experiment.sizes.get(profile);
-    let generated = experiment
-        .families
-        .iter()
-        .flat_map(|&family| sizes.iter().map(move |&n| (family, n, instances)));
+    let generated = experiment.families.iter().flat_map(|&family| sizes.iter().map(move |&n| (family, n, instances)));
     let mut cases = Vec::new();
     for (family, n, instances) in real.chain(generated) {
-        for variant in experiment
-            .variants
-            .iter()
-            .filter(|variant| n <= variant.largest.get(profile))
-        {
+        for variant in experiment.variants.iter().filter(|variant| n <= variant.largest.get(profile)) {
             for instance in 0..instances {
-                cases.push(Case::new(
-                    master_seed,
-                    experiment.id,
-                    family,
-                    variant.id,
-                    n,
-                    instance,
-                ));
+                cases.push(Case::new(master_seed, experiment.id, family, variant.id, n, instance));
             }
         }
     }
@@ -43,18 +26,13 @@ pub fn timed_groups(experiment: &Experiment, profile: Profile, master_seed: u64)
         return Vec::new();
     };
     let sizes = timing.sizes.get(profile);
-    let timed = cases(experiment, profile, master_seed)
-        .into_iter()
-        .filter(|case| {
-            case.instance == 0
-                && (sizes.contains(&case.n) || experiment.real_inputs.contains(&case.family))
-        });
+    let timed = cases(experiment, profile, master_seed).into_iter().filter(|case| {
+        case.instance == 0 && (sizes.contains(&case.n) || experiment.real_inputs.contains(&case.family))
+    });
     let mut groups: Vec<Vec<Case>> = Vec::new();
     for case in timed {
         match groups.last_mut() {
-            Some(group) if group[0].family == case.family && group[0].n == case.n => {
-                group.push(case)
-            }
+            Some(group) if group[0].family == case.family && group[0].n == case.n => group.push(case),
             _ => groups.push(vec![case]),
         }
     }

@@ -15,22 +15,15 @@ pub(super) fn run(
     journal: Option<&Journal>,
     progress: &dyn Progress,
 ) -> io::Result<Vec<CountRow>> {
-    let mut rows: BTreeMap<String, CountRow> = kept
-        .into_iter()
-        .map(|row| (row.key.case.clone(), row))
-        .collect();
+    let mut rows: BTreeMap<String, CountRow> = kept.into_iter().map(|row| (row.key.case.clone(), row)).collect();
     let all: Vec<(&'static Experiment, Case)> = experiments
         .iter()
         .flat_map(|&experiment| {
-            cases(experiment, options.profile, options.seed)
-                .into_iter()
-                .map(move |case| (experiment, case))
+            cases(experiment, options.profile, options.seed).into_iter().map(move |case| (experiment, case))
         })
         .collect();
-    let mut open: Vec<&(&'static Experiment, Case)> = all
-        .iter()
-        .filter(|(_, case)| !rows.contains_key(&case.id()))
-        .collect();
+    let mut open: Vec<&(&'static Experiment, Case)> =
+        all.iter().filter(|(_, case)| !rows.contains_key(&case.id())).collect();
     progress.phase("counting", all.len(), all.len() - open.len());
 
     // A large case that starts last would leave the other threads idle.
@@ -48,8 +41,5 @@ pub(super) fn run(
         })
         .collect::<io::Result<_>>()?;
     rows.extend(new.into_iter().map(|row| (row.key.case.clone(), row)));
-    Ok(all
-        .iter()
-        .filter_map(|(_, case)| rows.remove(&case.id()))
-        .collect())
+    Ok(all.iter().filter_map(|(_, case)| rows.remove(&case.id())).collect())
 }

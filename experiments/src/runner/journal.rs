@@ -19,42 +19,26 @@ pub(super) struct Journal {
 
 impl Journal {
     /// Opens the journal at `path` for the run named by `header`, and returns the rows it already holds.
-    pub fn open<Row: DeserializeOwned>(
-        path: PathBuf,
-        header: &str,
-    ) -> io::Result<(Self, Vec<Row>)> {
+    pub fn open<Row: DeserializeOwned>(path: PathBuf, header: &str) -> io::Result<(Self, Vec<Row>)> {
         let text = match fs::read(&path) {
             Ok(text) => text,
             Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
             Err(error) => return Err(error),
         };
         let (rows, kept) = readable_rows(&text, header);
-        let mut file = OpenOptions::new()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(&path)?;
+        let mut file = OpenOptions::new().create(true).truncate(false).write(true).open(&path)?;
         file.set_len(kept as u64)?;
         io::Seek::seek(&mut file, io::SeekFrom::End(0))?;
         if kept == 0 {
             file.write_all(format!("{header}\n").as_bytes())?;
         }
-        Ok((
-            Self {
-                path,
-                file: Mutex::new(file),
-            },
-            rows,
-        ))
+        Ok((Self { path, file: Mutex::new(file) }, rows))
     }
 
     /// Appends rows with a single write.
     pub fn append<Row: Serialize>(&self, rows: &[Row]) -> io::Result<()> {
         let text = json_lines(rows)?;
-        let mut file = self
-            .file
-            .lock()
-            .map_err(|_| io::Error::other("another thread failed while it wrote"))?;
+        let mut file = self.file.lock().map_err(|_| io::Error::other("another thread failed while it wrote"))?;
         file.write_all(text.as_bytes())
     }
 
@@ -67,19 +51,13 @@ impl Journal {
 /// The complete, readable rows under the right header, and the length of the text that holds them.
 fn readable_rows<Row: DeserializeOwned>(text: &[u8], header: &str) -> (Vec<Row>, usize) {
     let mut lines = text.split_inclusive(|&byte| byte == b'\n');
-    let Some(first) = lines
-        .next()
-        .filter(|line| line.strip_suffix(b"\n") == Some(header.as_bytes()))
-    else {
+    let Some(first) = lines.next().filter(|line| line.strip_suffix(b"\n") == Some(header.as_bytes())) else {
         return (Vec::new(), 0);
     };
     let mut rows = Vec::new();
     let mut kept = first.len();
     for line in lines {
-        let Some(row) = line
-            .strip_suffix(b"\n")
-            .and_then(|line| serde_json::from_slice(line).ok())
-        else {
+        let Some(row) = line.strip_suffix(b"\n").and_then(|line| serde_json::from_slice(line).ok()) else {
             break;
         };
         rows.push(row);
@@ -126,10 +104,7 @@ mod tests {
         let (journal, rows) = Journal::open::<u32>(path.clone(), "\"run 1\"").expect("readable");
         assert_eq!(rows, [10, 11]);
         journal.append(&[12]).expect("room");
-        assert_eq!(
-            fs::read_to_string(&path).expect("readable"),
-            "\"run 1\"\n10\n11\n12\n"
-        );
+        assert_eq!(fs::read_to_string(&path).expect("readable"), "\"run 1\"\n10\n11\n12\n");
         journal.remove().expect("it exists");
         assert!(!path.exists());
     }

@@ -94,66 +94,31 @@ pub fn run(
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads)
         .build()
-        .map_err(|source| RunError::Threads {
-            threads: options.threads,
-            source,
-        })?;
+        .map_err(|source| RunError::Threads { threads: options.threads, source })?;
     let environment = Environment::current();
-    let in_directory = |source| RunError::Records {
-        directory: options.directory.clone().unwrap_or_default(),
-        source,
-    };
-    let store = Store {
-        directory: options.directory.as_deref(),
-        header: header(experiments, options, &environment),
-    };
+    let in_directory = |source| RunError::Records { directory: options.directory.clone().unwrap_or_default(), source };
+    let store = Store { directory: options.directory.as_deref(), header: header(experiments, options, &environment) };
     store.create_directory().map_err(in_directory)?;
 
     let (count_journal, kept_counts) = store.journal("counts").map_err(in_directory)?;
     let counts = pool
-        .install(|| {
-            counting::run(
-                experiments,
-                options,
-                kept_counts,
-                count_journal.as_ref(),
-                progress,
-            )
-        })
+        .install(|| counting::run(experiments, options, kept_counts, count_journal.as_ref(), progress))
         .map_err(in_directory)?;
     let (time_journal, kept_times) = store.journal("times").map_err(in_directory)?;
     let times = if options.times {
-        timing::run(
-            experiments,
-            options,
-            &counts,
-            &environment,
-            kept_times,
-            time_journal.as_ref(),
-            progress,
-        )
-        .map_err(in_directory)?
+        timing::run(experiments, options, &counts, &environment, kept_times, time_journal.as_ref(), progress)
+            .map_err(in_directory)?
     } else {
         Vec::new()
     };
 
-    let records = Records {
-        counts,
-        times,
-        environment,
-    };
-    store
-        .finish(&records, [count_journal, time_journal])
-        .map_err(in_directory)?;
+    let records = Records { counts, times, environment };
+    store.finish(&records, [count_journal, time_journal]).map_err(in_directory)?;
     Ok(records)
 }
 
 /// Names a run: rows left behind under the same header can be kept.
-fn header(
-    experiments: &[&'static Experiment],
-    options: &RunOptions,
-    environment: &Environment,
-) -> String {
+fn header(experiments: &[&'static Experiment], options: &RunOptions, environment: &Environment) -> String {
     let ids: Vec<_> = experiments.iter().map(|experiment| experiment.id).collect();
     serde_json::json!({
         "run": {
@@ -197,25 +162,15 @@ impl Store<'_> {
         let environment = serde_json::json!({ "id": records.environment.id(), "environment": records.environment });
         let environment = format!("{}\n", serde_json::to_string_pretty(&environment)?);
         journal::write_atomically(&directory.join("environment.json"), &environment)?;
-        journal::write_atomically(
-            &directory.join("counts.jsonl"),
-            &journal::json_lines(&records.counts)?,
-        )?;
-        journal::write_atomically(
-            &directory.join("times.jsonl"),
-            &journal::json_lines(&records.times)?,
-        )?;
-        journals
-            .into_iter()
-            .flatten()
-            .try_for_each(journal::Journal::remove)
+        journal::write_atomically(&directory.join("counts.jsonl"), &journal::json_lines(&records.counts)?)?;
+        journal::write_atomically(&directory.join("times.jsonl"), &journal::json_lines(&records.times)?)?;
+        journals.into_iter().flatten().try_for_each(journal::Journal::remove)
     }
 }
 
 /// Runs `work`; a panic becomes an error with its message.
 fn guarded<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(work))
-        .unwrap_or_else(|payload| Err(panic_message(payload.as_ref())))
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| Err(panic_message(payload.as_ref())))
 }
 
 fn panic_message(payload: &(dyn Any + Send)) -> String {

@@ -13,10 +13,7 @@ static TOY: Experiment = Experiment {
     claims: &[],
     families: &["disc", "gaussian"],
     real_inputs: &["croatia"],
-    sizes: PerProfile {
-        quick: &[4, 8, 16],
-        full: &[4, 8, 16, 32],
-    },
+    sizes: PerProfile { quick: &[4, 8, 16], full: &[4, 8, 16, 32] },
     instances: PerProfile { quick: 2, full: 3 },
     variants: &[
         variant("right", 1000),
@@ -26,28 +23,17 @@ static TOY: Experiment = Experiment {
         variant("drifts", 4),
     ],
     measure,
-    timing: Some(Timing {
-        sizes: PerProfile::both(&[4, 8]),
-        repetitions: PerProfile { quick: 2, full: 3 },
-        prepare,
-    }),
+    timing: Some(Timing { sizes: PerProfile::both(&[4, 8]), repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[],
 };
 
 const fn variant(id: &'static str, largest: usize) -> Variant {
-    Variant {
-        id,
-        title: id,
-        largest: PerProfile::both(largest),
-    }
+    Variant { id, title: id, largest: PerProfile::both(largest) }
 }
 
 fn answer(case: &Case) -> Result<u64, String> {
     let points = case.points()?;
-    Ok(crate::seed::Digest::default()
-        .word(case.seed)
-        .floats(points.as_flattened())
-        .finish())
+    Ok(crate::seed::Digest::default().word(case.seed).floats(points.as_flattened()).finish())
 }
 
 fn measure(case: &Case) -> Result<Measurement, String> {
@@ -67,19 +53,11 @@ fn measure(case: &Case) -> Result<Measurement, String> {
 
 fn prepare(case: &Case) -> Result<TimedWork, String> {
     let digest = answer(case)? ^ u64::from(case.variant == "drifts");
-    Ok(Box::new(move |stopwatch| {
-        Ok(stopwatch.lap("total", || digest))
-    }))
+    Ok(Box::new(move |stopwatch| Ok(stopwatch.lap("total", || digest))))
 }
 
 fn options(directory: Option<&Path>, threads: usize) -> RunOptions {
-    RunOptions {
-        profile: Profile::Quick,
-        seed: 42,
-        threads,
-        directory: directory.map(Path::to_path_buf),
-        times: true,
-    }
+    RunOptions { profile: Profile::Quick, seed: 42, threads, directory: directory.map(Path::to_path_buf), times: true }
 }
 
 /// Counts steps, to see what a resumed run does again.
@@ -108,42 +86,21 @@ fn counts_are_the_same_bytes_whatever_the_threads() {
     assert_eq!(texts[0], texts[2]);
     // croatia: right; families: 3 sizes right, 2 wrong, 1 each of the others, times 2 instances, times 2 families.
     assert_eq!(texts[0].lines().count(), 1 + (3 + 2 + 3) * 2 * 2);
-    let another = run(
-        &[&TOY],
-        &RunOptions {
-            seed: 43,
-            ..options(None, 1)
-        },
-        &(),
-    )
-    .expect("no files");
-    assert_ne!(
-        journal::json_lines(&another.counts).expect("json"),
-        texts[0]
-    );
+    let another = run(&[&TOY], &RunOptions { seed: 43, ..options(None, 1) }, &()).expect("no files");
+    assert_ne!(journal::json_lines(&another.counts).expect("json"), texts[0]);
 }
 
 #[test]
 fn failures_and_panics_become_rows() {
     let records = run(&[&TOY], &options(None, 2), &()).expect("no files");
     let fault = |id: &str| {
-        let row = records
-            .counts
-            .iter()
-            .find(|row| row.key.case == id)
-            .expect("a row for every case");
+        let row = records.counts.iter().find(|row| row.key.case == id).expect("a row for every case");
         row.fault().map(str::to_owned)
     };
     assert_eq!(fault("toy/disc/right/n=4/0"), None);
     assert_eq!(fault("toy/disc/wrong/n=4/0").as_deref(), Some("off by one"));
-    assert_eq!(
-        fault("toy/disc/panics/n=4/1").as_deref(),
-        Some("panicked: toy panic at n = 4")
-    );
-    assert_eq!(
-        fault("toy/gaussian/fails/n=4/0").as_deref(),
-        Some("toy error")
-    );
+    assert_eq!(fault("toy/disc/panics/n=4/1").as_deref(), Some("panicked: toy panic at n = 4"));
+    assert_eq!(fault("toy/gaussian/fails/n=4/0").as_deref(), Some("toy error"));
 }
 
 #[test]
@@ -155,14 +112,10 @@ fn wrong_and_drifting_answers_void_their_times() {
         match row.key.variant.as_str() {
             "right" => assert!(row.lap_ns("total").is_some()),
             "wrong" => {
-                assert!(
-                    matches!(&row.outcome, TimeOutcome::Void { reason, .. } if reason == "off by one")
-                );
+                assert!(matches!(&row.outcome, TimeOutcome::Void { reason, .. } if reason == "off by one"));
             }
             "drifts" => {
-                assert!(
-                    matches!(&row.outcome, TimeOutcome::Void { reason, .. } if reason.contains("counted run"))
-                );
+                assert!(matches!(&row.outcome, TimeOutcome::Void { reason, .. } if reason.contains("counted run")));
             }
             _ => assert!(matches!(&row.outcome, TimeOutcome::Void { .. })),
         }
@@ -174,21 +127,14 @@ fn a_killed_run_continues_where_it_was_torn() {
     let directory = tempfile::tempdir().expect("a temporary directory");
     let options = options(Some(directory.path()), 1);
     run(&[&TOY], &options, &()).expect("room");
-    let (whole, times) = (
-        text(directory.path(), "counts.jsonl"),
-        text(directory.path(), "times.jsonl"),
-    );
+    let (whole, times) = (text(directory.path(), "counts.jsonl"), text(directory.path(), "times.jsonl"));
     assert!(!directory.path().join("counts.jsonl.partial").exists());
 
     // As a kill in the middle of the eleventh row leaves it: ten rows in any order, a torn one, no final file.
     let header = header(&[&TOY], &options, &Environment::current());
     let rows: Vec<&str> = whole.lines().collect();
     let ten: Vec<&str> = rows[5..15].iter().rev().copied().collect();
-    let torn = format!(
-        "{header}\n{}\n{}",
-        ten.join("\n"),
-        &rows[20][..rows[20].len() / 2]
-    );
+    let torn = format!("{header}\n{}\n{}", ten.join("\n"), &rows[20][..rows[20].len() / 2]);
     fs::write(directory.path().join("counts.jsonl.partial"), torn).expect("room");
     fs::remove_file(directory.path().join("counts.jsonl")).expect("it exists");
 
@@ -196,20 +142,13 @@ fn a_killed_run_continues_where_it_was_torn() {
     run(&[&TOY], &options, &steps).expect("room");
     assert_eq!(text(directory.path(), "counts.jsonl"), whole);
     let timed_groups = 5;
-    assert_eq!(
-        steps.0.load(Ordering::Relaxed),
-        rows.len() - 10 + timed_groups
-    );
+    assert_eq!(steps.0.load(Ordering::Relaxed), rows.len() - 10 + timed_groups);
 
     // Times of the first group are kept to the nanosecond, a torn group is measured again.
     let rows: Vec<&str> = times.lines().collect();
     let torn = format!("{header}\n{}\n{}\n", rows[0..2].join("\n"), rows[2]);
     fs::write(directory.path().join("times.jsonl.partial"), torn).expect("room");
-    fs::write(
-        directory.path().join("counts.jsonl.partial"),
-        format!("{header}\n{whole}"),
-    )
-    .expect("room");
+    fs::write(directory.path().join("counts.jsonl.partial"), format!("{header}\n{whole}")).expect("room");
     let steps = Steps::default();
     run(&[&TOY], &options, &steps).expect("room");
     assert_eq!(steps.0.load(Ordering::Relaxed), timed_groups - 1);
@@ -222,33 +161,14 @@ fn a_killed_run_continues_where_it_was_torn() {
 fn rows_of_another_seed_are_not_kept() {
     let directory = tempfile::tempdir().expect("a temporary directory");
     let options = options(Some(directory.path()), 1);
-    let stale = header(
-        &[&TOY],
-        &RunOptions {
-            seed: 1,
-            ..options.clone()
-        },
-        &Environment::current(),
-    );
-    fs::write(
-        directory.path().join("counts.jsonl.partial"),
-        format!("{stale}\n"),
-    )
-    .expect("room");
+    let stale = header(&[&TOY], &RunOptions { seed: 1, ..options.clone() }, &Environment::current());
+    fs::write(directory.path().join("counts.jsonl.partial"), format!("{stale}\n")).expect("room");
     let records = run(&[&TOY], &options, &()).expect("room");
     assert_eq!(
         records,
         Records {
             times: records.times.clone(),
-            ..run(
-                &[&TOY],
-                &RunOptions {
-                    directory: None,
-                    ..options
-                },
-                &()
-            )
-            .expect("no files")
+            ..run(&[&TOY], &RunOptions { directory: None, ..options }, &()).expect("no files")
         }
     );
 }
@@ -257,12 +177,8 @@ fn rows_of_another_seed_are_not_kept() {
 fn rows_survive_a_round_trip_through_their_file() {
     let directory = tempfile::tempdir().expect("a temporary directory");
     let records = run(&[&TOY], &options(Some(directory.path()), 1), &()).expect("room");
-    let read: Vec<CountRow> = text(directory.path(), "counts.jsonl")
-        .lines()
-        .map(|line| serde_json::from_str(line).expect("a row"))
-        .collect();
+    let read: Vec<CountRow> =
+        text(directory.path(), "counts.jsonl").lines().map(|line| serde_json::from_str(line).expect("a row")).collect();
     assert_eq!(read, records.counts);
-    assert!(
-        matches!(&read[0].outcome, CountOutcome::Measured { values, .. } if values["third"] == 1.0 / 3.0)
-    );
+    assert!(matches!(&read[0].outcome, CountOutcome::Measured { values, .. } if values["third"] == 1.0 / 3.0));
 }

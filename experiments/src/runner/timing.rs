@@ -21,36 +21,22 @@ pub(super) fn run(
     journal: Option<&Journal>,
     progress: &dyn Progress,
 ) -> io::Result<Vec<TimeRow>> {
-    let counts: BTreeMap<&str, &CountRow> = counts
-        .iter()
-        .map(|row| (row.key.case.as_str(), row))
-        .collect();
-    let mut kept_rows: BTreeMap<(String, u32), TimeRow> = kept
-        .into_iter()
-        .map(|row| ((row.key.case.clone(), row.repetition), row))
-        .collect();
+    let counts: BTreeMap<&str, &CountRow> = counts.iter().map(|row| (row.key.case.as_str(), row)).collect();
+    let mut kept_rows: BTreeMap<(String, u32), TimeRow> =
+        kept.into_iter().map(|row| ((row.key.case.clone(), row.repetition), row)).collect();
     let groups: Vec<(Timing, Vec<Case>)> = experiments
         .iter()
         .filter_map(|experiment| Some((experiment.timing?, *experiment)))
         .flat_map(|(timing, experiment)| {
-            timed_groups(experiment, options.profile, options.seed)
-                .into_iter()
-                .map(move |group| (timing, group))
+            timed_groups(experiment, options.profile, options.seed).into_iter().map(move |group| (timing, group))
         })
         .collect();
     let keys = |(timing, group): &(Timing, Vec<Case>)| -> Vec<(String, u32)> {
         let repetitions = timing.repetitions.get(options.profile);
-        group
-            .iter()
-            .flat_map(|case| (0..repetitions).map(|repetition| (case.id(), repetition)))
-            .collect()
+        group.iter().flat_map(|case| (0..repetitions).map(|repetition| (case.id(), repetition))).collect()
     };
-    let is_done =
-        |rows: &BTreeMap<_, _>, group| keys(group).iter().all(|key| rows.contains_key(key));
-    let done = groups
-        .iter()
-        .filter(|group| is_done(&kept_rows, group))
-        .count();
+    let is_done = |rows: &BTreeMap<_, _>, group| keys(group).iter().all(|key| rows.contains_key(key));
+    let done = groups.iter().filter(|group| is_done(&kept_rows, group)).count();
     progress.phase("timing", groups.len(), done);
 
     let environment = environment.id();
@@ -61,13 +47,7 @@ pub(super) fn run(
             continue;
         }
         let (timing, cases) = group;
-        let new = time_group(
-            timing,
-            cases,
-            timing.repetitions.get(options.profile),
-            &counts,
-            &environment,
-        );
+        let new = time_group(timing, cases, timing.repetitions.get(options.profile), &counts, &environment);
         if let Some(journal) = journal {
             journal.append(&new)?;
         }
@@ -98,17 +78,10 @@ fn time_group(
             let index = (turn + repetition as usize) % cases.len();
             let case = &cases[index];
             let outcome = match &mut works[index] {
-                Err(error) => TimeOutcome::Failed {
-                    error: error.clone(),
-                },
+                Err(error) => TimeOutcome::Failed { error: error.clone() },
                 Ok(work) => time_once(work, counts.get(case.id().as_str()).copied()),
             };
-            rows.push(TimeRow {
-                key: case.into(),
-                repetition,
-                environment: environment.to_owned(),
-                outcome,
-            });
+            rows.push(TimeRow { key: case.into(), repetition, environment: environment.to_owned(), outcome });
         }
     }
     let position = |row: &TimeRow| cases.iter().position(|case| case.id() == row.key.case);
@@ -137,11 +110,9 @@ fn reason_to_void(digest: u64, counted: Option<&CountRow>) -> Option<String> {
         return Some(fault.to_owned());
     }
     match &row.outcome {
-        CountOutcome::Measured {
-            digest: expected, ..
-        } if *expected != format!("{digest:016x}") => Some(format!(
-            "the answer {digest:016x} is not that of the counted run, {expected}"
-        )),
+        CountOutcome::Measured { digest: expected, .. } if *expected != format!("{digest:016x}") => {
+            Some(format!("the answer {digest:016x} is not that of the counted run, {expected}"))
+        }
         _ => None,
     }
 }

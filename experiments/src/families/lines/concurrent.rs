@@ -18,8 +18,7 @@ pub const CONCURRENT_LINES: LineFamily = LineFamily {
 
 fn rows(n: usize, seed: u64) -> Vec<LineRow> {
     let mut source = RandomSource::new(seed);
-    let mut coordinate =
-        || (source.bits() >> (63 - NORMAL_BITS)) as f64 - (1_u64 << NORMAL_BITS) as f64 + 0.5;
+    let mut coordinate = || (source.bits() >> (63 - NORMAL_BITS)) as f64 - (1_u64 << NORMAL_BITS) as f64 + 0.5;
     (0..n)
         .map(|_| {
             let a = [coordinate(), coordinate()];

@@ -16,12 +16,5 @@ pub const NEAR_PARALLEL_LINES: LineFamily = LineFamily {
 
 fn rows(n: usize, seed: u64) -> Vec<LineRow> {
     let mut source = RandomSource::new(seed);
-    (0..n)
-        .map(|_| {
-            (
-                [SLOPE * source.signed_unit(), -1.0],
-                source.normal_pair()[0],
-            )
-        })
-        .collect()
+    (0..n).map(|_| ([SLOPE * source.signed_unit(), -1.0], source.normal_pair()[0])).collect()
 }

@@ -13,7 +13,5 @@ pub const RANDOM_LINES: LineFamily = LineFamily {
 
 fn rows(n: usize, seed: u64) -> Vec<LineRow> {
     let mut source = RandomSource::new(seed);
-    (0..n)
-        .map(|_| (source.unit_vector(), source.normal_pair()[0]))
-        .collect()
+    (0..n).map(|_| (source.unit_vector(), source.normal_pair()[0])).collect()
 }

@@ -1,0 +1,175 @@
+//! From records to growth laws: one fit for every fit plan and family.
+
+use crate::definition::{Experiment, FitPlan, Quantity};
+use crate::fit::{self, FitError, Growth, GrowthModel, ModelVerdict};
+use crate::record::CountRow;
+use crate::runner::Records;
+use std::collections::BTreeMap;
+
+/// What a fit plan found on one family.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedGrowth {
+    /// The experiment's id.
+    pub experiment: &'static str,
+    /// The family's id.
+    pub family: &'static str,
+    /// The variant's id.
+    pub variant: &'static str,
+    /// What was fitted.
+    pub quantity: Quantity,
+    /// The model that the theory predicts.
+    pub expected: Option<GrowthModel>,
+    /// The samples (n, y), by increasing size.
+    pub samples: Vec<(f64, f64)>,
+    /// Rows left out because they failed, were wrong, or had their time voided.
+    pub left_out: usize,
+    /// The fit.
+    pub growth: Result<Growth, FitError>,
+}
+
+impl FittedGrowth {
+    /// The verdict on the expected model, when there is one and the fit succeeded.
+    pub fn verdict(&self) -> Option<ModelVerdict> {
+        Some(self.growth.as_ref().ok()?.model(self.expected?)?.verdict)
+    }
+
+    /// Whether the fit depends on the operation counts alone, so that it is the same on every machine.
+    pub fn is_deterministic(&self) -> bool {
+        !matches!(self.quantity, Quantity::Time(_))
+    }
+}
+
+/// All fits of one experiment.
+pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
+    let one = |plan: &FitPlan, family| {
+        let (samples, left_out) = samples(experiment.id, family, plan.variant, plan.quantity, records);
+        FittedGrowth {
+            experiment: experiment.id,
+            family,
+            variant: plan.variant,
+            quantity: plan.quantity,
+            expected: plan.expected,
+            growth: fit::fit_growth(&samples, plan.models),
+            samples,
+            left_out,
+        }
+    };
+    experiment.fits.iter().flat_map(|plan| plan.families.iter().map(move |&family| one(plan, family))).collect()
+}
+
+/// The samples (n, y) of a quantity by increasing size, and the number of rows that are no evidence.
+pub fn samples(
+    experiment: &str,
+    family: &str,
+    variant: &str,
+    quantity: Quantity,
+    records: &Records,
+) -> (Vec<(f64, f64)>, usize) {
+    let found: Vec<(usize, Option<f64>)> = match quantity {
+        Quantity::Time(lap) => median_times(experiment, family, variant, lap, records),
+        _ => records
+            .counts
+            .iter()
+            .filter(|row| row.key.experiment == experiment && row.key.family == family && row.key.variant == variant)
+            .map(|row| (row.key.n, if row.fault().is_some() { None } else { of_row(row, quantity) }))
+            .collect(),
+    };
+    let mut samples: Vec<(f64, f64)> = found.iter().filter_map(|&(n, y)| Some((n as f64, y?))).collect();
+    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let left_out = found.len() - samples.len();
+    (samples, left_out)
+}
+
+fn of_row(row: &CountRow, quantity: Quantity) -> Option<f64> {
+    match quantity {
+        Quantity::AllCounts => row.all_counts().map(|count| count as f64),
+        Quantity::Count(name) => row.count(name).map(|count| count as f64),
+        Quantity::Value(name) => row.value(name),
+        Quantity::Time(_) => None,
+    }
+}
+
+/// One median a case; a case with a voided or failed repetition has none.
+fn median_times(
+    experiment: &str,
+    family: &str,
+    variant: &str,
+    lap: &str,
+    records: &Records,
+) -> Vec<(usize, Option<f64>)> {
+    let mut cases: BTreeMap<(usize, u32), Vec<Option<u64>>> = BTreeMap::new();
+    for row in &records.times {
+        let key = &row.key;
+        if key.experiment == experiment && key.family == family && key.variant == variant {
+            cases.entry((key.n, key.instance)).or_default().push(row.lap_ns(lap));
+        }
+    }
+    cases.into_iter().map(|((n, _), laps)| (n, laps.into_iter().collect::<Option<Vec<u64>>>().map(median))).collect()
+}
+
+/// The middle value, or the mean of the two middle ones, of at least one number.
+fn median(mut values: Vec<u64>) -> f64 {
+    values.sort_unstable();
+    let middle = values.len() / 2;
+    if values.len() % 2 == 1 {
+        values[middle] as f64
+    } else {
+        (values[middle - 1] as f64 + values[middle] as f64) / 2.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::definition::{Case, Measurement, Verdict};
+    use crate::environment::Environment;
+    use crate::record::{CountRow, TimeOutcome, TimeRow};
+
+    fn count_row(n: usize, count: u64, verdict: Verdict) -> CountRow {
+        let measurement = Measurement {
+            counts: BTreeMap::from([("a".to_owned(), count), ("b".to_owned(), 1)]),
+            values: BTreeMap::from([("ratio".to_owned(), 1.5)]),
+            digest: 0,
+            verdict,
+        };
+        CountRow::new(&Case::new(1, "toy", "disc", "m", n, 0), Ok(measurement))
+    }
+
+    fn time_row(n: usize, repetition: u32, outcome: TimeOutcome) -> TimeRow {
+        let key = (&Case::new(1, "toy", "disc", "m", n, 0)).into();
+        TimeRow { key, repetition, environment: String::new(), outcome }
+    }
+
+    #[test]
+    fn samples_leave_out_what_is_no_evidence() {
+        let laps = |ns| BTreeMap::from([("total".to_owned(), ns)]);
+        let right = || Verdict::Correct("checked".to_owned());
+        let records = Records {
+            counts: vec![
+                count_row(8, 80, right()),
+                count_row(4, 40, right()),
+                count_row(16, 7, Verdict::Wrong("bad".to_owned())),
+            ],
+            times: vec![
+                time_row(4, 0, TimeOutcome::Valid { laps_ns: laps(10) }),
+                time_row(4, 1, TimeOutcome::Valid { laps_ns: laps(40) }),
+                time_row(4, 2, TimeOutcome::Valid { laps_ns: laps(20) }),
+                time_row(8, 0, TimeOutcome::Valid { laps_ns: laps(10) }),
+                time_row(8, 1, TimeOutcome::Void { laps_ns: laps(11), reason: "bad".to_owned() }),
+            ],
+            environment: Environment::current(),
+        };
+        let of = |quantity| samples("toy", "disc", "m", quantity, &records);
+        assert_eq!(of(Quantity::Count("a")), (vec![(4.0, 40.0), (8.0, 80.0)], 1));
+        assert_eq!(of(Quantity::AllCounts), (vec![(4.0, 41.0), (8.0, 81.0)], 1));
+        assert_eq!(of(Quantity::Value("ratio")), (vec![(4.0, 1.5), (8.0, 1.5)], 1));
+        assert_eq!(of(Quantity::Time("total")), (vec![(4.0, 20.0)], 1));
+        assert_eq!(samples("toy", "disc", "other", Quantity::AllCounts, &records), (vec![], 0));
+    }
+
+    #[test]
+    fn the_median_of_an_even_number_is_a_mean() {
+        assert_eq!(median(vec![4, 1, 3, 2]), 2.5);
+        assert_eq!(median(vec![9]), 9.0);
+    }
+}

@@ -1,0 +1,75 @@
+//! The list of experiments. Adding one is one file in [`definitions`](crate::definitions) and one entry here.
+
+use crate::definition::Experiment;
+
+/// Every experiment, in the order of reports.
+pub static EXPERIMENTS: &[Experiment] = &[];
+
+/// The experiment called `id`, if there is one.
+pub fn find(id: &str) -> Option<&'static Experiment> {
+    EXPERIMENTS.iter().find(|experiment| experiment.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::definition::{Profile, Quantity};
+    use crate::runner;
+    use crate::{data, families};
+    use std::collections::BTreeSet;
+
+    const PROFILES: [Profile; 2] = [Profile::Quick, Profile::Full];
+
+    #[test]
+    fn ids_are_distinct() {
+        let ids: BTreeSet<_> = EXPERIMENTS.iter().map(|experiment| experiment.id).collect();
+        assert_eq!(ids.len(), EXPERIMENTS.len());
+        for profile in PROFILES {
+            let cases = EXPERIMENTS.iter().flat_map(|experiment| runner::cases(experiment, profile, 1));
+            let ids: Vec<_> = cases.map(|case| case.id()).collect();
+            assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
+        }
+    }
+
+    #[test]
+    fn every_input_resolves() {
+        for experiment in EXPERIMENTS {
+            for id in experiment.families {
+                let found = families::find(id).is_some() || families::lines::find(id).is_some();
+                assert!(found, "{}: {id}", experiment.id);
+            }
+            for name in experiment.real_inputs {
+                assert!(data::points(name).is_some(), "{}: {name}", experiment.id);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_timed_is_also_counted() {
+        for experiment in EXPERIMENTS {
+            let Some(timing) = experiment.timing else { continue };
+            for profile in PROFILES {
+                assert!(timing.repetitions.get(profile) > 0, "{}", experiment.id);
+                for n in timing.sizes.get(profile) {
+                    assert!(experiment.sizes.get(profile).contains(n), "{}: {n}", experiment.id);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fits_ask_for_what_exists() {
+        for experiment in EXPERIMENTS {
+            for plan in experiment.fits {
+                assert!(experiment.variants.iter().any(|v| v.id == plan.variant), "{}", experiment.id);
+                assert!(plan.families.iter().all(|f| experiment.families.contains(f)), "{}", experiment.id);
+                assert!(plan.expected.is_none_or(|model| plan.models.contains(&model)), "{}", experiment.id);
+                assert!(
+                    !matches!(plan.quantity, Quantity::Time(_)) || experiment.timing.is_some(),
+                    "{}",
+                    experiment.id
+                );
+            }
+        }
+    }
+}
