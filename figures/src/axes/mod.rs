@@ -1,0 +1,238 @@
+//! Plots with two logarithmic axes: measured points, fitted curves, and a legend beside the plot.
+//!
+//! Drawn by `plotters`, whose SVG backend rounds to whole units: the plot is drawn [`FINENESS`] times as large as it is
+//! shown. Logarithms come from `libm`, so the bytes are the same on every machine.
+
+mod log_axis;
+mod sign;
+
+use self::log_axis::LogAxis;
+use self::sign::sign;
+use crate::figure::FigureError;
+use crate::scene::page::decimals;
+use crate::scene::text::{Line, TextStyle};
+use crate::style::{Color, GREY, INK, PALE, PAPER, SERIES, text_size};
+use plotters::chart::{ChartBuilder, ChartContext};
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::element::{PathElement, Text};
+use plotters::prelude::{DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{FontFamily, FontStyle, IntoFont, RGBColor, ShapeStyle};
+use std::fmt::Write as _;
+
+/// A measured series with the curve fitted to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// What was measured.
+    pub name: String,
+    /// Size and value, both positive.
+    pub points: Vec<[f64; 2]>,
+    /// The fitted model, if there is one.
+    pub fit: Option<FittedCurve>,
+}
+
+/// A fitted model, sampled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedCurve {
+    /// Lines for the legend: the model, its constants, its interval.
+    pub notes: Vec<String>,
+    /// Size and value, both positive, by increasing size.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// A plot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LogLogPlot {
+    /// Its title, for readers who hear the picture as well.
+    pub title: String,
+    /// What there is to see.
+    pub description: String,
+    /// What the horizontal axis counts.
+    pub x_name: String,
+    /// What the vertical axis counts.
+    pub y_name: String,
+    /// The series, in the order of the legend.
+    pub curves: Vec<Curve>,
+}
+
+/// Units of drawing per unit of page.
+const FINENESS: i32 = 10;
+const PLOT_WIDTH: f64 = 560.0;
+const LEAST_HEIGHT: f64 = 430.0;
+const LEGEND_TOP: f64 = 20.0;
+const LEGEND_LINE: f64 = 17.0;
+/// Between two entries of the legend.
+const LEGEND_GAP: f64 = 10.0;
+
+impl LogLogPlot {
+    /// The plot as an SVG document.
+    pub fn draw(&self) -> Result<String, FigureError> {
+        let all = || {
+            self.curves.iter().flat_map(|curve| {
+                let fitted = curve.fit.iter().flat_map(|fit| &fit.points);
+                curve.points.iter().chain(fitted)
+            })
+        };
+        if let Some(curve) = self.curves.iter().find(|curve| curve.points.is_empty()) {
+            return Err(FigureError::EmptySeries(curve.name.clone()));
+        }
+        if let Some(point) = all().find(|p| !p.iter().all(|c| c.is_finite() && *c > 0.0)) {
+            return Err(FigureError::NotPositive(*point));
+        }
+        let x = LogAxis::around(all().map(|point| point[0])).ok_or(FigureError::NoSeries)?;
+        let y = LogAxis::around(all().map(|point| point[1])).ok_or(FigureError::NoSeries)?;
+
+        let width = PLOT_WIDTH + self.legend_width();
+        let height = self.height();
+        let size = (to_units(width).unsigned_abs(), to_units(height).unsigned_abs());
+        let mut drawn = String::new();
+        {
+            let root = SVGBackend::with_string(&mut drawn, size).into_drawing_area();
+            let (plot, legend) = root.split_horizontally(to_units(PLOT_WIDTH));
+            let mut chart = ChartBuilder::on(&plot)
+                .margin_top(to_units(14.0))
+                .margin_right(to_units(16.0))
+                .margin_left(to_units(8.0))
+                .margin_bottom(to_units(4.0))
+                .x_label_area_size(to_units(44.0))
+                .y_label_area_size(to_units(70.0))
+                .build_cartesian_2d(x, y)
+                .map_err(FigureError::plot)?;
+            self.draw_mesh(&mut chart)?;
+            for (number, curve) in self.curves.iter().enumerate() {
+                draw_curve(&mut chart, curve, number)?;
+            }
+            self.draw_legend(&legend)?;
+            root.present().map_err(FigureError::plot)?;
+        }
+        Ok(self.shown_at_natural_size(&drawn, [width, height]))
+    }
+
+    fn draw_mesh<DB: DrawingBackend>(
+        &self,
+        chart: &mut ChartContext<'_, DB, Cartesian2d<LogAxis, LogAxis>>,
+    ) -> Result<(), FigureError> {
+        chart
+            .configure_mesh()
+            .bold_line_style(line(PALE, 0.9))
+            .light_line_style(line(PALE.mixed(PAPER, 150), 0.6))
+            .axis_style(line(GREY, 1.2))
+            .x_desc(self.x_name.as_str())
+            .y_desc(self.y_name.as_str())
+            .label_style(font(text_size::NOTE, GREY, FontStyle::Normal))
+            .axis_desc_style(font(text_size::LABEL, INK, FontStyle::Normal))
+            .set_all_tick_mark_size(to_units(4.0))
+            .draw()
+            .map_err(FigureError::plot)
+    }
+
+    fn legend_entries(&self) -> impl Iterator<Item = (usize, Vec<(&str, TextStyle)>)> {
+        let name = TextStyle::new(text_size::NOTE, INK).bold();
+        let note = TextStyle::new(text_size::NOTE, GREY);
+        self.curves.iter().enumerate().map(move |(number, curve)| {
+            let notes = curve.fit.iter().flat_map(|fit| &fit.notes);
+            let lines =
+                std::iter::once((curve.name.as_str(), name)).chain(notes.map(|text| (text.as_str(), note))).collect();
+            (number, lines)
+        })
+    }
+
+    fn legend_width(&self) -> f64 {
+        let widest = self
+            .legend_entries()
+            .flat_map(|(_, lines)| lines)
+            .map(|(text, style)| Line::parse(text).width(&style))
+            .fold(0.0, f64::max);
+        widest + 44.0
+    }
+
+    fn height(&self) -> f64 {
+        let legend: f64 = self.legend_entries().map(|(_, lines)| LEGEND_LINE * lines.len() as f64 + LEGEND_GAP).sum();
+        LEAST_HEIGHT.max(LEGEND_TOP + legend)
+    }
+
+    fn draw_legend<DB: DrawingBackend>(
+        &self,
+        area: &DrawingArea<DB, plotters::coord::Shift>,
+    ) -> Result<(), FigureError> {
+        let mut top = LEGEND_TOP;
+        for (number, lines) in self.legend_entries() {
+            let at = [12.0, top];
+            let stroke = line(color_of(number), 2.0);
+            area.draw(&PathElement::new(vec![units([0.0, top]), units([24.0, top])], stroke))
+                .map_err(FigureError::plot)?;
+            area.draw(&sign(units(at), number)).map_err(FigureError::plot)?;
+            for (text, style) in lines {
+                let weight = if style.bold { FontStyle::Bold } else { FontStyle::Normal };
+                let font = font(style.size, style.color, weight).pos(Pos::new(HPos::Left, VPos::Center));
+                area.draw(&Text::new(text, units([32.0, top]), font)).map_err(FigureError::plot)?;
+                top += LEGEND_LINE;
+            }
+            top += LEGEND_GAP;
+        }
+        Ok(())
+    }
+
+    /// Replaces the head of the drawn document by one that shows it at natural size with a title and a background.
+    fn shown_at_natural_size(&self, drawn: &str, size: [f64; 2]) -> String {
+        let body = drawn.split_once('>').map_or(drawn, |(_head, body)| body);
+        let mut document = String::new();
+        let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
+        let [width, height] = size.map(decimals);
+        let [wide, high] = size.map(to_units);
+        write!(
+            document,
+            "<svg height=\"{height}\" role=\"img\" viewBox=\"0 0 {wide} {high}\" width=\"{width}\" \
+             xmlns=\"http://www.w3.org/2000/svg\">\n<title>{}</title>\n<desc>{}</desc>\n\
+             <rect fill=\"#ffffff\" height=\"100%\" width=\"100%\"/>{body}",
+            escaped(&self.title),
+            escaped(&self.description),
+        )
+        .expect("writing to a string succeeds because memory is its only limit");
+        document
+    }
+}
+
+fn draw_curve<DB: DrawingBackend>(
+    chart: &mut ChartContext<'_, DB, Cartesian2d<LogAxis, LogAxis>>,
+    curve: &Curve,
+    number: usize,
+) -> Result<(), FigureError> {
+    if let Some(fit) = &curve.fit {
+        let points: Vec<(f64, f64)> = fit.points.iter().map(|&[x, y]| (x, y)).collect();
+        chart
+            .draw_series(std::iter::once(PathElement::new(points, line(color_of(number), 1.6))))
+            .map_err(FigureError::plot)?;
+    }
+    chart.draw_series(curve.points.iter().map(|&[x, y]| sign((x, y), number))).map_err(FigureError::plot)?;
+    Ok(())
+}
+
+fn color_of(number: usize) -> Color {
+    SERIES[number % SERIES.len()]
+}
+
+fn to_units(length: f64) -> i32 {
+    libm::round(length * f64::from(FINENESS)) as i32
+}
+
+fn units(place: [f64; 2]) -> (i32, i32) {
+    (to_units(place[0]), to_units(place[1]))
+}
+
+fn rgb(color: Color) -> RGBColor {
+    let [red, green, blue] = color.rgb;
+    RGBColor(red, green, blue)
+}
+
+fn line(color: Color, width: f64) -> ShapeStyle {
+    ShapeStyle::from(rgb(color)).stroke_width(to_units(width).unsigned_abs())
+}
+
+/// The backend divides sizes by 1.24 before it writes them.
+fn font<'a>(size: f64, color: Color, style: FontStyle) -> plotters::style::TextStyle<'a> {
+    (FontFamily::SansSerif, 1.24 * size * f64::from(FINENESS), style).into_font().color(&rgb(color))
+}
+
+#[cfg(test)]
+mod tests;

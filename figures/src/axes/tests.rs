@@ -1,0 +1,67 @@
+use super::*;
+
+fn plot(points: Vec<[f64; 2]>) -> LogLogPlot {
+    LogLogPlot {
+        title: "a < b".into(),
+        description: "growth".into(),
+        x_name: "n".into(),
+        y_name: "operations".into(),
+        curves: vec![Curve {
+            name: "method".into(),
+            fit: Some(FittedCurve { notes: vec!["3 n".into()], points: points.clone() }),
+            points,
+        }],
+    }
+}
+
+fn drawn() -> String {
+    plot(vec![[64.0, 192.0], [128.0, 384.0], [1024.0, 3072.0]]).draw().expect("positive points")
+}
+
+/// The value of an attribute in the first element that starts with `opening`.
+fn attribute<'a>(document: &'a str, opening: &str, name: &str) -> &'a str {
+    let element = document.split_once(opening).expect("the element is drawn").1;
+    let element = element.split_once('>').expect("it is closed").0;
+    let value = element.split_once(&format!("{name}=\"")).expect("it has the attribute").1;
+    value.split_once('"').expect("it is quoted").0
+}
+
+#[test]
+fn text_is_escaped_and_written_in_a_generic_font() {
+    let drawn = drawn();
+    assert!(drawn.contains("<title>a &lt; b</title>"));
+    assert!(drawn.contains("10²") && drawn.contains("10³") && drawn.contains("3 n"));
+    assert_eq!(drawn.matches("<text").count(), drawn.matches("font-family=\"sans-serif\"").count());
+}
+
+#[test]
+fn points_of_slope_one_rise_as_fast_as_they_go_right_in_decades() {
+    let drawn = drawn();
+    let fit = attribute(&drawn, "<polyline fill=\"none\" opacity=\"1\" stroke=\"#0072B2\"", "points");
+    let corners: Vec<f64> = fit.split([' ', ',']).filter_map(|number| number.parse().ok()).collect();
+    let [x0, y0, x1, y1, x2, y2] = corners[..] else { panic!("three points, got {corners:?}") };
+    let (first, second) = ((y0 - y1) / (x1 - x0), (y1 - y2) / (x2 - x1));
+    assert!((first / second - 1.0).abs() < 0.01, "{corners:?}");
+}
+
+#[test]
+fn a_long_legend_makes_the_page_longer() {
+    let mut long = plot(vec![[64.0, 192.0], [128.0, 384.0]]);
+    let notes = &mut long.curves[0].fit.as_mut().expect("given above").notes;
+    notes.extend((0..40).map(|line| format!("line {line}")));
+    let document = long.draw().expect("positive points");
+    let height: f64 = attribute(&document, "<svg", "height").parse().expect("a number");
+    assert!(height > 41.0 * LEGEND_LINE);
+    for y in document.match_indices("<text ").map(|(at, _)| attribute(&document[at..], "<text", "y")) {
+        assert!(y.parse::<f64>().expect("a number") < f64::from(FINENESS) * height);
+    }
+}
+
+#[test]
+fn what_has_no_place_is_refused() {
+    assert!(matches!(plot(vec![]).draw(), Err(FigureError::EmptySeries(_))));
+    assert!(matches!(plot(vec![[1.0, 0.0]]).draw(), Err(FigureError::NotPositive([1.0, 0.0]))));
+    assert!(matches!(plot(vec![[f64::NAN, 1.0]]).draw(), Err(FigureError::NotPositive(_))));
+    let empty = LogLogPlot { curves: vec![], ..plot(vec![]) };
+    assert!(matches!(empty.draw(), Err(FigureError::NoSeries)));
+}

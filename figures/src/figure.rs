@@ -1,0 +1,58 @@
+//! What a figure is.
+
+use thiserror::Error;
+
+/// A figure: its names, what it illustrates, and how it is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// Its name in the catalog, in file names and in links.
+    pub id: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// What there is to see, in full sentences.
+    pub caption: &'static str,
+    /// The claims that it illustrates.
+    pub claims: &'static [&'static str],
+    /// The experiments whose records it shows.
+    pub experiments: &'static [&'static str],
+    /// The drawing, as an SVG document.
+    pub draw: fn(&FigureInput) -> Result<String, FigureError>,
+}
+
+impl Figure {
+    /// Draws it.
+    pub fn draw(&self, input: &FigureInput) -> Result<String, FigureError> {
+        (self.draw)(input)
+    }
+}
+
+/// What a figure may draw from besides its own instance.
+#[derive(Clone, Debug, Default)]
+pub struct FigureInput {}
+
+/// Why a figure could not be drawn.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum FigureError {
+    /// The experiment has no records in the input.
+    #[error("no records of the experiment {0}")]
+    NoRecords(&'static str),
+    /// A plot without series.
+    #[error("the plot has no series")]
+    NoSeries,
+    /// A series without points.
+    #[error("the series {0} has no points")]
+    EmptySeries(String),
+    /// A value that has no place on a logarithmic axis.
+    #[error("the point ({}, {}) has no place on logarithmic axes", .0[0], .0[1])]
+    NotPositive([f64; 2]),
+    /// The plotting library failed.
+    #[error("the plot could not be drawn: {0}")]
+    Plot(String),
+}
+
+impl FigureError {
+    pub(crate) fn plot(error: impl std::fmt::Display) -> Self {
+        Self::Plot(error.to_string())
+    }
+}
