@@ -1,9 +1,10 @@
 //! The list of experiments. Adding one is one file in [`definitions`](crate::definitions) and one entry here.
 
 use crate::definition::Experiment;
+use crate::definitions::hull_scaling;
 
 /// Every experiment, in the order of reports.
-pub static EXPERIMENTS: &[Experiment] = &[];
+pub static EXPERIMENTS: &[Experiment] = &[hull_scaling::EXPERIMENT];
 
 /// The experiment called `id`, if there is one.
 pub fn find(id: &str) -> Option<&'static Experiment> {

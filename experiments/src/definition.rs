@@ -6,6 +6,7 @@ use crate::runner::stopwatch::Stopwatch;
 use crate::{data, families, seed};
 use std::collections::BTreeMap;
 use std::fmt;
+use zonotope::tally::OperationCounts;
 
 /// How much is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -221,4 +222,29 @@ pub struct Measurement {
     pub digest: u64,
     /// Whether the answer is right.
     pub verdict: Verdict,
+}
+
+impl Verdict {
+    /// The outcome of the check called `check`: right, or wrong with the defect that it found.
+    pub fn of_check(check: &str, result: Result<(), impl fmt::Display>) -> Self {
+        match result {
+            Ok(()) => Self::Correct(check.to_owned()),
+            Err(defect) => Self::Wrong(format!("{check}: {defect}")),
+        }
+    }
+}
+
+impl Measurement {
+    /// A measurement without values. Operations that did not occur are recorded as 0.
+    pub fn new(counts: &OperationCounts, digest: u64, verdict: Verdict) -> Self {
+        let counts = counts.iter().map(|(operation, count)| (operation.name().to_owned(), count)).collect();
+        Self { counts, values: BTreeMap::new(), digest, verdict }
+    }
+
+    /// The same with one more value.
+    #[must_use]
+    pub fn with_value(mut self, name: &str, value: f64) -> Self {
+        self.values.insert(name.to_owned(), value);
+        self
+    }
 }

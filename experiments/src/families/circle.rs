@@ -9,6 +9,7 @@ pub const CIRCLE: Family = Family {
     title: "Circle",
     description: "points on the unit circle at independent uniform angles, rounded to doubles",
     hull_size: HullSize::NearlyAll,
+    is_random: true,
     generate: points,
 };
 

@@ -14,6 +14,7 @@ pub const CLUSTERED: Family = Family {
     title: "Clustered",
     description: "16 Gaussian clusters of standard deviation 0.01, centres uniform in the unit disc, each point in a random cluster",
     hull_size: HullSize::Few,
+    is_random: true,
     generate: points,
 };
 

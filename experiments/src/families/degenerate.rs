@@ -9,6 +9,7 @@ pub const SYMMETRIC: Family = Family {
     title: "Centrally symmetric",
     description: "points on the unit circle in exact pairs p, -p (and the origin when n is odd)",
     hull_size: HullSize::NearlyAll,
+    is_random: true,
     generate: symmetric,
 };
 
@@ -18,6 +19,7 @@ pub const DUPLICATES: Family = Family {
     title: "Duplicates",
     description: "n draws, with repetition, from about sqrt(n) distinct Gaussian points",
     hull_size: HullSize::Few,
+    is_random: true,
     generate: duplicates,
 };
 
@@ -27,6 +29,7 @@ pub const COLLINEAR: Family = Family {
     title: "Collinear",
     description: "points (3k, 2k) for random integers k below 2^40: exactly on one line",
     hull_size: HullSize::Flat,
+    is_random: true,
     generate: collinear,
 };
 

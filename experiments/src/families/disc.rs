@@ -9,6 +9,7 @@ pub const DISC: Family = Family {
     title: "Disc",
     description: "independent uniform points of the unit disc",
     hull_size: HullSize::Few,
+    is_random: true,
     generate: points,
 };
 

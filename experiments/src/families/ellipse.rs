@@ -9,6 +9,7 @@ pub const ELLIPSE: Family = Family {
     title: "Ellipse 4 : 1",
     description: "points on the ellipse with half-axes 1 and 1/4, at uniform parameter angles",
     hull_size: HullSize::NearlyAll,
+    is_random: true,
     generate: |n, seed| points(n, seed, 0.25),
 };
 
@@ -18,6 +19,7 @@ pub const ELLIPSE_THIN: Family = Family {
     title: "Ellipse 100 : 1",
     description: "points on the ellipse with half-axes 1 and 1/100, at uniform parameter angles",
     hull_size: HullSize::NearlyAll,
+    is_random: true,
     generate: |n, seed| points(n, seed, 0.01),
 };
 

@@ -9,6 +9,7 @@ pub const GAUSSIAN: Family = Family {
     title: "Gaussian",
     description: "independent points from the standard normal distribution in the plane",
     hull_size: HullSize::Few,
+    is_random: true,
     generate: points,
 };
 

@@ -9,6 +9,7 @@ pub const LATTICE: Family = Family {
     title: "Lattice",
     description: "n distinct integer points, chosen at random from the square grid with ceil(sqrt(n)) points a side",
     hull_size: HullSize::Few,
+    is_random: true,
     generate: points,
 };
 

@@ -46,6 +46,8 @@ pub struct Family {
     pub description: &'static str,
     /// How many points lie on the hull.
     pub hull_size: HullSize,
+    /// Whether the seed matters; if not, there is one instance of each size.
+    pub is_random: bool,
     /// The instance with `n` points for a seed: a pure function.
     pub generate: fn(n: usize, seed: u64) -> Vec<[f64; 2]>,
 }

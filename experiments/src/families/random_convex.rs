@@ -20,6 +20,7 @@ pub const RANDOM_CONVEX: Family = Family {
     title: "Random convex polygon",
     description: "vertices of a random convex polygon (Valtr's algorithm) on a grid of step 2^-51, in random order",
     hull_size: HullSize::NearlyAll,
+    is_random: true,
     generate: points,
 };
 

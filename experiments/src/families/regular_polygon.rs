@@ -9,6 +9,7 @@ pub const REGULAR_POLYGON: Family = Family {
     title: "Regular polygon",
     description: "vertices of the regular n-gon on the unit circle; exactly centrally symmetric for even n; the seed is not used",
     hull_size: HullSize::NearlyAll,
+    is_random: false,
     generate: points,
 };
 

@@ -1,14 +1,18 @@
 //! Which cases an experiment has, in the order of the record files.
 
-use crate::data;
 use crate::definition::{Case, Experiment, Profile};
+use crate::{data, families};
 
 /// The cases of `experiment`: real inputs first, then families by size, then variants and instances.
 pub fn cases(experiment: &Experiment, profile: Profile, master_seed: u64) -> Vec<Case> {
     let real = experiment.real_inputs.iter().map(|&name| (name, data::points(name).map_or(0, <[_]>::len), 1));
-    let instances = experiment.instances.get(profile);
+    let instances = |family| match families::find(family) {
+        Some(family) if !family.is_random => 1,
+        _ => experiment.instances.get(profile),
+    };
     let sizes = experiment.sizes.get(profile);
-    let generated = experiment.families.iter().flat_map(|&family| sizes.iter().map(move |&n| (family, n, instances)));
+    let generated =
+        experiment.families.iter().flat_map(|&family| sizes.iter().map(move |&n| (family, n, instances(family))));
     let mut cases = Vec::new();
     for (family, n, instances) in real.chain(generated) {
         for variant in experiment.variants.iter().filter(|variant| n <= variant.largest.get(profile)) {

@@ -1,0 +1,81 @@
+//! Orientation tests and time of the convex hull against the number of points.
+
+use super::{SCALING_FAMILIES, SCALING_SIZES};
+use crate::definition::{
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
+};
+use crate::fit::GrowthModel;
+use crate::seed::Digest;
+use zonotope::hull::{self, ConvexHull, HullError};
+use zonotope::tally::{OperationCounts, Tally};
+
+/// Orientation tests and time of the convex hull against the number of points.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "hull-scaling",
+    title: "Convex hull: growth with the number of points",
+    question: "The orientation tests of the monotone chain stay below 3n on every family, with many points on the hull or few; \
+               gift wrapping needs n tests for each vertex of the hull, so it is quadratic when all points are on it. The sort \
+               of the monotone chain shows in the times alone.",
+    claims: &["hull-suffices"],
+    families: SCALING_FAMILIES,
+    real_inputs: &[],
+    sizes: SCALING_SIZES,
+    instances: PerProfile::both(2),
+    variants: &[
+        Variant { id: "by_monotone_chain", title: "Monotone chain", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "brute_force", title: "Gift wrapping", largest: PerProfile::both(1 << 11) },
+    ],
+    measure,
+    timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile { quick: 5, full: 11 }, prepare }),
+    fits: &[
+        FitPlan {
+            quantity: Quantity::Count("turn"),
+            variant: "by_monotone_chain",
+            families: SCALING_FAMILIES,
+            models: GrowthModel::RUNNING_TIMES,
+            expected: Some(GrowthModel::Linear),
+        },
+        FitPlan {
+            quantity: Quantity::Count("turn"),
+            variant: "brute_force",
+            families: &["circle", "ellipse", "random_convex", "regular_polygon"],
+            models: GrowthModel::RUNNING_TIMES,
+            expected: Some(GrowthModel::Quadratic),
+        },
+        FitPlan {
+            quantity: Quantity::Time("total"),
+            variant: "by_monotone_chain",
+            families: SCALING_FAMILIES,
+            models: GrowthModel::RUNNING_TIMES,
+            expected: None,
+        },
+    ],
+};
+
+fn solve(variant: &str, points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
+    match variant {
+        "brute_force" => hull::brute_force::convex_hull_counted(points, tally),
+        _ => hull::by_monotone_chain::convex_hull_counted(points, tally),
+    }
+}
+
+fn digest(hull: &ConvexHull) -> u64 {
+    Digest::default().floats(hull.vertices().as_flattened()).finish()
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let points = case.points()?;
+    let mut counts = OperationCounts::default();
+    let hull = solve(case.variant, &points, &mut counts).map_err(|error| error.to_string())?;
+    let verdict = Verdict::of_check("hull::verify", hull::verify::verify(&points, &hull));
+    Ok(Measurement::new(&counts, digest(&hull), verdict).with_value("hull_vertices", hull.vertex_count() as f64))
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    let points = case.points()?;
+    let variant = case.variant;
+    Ok(Box::new(move |stopwatch| {
+        let hull = stopwatch.lap("total", || solve(variant, &points, &mut ())).map_err(|error| error.to_string())?;
+        Ok(digest(&hull))
+    }))
+}
