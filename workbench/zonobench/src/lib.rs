@@ -1,6 +1,74 @@
-//! The workbench on the command line.
+//! The workbench on the command line: `reproduce`, `list`, `enclose`, `solve`, `verify`.
+//!
+//! - [`cli`] is the command line, [`commands`] has a file for each command.
+//! - [`input`] reads points from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
+//! - [`batch`] answers questions that are lines of JSON; [`verify`] checks answers with exact arithmetic of its own.
+//!
+//! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for a failure
+//! and 2 for a command line that makes no sense.
 
+pub mod batch;
+pub mod cli;
+pub mod commands;
 pub mod input;
 pub mod json;
 pub mod output;
+pub mod progress;
 pub mod verify;
+
+use std::ffi::OsString;
+use std::io;
+use std::process::ExitCode;
+
+use anyhow::Context;
+use clap::Parser;
+
+use cli::{Cli, Command};
+use commands::Ending;
+
+/// Runs the program with the given command line, its name included.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(message) => {
+            let wrong = message.use_stderr();
+            // A reader that has gone away needs no message.
+            let _ = message.print();
+            return ExitCode::from(if wrong { 2 } else { 0 });
+        }
+    };
+    match dispatch(&cli) {
+        Ok(Ending::Good) => ExitCode::SUCCESS,
+        Ok(Ending::Bad) => ExitCode::FAILURE,
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("zonobench: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
+    if let Some(threads) = cli.threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build_global()
+            .context("the threads cannot be started")?;
+    }
+    match &cli.command {
+        Command::Reproduce(options) => commands::reproduce::run(options),
+        Command::List(options) => commands::list::run(options),
+        Command::Enclose(options) => commands::enclose::run(options),
+        Command::Solve(options) => commands::solve::run(options),
+        Command::Verify(options) => commands::verify::run(options),
+    }
+}
+
+/// Whether the reader of standard output went away, as `head` does.
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error.chain().any(|cause| {
+        let direct = cause.downcast_ref::<io::Error>().map(io::Error::kind);
+        let through_json = cause.downcast_ref::<serde_json::Error>().and_then(serde_json::Error::io_error_kind);
+        direct.or(through_json) == Some(io::ErrorKind::BrokenPipe)
+    })
+}

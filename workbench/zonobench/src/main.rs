@@ -1,2 +1,7 @@
 //! The workbench on the command line.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    zonobench::run(std::env::args_os())
+}

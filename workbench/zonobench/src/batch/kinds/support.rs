@@ -1,0 +1,43 @@
+//! `support`: how far a zonotope reaches in a direction, and a point where it does.
+
+use serde_json::{Value, json};
+
+use super::{Kind, vector_to_json};
+use crate::batch::fields::Fields;
+use crate::batch::refusal::{Code, Refusal};
+use crate::json::to_json;
+
+pub(super) const KIND: Kind = Kind {
+    name: "support",
+    summary: "how far a zonotope reaches in a direction, and a point where it does",
+    fields: &["direction", "center", "generators"],
+    methods: &["by_signs"],
+    solve,
+};
+
+fn solve(fields: &Fields<'_>, _method: &'static str, _seed: u64) -> Result<Value, Refusal> {
+    match fields.dimension("direction")? {
+        2 => in_dimension::<2>(fields),
+        3 => in_dimension::<3>(fields),
+        other => {
+            Err(Refusal::new(Code::DimensionMismatch, format!("direction has {other} coordinates; 2 and 3 are taken")))
+        }
+    }
+}
+
+fn in_dimension<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
+    let direction = fields.vector::<D>("direction")?;
+    let center = fields.vector::<D>("center")?;
+    let generators = fields.vectors::<D>("generators")?;
+    let dot = |v: &[f64; D]| -> f64 { direction.iter().zip(v).map(|(a, b)| a * b).sum() };
+    let mut value = dot(&center);
+    let mut point = center;
+    for generator in &generators {
+        let along = dot(generator);
+        value += along.abs();
+        for (slot, component) in point.iter_mut().zip(generator) {
+            *slot += if along < 0.0 { -component } else { *component };
+        }
+    }
+    Ok(json!({"value": to_json(value), "point": vector_to_json(&point)}))
+}

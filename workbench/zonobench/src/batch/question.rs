@@ -1,0 +1,168 @@
+//! One question: its envelope read, and the search for numbers that are not finite.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use serde_json::Value;
+
+use super::fields::Fields;
+use super::kinds::{KINDS, Solution};
+use super::refusal::{Code, Refusal};
+use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
+
+/// A question whose envelope is in order.
+#[derive(Debug)]
+pub(super) struct Question {
+    pub(super) id: String,
+    pub(super) kind: String,
+    method: Option<String>,
+    input: Tree,
+}
+
+/// A line that is no question; what of its envelope could be read is given back.
+#[derive(Debug)]
+pub(super) struct Unread {
+    pub(super) refusal: Refusal,
+    pub(super) id: Value,
+    pub(super) kind: Value,
+}
+
+/// Reads the question on line `number`.
+pub(super) fn read(number: u64, text: &[u8]) -> Result<Question, Unread> {
+    let tree = json::read(text, MAX_VALUES).map_err(|error| unreadable(number, text, &error))?;
+    let echo = |name| match tree.field(name).and_then(Tree::text) {
+        Some(text) => text.into(),
+        None => Value::Null,
+    };
+    let (id, kind) = (echo("id"), echo("kind"));
+    envelope(tree).map_err(|refusal| Unread { refusal, id, kind })
+}
+
+fn envelope(tree: Tree) -> Result<Question, Refusal> {
+    let Tree::Object(fields) = tree else {
+        return Err(Refusal::bad_input(format!("a question is an object, not {}", tree.describe())));
+    };
+    let input = fields.iter().find(|(name, _)| name == "input");
+    if let Some((place, number)) = input.and_then(|(_, input)| first_non_finite(input)) {
+        return Err(Refusal::new(Code::NonFinite, format!("{place} is {number}")));
+    }
+    let [mut id, mut kind, mut method, mut input] = [const { None }; 4];
+    for (name, value) in fields {
+        let slot = match name.as_str() {
+            "id" => &mut id,
+            "kind" => &mut kind,
+            "method" => &mut method,
+            "input" => &mut input,
+            _ => return Err(Refusal::bad_input(format!("extra field `{name}` in the question"))),
+        };
+        *slot = Some(value);
+    }
+    let text = |name: &str, value: Option<Tree>| match value {
+        None => Ok(None),
+        Some(Tree::Text(text)) => Ok(Some(text)),
+        Some(other) => Err(Refusal::bad_input(format!("`{name}` is {}, not a string", other.describe()))),
+    };
+    let missing = |name: &str| Refusal::bad_input(format!("missing field `{name}` in the question"));
+    Ok(Question {
+        id: text("id", id)?.ok_or_else(|| missing("id"))?,
+        kind: text("kind", kind)?.ok_or_else(|| missing("kind"))?,
+        method: text("method", method)?,
+        input: input.ok_or_else(|| missing("input"))?,
+    })
+}
+
+impl Question {
+    /// The answer's content, or why there is none.
+    pub(super) fn solve(&self, seed: u64) -> Result<Solution, Refusal> {
+        let names = |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
+        let kind = KINDS.iter().find(|kind| kind.name == self.kind).ok_or_else(|| {
+            let known = names(&mut KINDS.iter().map(|kind| kind.name));
+            Refusal::new(Code::UnknownKind, format!("there is no kind `{}`; the kinds are {known}", self.kind))
+        })?;
+        let method = match &self.method {
+            None => kind.methods[0],
+            Some(wanted) => kind.methods.iter().find(|&name| name == wanted).ok_or_else(|| {
+                let known = names(&mut kind.methods.iter().copied());
+                let message = format!("`{}` has no method `{wanted}`; its methods are {known}", kind.name);
+                Refusal::new(Code::UnknownMethod, message)
+            })?,
+        };
+        let result = (kind.solve)(&Fields::new(&self.input, kind.fields)?, method, seed)?;
+        Ok(Solution { method, result })
+    }
+}
+
+fn unreadable(number: u64, text: &[u8], error: &ReadError) -> Unread {
+    let refusal = match error {
+        ReadError::Syntax { column, message, .. } => {
+            Refusal::new(Code::BadJson, format!("line {number}, column {column}: {message}"))
+        }
+        ReadError::OutOfRange { column, .. } => {
+            Refusal::new(Code::NonFinite, format!("line {number}, column {column}: {error}"))
+        }
+        ReadError::RepeatedField { .. } => Refusal::bad_input(error.to_string()),
+        ReadError::TooManyValues { .. } => Refusal::new(Code::TooLarge, format!("line {number} holds {error}")),
+    };
+    let names = serde_json::from_slice::<Names>(text).unwrap_or_default();
+    let echo = |name: Option<Name>| name.map_or(Value::Null, |Name(name)| name.into());
+    Unread { refusal, id: echo(names.id), kind: echo(names.kind) }
+}
+
+/// What is read of a line whose input cannot be taken.
+#[derive(Default, Deserialize)]
+struct Names {
+    id: Option<Name>,
+    kind: Option<Name>,
+    #[serde(rename = "input")]
+    _input: Option<IgnoredAny>,
+}
+
+#[derive(Deserialize)]
+struct Name(String);
+
+/// The first number that is spelled as NaN or an infinity, and its place in words.
+fn first_non_finite(input: &Tree) -> Option<(Place<'_>, NonFinite)> {
+    let Tree::Object(fields) = input else {
+        return None;
+    };
+    fields.iter().find_map(|(field, value)| {
+        let mut indices = Vec::new();
+        let number = search(value, &mut indices)?;
+        Some((Place { field, indices }, number))
+    })
+}
+
+fn search(value: &Tree, indices: &mut Vec<usize>) -> Option<NonFinite> {
+    match value {
+        Tree::Text(text) => NonFinite::spelled(text),
+        Tree::List(elements) => elements.iter().enumerate().find_map(|(index, element)| {
+            indices.push(index);
+            let found = search(element, indices);
+            if found.is_none() {
+                indices.pop();
+            }
+            found
+        }),
+        Tree::Object(fields) => fields.iter().find_map(|(_, value)| search(value, indices)),
+        Tree::Null | Tree::Bool(_) | Tree::Number(_) => None,
+    }
+}
+
+/// A place in an input: `points`, [3, 1] reads "point 4, coordinate 2".
+struct Place<'a> {
+    field: &'a str,
+    indices: Vec<usize>,
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let singular = self.field.strip_suffix('s').unwrap_or(self.field);
+        match self.indices.as_slice() {
+            [] => f.write_str(self.field),
+            [element] if singular != self.field => write!(f, "{singular} {}", element + 1),
+            [coordinate] => write!(f, "{}, coordinate {}", self.field, coordinate + 1),
+            [element, coordinate, ..] => write!(f, "{singular} {}, coordinate {}", element + 1, coordinate + 1),
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! The command line.
+
+use clap::{Parser, Subcommand};
+
+use crate::commands::{enclose, list, reproduce, solve, verify};
+
+/// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
+#[derive(Debug, Parser)]
+#[command(name = "zonobench", version, arg_required_else_help = true)]
+pub struct Cli {
+    /// Threads for the parts that run in parallel; all processors if absent.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run every experiment, draw every figure, check every claim, and write the report.
+    Reproduce(reproduce::Options),
+    /// List experiments, figures, claims and methods.
+    List(list::Options),
+    /// Find the zonogon of least area around the points of a file.
+    Enclose(enclose::Options),
+    /// Answer questions, one line of JSON each.
+    Solve(solve::Options),
+    /// Check answers against their questions, exactly.
+    Verify(verify::Options),
+}

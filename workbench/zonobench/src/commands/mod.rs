@@ -1,0 +1,33 @@
+//! The commands, one file each.
+
+pub mod enclose;
+pub mod list;
+pub mod reproduce;
+pub mod solve;
+pub mod verify;
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::path::Path;
+
+use anyhow::Context;
+
+/// How a command ended that ran to its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// Everything is as it should be.
+    Good,
+    /// Something that was looked at is not as it should be; the output says what.
+    Bad,
+}
+
+/// Opens a file for reading; standard input where `-` or nothing is given.
+fn open(file: Option<&Path>) -> anyhow::Result<Box<dyn BufRead>> {
+    match file.filter(|file| file.as_os_str() != "-") {
+        None => Ok(Box::new(io::stdin().lock())),
+        Some(file) => {
+            let opened = File::open(file).with_context(|| format!("{}: cannot be read", file.display()))?;
+            Ok(Box::new(BufReader::new(opened)))
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! `zonobench verify`: answers checked against their questions, exactly.
+
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use clap::Args;
+
+use super::{Ending, open};
+use crate::batch::MAX_LINE_BYTES;
+use crate::input::{Columns, Format, PointSource};
+use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
+use crate::verify::{Verdict, check};
+
+/// Options of `verify`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The questions, one line of JSON each; or the data file that `enclose` was given.
+    questions: PathBuf,
+    /// The answers, in the order of the questions; or the file that `enclose --json` wrote.
+    answers: PathBuf,
+    /// The columns of a data file, as `enclose` was given them.
+    #[arg(long, value_name = "X,Y")]
+    columns: Option<Columns>,
+    /// The format of a data file, as `enclose` was given it.
+    #[arg(long)]
+    format: Option<Format>,
+}
+
+/// Checks every answer: a line each on standard output.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let questions = questions(options)?;
+    let answers = lines(&options.answers)?;
+    let mut output = BufWriter::new(io::stdout().lock());
+    let mut wrong = 0;
+    for (index, question) in questions.iter().enumerate() {
+        let verdict = match (question, answers.get(index)) {
+            (_, None) => Verdict::Wrong("there is no answer".to_owned()),
+            (_, Some(None)) => Verdict::Wrong("the answer is not JSON".to_owned()),
+            (None, Some(Some(answer))) => unread_question(answer),
+            (Some(question), Some(Some(answer))) => check(question, answer),
+        };
+        let name = |name| question.as_ref().and_then(|question| question.field(name)).and_then(Tree::text);
+        write!(output, "{}", name("id").map_or_else(|| format!("question {}", index + 1), str::to_owned))?;
+        write!(output, "\t{}\t", name("kind").unwrap_or("-"))?;
+        match verdict {
+            Verdict::Right(proved) => writeln!(output, "right\t{proved}")?,
+            Verdict::Unchecked(reason) => writeln!(output, "unchecked\t{reason}")?,
+            Verdict::Wrong(reason) => {
+                wrong += 1;
+                writeln!(output, "WRONG\t{reason}")?;
+            }
+        }
+    }
+    if answers.len() > questions.len() {
+        wrong += 1;
+        writeln!(output, "-\t-\tWRONG\t{} answers to {} questions", answers.len(), questions.len())?;
+    }
+    output.flush()?;
+    Ok(if wrong == 0 { Ending::Good } else { Ending::Bad })
+}
+
+/// A line that is no JSON document must have been refused.
+fn unread_question(answer: &Tree) -> Verdict {
+    match answer.field("error") {
+        Some(_) => Verdict::Unchecked("refused; the question is no JSON document that is read here".to_owned()),
+        None => Verdict::Wrong("the question is not JSON, but it was answered".to_owned()),
+    }
+}
+
+/// The questions; a data file is one question, named after the file.
+fn questions(options: &Options) -> anyhow::Result<Vec<Option<Tree>>> {
+    let file = &options.questions;
+    let format = options.format.or_else(|| Format::of_extension(file));
+    if format.is_none() {
+        return lines(file);
+    }
+    let source = PointSource { file: file.clone(), format, columns: options.columns.clone() };
+    let points = source.read()?;
+    let points = points.into_iter().map(|point| Tree::List(point.map(Tree::Number).into())).collect();
+    let text = |text: &str| Tree::Text(text.to_owned());
+    Ok(vec![Some(Tree::Object(vec![
+        ("id".to_owned(), text(&question_name(file))),
+        ("kind".to_owned(), text("min_area")),
+        ("input".to_owned(), Tree::Object(vec![("points".to_owned(), Tree::List(points))])),
+    ]))])
+}
+
+/// The id of the question that a data file stands for.
+pub(super) fn question_name(file: &Path) -> String {
+    file.file_name().map_or_else(|| "points".to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+/// The JSON documents of a file's lines; `None` for a line that is not read.
+fn lines(file: &Path) -> anyhow::Result<Vec<Option<Tree>>> {
+    let unreadable = || format!("{}: cannot be read", file.display());
+    Lines::new(open(Some(file))?, MAX_LINE_BYTES)
+        .map(|line| match line.with_context(unreadable)? {
+            (_, Line::Content(text)) => Ok(json::read(&text, MAX_VALUES).ok()),
+            (_, Line::TooLong) => Ok(None),
+        })
+        .collect()
+}
