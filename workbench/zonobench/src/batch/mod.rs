@@ -38,14 +38,14 @@ pub fn answer(number: u64, line: &Line, seed: u64) -> Answer {
         Line::Content(text) => question::read(number, text),
         Line::TooLong => Err(question::Unread {
             refusal: Refusal::new(Code::TooLarge, format!("line {number} is longer than {MAX_LINE_BYTES} bytes")),
-            id: Value::Null,
-            kind: Value::Null,
+            id: None,
+            kind: None,
         }),
     };
     let refusal = match outcome {
         Err(unread) => {
-            content.insert("id".to_owned(), unread.id);
-            content.insert("kind".to_owned(), unread.kind);
+            content.insert("id".to_owned(), unread.id.into());
+            content.insert("kind".to_owned(), unread.kind.into());
             Some(unread.refusal)
         }
         Ok(question) => {

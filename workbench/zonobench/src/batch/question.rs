@@ -4,7 +4,6 @@ use std::fmt;
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
-use serde_json::Value;
 
 use super::fields::Fields;
 use super::kinds::{KINDS, Solution};
@@ -24,17 +23,14 @@ pub(super) struct Question {
 #[derive(Debug)]
 pub(super) struct Unread {
     pub(super) refusal: Refusal,
-    pub(super) id: Value,
-    pub(super) kind: Value,
+    pub(super) id: Option<String>,
+    pub(super) kind: Option<String>,
 }
 
 /// Reads the question on line `number`.
 pub(super) fn read(number: u64, text: &[u8]) -> Result<Question, Unread> {
     let tree = json::read(text, MAX_VALUES).map_err(|error| unreadable(number, text, &error))?;
-    let echo = |name| match tree.field(name).and_then(Tree::text) {
-        Some(text) => text.into(),
-        None => Value::Null,
-    };
+    let echo = |name| tree.field(name).and_then(Tree::text).map(str::to_owned);
     let (id, kind) = (echo("id"), echo("kind"));
     envelope(tree).map_err(|refusal| Unread { refusal, id, kind })
 }
@@ -105,21 +101,17 @@ fn unreadable(number: u64, text: &[u8], error: &ReadError) -> Unread {
         ReadError::TooManyValues { .. } => Refusal::new(Code::TooLarge, format!("line {number} holds {error}")),
     };
     let names = serde_json::from_slice::<Names>(text).unwrap_or_default();
-    let echo = |name: Option<Name>| name.map_or(Value::Null, |Name(name)| name.into());
-    Unread { refusal, id: echo(names.id), kind: echo(names.kind) }
+    Unread { refusal, id: names.id, kind: names.kind }
 }
 
 /// What is read of a line whose input cannot be taken.
 #[derive(Default, Deserialize)]
 struct Names {
-    id: Option<Name>,
-    kind: Option<Name>,
+    id: Option<String>,
+    kind: Option<String>,
     #[serde(rename = "input")]
     _input: Option<IgnoredAny>,
 }
-
-#[derive(Deserialize)]
-struct Name(String);
 
 /// The first number that is spelled as NaN or an infinity, and its place in words.
 fn first_non_finite(input: &Tree) -> Option<(Place<'_>, NonFinite)> {

@@ -41,7 +41,7 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
             let points = planar(member(input, "points")?, "points")?;
             let proof = check_min_area(&points, &min_area_answer(result)?)?;
             Ok(Verdict::Right(format!(
-                "contains all {} points; area {} is within {:.1e} of the proven bound",
+                "contains all {} points; area {:?} is within {:.1e} of the proven bound",
                 points.len(),
                 proof.area,
                 proof.gap
@@ -58,7 +58,7 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
             let answer =
                 SupportAnswer { value: float(result, "value")?, point: vector(member(result, "point")?, "point")? };
             check_support(&direction, &center, &generators, &answer)?;
-            Ok(Verdict::Right(format!("value {} and point agree with the exact sums", answer.value)))
+            Ok(Verdict::Right(format!("value {:?} and point agree with the exact sums", answer.value)))
         }
         other => Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
     }
