@@ -1,5 +1,6 @@
 //! Zonotopes as bounding volumes: exact, certified algorithms of computational geometry.
 
 pub mod hull;
+pub mod lad;
 pub mod numeric;
 pub mod tally;

@@ -78,6 +78,12 @@ impl Dyadic {
         (head as f64, self.exponent + drop as i64)
     }
 
+    /// The exponent e with 2^e ≤ |number| < 2^(e+1); `None` for zero.
+    pub fn binary_exponent(&self) -> Option<i64> {
+        let bits = self.mantissa.clone().unsigned_abs().bit_len() as i64;
+        (bits > 0).then(|| self.exponent + bits - 1)
+    }
+
     /// The quotient of two numbers as a double, with relative error at most 2^-50 plus one denormal step; ±∞ on
     /// overflow, NaN when the divisor is zero.
     pub fn ratio(&self, divisor: &Self) -> f64 {

@@ -1,0 +1,71 @@
+//! Weighted least absolute deviations in the plane, by exact line searches from vertex to vertex.
+//!
+//! # Statement
+//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of
+//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When the minimiser is
+//! not unique, one vertex of the set of minimisers and the dimension of that set. Parallel, equal, concurrent and
+//! zero lines are ordinary input.
+//!
+//! # Source
+//! Bloomfield and Steiger, Least Absolute Deviations (1983): descend along the lines of the arrangement, each time to the
+//! weighted median of the crossings. Departures: the median is only proposed by floating point and settled by exact
+//! passes; where many lines meet, the lines through the vertex are moved apart and solved as a kernel problem of
+//! their own, which makes the method finite on degenerate input.
+//!
+//! # Method
+//! 1. Search along the first line for its exact minimum.
+//! 2. At the vertex found, take the exact slopes along the lines through it. If none is negative, the vertex is a
+//!    minimiser and the signs of all lines there are its certificate.
+//! 3. Else search along a line with a negative slope, and go on with 2: the objective strictly falls.
+//!
+//! # Complexity
+//! n lines: expected O(n) a line search; the number of line searches has no better proven bound than the number of
+//! vertices, O(n²), and is observed to grow like log n. Space O(n).
+//!
+//! # Shapes
+//! `problem`: n lines in any order, duplicates allowed.
+//!
+//! # Numerics
+//! Every sign (side of a line, slope, parallelism) is exact: filtered floating point, then exact dyadic arithmetic.
+//!
+//! # Errors
+//! None: the problem was validated when it was made.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force), and [`verify`](super::verify::verify) on every answer.
+//!
+//! # Example
+//! ```
+//! use zonotope::lad::{LadProblem, WeightedLine, by_line_search};
+//! // |x − 1| + |y − 2| + |x + y|: the minimum 3 is taken at every point with 0 ≥ … between; a vertex is returned.
+//! let lines = [([1.0, 0.0], -1.0), ([0.0, 1.0], -2.0), ([1.0, 1.0], 0.0)];
+//! let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
+//! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
+//! let outcome = by_line_search::minimize(&problem, 0);
+//! let value = outcome.optimum().unwrap().exact_value(&problem);
+//! assert_eq!(value, 3.into());
+//! ```
+
+use super::instance::Instance;
+use super::line_search::SearchLine;
+use super::optimum::LadOutcome;
+use super::problem::LadProblem;
+use super::solve::{descend, solve_with};
+use crate::tally::Tally;
+
+/// Minimises a problem by line searches. `seed` only decides how lines through one vertex are moved apart.
+pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
+    minimize_counted(problem, seed, &mut ())
+}
+
+/// [`minimize`], counting its operations.
+pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
+    let instance = Instance::whole(problem);
+    let solution = solve_with(&instance, seed, tally, |first, tally| {
+        descend(&instance, SearchLine::of(&instance, first), seed, tally)
+    });
+    LadOutcome::new(solution)
+}

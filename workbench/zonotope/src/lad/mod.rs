@@ -1,0 +1,38 @@
+//! The kernel: weighted least absolute deviations in the plane.
+//!
+//! Minimise linear · x + Σ w_i |a_i · x + b_i| over x in the plane, w_i ≥ 0. The objective is convex and linear on each
+//! cell of the arrangement of the lines a_i · x + b_i = 0. Half of the paper reduces to it: the minimum-area enclosing zonogon (4.1) and
+//! membership in a zonotope in space (5.1).
+//!
+//! | method | cost for n lines | what it is |
+//! |---|---|---|
+//! | [`brute_force`] | O(n³), exact rationals | the truth |
+//! | [`by_line_search`] | O(n) a step, few steps | exact descent by weighted medians |
+//! | [`by_pruning`] | O(n) expected | the default |
+//!
+//! Every method but the truth returns a minimiser named by its defining lines with a certificate that
+//! [`verify`] checks on its own.
+
+pub mod brute_force;
+pub mod by_line_search;
+pub mod by_pruning;
+mod cell;
+mod cone;
+mod decide;
+mod exact_lines;
+mod instance;
+mod line_search;
+mod optimum;
+mod problem;
+mod solution;
+mod solve;
+pub mod verify;
+mod vertex;
+
+pub use by_pruning::{minimize, minimize_counted};
+pub use exact_lines::ExactLine;
+pub use optimum::{LadCertificate, LadOptimum, LadOutcome, Minimizer};
+pub use problem::{LadError, LadProblem, LineIndex, WeightedLine};
+
+#[cfg(test)]
+mod tests;

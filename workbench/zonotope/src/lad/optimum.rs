@@ -1,0 +1,126 @@
+//! What a method answers: a minimiser named by its defining lines, with coefficients that prove it.
+
+use super::exact_lines::ExactLine;
+use super::problem::{LadProblem, LineIndex};
+use super::solution::{Optimal, Solution};
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+
+/// The outcome of a minimisation.
+#[derive(Debug, Clone)]
+pub enum LadOutcome {
+    /// The minimum is attained.
+    Optimal(LadOptimum),
+    /// The objective falls without bound along this direction from every point.
+    Unbounded {
+        /// The direction, exactly.
+        direction: [Dyadic; 2],
+    },
+}
+
+/// A point at which the minimum is attained.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Minimizer {
+    /// The point where two lines cross.
+    Vertex(LineIndex, LineIndex),
+    /// Every point of a line: all lines are parallel.
+    Line(LineIndex),
+    /// Every point of the plane: every normal is zero.
+    Plane,
+}
+
+/// A minimiser with its proof.
+#[derive(Debug, Clone)]
+pub struct LadOptimum {
+    /// The minimiser.
+    pub minimizer: Minimizer,
+    /// The dimension of the set of all minimisers: 0 when it is unique.
+    pub face_dimension: u8,
+    /// The proof.
+    pub certificate: LadCertificate,
+}
+
+/// Coefficients δ in [−1, 1] that prove a minimiser x*: linear + Σ δ_i w_i a_i = 0, and δ_i (a_i · x* + b_i) =
+/// |a_i · x* + b_i| for each line.
+///
+/// They give the lower bound Σ δ_i w_i b_i for the objective at every point, with equality at x*.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LadCertificate {
+    /// δ for each line: 1 or −1; 0 for the basis and for lines without any coefficient.
+    pub signs: Vec<i8>,
+    /// The lines, at most two, whose δ solve the equation exactly.
+    pub basis: Vec<LineIndex>,
+}
+
+impl LadOutcome {
+    pub(crate) fn new(solution: Solution) -> Self {
+        match solution {
+            Solution::Optimal(optimal) => Self::Optimal(LadOptimum::new(*optimal)),
+            Solution::Unbounded { direction, .. } => Self::Unbounded { direction },
+        }
+    }
+
+    /// The optimum, if there is one.
+    pub fn optimum(&self) -> Option<&LadOptimum> {
+        match self {
+            Self::Optimal(optimum) => Some(optimum),
+            Self::Unbounded { .. } => None,
+        }
+    }
+}
+
+impl LadOptimum {
+    fn new(optimal: Optimal) -> Self {
+        let minimizer = match optimal.defining[..] {
+            [first, second] => Minimizer::Vertex(LineIndex(first), LineIndex(second)),
+            [line] => Minimizer::Line(LineIndex(line)),
+            _ => Minimizer::Plane,
+        };
+        let basis = optimal.basis.into_iter().map(LineIndex).collect();
+        let certificate = LadCertificate { signs: optimal.signs, basis };
+        Self { minimizer, face_dimension: optimal.face_dimension, certificate }
+    }
+
+    /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is the point
+    /// nearest to the origin, in the plane the origin.
+    pub fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
+        self.minimizer.homogeneous_point(problem)
+    }
+
+    /// The minimiser, exactly.
+    pub fn exact_point(&self, problem: &LadProblem) -> [Rational; 2] {
+        let [x, y, w] = self.homogeneous_point(problem).map(|v| v.to_rational());
+        [x / &w, y / w]
+    }
+
+    /// The minimiser, each coordinate within a relative 2^-50.
+    pub fn point(&self, problem: &LadProblem) -> [f64; 2] {
+        let [x, y, w] = self.homogeneous_point(problem);
+        [x.ratio(&w), y.ratio(&w)]
+    }
+
+    /// The minimum, exactly. O(n) exact operations.
+    pub fn exact_value(&self, problem: &LadProblem) -> Rational {
+        let point = self.homogeneous_point(problem);
+        let [cx, cy] = problem.exact_linear();
+        let linear = &cx * &point[0] + &cy * &point[1];
+        let lines = (0..problem.len() as u32).map(LineIndex);
+        let total = lines.fold(linear, |sum, line| sum + problem.exact_line(line).evaluate(&point).abs());
+        total.to_rational() / point[2].to_rational()
+    }
+}
+
+impl Minimizer {
+    pub(crate) fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
+        let one = Dyadic::from_f64(1.0);
+        match *self {
+            Self::Vertex(first, second) => problem.exact_line(first).meet(&problem.exact_line(second)),
+            Self::Line(line) => {
+                let line = problem.exact_line(line);
+                let [x, y] = line.direction();
+                line.meet(&ExactLine { normal: [x, y], offset: Dyadic::zero() })
+            }
+            Self::Plane => [Dyadic::zero(), Dyadic::zero(), one],
+        }
+    }
+}

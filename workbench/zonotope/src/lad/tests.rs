@@ -1,0 +1,129 @@
+//! Every method against the truth, on every family of lines.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::numeric::Rational;
+
+const METHODS: [(&str, fn(&LadProblem, u64) -> LadOutcome); 2] =
+    [("by_line_search", by_line_search::minimize), ("by_pruning", by_pruning::minimize)];
+
+fn check(lines: &[WeightedLine], linear: [f64; 2]) -> Result<(), TestCaseError> {
+    let problem = LadProblem::new(lines, linear).expect("the family makes finite lines");
+    let truth = brute_force::minimize(&problem);
+    for (name, method) in METHODS {
+        let outcome = method(&problem, 1);
+        let verdict = verify::verify(&problem, &outcome);
+        prop_assert!(verdict.is_ok(), "{}: {:?} of {:?}", name, verdict, outcome);
+        let Some(truth) = &truth else {
+            prop_assert!(outcome.optimum().is_none(), "{} misses that the problem is unbounded", name);
+            continue;
+        };
+        let optimum = outcome.optimum();
+        prop_assert!(optimum.is_some(), "{} says unbounded", name);
+        let optimum = optimum.expect("just seen");
+        prop_assert_eq!(&optimum.exact_value(&problem), &truth.value, "{}", name);
+        prop_assert_eq!(optimum.face_dimension, truth.face_dimension, "{}: {:?} {:?}", name, optimum, truth);
+        if let Minimizer::Vertex(..) = optimum.minimizer {
+            prop_assert!(truth.minimizers.contains(&optimum.exact_point(&problem)), "{}", name);
+        }
+    }
+    Ok(())
+}
+
+fn scale() -> impl Strategy<Value = f64> + Clone {
+    prop_oneof![Just(1.0), Just(1e-300), Just(1e300), Just(1e-5), Just(f64::from_bits(1)), Just(1e150)]
+}
+
+fn line(coefficient: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = WeightedLine> {
+    let weight = prop_oneof![4 => Just(1.0), 1 => Just(0.0), 2 => 0.1..3.0f64, 1 => scale()];
+    (coefficient.clone(), coefficient.clone(), coefficient, weight).prop_map(|(x, y, offset, weight)| WeightedLine {
+        normal: [x, y],
+        offset,
+        weight,
+    })
+}
+
+fn lattice() -> impl Strategy<Value = f64> + Clone {
+    (-2i32..3).prop_map(f64::from)
+}
+
+fn lines(coefficient: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Vec<WeightedLine>> {
+    proptest::collection::vec(line(coefficient), 0..9)
+}
+
+fn linear() -> impl Strategy<Value = [f64; 2]> {
+    prop_oneof![3 => Just([0.0, 0.0]), 1 => [lattice(), lattice()], 1 => [-3.0..3.0f64, -3.0..3.0]]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn random_lines(lines in lines(-1.0..1.0f64), linear in linear()) {
+        check(&lines, linear)?;
+    }
+
+    #[test]
+    fn lattice_lines(lines in lines(lattice()), linear in linear()) {
+        check(&lines, linear)?;
+    }
+
+    #[test]
+    fn lines_of_all_magnitudes(lines in lines((lattice(), scale()).prop_map(|(v, s)| v * s)), linear in linear()) {
+        check(&lines, linear)?;
+    }
+
+    #[test]
+    fn lines_of_one_magnitude(lines in lines(-1.0..1.0f64), s in scale(), linear in linear()) {
+        let lines: Vec<_> = lines
+            .into_iter()
+            .map(|l| WeightedLine { normal: l.normal.map(|v| v * s), offset: l.offset * s, weight: l.weight.min(2.0) })
+            .collect();
+        check(&lines, linear.map(|v| v * s))?;
+    }
+
+    #[test]
+    fn nearly_parallel_lines(lines in lines(lattice()), ulps in proptest::collection::vec(-2i64..3, 9)) {
+        let nudge = |v: f64, by: i64| f64::from_bits((v.to_bits() as i64 + by) as u64);
+        let lines: Vec<_> = lines
+            .iter()
+            .zip(ulps)
+            .map(|(l, by)| WeightedLine {
+                normal: [nudge(1.0, by) + l.normal[0] * 1e-12, 1.0],
+                offset: nudge(1.0, -by),
+                weight: l.weight,
+            })
+            .collect();
+        check(&lines, [0.0, 0.0])?;
+    }
+
+    #[test]
+    fn concurrent_lines(lines in lines(lattice()), apart in lattice()) {
+        let lines: Vec<_> = lines
+            .iter()
+            .map(|l| WeightedLine { offset: -(l.normal[0] * 3.0 + l.normal[1] * apart), ..*l })
+            .collect();
+        check(&lines, [1.0, 0.0])?;
+    }
+}
+
+#[test]
+fn large_instances_are_pruned_and_verified() {
+    use rand::{RngExt, SeedableRng};
+    let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(3);
+    let lines: Vec<_> = (0..20_000)
+        .map(|_| {
+            let mut value = || random.random_range(-1.0..1.0);
+            WeightedLine::unweighted([value(), value()], value())
+        })
+        .collect();
+    let problem = LadProblem::new(&lines, [3.0, -40.0]).expect("finite lines");
+    let mut values: Vec<Rational> = Vec::new();
+    for (_, method) in METHODS {
+        let outcome = method(&problem, 5);
+        assert_eq!(verify::verify(&problem, &outcome), Ok(()));
+        values.push(outcome.optimum().expect("bounded").exact_value(&problem));
+    }
+    assert!(values.windows(2).all(|pair| pair[0] == pair[1]));
+}

@@ -1,0 +1,40 @@
+//! A point where two lines meet: exact in homogeneous coordinates, and as a double with a bound on its error.
+
+use std::cmp::Ordering;
+
+use super::exact_lines::ExactLine;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+
+/// The common point of two lines that are not parallel.
+#[derive(Debug, Clone)]
+pub(crate) struct Vertex {
+    /// Homogeneous coordinates [X, Y, W] with W > 0.
+    pub(crate) exact: [Dyadic; 3],
+    /// The point as doubles; not finite where it leaves their range.
+    pub(crate) point: [f64; 2],
+    /// How far each coordinate may be off.
+    pub(crate) error: [f64; 2],
+    /// Lines of the instance that are known to pass through the point.
+    on: [Option<u32>; 2],
+}
+
+impl Vertex {
+    /// The common point of two lines, which are the lines `on` of the instance where they are lines of it at all.
+    pub(crate) fn new(first: &ExactLine, second: &ExactLine, on: [Option<u32>; 2]) -> Self {
+        let exact = first.meet(second);
+        debug_assert!(exact[2].sign() == Ordering::Greater, "parallel lines have no common point");
+        let point = [exact[0].ratio(&exact[2]), exact[1].ratio(&exact[2])];
+        let error = point.map(|v| 8.0 * UNIT * v.abs() + UNDERFLOW);
+        Self { exact, point, error, on }
+    }
+
+    pub(crate) fn is_on(&self, line: u32) -> bool {
+        self.on.contains(&Some(line))
+    }
+
+    /// The side of a line on which the point lies: 1, −1, or 0 when it is on the line.
+    pub(crate) fn exact_side(&self, line: &ExactLine) -> i8 {
+        line.evaluate(&self.exact).sign() as i8
+    }
+}
