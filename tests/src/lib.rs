@@ -1,1 +1,5 @@
-//! Placeholder.
+//! What the tests of the workspace share: the source tree, the instances, the exact twins and the program.
+//!
+//! The tests themselves are in `tests/tests/`, one file a subject. Nothing here is used outside of them.
+
+pub mod sources;

@@ -1,0 +1,80 @@
+//! Every algorithm of the library says the same things about itself, in the same order.
+
+use tests::sources::{LIBRARY, Source, files};
+
+const HEADINGS: [&str; 10] =
+    ["Statement", "Source", "Method", "Complexity", "Shapes", "Numerics", "Errors", "Panics", "Checked by", "Example"];
+
+/// A file is an algorithm's if it is named like one, or has a counted function, or states a problem with all its parts.
+fn is_algorithm(source: &Source) -> bool {
+    let name = source.name();
+    let folder = source.path.trim_start_matches(LIBRARY).trim_start_matches('/');
+    let in_problem = folder.contains('/') && !folder.starts_with("numeric/");
+    let named = name.starts_with("by_") || name == "brute_force.rs";
+    let counted =
+        source.code_lines().any(|(_, line)| line.trim_start().starts_with("pub fn ") && line.contains("_counted"));
+    let stated = headings(source).iter().any(|heading| *heading == "Statement");
+    in_problem && name != "mod.rs" && !source.is_test() && (named || counted || stated)
+}
+
+/// The text of the module's documentation without its code.
+fn prose(source: &Source) -> Vec<&str> {
+    let mut in_code = false;
+    let header = source.text.lines().take_while(|line| line.starts_with("//!"));
+    header
+        .map(|line| line.trim_start_matches("//!").trim())
+        .filter(|line| {
+            let fence = line.starts_with("```");
+            in_code ^= fence;
+            !in_code && !fence
+        })
+        .collect()
+}
+
+fn headings(source: &Source) -> Vec<&str> {
+    prose(source).iter().filter_map(|line| line.strip_prefix("# ")).collect()
+}
+
+#[test]
+fn algorithms_are_documented_under_the_agreed_headings() {
+    let sources = files(LIBRARY, &[".rs"]);
+    let mut algorithms = 0;
+    for source in sources.iter().filter(|source| is_algorithm(source)) {
+        assert_eq!(headings(source), HEADINGS, "{}", source.path);
+        algorithms += 1;
+    }
+    assert!(algorithms > 0, "the rule found no algorithm to look at");
+}
+
+#[test]
+fn every_section_of_a_header_says_something() {
+    for source in files(LIBRARY, &[".rs"]).iter().filter(|source| is_algorithm(source)) {
+        let sections = source.text.split("//! # ").skip(1);
+        for section in sections.filter(|section| HEADINGS.iter().any(|heading| section.starts_with(heading))) {
+            let mut lines = section.lines().skip(1).map(|line| line.trim_start_matches("//!").trim());
+            assert!(
+                lines.next().is_some_and(|line| !line.is_empty()),
+                "{}: nothing under {:?}",
+                source.path,
+                section.lines().next()
+            );
+        }
+    }
+}
+
+#[test]
+fn an_example_asserts_something_in_few_lines() {
+    for source in files(LIBRARY, &[".rs"]).iter().filter(|source| is_algorithm(source)) {
+        let example = source.text.split("//! # Example").nth(1).expect("the headings are there");
+        let code: Vec<&str> = example
+            .lines()
+            .take_while(|line| line.is_empty() || line.starts_with("//!"))
+            .map(|line| line.trim_start_matches("//!").trim())
+            .skip_while(|line| !line.starts_with("```"))
+            .skip(1)
+            .take_while(|line| !line.starts_with("```"))
+            .collect();
+        assert!(code.iter().any(|line| line.contains("assert")), "{}: the example asserts nothing", source.path);
+        assert!(code.len() <= 15, "{}: the example has {} lines", source.path, code.len());
+    }
+}

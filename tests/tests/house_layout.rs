@@ -1,0 +1,121 @@
+//! The layout of the house: which crate may use which, how long files are, what they are called.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use tests::sources::{LIBRARY, files, root};
+
+/// The crates from the bottom up; a crate may use those of the levels below its own.
+const LEVELS: [&[&str]; 5] =
+    [&["zonotope"], &["experiments"], &["figures", "paper_checks"], &["zonobench"], &["tests"]];
+
+const FOLDERS: [&str; 6] =
+    ["workbench/zonotope", "workbench/zonobench", "experiments", "figures", "paper_checks", "tests"];
+
+fn level(name: &str) -> Option<usize> {
+    LEVELS.iter().position(|crates| crates.contains(&name))
+}
+
+#[test]
+fn dependencies_point_down() {
+    let mut seen = BTreeSet::new();
+    for folder in FOLDERS {
+        let text = std::fs::read_to_string(root().join(folder).join("Cargo.toml")).expect("a member has a manifest");
+        let manifest: toml::Table = text.parse().expect("a manifest is TOML");
+        let name = manifest["package"]["name"].as_str().expect("a package has a name").to_owned();
+        let own = level(&name).expect("every member has its level");
+        for table in ["dependencies", "dev-dependencies", "build-dependencies"] {
+            let Some(dependencies) = manifest.get(table).and_then(toml::Value::as_table) else { continue };
+            for dependency in dependencies.keys() {
+                if let Some(other) = level(dependency) {
+                    assert!(other < own, "{name} must not depend on {dependency}");
+                }
+            }
+        }
+        seen.insert(name);
+    }
+    assert_eq!(seen.len(), LEVELS.iter().map(|crates| crates.len()).sum::<usize>());
+}
+
+#[test]
+fn members_are_the_five_folders() {
+    let text = std::fs::read_to_string(root().join("Cargo.toml")).expect("the workspace has a manifest");
+    let manifest: toml::Table = text.parse().expect("a manifest is TOML");
+    let members = manifest["workspace"]["members"].as_array().expect("the workspace has members");
+    let members: BTreeSet<&str> = members.iter().filter_map(toml::Value::as_str).collect();
+    assert_eq!(members, FOLDERS.into_iter().collect());
+}
+
+#[test]
+fn no_source_file_is_longer_than_600_lines() {
+    let long: Vec<String> = files("", &[".rs"])
+        .iter()
+        .map(|source| (source.text.lines().count(), &source.path))
+        .filter(|(lines, _)| *lines > 600)
+        .map(|(lines, path)| format!("{path}: {lines}"))
+        .collect();
+    assert!(long.is_empty(), "{long:#?}");
+}
+
+#[test]
+fn names_say_what_is_inside() {
+    const EMPTY_WORDS: [&str; 6] = ["util", "utils", "helper", "helpers", "misc", "common"];
+    for source in files("", &[".rs"]) {
+        for part in source.path.trim_end_matches(".rs").split(['/', '_']) {
+            assert!(!EMPTY_WORDS.contains(&part), "{}", source.path);
+        }
+    }
+}
+
+/// A file that no `mod` names is not compiled, and no other test would notice.
+#[test]
+fn every_source_file_is_part_of_its_crate() {
+    let sources = files("", &[".rs"]);
+    let texts: BTreeMap<&str, &str> =
+        sources.iter().map(|source| (source.path.as_str(), source.text.as_str())).collect();
+    for source in &sources {
+        let (folder, name) = source.path.rsplit_once('/').unwrap_or(("", &source.path));
+        let is_root = ["lib.rs", "main.rs", "build.rs"].contains(&name)
+            || folder.ends_with("/bin")
+            || folder.ends_with("/examples")
+            || folder.ends_with("/benches")
+            || FOLDERS.iter().any(|member| folder == format!("{member}/tests"));
+        if is_root {
+            continue;
+        }
+        let (module, home) = match name.strip_suffix(".rs") {
+            Some("mod") => {
+                let (parent, module) = folder.rsplit_once('/').expect("a module folder is in a folder");
+                (module, parent)
+            }
+            Some(stem) => (stem, folder),
+            None => continue,
+        };
+        let parents =
+            [format!("{home}/mod.rs"), format!("{home}/lib.rs"), format!("{home}/main.rs"), format!("{home}.rs")];
+        let declaration = format!("mod {module};");
+        let declared = parents
+            .iter()
+            .filter_map(|parent| texts.get(parent.as_str()))
+            .any(|text| text.lines().any(|line| line.trim_start().trim_start_matches("pub").contains(&declaration)));
+        assert!(declared, "{}: none of {parents:?} says `{declaration}`", source.path);
+    }
+}
+
+#[test]
+fn a_problem_names_its_methods() {
+    for source in files(LIBRARY, &[".rs"]) {
+        let name = source.name().trim_end_matches(".rs").to_owned();
+        let is_method = name.starts_with("by_") || name == "brute_force";
+        if !is_method {
+            continue;
+        }
+        let folder = source.path.rsplit_once('/').expect("a method is in a folder").0;
+        let problem = files(folder, &["mod.rs"]).into_iter().find(|file| file.path == format!("{folder}/mod.rs"));
+        let problem = problem.unwrap_or_else(|| panic!("{folder} has no mod.rs that states the problem"));
+        assert!(
+            problem.text.contains(&format!("[`{name}`]")),
+            "{}: its table of methods leaves out {name}",
+            problem.path
+        );
+    }
+}
