@@ -17,8 +17,8 @@ pub struct FittedGrowth {
     pub variant: &'static str,
     /// What was fitted.
     pub quantity: Quantity,
-    /// The model that the theory predicts.
-    pub expected: Option<GrowthModel>,
+    /// The bound that the theory gives.
+    pub bound: Option<GrowthModel>,
     /// The samples (n, y), by increasing size.
     pub samples: Vec<(f64, f64)>,
     /// Rows left out because they failed, were wrong, or had their time voided.
@@ -28,9 +28,14 @@ pub struct FittedGrowth {
 }
 
 impl FittedGrowth {
-    /// The verdict on the expected model, when there is one and the fit succeeded.
+    /// The verdict on the bound, when there is one and the fit succeeded.
     pub fn verdict(&self) -> Option<ModelVerdict> {
-        Some(self.growth.as_ref().ok()?.model(self.expected?)?.verdict)
+        Some(self.growth.as_ref().ok()?.model(self.bound?)?.verdict)
+    }
+
+    /// Whether the samples support the bound, as far as they can: they do not grow faster.
+    pub fn supports_bound(&self) -> Option<bool> {
+        self.verdict().map(|verdict| verdict != ModelVerdict::Faster)
     }
 
     /// Whether the fit depends on the operation counts alone, so that it is the same on every machine.
@@ -42,13 +47,14 @@ impl FittedGrowth {
 /// All fits of one experiment.
 pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
     let one = |plan: &FitPlan, family| {
-        let (samples, left_out) = samples(experiment.id, family, plan.variant, plan.quantity, records);
+        let (mut samples, left_out) = samples(experiment.id, family, plan.variant, plan.quantity, records);
+        samples.retain(|&(n, _)| n >= plan.smallest as f64);
         FittedGrowth {
             experiment: experiment.id,
             family,
             variant: plan.variant,
             quantity: plan.quantity,
-            expected: plan.expected,
+            bound: plan.bound,
             growth: fit::fit_growth(&samples, plan.models),
             samples,
             left_out,

@@ -1,10 +1,10 @@
 //! The list of experiments. Adding one is one file in [`definitions`](crate::definitions) and one entry here.
 
 use crate::definition::Experiment;
-use crate::definitions::hull_scaling;
+use crate::definitions::{hull_scaling, lad_scaling};
 
 /// Every experiment, in the order of reports.
-pub static EXPERIMENTS: &[Experiment] = &[hull_scaling::EXPERIMENT];
+pub static EXPERIMENTS: &[Experiment] = &[hull_scaling::EXPERIMENT, lad_scaling::EXPERIMENT];
 
 /// The experiment called `id`, if there is one.
 pub fn find(id: &str) -> Option<&'static Experiment> {
@@ -64,7 +64,7 @@ mod tests {
             for plan in experiment.fits {
                 assert!(experiment.variants.iter().any(|v| v.id == plan.variant), "{}", experiment.id);
                 assert!(plan.families.iter().all(|f| experiment.families.contains(f)), "{}", experiment.id);
-                assert!(plan.expected.is_none_or(|model| plan.models.contains(&model)), "{}", experiment.id);
+                assert!(plan.bound.is_none_or(|model| plan.models.contains(&model)), "{}", experiment.id);
                 assert!(
                     !matches!(plan.quantity, Quantity::Time(_)) || experiment.timing.is_some(),
                     "{}",

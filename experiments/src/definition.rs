@@ -93,10 +93,36 @@ pub struct FitPlan {
     pub variant: &'static str,
     /// On which families, one fit each.
     pub families: &'static [&'static str],
+    /// Smaller sizes are left out; 0 for the whole range. A plan that leaves some out stands beside one that does not.
+    pub smallest: usize,
     /// What it is compared with.
     pub models: &'static [GrowthModel],
-    /// The model that the theory predicts, when it predicts one.
-    pub expected: Option<GrowthModel>,
+    /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth contradicts it.
+    pub bound: Option<GrowthModel>,
+}
+
+impl FitPlan {
+    /// The growth of a variant's operation counts, all together, over the whole range of sizes.
+    pub const fn of_operations(
+        variant: &'static str,
+        families: &'static [&'static str],
+        bound: Option<GrowthModel>,
+    ) -> Self {
+        let models = GrowthModel::RUNNING_TIMES;
+        Self { quantity: Quantity::AllCounts, variant, families, smallest: 0, models, bound }
+    }
+
+    /// The same with sizes below `smallest` left out.
+    #[must_use]
+    pub const fn from_size(self, smallest: usize) -> Self {
+        Self { smallest, ..self }
+    }
+
+    /// The same on another quantity.
+    #[must_use]
+    pub const fn of(self, quantity: Quantity) -> Self {
+        Self { quantity, ..self }
+    }
 }
 
 /// What is timed after the counting, and how often.

@@ -1,6 +1,6 @@
 //! Orientation tests and time of the convex hull against the number of points.
 
-use super::{SCALING_FAMILIES, SCALING_SIZES};
+use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
     Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
@@ -28,27 +28,10 @@ pub const EXPERIMENT: Experiment = Experiment {
     measure,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile { quick: 5, full: 11 }, prepare }),
     fits: &[
-        FitPlan {
-            quantity: Quantity::Count("turn"),
-            variant: "by_monotone_chain",
-            families: SCALING_FAMILIES,
-            models: GrowthModel::RUNNING_TIMES,
-            expected: Some(GrowthModel::Linear),
-        },
-        FitPlan {
-            quantity: Quantity::Count("turn"),
-            variant: "brute_force",
-            families: &["circle", "ellipse", "random_convex", "regular_polygon"],
-            models: GrowthModel::RUNNING_TIMES,
-            expected: Some(GrowthModel::Quadratic),
-        },
-        FitPlan {
-            quantity: Quantity::Time("total"),
-            variant: "by_monotone_chain",
-            families: SCALING_FAMILIES,
-            models: GrowthModel::RUNNING_TIMES,
-            expected: None,
-        },
+        FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES, Some(GrowthModel::Linear))
+            .of(Quantity::Count("turn")),
+        FitPlan::of_operations("brute_force", HULL_FAMILIES, Some(GrowthModel::Quadratic)).of(Quantity::Count("turn")),
+        FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES, None).of(Quantity::Time("total")),
     ],
 };
 

@@ -1,6 +1,8 @@
 //! The experiments, one a file, and the families and sizes that several of them share.
 
 pub mod hull_scaling;
+mod kernel_methods;
+pub mod lad_scaling;
 
 use crate::definition::PerProfile;
 
@@ -8,24 +10,22 @@ use crate::definition::PerProfile;
 pub const SCALING_FAMILIES: &[&str] =
     &["circle", "ellipse", "random_convex", "regular_polygon", "gaussian", "clustered"];
 
-/// Powers of two from 2^6: to 2^14 in the quick profile, to 2^20 in the full one.
-pub const SCALING_SIZES: PerProfile<&[usize]> = PerProfile {
-    quick: &[1 << 6, 1 << 7, 1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
-    full: &[
-        1 << 6,
-        1 << 7,
-        1 << 8,
-        1 << 9,
-        1 << 10,
-        1 << 11,
-        1 << 12,
-        1 << 13,
-        1 << 14,
-        1 << 15,
-        1 << 16,
-        1 << 17,
-        1 << 18,
-        1 << 19,
-        1 << 20,
-    ],
+/// Those of them with (nearly) all points on the hull.
+pub const HULL_FAMILIES: &[&str] = &["circle", "ellipse", "random_convex", "regular_polygon"];
+
+/// 2^6, 2^7, … 2^20.
+const POWERS_OF_TWO: [usize; 15] = {
+    let mut powers = [0; 15];
+    let mut at = 0;
+    while at < powers.len() {
+        powers[at] = 1 << (6 + at);
+        at += 1;
+    }
+    powers
 };
+
+/// Powers of two from 2^6: to 2^14 in the quick profile, to 2^20 in the full one.
+pub const SCALING_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(9).0, full: &POWERS_OF_TWO };
+
+/// The same for the kernel alone, which is fast enough for 2^18 in the quick profile.
+pub const KERNEL_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(13).0, full: &POWERS_OF_TWO };

@@ -1,0 +1,56 @@
+//! Operations and time of each kernel method against the number of lines.
+
+use super::kernel_methods;
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::fit::GrowthModel;
+use zonotope::lad::verify;
+use zonotope::tally::{Operation, OperationCounts};
+
+const FAMILIES: &[&str] = &["random_lines"];
+
+/// Pruning hands at most 400 lines to the line searches, and solves a sample and a remainder of about n^(2/3) lines each with a
+/// dozen passes over them: 24 n^(2/3) evaluations, fewer than the n of its pass over all lines only from 24^3, about 2^14.
+const PRUNING_REGIME: usize = 1 << 14;
+
+/// Operations and time of each kernel method against the number of lines.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "lad-scaling",
+    title: "Least absolute deviations kernel: growth with the number of lines",
+    question: "The paper's search by slope selection grows like n log^2 n, pruning like n from about 2^14 lines on, where its one \
+               pass over the lines outweighs the sample and the remainder. A line search costs O(n), and the number of searches \
+               grows slowly.",
+    claims: &["theorem-4.5", "halving-search"],
+    families: FAMILIES,
+    real_inputs: &[],
+    sizes: super::KERNEL_SIZES,
+    instances: PerProfile::both(5),
+    variants: &[
+        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
+    ],
+    measure,
+    timing: Some(Timing { sizes: super::KERNEL_SIZES, repetitions: PerProfile { quick: 3, full: 7 }, prepare }),
+    fits: &[
+        FitPlan::of_operations("by_line_search", FAMILIES, None),
+        FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)),
+        FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)).from_size(PRUNING_REGIME),
+    ],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let problem = kernel_methods::problem(case)?;
+    let mut counts = OperationCounts::default();
+    let outcome = kernel_methods::minimize(case, &problem, &mut counts)?;
+    let verdict = Verdict::of_check("lad::verify", verify::verify(&problem, &outcome));
+    let passes = counts.get(Operation::LineEvaluation) as f64 / problem.len() as f64;
+    Ok(Measurement::new(&counts, kernel_methods::digest(&problem, &outcome), verdict).with_value("passes", passes))
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    let problem = kernel_methods::problem(case)?;
+    let case = case.clone();
+    Ok(Box::new(move |stopwatch| {
+        let outcome = stopwatch.lap("total", || kernel_methods::minimize(&case, &problem, &mut ()))?;
+        Ok(kernel_methods::digest(&problem, &outcome))
+    }))
+}
