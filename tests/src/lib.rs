@@ -2,4 +2,9 @@
 //!
 //! The tests themselves are in `tests/tests/`, one file a subject. Nothing here is used outside of them.
 
+pub mod kernel_twin;
+pub mod line_families;
+pub mod numbers;
+pub mod point_families;
+pub mod runner;
 pub mod sources;

@@ -1,0 +1,59 @@
+//! The convex hull and the farthest vertices against exact twins, on all point families.
+
+use std::cmp::Ordering;
+
+use paper_checks::plane;
+use proptest::prelude::*;
+use tests::kernel_twin::exactly;
+use tests::point_families::{self, Point};
+use tests::runner::for_all;
+use zonotope::hull::{antipodal, brute_force, convex_hull, verify};
+
+const CASES: u32 = 400;
+
+fn exact(points: &[Point]) -> Vec<plane::Point> {
+    points.iter().map(|point| plane::Point::new(exactly(point[0]), exactly(point[1]))).collect()
+}
+
+fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
+    let hull = convex_hull(&points).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    let truth = plane::convex_hull(&exact(&points));
+    prop_assert_eq!(exact(hull.vertices()), truth.clone());
+    prop_assert_eq!(&hull, &brute_force::convex_hull(&points).expect("the default method took it"));
+    prop_assert!(verify::verify(&points, &hull).is_ok());
+
+    let farthest = antipodal::farthest_vertices(&hull);
+    prop_assert_eq!(farthest.len(), if truth.len() >= 3 { truth.len() } else { 0 });
+    for (t, found) in farthest.iter().enumerate() {
+        let expected = plane::farthest_vertices(&truth, t);
+        let s = found.vertex().get();
+        prop_assert!(expected.contains(&s), "edge {}: {} is not among {:?}", t, s, expected);
+        prop_assert_eq!(found.is_tied(), expected.len() == 2);
+        let next_ties = expected.contains(&((s + 1) % truth.len()));
+        prop_assert_eq!(found.is_tied().cmp(&next_ties), Ordering::Equal);
+    }
+    Ok(())
+}
+
+macro_rules! families {
+    ($($family:ident),*) => {$(
+        #[test]
+        fn $family() {
+            for_all(&point_families::$family(), CASES, agrees);
+        }
+    )*};
+}
+
+families!(
+    generic,
+    lattice_points,
+    collinear,
+    duplicates,
+    symmetric,
+    regular_polygons,
+    near_parallel,
+    scaled,
+    one_ulp,
+    mixed_scales,
+    ends_of_the_range
+);
