@@ -100,3 +100,37 @@ impl Exact {
         feet.chain([[RBig::ZERO, RBig::ZERO]]).collect()
     }
 }
+
+impl Exact {
+    /// The dimension of the set of minimisers, read off at one of them: that of the span of the directions along which
+    /// the value does not change. The cone of those directions is convex and its extreme rays lie along lines through
+    /// the point, unless these are all parallel, for which the normals stand in.
+    pub fn face_dimension(&self, minimizer: &Vector) -> u8 {
+        let through = self.terms.iter().filter(|(a, b, _)| dot(a, minimizer) == -b).map(|(a, _, _)| a.clone());
+        let axes = [[RBig::ONE, RBig::ZERO], [RBig::ZERO, RBig::ONE]];
+        let normals: Vec<Vector> = through.chain(axes).collect();
+        let flat: Vec<Vector> = normals
+            .iter()
+            .flat_map(|a| [a.clone(), turned(a), negated(a), negated(&turned(a))])
+            .filter(|direction| self.slope_at(minimizer, direction) == RBig::ZERO)
+            .filter(|direction| direction.iter().any(|value| *value != RBig::ZERO))
+            .collect();
+        let Some(first) = flat.first() else { return 0 };
+        if flat.iter().any(|other| dot(&turned(first), other) != RBig::ZERO) { 2 } else { 1 }
+    }
+
+    /// The one-sided derivative at a point in a direction.
+    fn slope_at(&self, point: &Vector, direction: &Vector) -> RBig {
+        self.terms.iter().fold(dot(&self.linear, direction), |sum, (a, b, weight)| {
+            let (height, rate) = (dot(a, point) + b, dot(a, direction));
+            let change = if height == RBig::ZERO {
+                magnitude(rate)
+            } else if height > RBig::ZERO {
+                rate
+            } else {
+                -rate
+            };
+            sum + weight * change
+        })
+    }
+}

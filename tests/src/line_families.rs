@@ -1,6 +1,7 @@
 //! Proptest strategies for the kernel: weighted lines with a linear term, degenerate in every way that a promise names.
 
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -30,7 +31,8 @@ pub struct Instance {
 /// A strategy for instances.
 pub type Instances = BoxedStrategy<Instance>;
 
-const MOST: usize = 9;
+/// How many terms an instance may have.
+pub type Sizes = RangeInclusive<usize>;
 
 fn weight() -> BoxedStrategy<f64> {
     prop_oneof![4 => Just(1.0), 4 => 0.0..2.0f64, 1 => Just(0.0), 1 => Just(3.0)].boxed()
@@ -42,27 +44,28 @@ fn linear(number: fn() -> BoxedStrategy<f64>) -> BoxedStrategy<[f64; 2]> {
 }
 
 fn instances(
+    sizes: Sizes,
     a: impl Strategy<Value = [f64; 2]> + 'static,
     b: impl Strategy<Value = f64> + 'static,
     linear: BoxedStrategy<[f64; 2]>,
 ) -> Instances {
     let term = (a, b, weight()).prop_map(|(a, b, weight)| Term { a, b, weight });
-    (vec(term, 1..=MOST), linear).prop_map(|(terms, linear)| Instance { terms, linear }).boxed()
+    (vec(term, sizes), linear).prop_map(|(terms, linear)| Instance { terms, linear }).boxed()
 }
 
 /// No degeneracy but what chance brings.
-pub fn generic() -> Instances {
-    instances([plain(), plain()], plain(), linear(plain))
+pub fn generic(sizes: Sizes) -> Instances {
+    instances(sizes, [plain(), plain()], plain(), linear(plain))
 }
 
 /// Small integers: few directions, many parallel, equal and concurrent lines, zero vectors.
-pub fn lattice_lines() -> Instances {
-    instances([lattice(), lattice()], lattice(), linear(lattice))
+pub fn lattice_lines(sizes: Sizes) -> Instances {
+    instances(sizes, [lattice(), lattice()], lattice(), linear(lattice))
 }
 
 /// All lines through one lattice point.
-pub fn concurrent() -> Instances {
-    (lattice_lines(), [lattice(), lattice()])
+pub fn concurrent(sizes: Sizes) -> Instances {
+    (lattice_lines(sizes), [lattice(), lattice()])
         .prop_map(|(mut instance, [x, y])| {
             for term in &mut instance.terms {
                 term.b = -(term.a[0] * x + term.a[1] * y);
@@ -73,8 +76,8 @@ pub fn concurrent() -> Instances {
 }
 
 /// All lines parallel, exactly.
-pub fn parallel() -> Instances {
-    (lattice_lines(), [lattice(), lattice()], vec(lattice(), MOST), any::<bool>())
+pub fn parallel(sizes: Sizes) -> Instances {
+    (lattice_lines(sizes.clone()), [lattice(), lattice()], vec(lattice(), *sizes.end()), any::<bool>())
         .prop_map(|(mut instance, a, factors, along)| {
             for (term, factor) in instance.terms.iter_mut().zip(&factors) {
                 term.a = [a[0] * factor, a[1] * factor];
@@ -88,24 +91,24 @@ pub fn parallel() -> Instances {
 }
 
 /// Vertical and horizontal lines only.
-pub fn axis_parallel() -> Instances {
+pub fn axis_parallel(sizes: Sizes) -> Instances {
     let a = (any::<bool>(), prop_oneof![Just(1.0), Just(-2.0), plain()])
         .prop_map(|(vertical, size)| if vertical { [size, 0.0] } else { [0.0, size] });
-    instances(a, lattice(), linear(lattice))
+    instances(sizes, a, lattice(), linear(lattice))
 }
 
 /// Directions that differ by about 1e-12.
-pub fn near_parallel() -> Instances {
+pub fn near_parallel(sizes: Sizes) -> Instances {
     let a = (-5..=5i32, any::<bool>()).prop_map(|(k, steep)| {
         let small = 1e-12 * f64::from(k);
         if steep { [1.0, 1.0 + small] } else { [1.0, small] }
     });
-    instances(a, plain(), linear(|| (-9..=9i32).prop_map(|k| 1e-12 * f64::from(k)).boxed()))
+    instances(sizes, a, plain(), linear(|| (-9..=9i32).prop_map(|k| 1e-12 * f64::from(k)).boxed()))
 }
 
 /// Equal lines and lines equal up to sign, with different weights.
-pub fn duplicates() -> Instances {
-    (generic(), vec((any::<prop::sample::Index>(), weight(), any::<bool>()), 1..=5))
+pub fn duplicates(sizes: Sizes) -> Instances {
+    (generic(sizes), vec((any::<prop::sample::Index>(), weight(), any::<bool>()), 1..=5))
         .prop_map(|(mut instance, copies)| {
             for (index, weight, flipped) in copies {
                 let term = *index.get(&instance.terms);
@@ -118,11 +121,12 @@ pub fn duplicates() -> Instances {
 }
 
 /// Pairs a·x ± b: symmetric about the origin, with vertices that share an x.
-pub fn symmetric() -> Instances {
-    instances([lattice(), lattice()], lattice(), Just([0.0, 0.0]).boxed())
-        .prop_map(|mut instance| {
+pub fn symmetric(sizes: Sizes) -> Instances {
+    let most = *sizes.end();
+    instances(sizes, [lattice(), lattice()], lattice(), Just([0.0, 0.0]).boxed())
+        .prop_map(move |mut instance| {
             let mirrored: Vec<Term> = instance.terms.iter().map(|term| Term { b: -term.b, ..*term }).collect();
-            instance.terms.truncate(MOST / 2);
+            instance.terms.truncate(most.div_ceil(2));
             instance.terms.extend(&mirrored[..instance.terms.len()]);
             instance
         })
@@ -130,11 +134,11 @@ pub fn symmetric() -> Instances {
 }
 
 /// The sides of a regular polygon.
-pub fn regular_polygons() -> Instances {
-    (3..=MOST as u32, linear(plain), prop_oneof![Just(1.0), plain()])
+pub fn regular_polygons(sizes: Sizes) -> Instances {
+    (sizes.start().max(&3).to_owned()..=sizes.end().to_owned(), linear(plain), prop_oneof![Just(1.0), plain()])
         .prop_map(|(n, linear, b)| {
-            let term = |k: u32| {
-                let (sin, cos) = libm::sincos(TAU * f64::from(k) / f64::from(n));
+            let term = |k: usize| {
+                let (sin, cos) = libm::sincos(TAU * k as f64 / n as f64);
                 Term { a: [cos, sin], b, weight: 1.0 }
             };
             Instance { terms: (0..n).map(term).collect(), linear }
@@ -143,8 +147,8 @@ pub fn regular_polygons() -> Instances {
 }
 
 /// A linear term that the lines exactly balance towards infinity: c = Σ ± w a, in integers.
-pub fn barely_bounded() -> Instances {
-    (lattice_lines(), vec(any::<bool>(), MOST))
+pub fn barely_bounded(sizes: Sizes) -> Instances {
+    (lattice_lines(sizes.clone()), vec(any::<bool>(), *sizes.end()))
         .prop_map(|(mut instance, signs)| {
             instance.linear = [0.0, 0.0];
             for (term, positive) in instance.terms.iter_mut().zip(signs) {
@@ -159,8 +163,13 @@ pub fn barely_bounded() -> Instances {
 }
 
 /// Other families with the vectors, offsets, weights and the linear term each multiplied by a power of two.
-pub fn scaled() -> Instances {
-    (prop_oneof![generic(), lattice_lines(), concurrent()], -900..=900i32, -90..=90i32, -90..=90i32)
+pub fn scaled(sizes: Sizes) -> Instances {
+    (
+        prop_oneof![generic(sizes.clone()), lattice_lines(sizes.clone()), concurrent(sizes)],
+        -900..=900i32,
+        -90..=90i32,
+        -90..=90i32,
+    )
         .prop_map(|(mut instance, base, of_a, of_weight)| {
             let scale = |value: f64, exponent: i32| libm::ldexp(value, exponent);
             for term in &mut instance.terms {
@@ -176,15 +185,22 @@ pub fn scaled() -> Instances {
 }
 
 /// Lattice lines, concurrent and symmetric ones, each number moved by at most one unit in the last place.
-pub fn one_ulp() -> Instances {
-    let shapes = prop_oneof![lattice_lines(), concurrent(), symmetric(), parallel(), regular_polygons()];
-    (shapes, vec([-1..=1i32, -1..=1i32, -1..=1i32], MOST + 1))
-        .prop_map(|(mut instance, steps)| {
+pub fn one_ulp(sizes: Sizes) -> Instances {
+    let most = *sizes.end();
+    let shapes = prop_oneof![
+        lattice_lines(sizes.clone()),
+        concurrent(sizes.clone()),
+        symmetric(sizes.clone()),
+        parallel(sizes.clone()),
+        regular_polygons(sizes)
+    ];
+    (shapes, vec([-1..=1i32, -1..=1i32, -1..=1i32], most + 1))
+        .prop_map(move |(mut instance, steps)| {
             for (term, step) in instance.terms.iter_mut().zip(&steps) {
                 term.a = [0, 1].map(|axis| moved_by_ulps(term.a[axis], step[axis]));
                 term.b = moved_by_ulps(term.b, step[2]);
             }
-            let step = steps[MOST];
+            let step = steps[most];
             instance.linear = [0, 1].map(|axis| moved_by_ulps(instance.linear[axis], step[axis]));
             instance
         })
@@ -192,9 +208,9 @@ pub fn one_ulp() -> Instances {
 }
 
 /// Numbers of unrelated magnitudes, from 1e-300 to 1e300.
-pub fn mixed_scales() -> Instances {
+pub fn mixed_scales(sizes: Sizes) -> Instances {
     let weights = prop_oneof![Just(1.0), scale()];
     let term =
         ([any_magnitude(), any_magnitude()], any_magnitude(), weights).prop_map(|(a, b, weight)| Term { a, b, weight });
-    (vec(term, 1..=6), linear(any_magnitude)).prop_map(|(terms, linear)| Instance { terms, linear }).boxed()
+    (vec(term, sizes), linear(any_magnitude)).prop_map(|(terms, linear)| Instance { terms, linear }).boxed()
 }

@@ -1,0 +1,108 @@
+//! Every method of the kernel against the exact twin, on all line families, each answer with its certificate verified.
+
+use proptest::prelude::*;
+use tests::kernel_twin::Exact;
+use tests::line_families::{self, Instance};
+use tests::runner::for_all;
+use zonotope::lad::{LadOutcome, LadProblem, WeightedLine, brute_force, by_line_search, by_pruning, verify};
+
+const CASES: u32 = 300;
+const LARGE_CASES: u32 = 24;
+
+type Method = fn(&LadProblem, u64) -> LadOutcome;
+const METHODS: [(&str, Method); 2] =
+    [("by_line_search", by_line_search::minimize), ("by_pruning", by_pruning::minimize)];
+
+fn problem(instance: &Instance) -> LadProblem<'static> {
+    let lines: Vec<WeightedLine> = instance
+        .terms
+        .iter()
+        .map(|term| WeightedLine { normal: term.a, offset: term.b, weight: term.weight })
+        .collect();
+    LadProblem::new(&lines, instance.linear).expect("the families are finite and their weights not negative")
+}
+
+fn agrees(instance: Instance) -> Result<(), TestCaseError> {
+    let problem = problem(&instance);
+    let exact = Exact::from(&instance);
+    let least = exact.least_value();
+
+    let truth = brute_force::minimize(&problem);
+    prop_assert_eq!(truth.as_ref().map(|truth| &truth.value), least.as_ref(), "brute_force");
+    for point in truth.iter().flat_map(|truth| &truth.minimizers) {
+        prop_assert_eq!(Some(&exact.value(point)), least.as_ref(), "brute_force");
+        prop_assert_eq!(Some(exact.face_dimension(point)), truth.as_ref().map(|truth| truth.face_dimension));
+    }
+
+    for (name, method) in METHODS {
+        for seed in [1, 2] {
+            let outcome = method(&problem, seed);
+            prop_assert_eq!(verify::verify(&problem, &outcome), Ok(()), "{}", name);
+            match (&outcome, &least) {
+                (LadOutcome::Optimal(optimum), Some(least)) => {
+                    let point = optimum.exact_point(&problem);
+                    prop_assert_eq!(&exact.value(&point), least, "{}", name);
+                    prop_assert_eq!(&optimum.exact_value(&problem), least, "{}", name);
+                    prop_assert_eq!(optimum.face_dimension, exact.face_dimension(&point), "{}", name);
+                }
+                (LadOutcome::Unbounded { direction }, None) => {
+                    let slope = exact.slope_at_infinity(&direction.clone().map(|value| value.to_rational()));
+                    prop_assert!(slope < dashu_ratio::RBig::ZERO, "{}", name);
+                }
+                _ => prop_assert!(false, "{}: {:?}, but the least value is {:?}", name, outcome, least),
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Instances too large for the twin: the certificates prove the answers, and the methods must agree.
+fn methods_agree(instance: Instance) -> Result<(), TestCaseError> {
+    let problem = problem(&instance);
+    let answers = METHODS.map(|(name, method)| (name, method(&problem, 3)));
+    for (name, outcome) in &answers {
+        prop_assert_eq!(verify::verify(&problem, outcome), Ok(()), "{}", name);
+    }
+    let face =
+        |outcome: &LadOutcome| outcome.optimum().map(|optimum| (optimum.exact_value(&problem), optimum.face_dimension));
+    let (first_name, first) = &answers[0];
+    for (name, outcome) in &answers[1..] {
+        prop_assert_eq!(face(outcome), face(first), "{} and {}", name, first_name);
+    }
+    Ok(())
+}
+
+macro_rules! families {
+    ($($family:ident: $most:literal),* $(,)?) => {
+        mod small {
+            $(#[test]
+            fn $family() {
+                super::for_all(&super::line_families::$family(1..=$most), super::CASES, super::agrees);
+            })*
+        }
+
+        /// Beyond the size up to which pruning leaves the work to line searches.
+        mod large {
+            $(#[test]
+            fn $family() {
+                super::for_all(&super::line_families::$family(401..=900), super::LARGE_CASES, super::methods_agree);
+            })*
+        }
+    };
+}
+
+families!(
+    generic: 9,
+    lattice_lines: 9,
+    concurrent: 9,
+    parallel: 9,
+    axis_parallel: 9,
+    near_parallel: 9,
+    duplicates: 9,
+    symmetric: 9,
+    regular_polygons: 9,
+    barely_bounded: 9,
+    scaled: 9,
+    one_ulp: 9,
+    mixed_scales: 6,
+);
