@@ -1,10 +1,11 @@
 //! The list of experiments. Adding one is one file in [`definitions`](crate::definitions) and one entry here.
 
 use crate::definition::Experiment;
-use crate::definitions::{hull_scaling, lad_scaling};
+use crate::definitions::{hull_scaling, lad_scaling, methods_agree, pruning_passes};
 
 /// Every experiment, in the order of reports.
-pub static EXPERIMENTS: &[Experiment] = &[hull_scaling::EXPERIMENT, lad_scaling::EXPERIMENT];
+pub static EXPERIMENTS: &[Experiment] =
+    &[hull_scaling::EXPERIMENT, lad_scaling::EXPERIMENT, pruning_passes::EXPERIMENT, methods_agree::EXPERIMENT];
 
 /// The experiment called `id`, if there is one.
 pub fn find(id: &str) -> Option<&'static Experiment> {

@@ -3,6 +3,8 @@
 pub mod hull_scaling;
 mod kernel_methods;
 pub mod lad_scaling;
+pub mod methods_agree;
+pub mod pruning_passes;
 
 use crate::definition::PerProfile;
 

@@ -1,0 +1,79 @@
+//! Whether the kernel's methods find the same exact minimum, on ordinary and on degenerate lines.
+
+use super::kernel_methods;
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use zonotope::lad::{LadOutcome, LadProblem, brute_force, by_line_search, by_pruning, verify};
+use zonotope::tally::OperationCounts;
+
+/// Up to this many lines the reference is the exact twin, of cost n^3.
+const TWIN_LIMIT: usize = 24;
+
+/// Whether the kernel's methods find the same exact minimum.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "methods-agree",
+    title: "Least absolute deviations kernel: agreement of the methods",
+    question: "No row is wrong: every method's certificate passes the exact verifier, its minimum equals that of the exact twin (up to \
+               24 lines) or of another method (beyond) as a rational number, and so does the dimension of the set of minimisers.",
+    claims: &["theorem-4.5", "corollary-4.4", "erratum-4.1-ties", "minimum-at-vertex"],
+    families: &["random_lines", "lattice_lines", "near_parallel_lines", "concurrent_lines", "symmetric_lines"],
+    real_inputs: &[],
+    sizes: PerProfile {
+        quick: &[3, 8, 15, 24, 256, 2048],
+        full: &[1, 2, 3, 5, 8, 11, 15, 19, 24, 64, 256, 2048, 16384],
+    },
+    instances: PerProfile { quick: 4, full: 20 },
+    variants: &[
+        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
+    ],
+    measure,
+    timing: None,
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let problem = kernel_methods::problem(case)?;
+    let mut counts = OperationCounts::default();
+    let outcome = kernel_methods::minimize(case, &problem, &mut counts)?;
+    let (reference, agreement) = compare(case, &problem, &outcome);
+    let verdict = match verify::verify(&problem, &outcome) {
+        Ok(()) => Verdict::of_check(&format!("lad::verify and {reference}"), agreement),
+        Err(defect) => Verdict::Wrong(format!("lad::verify: {defect}")),
+    };
+    let measurement = Measurement::new(&counts, kernel_methods::digest(&problem, &outcome), verdict);
+    Ok(match outcome.optimum() {
+        Some(optimum) => measurement.with_value("face_dimension", f64::from(optimum.face_dimension)),
+        None => measurement,
+    })
+}
+
+/// The minimum and the dimension of the set of minimisers; `None` when the objective is unbounded.
+type Minimum = Option<(zonotope::numeric::Rational, u8)>;
+
+fn compare(case: &Case, problem: &LadProblem, outcome: &LadOutcome) -> (&'static str, Result<(), String>) {
+    let of = |outcome: &LadOutcome| -> Minimum {
+        outcome.optimum().map(|optimum| (optimum.exact_value(problem), optimum.face_dimension))
+    };
+    let (reference, expected): (_, Minimum) = if problem.len() <= TWIN_LIMIT {
+        let truth = brute_force::minimize(problem);
+        ("lad::brute_force", truth.map(|truth| (truth.value, truth.face_dimension)))
+    } else if case.variant == "by_line_search" {
+        ("lad::by_pruning", of(&by_pruning::minimize(problem, case.seed)))
+    } else {
+        ("lad::by_line_search", of(&by_line_search::minimize(problem, case.seed)))
+    };
+    let found = of(outcome);
+    let same = if found == expected {
+        Ok(())
+    } else {
+        Err(format!("minimum and dimension {}, expected {}", written(&found), written(&expected)))
+    };
+    (reference, same)
+}
+
+fn written(minimum: &Minimum) -> String {
+    match minimum {
+        Some((value, dimension)) => format!("({value}, {dimension})"),
+        None => "(unbounded)".to_owned(),
+    }
+}
