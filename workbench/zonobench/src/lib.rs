@@ -2,6 +2,7 @@
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
+//! - [`report`] lays out what `reproduce` found.
 //! - [`batch`] answers questions that are lines of JSON; [`verify`] checks answers with exact arithmetic of its own.
 //!
 //! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for a failure
@@ -14,6 +15,7 @@ pub mod input;
 pub mod json;
 pub mod output;
 pub mod progress;
+pub mod report;
 pub mod verify;
 
 use std::ffi::OsString;
@@ -56,7 +58,7 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
             .context("the threads cannot be started")?;
     }
     match &cli.command {
-        Command::Reproduce(options) => commands::reproduce::run(options),
+        Command::Reproduce(options) => commands::reproduce::run(options, cli.threads),
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Solve(options) => commands::solve::run(options),

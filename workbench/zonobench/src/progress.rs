@@ -1,5 +1,7 @@
 //! Progress bars on standard error; silent when that is no terminal.
 
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// A bar that vanishes when it is dropped.
@@ -39,5 +41,30 @@ impl Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         self.0.finish_and_clear();
+    }
+}
+
+/// The progress of a run of experiments: one bar a phase.
+#[derive(Debug, Default)]
+pub struct RunProgress(Mutex<Option<Progress>>);
+
+impl experiments::runner::Progress for RunProgress {
+    fn phase(&self, name: &str, total: usize, done: usize) {
+        let bar = Progress::of(total as u64, name);
+        bar.reach(done as u64);
+        *self.bar() = Some(bar);
+    }
+
+    fn step(&self, _case: &str) {
+        if let Some(bar) = &*self.bar() {
+            bar.step();
+        }
+    }
+}
+
+impl RunProgress {
+    /// A thread that panicked leaves a bar that is still good to draw on.
+    fn bar(&self) -> MutexGuard<'_, Option<Progress>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

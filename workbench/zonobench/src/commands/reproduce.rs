@@ -1,10 +1,193 @@
-//! `zonobench reproduce`.
+//! `zonobench reproduce`: every experiment, figure and claim, and the report of them.
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, bail};
+use clap::{Args, ValueEnum};
+use experiments::catalog::EXPERIMENTS;
+use experiments::definition::{Experiment, Profile};
+use experiments::runner::{self, Records, RunOptions};
+
 use super::Ending;
-use clap::Args;
+use crate::output::{Existing, write_whole};
+use crate::progress::{Progress, RunProgress};
+use crate::report::{self, Evidence, Manifest, OutputFile};
+
+/// Stands in the folder while a run is not finished.
+const UNFINISHED: &str = "reproduce.unfinished";
+const MANIFEST: &str = "manifest.json";
+const RECORDS: &str = "records";
+
 /// Options of `reproduce`.
 #[derive(Debug, Args)]
-pub struct Options {}
-/// Runs.
-pub fn run(_options: &Options) -> anyhow::Result<Ending> {
-    anyhow::bail!("not there yet")
+pub struct Options {
+    /// How much to run: a few minutes, or everything up to the largest sizes.
+    #[arg(long, value_enum, default_value_t = Extent::Quick)]
+    profile: Extent,
+    /// The folder for the report and all that belongs to it.
+    #[arg(long, value_name = "DIR", default_value = "out/reproduce")]
+    out: PathBuf,
+    /// The seed of all random numbers.
+    #[arg(long, default_value_t = 2003)]
+    seed: u64,
+    /// Write into the folder although it holds something.
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Extent {
+    Quick,
+    Full,
+}
+
+impl From<Extent> for Profile {
+    fn from(extent: Extent) -> Self {
+        match extent {
+            Extent::Quick => Self::Quick,
+            Extent::Full => Self::Full,
+        }
+    }
+}
+
+/// Runs everything and writes the folder; the manifest comes last, so a folder with a manifest is complete.
+pub fn run(options: &Options, threads: Option<u16>) -> anyhow::Result<Ending> {
+    let folder = Folder::claim(&options.out, options.force)?;
+    let profile = Profile::from(options.profile);
+    let records = run_experiments(options, profile, threads, &folder)?;
+    let fits = report::fits(&records);
+    let figures = draw_figures(&records);
+    let claims = check_claims(&report::check_context(options.seed, &fits));
+    let evidence = Evidence { profile, seed: options.seed, records, fits, figures, claims };
+
+    let mut outputs = folder.record_files()?;
+    let mut write = |path: &str, content: &str, deterministic: bool| -> anyhow::Result<()> {
+        write_whole(&options.out.join(path), content.as_bytes(), Existing::Replace)?;
+        outputs.push(OutputFile::new(path, content.as_bytes(), deterministic));
+        Ok(())
+    };
+    for figure in &evidence.figures {
+        if let Ok(svg) = &figure.drawing {
+            write(&figure.path(), svg, figure.deterministic)?;
+        }
+    }
+    write("CLAIMS.md", &paper_checks::markdown(&evidence.claims), true)?;
+    write("report.html", &report::report(&evidence), true)?;
+    write("times.html", &report::times(&evidence), false)?;
+
+    outputs.sort_by(|a, b| a.path.cmp(&b.path));
+    let manifest = Manifest {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        profile: profile.to_string(),
+        seed: options.seed,
+        command: format!("zonobench reproduce --profile {profile} --seed {}", options.seed),
+        environment: evidence.records.environment.clone(),
+        outputs,
+    };
+    let manifest = format!("{}\n", serde_json::to_string_pretty(&manifest)?);
+    write_whole(&options.out.join(MANIFEST), manifest.as_bytes(), Existing::Replace)?;
+    folder.release()?;
+    summarize(&evidence, &options.out)
+}
+
+/// What a person wants to know at the end; the ending is bad if an answer was wrong or a figure is missing.
+fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
+    let faults = evidence.records.counts.iter().filter_map(|row| Some((&row.key.case, row.fault()?)));
+    let missing = evidence.figures.iter().filter_map(|figure| Some((figure.figure.id, figure.drawing.as_ref().err()?)));
+    let mut output = io::stdout().lock();
+    writeln!(output, "{} runs counted, {} times kept", evidence.records.counts.len(), evidence.records.times.len())?;
+    writeln!(output, "{} figures drawn", evidence.figures.iter().filter(|figure| figure.drawing.is_ok()).count())?;
+    for word in ["holds", "refuted", "inconclusive", "not yet implemented"] {
+        let count = evidence.claims.iter().filter(|result| result.word() == word).count();
+        writeln!(output, "{count} claims: {word}")?;
+    }
+    let mut ending = Ending::Good;
+    for (case, fault) in faults {
+        ending = Ending::Bad;
+        writeln!(output, "WRONG {case}: {fault}")?;
+    }
+    for (id, reason) in missing {
+        ending = Ending::Bad;
+        writeln!(output, "NOT DRAWN {id}: {reason}")?;
+    }
+    writeln!(output, "{}", out.join("report.html").display())?;
+    Ok(ending)
+}
+
+fn run_experiments(
+    options: &Options,
+    profile: Profile,
+    threads: Option<u16>,
+    folder: &Folder,
+) -> anyhow::Result<Records> {
+    let experiments: Vec<&'static Experiment> = EXPERIMENTS.iter().collect();
+    let run = RunOptions {
+        profile,
+        seed: options.seed,
+        threads: threads.map_or(0, usize::from),
+        directory: Some(folder.path.join(RECORDS)),
+        times: true,
+    };
+    Ok(runner::run(&experiments, &run, &RunProgress::default())?)
+}
+
+fn draw_figures(records: &Records) -> Vec<report::DrawnFigure> {
+    let all = report::all_figures();
+    let progress = Progress::of(all.len() as u64, "figures");
+    all.iter()
+        .map(|figure| {
+            let drawn = report::DrawnFigure::draw(figure, records);
+            progress.step();
+            drawn
+        })
+        .collect()
+}
+
+fn check_claims(context: &paper_checks::CheckContext) -> Vec<paper_checks::ClaimResult> {
+    let progress = Progress::of(paper_checks::catalog::CLAIMS.len() as u64, "claims");
+    paper_checks::run(context, |_| progress.step())
+}
+
+/// The folder of a run.
+struct Folder {
+    path: PathBuf,
+}
+
+impl Folder {
+    /// Takes the folder for this run: a new or empty one, one that an interrupted run has left behind, or any one by force.
+    fn claim(path: &Path, force: bool) -> anyhow::Result<Self> {
+        let named = || format!("{}: cannot be used", path.display());
+        fs::create_dir_all(path).with_context(named)?;
+        let empty = fs::read_dir(path).with_context(named)?.next().is_none();
+        let unfinished = path.join(UNFINISHED);
+        if !force && !empty && !unfinished.exists() {
+            bail!("{}: is not empty; --force writes into it, --out names another folder", path.display());
+        }
+        // A folder that has a manifest is complete: from here on it is not.
+        match fs::remove_file(path.join(MANIFEST)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error).with_context(named),
+            _ => {}
+        }
+        fs::write(unfinished, b"").with_context(named)?;
+        Ok(Self { path: path.to_path_buf() })
+    }
+
+    /// The files that the runner wrote.
+    fn record_files(&self) -> anyhow::Result<Vec<OutputFile>> {
+        [("counts.jsonl", true), ("times.jsonl", false), ("environment.json", false)]
+            .into_iter()
+            .map(|(name, deterministic)| {
+                let path = format!("{RECORDS}/{name}");
+                let content = fs::read(self.path.join(&path)).with_context(|| format!("{path}: cannot be read"))?;
+                Ok(OutputFile::new(path, &content, deterministic))
+            })
+            .collect()
+    }
+
+    /// The run is complete.
+    fn release(self) -> anyhow::Result<()> {
+        fs::remove_file(self.path.join(UNFINISHED)).with_context(|| format!("{}: cannot be used", self.path.display()))
+    }
 }

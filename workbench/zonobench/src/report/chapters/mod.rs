@@ -1,0 +1,35 @@
+//! The chapters, one file each.
+
+mod kernel;
+mod min_area_zonogon;
+
+use super::chapter::Chapter;
+
+/// Every chapter, in the order of the report.
+pub static CHAPTERS: &[&Chapter] = &[&min_area_zonogon::CHAPTER, &kernel::CHAPTER];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn claims_resolve_and_belong_to_one_chapter() {
+        let mut seen = BTreeSet::new();
+        for chapter in CHAPTERS {
+            for claim in chapter.claims {
+                assert!(paper_checks::catalog::find(claim).is_some(), "{}: {claim}", chapter.id);
+                assert!(seen.insert(claim), "{claim} is in two chapters");
+            }
+        }
+    }
+
+    #[test]
+    fn commands_are_understood() {
+        use clap::Parser;
+        for (command, _) in CHAPTERS.iter().flat_map(|chapter| chapter.commands) {
+            let words = command.split_whitespace();
+            assert!(crate::cli::Cli::try_parse_from(words).is_ok(), "{command}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Figures within a page.
+
+use experiments::runner::Records;
+use figures::figure::{Figure, FigureInput};
+
+use super::html::Escaped;
+
+/// A figure with its drawing.
+#[derive(Debug)]
+pub struct DrawnFigure {
+    /// The figure.
+    pub figure: &'static Figure,
+    /// The SVG document, or why there is none.
+    pub drawing: Result<String, String>,
+    /// Whether the drawing depends on neither clock nor machine.
+    pub deterministic: bool,
+}
+
+/// Every figure, in the order of the report.
+pub fn all_figures() -> &'static [Figure] {
+    &[]
+}
+
+impl DrawnFigure {
+    /// Draws a figure.
+    pub fn draw(figure: &'static Figure, _records: &Records) -> Self {
+        let drawing = figure.draw(&FigureInput::default()).map_err(|error| error.to_string());
+        Self { figure, drawing, deterministic: true }
+    }
+
+    /// Its file in the report's folder.
+    pub fn path(&self) -> String {
+        format!("figures/{}.svg", self.figure.id)
+    }
+}
+
+/// The figures with their captions, the drawings within the page.
+pub(super) fn gallery(figures: &[&DrawnFigure]) -> String {
+    figures.iter().map(|figure| plate(figure)).collect()
+}
+
+fn plate(drawn: &DrawnFigure) -> String {
+    let figure = drawn.figure;
+    let drawing = match &drawn.drawing {
+        Ok(svg) => inlined(svg, figure.id),
+        Err(reason) => format!("<p class=\"missing\">Not drawn: {}</p>", Escaped(reason)),
+    };
+    format!(
+        "<figure id=\"figure-{}\">\n<div class=\"plate\">{drawing}</div>\n<figcaption><b>{}.</b> {}</figcaption>\n</figure>\n",
+        figure.id,
+        Escaped(figure.title),
+        Escaped(figure.caption)
+    )
+}
+
+/// The document's root element, its ids made unique within the page by a prefix.
+fn inlined(svg: &str, prefix: &str) -> String {
+    let root = svg.find("<svg").map_or(svg, |start| &svg[start..]);
+    root.replace(" id=\"", &format!(" id=\"{prefix}-"))
+        .replace("url(#", &format!("url(#{prefix}-"))
+        .replace("href=\"#", &format!("href=\"#{prefix}-"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inlined_drawings_do_not_share_ids() {
+        let svg =
+            "<?xml version=\"1.0\"?>\n<svg><clipPath id=\"c\"/><g clip-path=\"url(#c)\"><use href=\"#c\"/></g></svg>";
+        let expected = "<svg><clipPath id=\"f-c\"/><g clip-path=\"url(#f-c)\"><use href=\"#f-c\"/></g></svg>";
+        assert_eq!(inlined(svg, "f"), expected);
+    }
+}

@@ -1,0 +1,63 @@
+//! The report: what experiments, figures and claims found, as pages that need nothing but a browser.
+//!
+//! `report.html` holds nothing that depends on a clock or a machine, so that two runs with one seed and profile give the same
+//! bytes; what depends on them stands in `times.html`.
+
+pub mod chapter;
+mod chapters;
+mod claims;
+mod figures;
+mod growth;
+mod html;
+mod manifest;
+mod pages;
+mod values;
+
+use experiments::analysis::{self, FittedGrowth};
+use experiments::catalog::EXPERIMENTS;
+use experiments::definition::Profile;
+use experiments::runner::Records;
+use paper_checks::{CheckContext, ClaimResult, Measurement};
+
+pub use figures::{DrawnFigure, all_figures};
+pub use manifest::{Manifest, OutputFile};
+pub use pages::{report, times};
+
+/// Everything that a report is made of.
+#[derive(Debug)]
+pub struct Evidence {
+    /// How much was run.
+    pub profile: Profile,
+    /// The master seed.
+    pub seed: u64,
+    /// What the experiments recorded.
+    pub records: Records,
+    /// The growth laws found in the records, in the order of the catalog.
+    pub fits: Vec<FittedGrowth>,
+    /// The figures.
+    pub figures: Vec<DrawnFigure>,
+    /// The paper's claims with their verdicts.
+    pub claims: Vec<ClaimResult>,
+}
+
+/// All growth laws of the records.
+pub fn fits(records: &Records) -> Vec<FittedGrowth> {
+    EXPERIMENTS.iter().flat_map(|experiment| analysis::fits(experiment, records)).collect()
+}
+
+/// What the claims' checks are told: one sentence for every growth law that operation counts show, none that a clock shows.
+pub fn check_context(seed: u64, fits: &[FittedGrowth]) -> CheckContext {
+    let measurements = fits
+        .iter()
+        .filter(|fit| fit.is_deterministic())
+        .filter_map(|fit| {
+            let verdict = fit.verdict()?;
+            Some(Measurement {
+                experiment: fit.experiment.to_owned(),
+                summary: growth::sentence(fit)?,
+                agrees: growth::agrees(verdict),
+            })
+        })
+        .collect();
+    CheckContext { seed, measurements }
+}
