@@ -6,18 +6,13 @@ use experiments::fit::{Estimate, GrowthModel, ModelVerdict};
 
 use super::html::{Escaped, badge, grouped, table};
 
-/// Whether a verdict supports an expected law: a bound from above is also kept by what grows slower.
-pub(super) fn agrees(verdict: ModelVerdict) -> bool {
-    verdict != ModelVerdict::Faster
-}
-
 /// One growth law in one sentence, when there is one to tell.
 pub(super) fn sentence(fit: &FittedGrowth) -> Option<String> {
     let growth = fit.growth.as_ref().ok()?;
-    let expected = fit.expected?;
-    let excess = growth.model(expected)?.excess_exponent;
+    let bound = fit.bound?;
+    let excess = growth.model(bound)?.excess_exponent;
     Some(format!(
-        "{} of {} on {}: exponent {} for n = {} to {}; beyond {expected}: {}",
+        "{} of {} on {}: exponent {} for n = {} to {}; beyond {bound}: {}",
         fit.quantity,
         fit.variant,
         fit.family,
@@ -41,7 +36,7 @@ pub(super) fn growth_table(fits: &[&FittedGrowth]) -> String {
     let rows: Vec<Vec<String>> = fits.iter().map(|fit| row(fit)).collect();
     table(
         "growth",
-        &["what", "method", "input", "n", "exponent, 95 %", "expected", "beyond it, 95 %", "closest", "verdict"],
+        &["what", "method", "input", "n", "exponent, 95 %", "bound", "beyond it, 95 %", "closest", "verdict"],
         &rows,
     )
 }
@@ -59,11 +54,11 @@ fn row(fit: &FittedGrowth) -> Vec<String> {
     };
     cells.push(format!("{} … {}", grouped(growth.smallest as u64), grouped(growth.largest as u64)));
     cells.push(interval(growth.exponent));
-    let expected = fit.expected.and_then(|model| growth.model(model));
-    cells.push(expected.map_or("–".to_owned(), |model| model_name(model.model)));
-    cells.push(expected.map_or("–".to_owned(), |model| interval(model.excess_exponent)));
+    let bound = fit.bound.and_then(|model| growth.model(model));
+    cells.push(bound.map_or("–".to_owned(), |model| model_name(model.model)));
+    cells.push(bound.map_or("–".to_owned(), |model| interval(model.excess_exponent)));
     cells.push(growth.best().map_or("–".to_owned(), |best| model_name(best.model)));
-    let mut verdict = match expected.map(|model| model.verdict) {
+    let mut verdict = match bound.map(|model| model.verdict) {
         None => badge("plain", "measured"),
         Some(verdict) => {
             let word = match verdict {
@@ -71,7 +66,7 @@ fn row(fit: &FittedGrowth) -> Vec<String> {
                 ModelVerdict::Slower => "slower",
                 ModelVerdict::Faster => "faster",
             };
-            badge(if agrees(verdict) { "good" } else { "bad" }, word)
+            badge(if fit.supports_bound() == Some(true) { "good" } else { "bad" }, word)
         }
     };
     if fit.left_out > 0 {

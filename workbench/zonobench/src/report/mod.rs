@@ -51,11 +51,10 @@ pub fn check_context(seed: u64, fits: &[FittedGrowth]) -> CheckContext {
         .iter()
         .filter(|fit| fit.is_deterministic())
         .filter_map(|fit| {
-            let verdict = fit.verdict()?;
             Some(Measurement {
                 experiment: fit.experiment.to_owned(),
                 summary: growth::sentence(fit)?,
-                agrees: growth::agrees(verdict),
+                agrees: fit.supports_bound()?,
             })
         })
         .collect();

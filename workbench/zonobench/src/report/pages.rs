@@ -8,7 +8,7 @@ use paper_checks::{ClaimResult, Verdict};
 use super::chapter::{CHAPTERS, Chapter};
 use super::claims::{claim_table, verdict};
 use super::figures::{DrawnFigure, gallery};
-use super::growth::{agrees, growth_table};
+use super::growth::growth_table;
 use super::html::{Escaped, badge, grouped, page, table};
 use super::values::value_table;
 use super::{Evidence, FittedGrowth};
@@ -155,9 +155,9 @@ fn verdict_line(experiments: &[&'static Experiment], results: &[&ClaimResult], e
     let mut parts = Vec::new();
     let laws =
         experiments.iter().flat_map(|experiment| fits_of(experiment, evidence)).filter(|fit| fit.is_deterministic());
-    let judged: Vec<_> = laws.filter_map(FittedGrowth::verdict).collect();
+    let judged: Vec<_> = laws.filter_map(FittedGrowth::supports_bound).collect();
     if !judged.is_empty() {
-        let kept = judged.iter().filter(|&&verdict| agrees(verdict)).count();
+        let kept = judged.iter().filter(|&&supported| supported).count();
         let tone = if kept == judged.len() { "good" } else { "bad" };
         parts.push(badge(tone, &format!("growth within the bound in {kept} of {} fits", judged.len())));
     }
@@ -279,7 +279,7 @@ fn reading_section(evidence: &Evidence) -> String {
         "<section id=\"reading\">\n<h2>How to read and repeat this</h2>\n\
          <p><b>Growth</b> is judged on operation counts, which are the same on every machine. An exponent <i>a</i> is that of the best \
          power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval. “Beyond it” is the exponent that remains after \
-         division by the expected law: near zero means consistent, below zero that the count grows slower still. “Closest” names the law \
+         division by the bound: near zero means consistent, below zero that the count grows slower still. “Closest” names the law \
          among n, n log n, n log² n and n² that fits best.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held wherever it was tried; \
          “refuted” shows a witness.</p>\n\
