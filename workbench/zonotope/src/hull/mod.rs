@@ -7,6 +7,7 @@
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | O(n·h) | gift wrapping; the truth |
+//! | [`by_discarding`] | O(n + m log m), m ≤ n | m points left after one pass; expected O(n) in ordinary input; the default |
 //! | [`by_monotone_chain`] | O(n log n) | sort by x, then one chain below and one above (Andrew) |
 //!
 //! n points, h of them vertices of the hull. [`convex_hull`] is the default method; [`antipodal`] is a problem of its own and
@@ -14,13 +15,14 @@
 
 pub mod antipodal;
 pub mod brute_force;
+pub mod by_discarding;
 pub mod by_monotone_chain;
 mod error;
 mod polygon;
 mod sites;
 pub mod verify;
 
-pub use by_monotone_chain::{convex_hull, convex_hull_counted};
+pub use by_discarding::{convex_hull, convex_hull_counted};
 pub use error::{HullError, MAX_POINTS};
 pub use polygon::{ConvexHull, PointIndex, VertexIndex};
 

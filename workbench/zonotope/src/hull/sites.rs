@@ -16,12 +16,7 @@ pub(super) struct Site {
 impl Site {
     /// Order by x, then y, then position; the two zeros are equal. Coordinates are finite.
     #[inline]
-    pub(super) fn lexicographic(&self, other: &Self) -> Ordering {
-        if self.precedes(other) { Ordering::Less } else { Ordering::Greater }
-    }
-
-    #[inline]
-    fn precedes(&self, other: &Self) -> bool {
+    pub(super) fn precedes(&self, other: &Self) -> bool {
         let ([x, y], [other_x, other_y]) = (self.point, other.point);
         // points seldom share an abscissa, so this branch is predictable and the comparison below costs no branch
         if x != other_x {
@@ -32,11 +27,25 @@ impl Site {
             self.index < other.index
         }
     }
+
+    /// Order by x and y backwards; equal points still by position.
+    #[inline]
+    pub(super) fn precedes_backwards(&self, other: &Self) -> bool {
+        if self.point == other.point { self.index < other.index } else { other.precedes(self) }
+    }
 }
 
 /// Sorts sites lexicographically. No two of them have the same position in the input.
 pub(super) fn sort(sites: &mut [Site]) {
-    sites.sort_unstable_by(Site::lexicographic);
+    sites.sort_unstable_by(|a, b| if a.precedes(b) { Ordering::Less } else { Ordering::Greater });
+}
+
+/// The points at some positions, sorted lexicographically.
+pub(super) fn sorted(points: &[[f64; 2]], positions: impl Iterator<Item = u32>) -> Vec<Site> {
+    let mut sites: Vec<Site> =
+        positions.map(|at| Site { point: points[at as usize], index: PointIndex::new(at as usize) }).collect();
+    sort(&mut sites);
+    sites
 }
 
 /// The hull of sites sorted lexicographically, at least one: Andrew's monotone chains.

@@ -140,7 +140,7 @@ pub fn cross_sign_counted(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2], ta
     let right = (b[1] - a[1]) * (d[0] - c[0]);
     let difference = left - right;
     if difference.abs() > FILTER_RELATIVE * (left.abs() + right.abs()) + FILTER_ABSOLUTE {
-        Turn::from_sign_of(difference)
+        if difference > 0.0 { Turn::Left } else { Turn::Right }
     } else {
         tally.add(Operation::ExactFallback, 1);
         exact_cross_sign(a, b, c, d)
