@@ -22,6 +22,7 @@ mod decide;
 mod exact_lines;
 mod instance;
 mod line_search;
+mod method;
 mod optimum;
 mod problem;
 mod solution;
@@ -31,8 +32,15 @@ mod vertex;
 
 pub use by_pruning::{minimize, minimize_counted};
 pub use exact_lines::ExactLine;
+pub use method::Method;
 pub use optimum::{LadCertificate, LadOptimum, LadOutcome, Minimizer};
 pub use problem::{LadError, LadProblem, LineIndex, WeightedLine};
+
+/// What a problem is made of when its lines come from elsewhere than a slice of doubles.
+pub(crate) mod kernel_input {
+    pub(crate) use super::exact_lines::{ExactLine, ExactLines};
+    pub(crate) use super::problem::{Columns, LineError};
+}
 
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,8 @@
 use thiserror::Error;
 
 use super::exact_lines::{ExactLine, ExactLines, Rows};
+use super::instance::{Instance, Surroundings};
+use super::vertex::Vertex;
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 
@@ -182,9 +184,16 @@ impl<'a> LadProblem<'a> {
         ExactLine { normal: normal.map(|v| v.scaled(self.normal_scale)), offset: offset.scaled(self.offset_scale) }
     }
 
-    /// The power of two that takes a point of the scaled frame to the frame of the input.
-    pub(crate) fn point_scale(&self) -> i64 {
-        self.offset_scale - self.normal_scale
+    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. O(n).
+    pub(crate) fn signs_at(&self, point: &[Dyadic; 3]) -> Vec<i8> {
+        let mut around = Surroundings::default();
+        Instance::whole(self).read_at(&Vertex::at(point.clone()), &mut around, &mut ());
+        around.signs
+    }
+
+    /// W times the value of a line at a point of the scaled frame given in homogeneous coordinates.
+    pub(crate) fn exact_scaled_value(&self, line: usize, point: &[Dyadic; 3]) -> Dyadic {
+        self.exact.line(line).evaluate(point)
     }
 
     /// The linear term of the scaled frame, rounded.

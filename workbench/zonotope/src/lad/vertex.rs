@@ -22,11 +22,15 @@ pub(crate) struct Vertex {
 impl Vertex {
     /// The common point of two lines, which are the lines `on` of the instance where they are lines of it at all.
     pub(crate) fn new(first: &ExactLine, second: &ExactLine, on: [Option<u32>; 2]) -> Self {
-        let exact = first.meet(second);
-        debug_assert!(exact[2].sign() == Ordering::Greater, "parallel lines have no common point");
+        Self { on, ..Self::at(first.meet(second)) }
+    }
+
+    /// The point with the given homogeneous coordinates.
+    pub(crate) fn at(exact: [Dyadic; 3]) -> Self {
+        debug_assert!(exact[2].sign() == Ordering::Greater, "a point has a positive last coordinate");
         let point = [exact[0].ratio(&exact[2]), exact[1].ratio(&exact[2])];
         let error = point.map(|v| 8.0 * UNIT * v.abs() + UNDERFLOW);
-        Self { exact, point, error, on }
+        Self { exact, point, error, on: [None; 2] }
     }
 
     pub(crate) fn is_on(&self, line: u32) -> bool {

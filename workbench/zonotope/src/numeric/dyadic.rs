@@ -95,6 +95,16 @@ impl Dyadic {
         scale_by_power_of_two(numerator / denominator, e - f)
     }
 
+    /// The quotient of two numbers as a double, off by at most slightly more than half a unit in the last place; as
+    /// [`ratio`](Self::ratio) where that is not finite.
+    pub fn rounded_ratio(&self, divisor: &Self) -> f64 {
+        let first = self.ratio(divisor);
+        if !first.is_finite() {
+            return first;
+        }
+        first + (self - &(divisor * &Self::from_f64(first))).ratio(divisor)
+    }
+
     /// The number as a double, with relative error at most 2^-50 plus one denormal step; ±∞ on overflow.
     pub fn to_f64(&self) -> f64 {
         let (head, exponent) = self.leading();

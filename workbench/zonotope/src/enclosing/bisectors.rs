@@ -1,0 +1,184 @@
+//! The lines ℓ_t of Section 4.1: where the centre must lie for a hull edge to be an edge of Z(O).
+//!
+//! For the edge from P_t to P_{t+1} with farthest vertex P_s, ℓ_t runs through the midpoints of P_s P_t and P_s P_{t+1}. The
+//! edge is an edge of Z(O) iff O is not to the right of ℓ_t. With X = 2O and e_t = P_{t+1} − P_t that is
+//! e_t × (X − P_s − P_t) ≥ 0, and the area of Z(O) is a constant plus ½ Σ_t |e_t × (X − P_s − P_t)|.
+//!
+//! Derivation. By central symmetry the area grows at the rate 2 |e_t| when O moves away from ℓ_t on the side where e_t is an edge of
+//! Z(O), and e_t does not matter on the other side: f(O) = C + 2 Σ_t max(0, e_t × (O − m_t)) with m_t on ℓ_t. Since
+//! max(0, d) = (d + |d|) / 2 and the edges of a polygon sum to zero, the linear parts cancel up to a constant.
+
+use crate::hull::ConvexHull;
+use crate::hull::antipodal::FarthestVertex;
+use crate::lad::LadProblem;
+use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::exact_sum::ExactSum;
+use crate::numeric::tolerance::UNIT;
+
+/// The points of a hull scaled by a power of two to magnitude at most 1, and a reference near twice their middle.
+///
+/// A point O of the plane is x = 2 · 2^−scale · O − reference in the frame of the kernel.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Frame {
+    pub(crate) scale: i64,
+    pub(crate) reference: [f64; 2],
+    /// Two powers of two with the product 2^−scale, which alone may be no double.
+    factors: [f64; 2],
+}
+
+/// The lines ℓ_t of a hull with area.
+#[derive(Debug)]
+pub struct Bisectors<'h> {
+    hull: &'h ConvexHull,
+    farthest: &'h [FarthestVertex],
+    pub(crate) frame: Frame,
+}
+
+impl<'h> Bisectors<'h> {
+    /// The lines of a hull, given the farthest vertex of each edge.
+    ///
+    /// # Panics
+    /// When `farthest` does not have one vertex for each edge of the hull.
+    pub fn new(hull: &'h ConvexHull, farthest: &'h [FarthestVertex]) -> Self {
+        assert_eq!(farthest.len(), hull.edge_count(), "one farthest vertex for each edge");
+        Self { hull, farthest, frame: Frame::of(hull, farthest) }
+    }
+
+    /// The kernel problem whose objective at x is Σ_t |e_t × (X − P_s − P_t)| for the point O of x, divided by 4^scale. O(h).
+    pub fn kernel_problem(&self) -> LadProblem<'h> {
+        let mut columns = Columns::with_capacity(self.farthest.len());
+        let mut spread = 0.0f64;
+        let vertices = self.hull.vertices();
+        let mut from = self.frame.scaled(vertices[0]);
+        for (t, s) in self.farthest.iter().enumerate() {
+            let to = self.frame.scaled(vertices[if t + 1 < vertices.len() { t + 1 } else { 0 }]);
+            let far = self.frame.scaled(self.hull.vertex(s.vertex()));
+            let edge = [to[0] - from[0], to[1] - from[1]];
+            let d = [0, 1].map(|i| sum_from_reference(far[i], from[i], self.frame.reference[i]));
+            spread = spread.max(d[0].abs()).max(d[1].abs());
+            columns.push([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]]);
+            from = to;
+        }
+        // Each d is within 3 UNIT of its value, each edge coordinate within UNIT, and the offset takes two products and a difference.
+        let error = LineError { offset_relative: 0.0, offset_per_normal: 8.0 * UNIT * spread };
+        let exact = ExactBisectors { hull: self.hull, farthest: self.farthest, frame: self.frame };
+        LadProblem::from_exact_lines(columns, error, Box::new(exact))
+    }
+
+    /// The kernel point of a centre, both in homogeneous coordinates.
+    pub(crate) fn kernel_point(&self, [x, y, w]: &[Dyadic; 3]) -> [Dyadic; 3] {
+        let shifted = |v: &Dyadic, axis: usize| {
+            v.clone().scaled(1 - self.frame.scale) - &Dyadic::from_f64(self.frame.reference[axis]) * w
+        };
+        [shifted(x, 0), shifted(y, 1), w.clone()]
+    }
+
+    /// Two points of ℓ_t, rounded: the midpoints of P_s P_t and P_s P_{t+1}.
+    pub fn midpoints(&self, t: usize) -> [[f64; 2]; 2] {
+        let vertices = self.hull.vertices();
+        let far = self.hull.vertex(self.farthest[t].vertex());
+        let ends = [vertices[t], vertices[(t + 1) % vertices.len()]];
+        ends.map(|end| [0, 1].map(|i| end[i] / 2.0 + far[i] / 2.0))
+    }
+}
+
+impl Frame {
+    fn of(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
+        let largest = hull.vertices().iter().flatten().fold(0.0f64, |m, v| m.max(v.abs()));
+        let scale = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1);
+        let half = scale / 2;
+        let factors = [-half, half - scale].map(|e| scale_by_power_of_two(1.0, e));
+        let frame = Self { scale, reference: [0.0; 2], factors };
+        // The median over a few lines is near every P_s + P_t when the hull is nearly symmetric, and harmless otherwise.
+        let step = farthest.len() / 32 + 1;
+        let sums = (0..farthest.len()).step_by(step).map(|t| {
+            let (a, b) = (frame.scaled(hull.vertices()[t]), frame.scaled(hull.vertex(farthest[t].vertex())));
+            [a[0] + b[0], a[1] + b[1]]
+        });
+        let sums: Vec<[f64; 2]> = sums.collect();
+        let median = |axis: usize| {
+            let mut values: Vec<f64> = sums.iter().map(|v| v[axis]).collect();
+            values.sort_unstable_by(f64::total_cmp);
+            values.get(values.len() / 2).copied().unwrap_or(0.0)
+        };
+        Self { reference: [median(0), median(1)], ..frame }
+    }
+
+    pub(crate) fn scaled(&self, point: [f64; 2]) -> [f64; 2] {
+        point.map(|v| v * self.factors[0] * self.factors[1])
+    }
+
+    /// A length in the frame.
+    pub(crate) fn scaled_length(&self, length: f64) -> f64 {
+        length * self.factors[0] * self.factors[1]
+    }
+
+    /// Whether sums of four coordinates are finite and far above underflow.
+    pub(crate) fn sums_are_doubles(&self) -> bool {
+        (-900..1000).contains(&self.scale)
+    }
+
+    pub(crate) fn exact(&self, point: [f64; 2]) -> [Dyadic; 2] {
+        point.map(|v| Dyadic::from_f64(v).scaled(-self.scale))
+    }
+
+    /// The point O of a kernel point, both in homogeneous coordinates.
+    pub(crate) fn center_of(&self, [x, y, w]: &[Dyadic; 3]) -> [Dyadic; 3] {
+        let [rx, ry] = self.reference.map(Dyadic::from_f64);
+        let unscale = |v: Dyadic| v.scaled(self.scale - 1);
+        [unscale(x + &(&rx * w)), unscale(y + &(&ry * w)), w.clone()]
+    }
+}
+
+/// a + b − r within 3 UNIT of the result, barring underflow.
+///
+/// The sum is taken as head + tail exactly. Where head − r is rounded at all it is not smaller than half of head, hence than the tail;
+/// where it is small it is exact.
+fn sum_from_reference(a: f64, b: f64, r: f64) -> f64 {
+    let head = a + b;
+    let b_in_head = head - a;
+    let tail = (a - (head - b_in_head)) + (b - b_in_head);
+    (head - r) + tail
+}
+
+#[derive(Debug)]
+struct ExactBisectors<'h> {
+    hull: &'h ConvexHull,
+    farthest: &'h [FarthestVertex],
+    frame: Frame,
+}
+
+impl ExactBisectors<'_> {
+    fn ends(&self, t: usize) -> [[f64; 2]; 2] {
+        let vertices = self.hull.vertices();
+        [vertices[t], vertices[if t + 1 < vertices.len() { t + 1 } else { 0 }]]
+    }
+}
+
+impl ExactLines for ExactBisectors<'_> {
+    fn line(&self, t: usize) -> ExactLine {
+        let [from, to] = self.ends(t).map(|end| self.frame.exact(end));
+        let far = self.frame.exact(self.hull.vertex(self.farthest[t].vertex()));
+        let reference = self.frame.reference.map(Dyadic::from_f64);
+        let d = [0, 1].map(|i| &(&far[i] + &from[i]) - &reference[i]);
+        let edge = [0, 1].map(|i| &to[i] - &from[i]);
+        let offset = &edge[1] * &d[0] - &edge[0] * &d[1];
+        let [x, y] = edge;
+        ExactLine { normal: [-y, x], offset }
+    }
+
+    fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
+        let mut sums = [ExactSum::default(), ExactSum::default()];
+        for (t, sign) in terms {
+            let sign = f64::from(sign);
+            let [from, to] = self.ends(t);
+            for (sum, axis) in sums.iter_mut().zip([0, 1]) {
+                sum.add(sign * to[axis]);
+                sum.add(-sign * from[axis]);
+            }
+        }
+        let [x, y] = sums.map(|sum| sum.value().scaled(-self.frame.scale));
+        [-y, x]
+    }
+}

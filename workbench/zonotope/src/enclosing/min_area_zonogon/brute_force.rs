@@ -1,0 +1,119 @@
+//! Minimum-area enclosing zonogon, by the area of Z(O) at every vertex of the arrangement of the lines ℓ_t: the truth.
+//!
+//! # Statement
+//! Input: points of the plane, at least one, finite. Output: the least area of a zonogon that contains them and every vertex of the
+//! arrangement at which it is taken, exactly; area 0 and no centre for points on a line.
+//!
+//! # Source
+//! Section 4.1: f is linear on each cell of the arrangement and has a minimum at a vertex.
+//!
+//! # Method
+//! 1. Convex hull in rationals; for each edge the farthest vertex by comparing all.
+//! 2. At every crossing of two lines ℓ_t: f(O) = area of the convex hull of the points and their reflections in O.
+//!
+//! # Complexity
+//! h hull vertices: O(h³ log h) rational operations.
+//!
+//! # Shapes
+//! `points`: n × 2, h up to about 20.
+//!
+//! # Numerics
+//! Everything is exact rational arithmetic; no code is shared with the methods.
+//!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! If there are no points or a coordinate is not finite.
+//!
+//! # Checked by
+//! Hand-worked examples; its simplicity.
+//!
+//! # Example
+//! ```
+//! use zonotope::enclosing::min_area_zonogon::brute_force::least_area;
+//! assert_eq!(least_area(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]).0, 4.into());
+//! ```
+
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+
+type Point = [Rational; 2];
+
+/// The least area and the vertices of the arrangement at which it is taken.
+pub fn least_area(points: &[[f64; 2]]) -> (Rational, Vec<Point>) {
+    let hull = convex_hull(points.iter().map(|p| p.map(|v| Dyadic::from_f64(v).to_rational())).collect());
+    if hull.len() < 3 {
+        return (Rational::ZERO, Vec::new());
+    }
+    let lines: Vec<[Point; 2]> = (0..hull.len()).map(|t| bisector(&hull, t)).collect();
+    let pairs = lines.iter().enumerate().flat_map(|(i, a)| lines[..i].iter().map(move |b| (a, b)));
+    let mut best: Option<(Rational, Vec<Point>)> = None;
+    for center in pairs.filter_map(|(a, b)| meet(a, b)) {
+        let area = centered_area(&hull, &center);
+        match &mut best {
+            Some((least, _)) if area > *least => {}
+            Some((least, centers)) if area == *least => {
+                if !centers.contains(&center) {
+                    centers.push(center);
+                }
+            }
+            _ => best = Some((area, vec![center])),
+        }
+    }
+    best.expect("the lines of a hull with area are not all parallel")
+}
+
+/// The area of Z(O) around points.
+pub fn centered_area(points: &[Point], [ox, oy]: &Point) -> Rational {
+    let reflected = points.iter().map(|[x, y]| [ox + ox - x, oy + oy - y]);
+    let hull = convex_hull(points.iter().cloned().chain(reflected).collect());
+    let next = hull.iter().cycle().skip(1);
+    let doubled = hull.iter().zip(next).fold(Rational::ZERO, |sum, (a, b)| sum + &a[0] * &b[1] - &a[1] * &b[0]);
+    doubled / Rational::from(2)
+}
+
+/// A point of ℓ_t and its direction: the midpoint of P_s P_t, and e_t.
+fn bisector(hull: &[Point], t: usize) -> [Point; 2] {
+    let (from, to) = (&hull[t], &hull[(t + 1) % hull.len()]);
+    let edge = [&to[0] - &from[0], &to[1] - &from[1]];
+    let height = |p: &Point| cross(from, to, p);
+    let far = hull.iter().max_by_key(|p| height(p)).expect("a hull has vertices");
+    let half = Rational::from(2);
+    [[(&from[0] + &far[0]) / &half, (&from[1] + &far[1]) / &half], edge]
+}
+
+fn meet([p, u]: &[Point; 2], [q, v]: &[Point; 2]) -> Option<Point> {
+    let determinant = &u[0] * &v[1] - &u[1] * &v[0];
+    (determinant != Rational::ZERO).then(|| {
+        let along = ((&q[0] - &p[0]) * &v[1] - (&q[1] - &p[1]) * &v[0]) / determinant;
+        [&p[0] + &along * &u[0], &p[1] + &along * &u[1]]
+    })
+}
+
+fn cross(a: &Point, b: &Point, c: &Point) -> Rational {
+    (&b[0] - &a[0]) * (&c[1] - &a[1]) - (&b[1] - &a[1]) * (&c[0] - &a[0])
+}
+
+/// The strictly convex hull, counter-clockwise from the lexicographically smallest point.
+fn convex_hull(mut points: Vec<Point>) -> Vec<Point> {
+    points.sort();
+    points.dedup();
+    if points.len() < 3 {
+        return points;
+    }
+    let chain = |points: &mut dyn Iterator<Item = &Point>| {
+        let mut chain: Vec<Point> = Vec::new();
+        for p in points {
+            while chain.len() > 1 && cross(&chain[chain.len() - 2], &chain[chain.len() - 1], p) <= Rational::ZERO {
+                chain.pop();
+            }
+            chain.push(p.clone());
+        }
+        chain.pop();
+        chain
+    };
+    let mut hull = chain(&mut points.iter());
+    hull.extend(chain(&mut points.iter().rev()));
+    hull
+}

@@ -1,0 +1,114 @@
+//! Minimum-area enclosing zonogon, by the kernel on the lines ℓ_t.
+//!
+//! # Statement
+//! Input: points of the plane, at least one, finite. Output: a zonogon in doubles that contains every point exactly, an
+//! upper bound of its area, a lower bound for every enclosing zonogon, the optimal centre exactly and its certificate. For points on
+//! a line the area is zero: the answer is their segment, where doubles can express it. The optimal centre need not be unique; the dimension of the set of
+//! optimal centres is told.
+//!
+//! # Source
+//! Section 4.1, Theorem 4.5. Departures: the search over the arrangement is the kernel's (the paper's own search is one of
+//! its methods); the area is convex, not only unimodal; the centre is rounded to doubles, and the loss is bounded by the certificate.
+//!
+//! # Method
+//! 1. Convex hull, farthest vertex of each edge, lines ℓ_t.
+//! 2. The kernel minimises Σ |e_t × (X − P_s − P_t)|: the optimal centre and coefficients δ_t.
+//! 3. Round the centre to doubles, take Z(O) there, round it outward.
+//! 4. Lower bound: f(O) minus ½ Σ (|v_t| − δ_t v_t) with v_t = e_t × (2O − P_s − P_t), a sum over the few edges whose δ_t is not
+//!    the sign of v_t. It holds because f grows by ½ Σ |v_t| and Σ δ_t e_t = 0.
+//!
+//! # Complexity
+//! n points, h hull vertices: O(n log n) for the hull, expected O(h) for the rest with [`by_pruning`](crate::lad::by_pruning), O(h log² h) with the paper's
+//! search; space O(n). The paper: O(n log² n).
+//!
+//! # Shapes
+//! `points`: n × 2, any order, duplicates allowed; `generators`: half-lengths, in the order of their angles but for at most two that
+//! make up for rounding.
+//!
+//! # Numerics
+//! The optimal centre and all signs are exact. Relative excess of the area: about 1e-15 for hulls that are neither thin nor far from the origin; it
+//! grows with (diameter + distance from the origin) · perimeter / area, as no double is nearer to the optimal centre. Always certified by
+//! `lower_bound`; use [`exact`](super::exact) where doubles are not enough.
+//!
+//! # Errors
+//! [`MinAreaError::Points`] ⇔ no points, too many, or a coordinate that is not finite.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force), [`verify`](super::verify) on every answer.
+//!
+//! # Example
+//! ```
+//! use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon;
+//!
+//! // around a triangle the best zonogon is a parallelogram of twice its area
+//! let answer = min_area_enclosing_zonogon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+//! assert_eq!(answer.area, 4.0);
+//! assert_eq!(answer.face_dimension, 2); // any centre in the medial triangle will do
+//! # Ok::<(), zonotope::enclosing::min_area_zonogon::MinAreaError>(())
+//! ```
+
+use super::answer::{MinAreaError, MinAreaZonogon};
+use super::segment::around_segment;
+use crate::enclosing::bisectors::Bisectors;
+use crate::enclosing::centered_zonogon::{CenteredZonogon, homogeneous};
+use crate::enclosing::outward::{round_outward, rounded_towards};
+use crate::hull::antipodal::farthest_vertices_counted;
+use crate::hull::convex_hull_counted;
+use crate::lad::{LadProblem, Method};
+use crate::numeric::dyadic::Dyadic;
+use crate::tally::Tally;
+
+/// The zonogon of least area around points of the plane, by the default method.
+///
+/// # Errors
+/// When there are no points, too many, or one is not finite.
+pub fn min_area_enclosing_zonogon(points: &[[f64; 2]]) -> Result<MinAreaZonogon, MinAreaError> {
+    min_area_enclosing_zonogon_with(Method::default(), points, 0, &mut ())
+}
+
+/// The zonogon of least area by a chosen method of the kernel, counting operations. `seed` decides the time, never the area.
+///
+/// # Errors
+/// When there are no points, too many, or one is not finite.
+pub fn min_area_enclosing_zonogon_with(
+    method: Method,
+    points: &[[f64; 2]],
+    seed: u64,
+    tally: &mut impl Tally,
+) -> Result<MinAreaZonogon, MinAreaError> {
+    let hull = convex_hull_counted(points, tally)?;
+    if !hull.has_area() {
+        return Ok(around_segment(hull));
+    }
+    let farthest = farthest_vertices_counted(&hull, tally);
+    let bisectors = Bisectors::new(&hull, &farthest);
+    let problem = bisectors.kernel_problem();
+    let outcome = method.minimize(&problem, seed, tally);
+    let optimum = outcome.optimum().expect("an area is never negative, so the objective is bounded");
+    let optimal_center = bisectors.frame.center_of(&optimum.homogeneous_point(&problem));
+    let center = [0, 1].map(|i| optimal_center[i].rounded_ratio(&optimal_center[2]));
+    let exact_center = homogeneous(center);
+    let kernel_point = bisectors.kernel_point(&exact_center);
+    let sides = problem.signs_at(&kernel_point);
+    let boundary = CenteredZonogon::from_sides(&hull, &farthest, center, &exact_center, &sides);
+    let rounded = round_outward(&boundary, &bisectors.frame);
+    let gap = gap(&bisectors, &problem, &kernel_point, &sides, &optimum.certificate.signs);
+    let area = rounded.area_above;
+    let lower_bound = rounded_towards(&(Dyadic::from_f64(rounded.area_below) - gap), f64::NEG_INFINITY).max(0.0);
+    let (face_dimension, certificate) = (optimum.face_dimension, optimum.certificate.clone());
+    let zonogon = rounded.zonogon;
+    drop((problem, boundary));
+    Ok(MinAreaZonogon { zonogon, area, lower_bound, optimal_center, face_dimension, hull, farthest, certificate })
+}
+
+/// At least ½ Σ (|v_t| − δ_t v_t) at a point of the kernel's frame given with W = 1, in the units of the input.
+///
+/// A term is at most 2 |v_t|, and zero where v_t is, or where δ_t is its sign.
+fn gap(bisectors: &Bisectors, problem: &LadProblem, point: &[Dyadic; 3], sides: &[i8], signs: &[i8]) -> Dyadic {
+    let differing = (0..sides.len()).filter(|&t| sides[t] != 0 && sides[t] != signs[t]);
+    let sum = differing.fold(Dyadic::zero(), |sum, t| sum + problem.exact_scaled_value(t, point).abs());
+    sum.scaled(2 * bisectors.frame.scale)
+}

@@ -1,0 +1,59 @@
+//! Points on a line: the least area is zero.
+
+use std::cmp::Ordering;
+
+use super::answer::MinAreaZonogon;
+use crate::enclosing::bisectors::Bisectors;
+use crate::enclosing::centered_zonogon::CenteredZonogon;
+use crate::enclosing::outward::round_outward;
+use crate::hull::ConvexHull;
+use crate::lad::LadCertificate;
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::Zonotope;
+
+/// The answer around one point, or two that span all the others.
+///
+/// The segment itself where its midpoint and half-length are doubles; else, where its length is one, the segment from the first end that is
+/// twice as long; else the smallest zonogon that can be rounded around it, whose area is not zero.
+pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
+    let (first, last) = (hull.vertices()[0], hull.vertices()[hull.vertex_count() - 1]);
+    let exact_ends = [first, last].map(|p| p.map(Dyadic::from_f64));
+    let sum = [0, 1].map(|i| &exact_ends[0][i] + &exact_ends[1][i]);
+    let length = [0, 1].map(|i| &exact_ends[1][i] - &exact_ends[0][i]);
+    let halves = |v: &[Dyadic; 2]| v.clone().map(|c| c.scaled(-1));
+    let flat = match (doubles(&halves(&sum)), doubles(&halves(&length)), doubles(&length)) {
+        (Some(center), Some(generator), _) => Some((center, generator)),
+        (_, _, Some(generator)) => Some((first, generator)),
+        _ => None,
+    };
+    let (zonogon, area) = match flat {
+        Some((center, generator)) => {
+            let generators = if generator == [0.0, 0.0] { Vec::new() } else { vec![generator] };
+            (Zonotope::new(center, generators).expect("both are doubles"), 0.0)
+        }
+        None => rounded(&hull, [0, 1].map(|i| halves(&sum)[i].to_f64())),
+    };
+    let [x, y] = sum;
+    MinAreaZonogon {
+        zonogon,
+        area,
+        lower_bound: 0.0,
+        optimal_center: [x, y, Dyadic::from_f64(2.0)],
+        face_dimension: if length.iter().all(Dyadic::is_zero) { 2 } else { 1 },
+        hull,
+        farthest: Vec::new(),
+        certificate: LadCertificate { signs: Vec::new(), basis: Vec::new() },
+    }
+}
+
+fn doubles(exact: &[Dyadic; 2]) -> Option<[f64; 2]> {
+    let rounded = [exact[0].to_f64(), exact[1].to_f64()];
+    let same = |i: usize| rounded[i].is_finite() && Dyadic::from_f64(rounded[i]).cmp(&exact[i]) == Ordering::Equal;
+    (same(0) && same(1)).then_some(rounded)
+}
+
+fn rounded(hull: &ConvexHull, center: [f64; 2]) -> (Zonotope<2>, f64) {
+    let frame = Bisectors::new(hull, &[]).frame;
+    let rounded = round_outward(&CenteredZonogon::new(hull, &[], center), &frame);
+    (rounded.zonogon, rounded.area_above)
+}

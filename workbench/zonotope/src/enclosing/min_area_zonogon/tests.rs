@@ -1,0 +1,115 @@
+//! The answer against the truth on every family of points.
+
+use proptest::prelude::*;
+
+use super::exact::exact_optimum;
+use super::*;
+use crate::lad::Method;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+
+fn check(points: &[[f64; 2]]) -> Result<(), TestCaseError> {
+    let (least, centers) = brute_force::least_area(points);
+    for method in Method::ALL {
+        let answer = min_area_enclosing_zonogon_with(method, points, 1, &mut ()).expect("finite points");
+        let exact = exact_optimum(&answer);
+        prop_assert_eq!(&exact.area, &least, "{:?} {:?}", method, answer);
+        prop_assert!(centers.is_empty() || centers.contains(&exact.center));
+        if answer.hull.has_area() {
+            prop_assert_eq!(answer.face_dimension == 0, centers.len() == 1);
+        }
+        let verdict = verify::verify(points, &answer);
+        prop_assert!(verdict.is_ok(), "{:?}: {:?} {:?}", method, verdict, answer);
+        prop_assert!(Dyadic::from_f64(answer.lower_bound).to_rational() <= least);
+        prop_assert!(!answer.area.is_finite() || Dyadic::from_f64(answer.area).to_rational() >= least);
+    }
+    Ok(())
+}
+
+/// Whether doubles are fine enough for a relative excess of 1e-12: the hull is neither thin nor far from the origin.
+fn excess_is_small(points: &[[f64; 2]]) -> bool {
+    let answer = min_area_enclosing_zonogon(points).expect("finite points");
+    answer.relative_gap() <= 1e-12
+}
+
+fn lattice() -> impl Strategy<Value = f64> + Clone {
+    (-4i32..5).prop_map(f64::from)
+}
+
+fn scale() -> impl Strategy<Value = f64> + Clone {
+    prop_oneof![
+        Just(1.0),
+        Just(1e-300),
+        Just(1e300),
+        Just(1e-5),
+        Just(f64::from_bits(1)),
+        Just(1e150),
+        Just(1e308 / 4.0)
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn random_points(points in proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 1..9)) {
+        check(&points)?;
+    }
+
+    #[test]
+    fn random_points_have_a_small_gap(points in proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 6..30)) {
+        prop_assert!(excess_is_small(&points));
+    }
+
+    #[test]
+    fn lattice_points(points in proptest::collection::vec([lattice(), lattice()], 1..9)) {
+        check(&points)?;
+    }
+
+    #[test]
+    fn points_of_one_magnitude(points in proptest::collection::vec([lattice(), lattice()], 1..8), s in scale()) {
+        let points: Vec<_> = points.iter().map(|p| p.map(|v| v * s)).collect();
+        check(&points)?;
+    }
+
+    #[test]
+    fn points_of_all_magnitudes(
+        points in proptest::collection::vec([(lattice(), scale()), (lattice(), scale())], 1..6),
+    ) {
+        let points: Vec<_> = points.iter().map(|p| p.map(|(v, s)| v * s)).collect();
+        check(&points)?;
+    }
+
+    #[test]
+    fn symmetric_points(points in proptest::collection::vec([lattice(), lattice()], 1..6), o in [lattice(), lattice()]) {
+        let reflected = points.iter().map(|p| [o[0] - p[0], o[1] - p[1]]);
+        let points: Vec<_> = points.iter().copied().chain(reflected).collect();
+        check(&points)?;
+    }
+
+    #[test]
+    fn nearly_collinear_points(
+        points in proptest::collection::vec((0i32..9, -2i64..3), 1..8),
+        slope in prop_oneof![Just(1.0), Just(0.1), Just(0.3), Just(1e-12)],
+    ) {
+        let nudge = |v: f64, by: i64| f64::from_bits((v.to_bits() as i64 + by) as u64);
+        let points: Vec<_> = points.iter().map(|&(x, by)| [f64::from(x), nudge(1.0 + slope * f64::from(x), by)]).collect();
+        check(&points)?;
+    }
+}
+
+#[test]
+fn a_triangle_by_hand() {
+    let answer = min_area_enclosing_zonogon(&[[0.0, 0.0], [6.0, 0.0], [0.0, 3.0]]).expect("finite points");
+    assert_eq!((answer.area, answer.lower_bound > 18.0 - 1e-12, answer.face_dimension), (18.0, true, 2));
+}
+
+#[test]
+fn one_point_and_two_points_have_no_area() {
+    let point = min_area_enclosing_zonogon(&[[3.0, 4.0]; 3]).expect("finite points");
+    assert_eq!((point.area, point.zonogon.center(), point.zonogon.generators().len()), (0.0, [3.0, 4.0], 0));
+    let segment = min_area_enclosing_zonogon(&[[1.0, 1.0], [3.0, 2.0], [5.0, 3.0]]).expect("finite points");
+    assert_eq!((segment.area, segment.zonogon.center()), (0.0, [3.0, 2.0]));
+    assert_eq!(segment.zonogon.generators(), [[2.0, 1.0]]);
+    assert_eq!(exact_optimum(&segment).area, Rational::ZERO);
+}

@@ -1,0 +1,12 @@
+//! Smallest zonotopes around a set of points.
+//!
+//! | problem | what it asks |
+//! |---|---|
+//! | [`centered_zonogon`] | the smallest zonogon with a given centre around points of the plane (4.1) |
+//! | [`bisectors`] | the lines ℓ_t at which its combinatorial description changes (4.1) |
+//! | [`min_area_zonogon`] | the zonogon of least area around points of the plane (4.1) |
+
+pub mod bisectors;
+pub mod centered_zonogon;
+pub mod min_area_zonogon;
+mod outward;

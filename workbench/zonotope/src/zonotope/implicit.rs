@@ -1,0 +1,106 @@
+//! The implicit form of a zonotope in any dimension.
+
+use thiserror::Error;
+
+use crate::numeric::dyadic::Dyadic;
+
+/// The zonotope { center + Σ δ_i generators_i : |δ_i| ≤ 1 }; generators are half-segments, in any order, zero and
+/// parallel ones allowed. Every coordinate is finite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Zonotope<const D: usize> {
+    center: [f64; D],
+    generators: Vec<[f64; D]>,
+}
+
+/// Why a centre and generators are refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ZonotopeError {
+    /// A coordinate of the centre is NaN or infinite.
+    #[error("the center's coordinate {coordinate} is {value}, not a finite number")]
+    NonFiniteCenter {
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A coordinate of a generator is NaN or infinite.
+    #[error("generator {generator}, coordinate {coordinate} is {value}, not a finite number")]
+    NonFiniteGenerator {
+        /// The generator, from 0.
+        generator: usize,
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// The value of the support function and a vertex where it is taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Support<const D: usize> {
+    /// max { direction · x : x in the zonotope } = direction · center + Σ |direction · g_i|, exactly.
+    pub exact_value: Dyadic,
+    /// A point of the zonotope that attains it, exactly: center + Σ ± g_i.
+    pub exact_point: [Dyadic; D],
+}
+
+impl<const D: usize> Zonotope<D> {
+    /// A zonotope from its centre and generators. O(n).
+    ///
+    /// # Errors
+    /// [`ZonotopeError`] names the first coordinate that is not finite.
+    pub fn new(center: [f64; D], generators: Vec<[f64; D]>) -> Result<Self, ZonotopeError> {
+        let bad = |v: &[f64; D]| v.iter().position(|c| !c.is_finite());
+        if let Some(coordinate) = bad(&center) {
+            return Err(ZonotopeError::NonFiniteCenter { coordinate, value: center[coordinate] });
+        }
+        for (generator, v) in generators.iter().enumerate() {
+            if let Some(coordinate) = bad(v) {
+                return Err(ZonotopeError::NonFiniteGenerator { generator, coordinate, value: v[coordinate] });
+            }
+        }
+        Ok(Self { center, generators })
+    }
+
+    /// The centre.
+    pub fn center(&self) -> [f64; D] {
+        self.center
+    }
+
+    /// The generators.
+    pub fn generators(&self) -> &[[f64; D]] {
+        &self.generators
+    }
+
+    /// The support function in a direction of finite coordinates and an extreme vertex, exactly; where the direction is orthogonal to a
+    /// generator, the vertex has it with coefficient 1. O(n) exact operations.
+    pub fn support(&self, direction: [f64; D]) -> Support<D> {
+        let direction = direction.map(Dyadic::from_f64);
+        let along = |v: &[Dyadic; D]| v.iter().zip(&direction).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b);
+        let mut point = self.center.map(Dyadic::from_f64);
+        let mut value = along(&point);
+        for generator in &self.generators {
+            let generator = generator.map(Dyadic::from_f64);
+            let gain = along(&generator);
+            let signed = if gain.sign().is_lt() { generator.map(|v| -v) } else { generator };
+            value = value + gain.abs();
+            for (sum, v) in point.iter_mut().zip(signed) {
+                *sum = &*sum + &v;
+            }
+        }
+        Support { exact_value: value, exact_point: point }
+    }
+}
+
+impl<const D: usize> Support<D> {
+    /// The value, within a relative 2^-50; infinite where it leaves the range of doubles.
+    pub fn value(&self) -> f64 {
+        self.exact_value.to_f64()
+    }
+
+    /// The vertex, each coordinate within a relative 2^-50.
+    pub fn point(&self) -> [f64; D] {
+        std::array::from_fn(|i| self.exact_point[i].to_f64())
+    }
+}

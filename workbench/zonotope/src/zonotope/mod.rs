@@ -1,0 +1,11 @@
+//! Zonotopes by their generators: the implicit form { center + Σ δ_i g_i : |δ_i| ≤ 1 }, never the explicit polytope.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex |
+//! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
+
+mod implicit;
+pub mod zonogon;
+
+pub use implicit::{Support, Zonotope, ZonotopeError};
