@@ -1,11 +1,20 @@
 //! The list of experiments. Adding one is one file in [`definitions`](crate::definitions) and one entry here.
 
 use crate::definition::Experiment;
-use crate::definitions::{hull_scaling, lad_scaling, methods_agree, pruning_passes};
+use crate::definitions::{
+    area_ratio, hull_scaling, lad_scaling, methods_agree, min_area_scaling, min_area_stages, pruning_passes,
+};
 
 /// Every experiment, in the order of reports.
-pub static EXPERIMENTS: &[Experiment] =
-    &[hull_scaling::EXPERIMENT, lad_scaling::EXPERIMENT, pruning_passes::EXPERIMENT, methods_agree::EXPERIMENT];
+pub static EXPERIMENTS: &[Experiment] = &[
+    min_area_scaling::EXPERIMENT,
+    min_area_stages::EXPERIMENT,
+    lad_scaling::EXPERIMENT,
+    pruning_passes::EXPERIMENT,
+    hull_scaling::EXPERIMENT,
+    methods_agree::EXPERIMENT,
+    area_ratio::EXPERIMENT,
+];
 
 /// The experiment called `id`, if there is one.
 pub fn find(id: &str) -> Option<&'static Experiment> {

@@ -22,6 +22,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: SCALING_SIZES,
     instances: PerProfile::both(2),
     variants: &[
+        Variant { id: "by_discarding", title: "Discarding and buckets", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_monotone_chain", title: "Monotone chain", largest: PerProfile::both(usize::MAX) },
         Variant { id: "brute_force", title: "Gift wrapping", largest: PerProfile::both(1 << 11) },
     ],
@@ -37,6 +38,7 @@ pub const EXPERIMENT: Experiment = Experiment {
 
 fn solve(variant: &str, points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
     match variant {
+        "by_discarding" => hull::by_discarding::convex_hull_counted(points, tally),
         "brute_force" => hull::brute_force::convex_hull_counted(points, tally),
         _ => hull::by_monotone_chain::convex_hull_counted(points, tally),
     }

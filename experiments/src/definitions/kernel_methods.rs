@@ -1,25 +1,49 @@
-//! The kernel's methods by name, and its instances, for every experiment on it.
+//! The kernel's instances and methods by name, for every experiment on it.
 
 use crate::definition::Case;
-use crate::families::lines::LineRow;
+use crate::families::lines;
 use crate::seed::Digest;
-use zonotope::lad::{LadOutcome, LadProblem, WeightedLine, by_line_search, by_pruning};
-use zonotope::tally::Tally;
+use zonotope::enclosing::bisectors::Bisectors;
+use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
+use zonotope::hull::{ConvexHull, convex_hull};
+use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine};
 
-/// The case's lines, unweighted, without a linear term.
-pub(super) fn problem(case: &Case) -> Result<LadProblem<'static>, String> {
-    let lines: Vec<WeightedLine> =
-        case.lines()?.into_iter().map(|(normal, offset): LineRow| WeightedLine::unweighted(normal, offset)).collect();
-    LadProblem::new(&lines, [0.0, 0.0]).map_err(|error| error.to_string())
+/// The lines of a case.
+pub(super) enum KernelInput {
+    /// Those of a line family, unweighted, without a linear term.
+    Family(LadProblem<'static>),
+    /// The lines of 4.1 of a point family's hull: one for each of its edges, weighted by the edge's length.
+    Hull(ConvexHull, Vec<FarthestVertex>),
 }
 
-/// Runs the method that the case's variant names, with the case's seed.
-pub(super) fn minimize(case: &Case, problem: &LadProblem, tally: &mut impl Tally) -> Result<LadOutcome, String> {
-    match case.variant {
-        "by_line_search" => Ok(by_line_search::minimize_counted(problem, case.seed, tally)),
-        "by_pruning" => Ok(by_pruning::minimize_counted(problem, case.seed, tally)),
-        other => Err(format!("no method is called {other}")),
+impl KernelInput {
+    /// The lines of a line family, or those of 4.1 for a point family.
+    pub fn of(case: &Case) -> Result<Self, String> {
+        if lines::find(case.family).is_some() {
+            let lines: Vec<WeightedLine> =
+                case.lines()?.into_iter().map(|(normal, offset)| WeightedLine::unweighted(normal, offset)).collect();
+            return LadProblem::new(&lines, [0.0, 0.0]).map(Self::Family).map_err(|error| error.to_string());
+        }
+        let hull = convex_hull(&case.points()?).map_err(|error| error.to_string())?;
+        if !hull.has_area() {
+            return Err("the hull has no area, so there are no lines".to_owned());
+        }
+        let farthest = farthest_vertices(&hull);
+        Ok(Self::Hull(hull, farthest))
     }
+
+    /// Hands the kernel's problem to `work`.
+    pub fn with_problem<T>(&self, work: impl FnOnce(&LadProblem) -> T) -> T {
+        match self {
+            Self::Family(problem) => work(problem),
+            Self::Hull(hull, farthest) => work(&Bisectors::new(hull, farthest).kernel_problem()),
+        }
+    }
+}
+
+/// The method that the case's variant names.
+pub(super) fn method(case: &Case) -> Result<Method, String> {
+    Method::from_name(case.variant).ok_or_else(|| format!("no method of the kernel is called {}", case.variant))
 }
 
 /// A hash of the minimiser, rounded, and of the dimension of the set of minimisers.

@@ -1,12 +1,13 @@
 //! Operations and time of each kernel method against the number of lines.
 
-use super::kernel_methods;
+use super::kernel_methods::{self, KernelInput};
 use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use crate::fit::GrowthModel;
 use zonotope::lad::verify;
 use zonotope::tally::{Operation, OperationCounts};
 
-const FAMILIES: &[&str] = &["random_lines"];
+/// Random lines, and the lines of 4.1 for points that are (nearly) all on their hull.
+const FAMILIES: &[&str] = &["random_lines", "circle", "ellipse", "random_convex", "regular_polygon"];
 
 /// Pruning hands at most 400 lines to the line searches, and solves a sample and a remainder of about n^(2/3) lines each with a
 /// dozen passes over them: 24 n^(2/3) evaluations, fewer than the n of its pass over all lines only from 24^3, about 2^14.
@@ -23,7 +24,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     families: FAMILIES,
     real_inputs: &[],
     sizes: super::KERNEL_SIZES,
-    instances: PerProfile::both(5),
+    instances: PerProfile { quick: 3, full: 5 },
     variants: &[
         Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
@@ -37,20 +38,27 @@ pub const EXPERIMENT: Experiment = Experiment {
     ],
 };
 
-fn measure(case: &Case) -> Result<Measurement, String> {
-    let problem = kernel_methods::problem(case)?;
-    let mut counts = OperationCounts::default();
-    let outcome = kernel_methods::minimize(case, &problem, &mut counts)?;
-    let verdict = Verdict::of_check("lad::verify", verify::verify(&problem, &outcome));
-    let passes = counts.get(Operation::LineEvaluation) as f64 / problem.len() as f64;
-    Ok(Measurement::new(&counts, kernel_methods::digest(&problem, &outcome), verdict).with_value("passes", passes))
+/// Shared with the experiment on passes.
+pub(super) fn measure(case: &Case) -> Result<Measurement, String> {
+    let method = kernel_methods::method(case)?;
+    KernelInput::of(case)?.with_problem(|problem| {
+        let mut counts = OperationCounts::default();
+        let outcome = method.minimize(problem, case.seed, &mut counts);
+        let verdict = Verdict::of_check("lad::verify", verify::verify(problem, &outcome));
+        let passes = counts.get(Operation::LineEvaluation) as f64 / problem.len() as f64;
+        Ok(Measurement::new(&counts, kernel_methods::digest(problem, &outcome), verdict)
+            .with_value("lines", problem.len() as f64)
+            .with_value("passes", passes))
+    })
 }
 
 fn prepare(case: &Case) -> Result<TimedWork, String> {
-    let problem = kernel_methods::problem(case)?;
-    let case = case.clone();
+    let (method, seed) = (kernel_methods::method(case)?, case.seed);
+    let input = KernelInput::of(case)?;
     Ok(Box::new(move |stopwatch| {
-        let outcome = stopwatch.lap("total", || kernel_methods::minimize(&case, &problem, &mut ()))?;
-        Ok(kernel_methods::digest(&problem, &outcome))
+        input.with_problem(|problem| {
+            let outcome = stopwatch.lap("total", || method.minimize(problem, seed, &mut ()));
+            Ok(kernel_methods::digest(problem, &outcome))
+        })
     }))
 }

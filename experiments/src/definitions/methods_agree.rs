@@ -1,8 +1,9 @@
 //! Whether the kernel's methods find the same exact minimum, on ordinary and on degenerate lines.
 
-use super::kernel_methods;
+use super::REAL_INPUTS;
+use super::kernel_methods::{self, KernelInput};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
-use zonotope::lad::{LadOutcome, LadProblem, brute_force, by_line_search, by_pruning, verify};
+use zonotope::lad::{LadOutcome, LadProblem, Method, brute_force, verify};
 use zonotope::tally::OperationCounts;
 
 /// Up to this many lines the reference is the exact twin, of cost n^3.
@@ -15,12 +16,22 @@ pub const EXPERIMENT: Experiment = Experiment {
     question: "No row is wrong: every method's certificate passes the exact verifier, its minimum equals that of the exact twin (up to \
                24 lines) or of another method (beyond) as a rational number, and so does the dimension of the set of minimisers.",
     claims: &["theorem-4.5", "corollary-4.4", "erratum-4.1-ties", "minimum-at-vertex"],
-    families: &["random_lines", "lattice_lines", "near_parallel_lines", "concurrent_lines", "symmetric_lines"],
-    real_inputs: &[],
-    sizes: PerProfile {
-        quick: &[3, 8, 15, 24, 256, 2048],
-        full: &[1, 2, 3, 5, 8, 11, 15, 19, 24, 64, 256, 2048, 16384],
-    },
+    families: &[
+        "random_lines",
+        "lattice_lines",
+        "near_parallel_lines",
+        "concurrent_lines",
+        "symmetric_lines",
+        "circle",
+        "ellipse_thin",
+        "random_convex",
+        "regular_polygon",
+        "symmetric",
+        "gaussian",
+        "lattice",
+    ],
+    real_inputs: REAL_INPUTS,
+    sizes: PerProfile { quick: &[4, 8, 15, 24, 256, 2048], full: &[4, 5, 8, 11, 15, 19, 24, 64, 256, 2048, 16384] },
     instances: PerProfile { quick: 4, full: 20 },
     variants: &[
         Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
@@ -32,35 +43,37 @@ pub const EXPERIMENT: Experiment = Experiment {
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {
-    let problem = kernel_methods::problem(case)?;
-    let mut counts = OperationCounts::default();
-    let outcome = kernel_methods::minimize(case, &problem, &mut counts)?;
-    let (reference, agreement) = compare(case, &problem, &outcome);
-    let verdict = match verify::verify(&problem, &outcome) {
-        Ok(()) => Verdict::of_check(&format!("lad::verify and {reference}"), agreement),
-        Err(defect) => Verdict::Wrong(format!("lad::verify: {defect}")),
-    };
-    let measurement = Measurement::new(&counts, kernel_methods::digest(&problem, &outcome), verdict);
-    Ok(match outcome.optimum() {
-        Some(optimum) => measurement.with_value("face_dimension", f64::from(optimum.face_dimension)),
-        None => measurement,
+    let method = kernel_methods::method(case)?;
+    KernelInput::of(case)?.with_problem(|problem| {
+        let mut counts = OperationCounts::default();
+        let outcome = method.minimize(problem, case.seed, &mut counts);
+        let (reference, agreement) = compare(method, case.seed, problem, &outcome);
+        let verdict = match verify::verify(problem, &outcome) {
+            Ok(()) => Verdict::of_check(&format!("lad::verify and {reference}"), agreement),
+            Err(defect) => Verdict::Wrong(format!("lad::verify: {defect}")),
+        };
+        let measurement = Measurement::new(&counts, kernel_methods::digest(problem, &outcome), verdict)
+            .with_value("lines", problem.len() as f64);
+        Ok(match outcome.optimum() {
+            Some(optimum) => measurement.with_value("face_dimension", f64::from(optimum.face_dimension)),
+            None => measurement,
+        })
     })
 }
 
 /// The minimum and the dimension of the set of minimisers; `None` when the objective is unbounded.
 type Minimum = Option<(zonotope::numeric::Rational, u8)>;
 
-fn compare(case: &Case, problem: &LadProblem, outcome: &LadOutcome) -> (&'static str, Result<(), String>) {
+fn compare(method: Method, seed: u64, problem: &LadProblem, outcome: &LadOutcome) -> (String, Result<(), String>) {
     let of = |outcome: &LadOutcome| -> Minimum {
         outcome.optimum().map(|optimum| (optimum.exact_value(problem), optimum.face_dimension))
     };
     let (reference, expected): (_, Minimum) = if problem.len() <= TWIN_LIMIT {
         let truth = brute_force::minimize(problem);
-        ("lad::brute_force", truth.map(|truth| (truth.value, truth.face_dimension)))
-    } else if case.variant == "by_line_search" {
-        ("lad::by_pruning", of(&by_pruning::minimize(problem, case.seed)))
+        ("brute_force", truth.map(|truth| (truth.value, truth.face_dimension)))
     } else {
-        ("lad::by_line_search", of(&by_line_search::minimize(problem, case.seed)))
+        let other = if method == Method::LineSearch { Method::Pruning } else { Method::LineSearch };
+        (other.name(), of(&other.minimize(problem, seed, &mut ())))
     };
     let found = of(outcome);
     let same = if found == expected {
@@ -68,7 +81,7 @@ fn compare(case: &Case, problem: &LadProblem, outcome: &LadOutcome) -> (&'static
     } else {
         Err(format!("minimum and dimension {}, expected {}", written(&found), written(&expected)))
     };
-    (reference, same)
+    (format!("lad::{reference}"), same)
 }
 
 fn written(minimum: &Minimum) -> String {

@@ -1,9 +1,12 @@
 //! The experiments, one a file, and the families and sizes that several of them share.
 
+pub mod area_ratio;
 pub mod hull_scaling;
 mod kernel_methods;
 pub mod lad_scaling;
 pub mod methods_agree;
+pub mod min_area_scaling;
+pub mod min_area_stages;
 pub mod pruning_passes;
 
 use crate::definition::PerProfile;
@@ -14,6 +17,21 @@ pub const SCALING_FAMILIES: &[&str] =
 
 /// Those of them with (nearly) all points on the hull.
 pub const HULL_FAMILIES: &[&str] = &["circle", "ellipse", "random_convex", "regular_polygon"];
+
+/// Every real input.
+pub const REAL_INPUTS: &[&str] = &[
+    "airports",
+    "australia",
+    "canada",
+    "chile",
+    "croatia",
+    "france",
+    "iceland",
+    "italy",
+    "new_zealand",
+    "norway",
+    "vietnam",
+];
 
 /// 2^6, 2^7, … 2^20.
 const POWERS_OF_TWO: [usize; 15] = {
@@ -29,5 +47,5 @@ const POWERS_OF_TWO: [usize; 15] = {
 /// Powers of two from 2^6: to 2^14 in the quick profile, to 2^20 in the full one.
 pub const SCALING_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(9).0, full: &POWERS_OF_TWO };
 
-/// The same for the kernel alone, which is fast enough for 2^18 in the quick profile.
-pub const KERNEL_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(13).0, full: &POWERS_OF_TWO };
+/// The same for the kernel alone, which is fast enough for 2^17 in the quick profile.
+pub const KERNEL_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(12).0, full: &POWERS_OF_TWO };

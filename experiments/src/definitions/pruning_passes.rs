@@ -1,12 +1,10 @@
 //! How often pruning reads its input.
 
-use super::{KERNEL_SIZES, kernel_methods};
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
+use super::{KERNEL_SIZES, lad_scaling};
+use crate::definition::{Experiment, FitPlan, PerProfile, Quantity, Variant};
 use crate::fit::GrowthModel;
-use zonotope::lad::verify;
-use zonotope::tally::{Operation, OperationCounts};
 
-const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines", "symmetric_lines"];
+const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines", "symmetric_lines", "ellipse_thin"];
 
 /// How often pruning reads its input.
 pub const EXPERIMENT: Experiment = Experiment {
@@ -19,9 +17,9 @@ pub const EXPERIMENT: Experiment = Experiment {
     families: FAMILIES,
     real_inputs: &[],
     sizes: KERNEL_SIZES,
-    instances: PerProfile::both(5),
+    instances: PerProfile { quick: 3, full: 5 },
     variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
-    measure,
+    measure: lad_scaling::measure,
     timing: None,
     fits: &[FitPlan {
         quantity: Quantity::Value("passes"),
@@ -32,12 +30,3 @@ pub const EXPERIMENT: Experiment = Experiment {
         bound: Some(GrowthModel::Constant),
     }],
 };
-
-fn measure(case: &Case) -> Result<Measurement, String> {
-    let problem = kernel_methods::problem(case)?;
-    let mut counts = OperationCounts::default();
-    let outcome = kernel_methods::minimize(case, &problem, &mut counts)?;
-    let verdict = Verdict::of_check("lad::verify", verify::verify(&problem, &outcome));
-    let passes = counts.get(Operation::LineEvaluation) as f64 / problem.len() as f64;
-    Ok(Measurement::new(&counts, kernel_methods::digest(&problem, &outcome), verdict).with_value("passes", passes))
-}

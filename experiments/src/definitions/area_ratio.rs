@@ -1,0 +1,65 @@
+//! How much larger than the hull the smallest enclosing zonogon is.
+
+use super::{REAL_INPUTS, kernel_methods, min_area_scaling};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use zonotope::enclosing::min_area_zonogon::{min_area_enclosing_zonogon_with, verify};
+use zonotope::tally::OperationCounts;
+
+/// How much larger than the hull the smallest enclosing zonogon is.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "area-ratio",
+    title: "Minimum-area enclosing zonogon: area against the hull",
+    question: "The ratio is 2 for every triangle and 1 for a centrally symmetric hull; no input exceeds 2. Points on a circle come \
+               near 1 as their number grows; country outlines lie in between. `relative_gap` is the certified distance from the \
+               optimum.",
+    claims: &["theorem-4.5", "erratum-4.1-vertex", "fixed-center-optimum"],
+    families: &[
+        "circle",
+        "ellipse",
+        "ellipse_thin",
+        "random_convex",
+        "regular_polygon",
+        "gaussian",
+        "clustered",
+        "disc",
+        "lattice",
+        "symmetric",
+    ],
+    real_inputs: REAL_INPUTS,
+    sizes: PerProfile {
+        quick: &[3, 4, 5, 8, 16, 32, 64, 256, 1024, 4096],
+        full: &[3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096, 16384, 65536],
+    },
+    instances: PerProfile { quick: 5, full: 25 },
+    variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
+    measure,
+    timing: None,
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let points = case.points()?;
+    let mut counts = OperationCounts::default();
+    let method = kernel_methods::method(case)?;
+    let answer =
+        min_area_enclosing_zonogon_with(method, &points, case.seed, &mut counts).map_err(|error| error.to_string())?;
+    let verdict = Verdict::of_check("min_area_zonogon::verify", verify::verify(&points, &answer));
+    let measurement = Measurement::new(&counts, min_area_scaling::digest(&answer), verdict)
+        .with_value("hull_vertices", answer.hull.vertex_count() as f64)
+        .with_value("face_dimension", f64::from(answer.face_dimension))
+        .with_value("area", answer.area);
+    if !answer.hull.has_area() {
+        return Ok(measurement);
+    }
+    let hull_area = area(answer.hull.vertices());
+    Ok(measurement
+        .with_value("relative_gap", answer.relative_gap())
+        .with_value("hull_area", hull_area)
+        .with_value("area_ratio", answer.area / hull_area))
+}
+
+/// The area of a convex polygon, rounded: a fan of triangles from the first vertex.
+fn area(vertices: &[[f64; 2]]) -> f64 {
+    let arms: Vec<[f64; 2]> = vertices.iter().map(|v| [v[0] - vertices[0][0], v[1] - vertices[0][1]]).collect();
+    arms.windows(2).map(|arm| arm[0][0] * arm[1][1] - arm[0][1] * arm[1][0]).sum::<f64>() / 2.0
+}

@@ -1,0 +1,65 @@
+//! Operations and time of the whole of 4.1, from points to a certified zonogon, against the number of points.
+
+use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES, kernel_methods};
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::fit::GrowthModel;
+use crate::seed::Digest;
+use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, min_area_enclosing_zonogon_with, verify};
+use zonotope::hull::convex_hull;
+use zonotope::tally::OperationCounts;
+
+/// Operations and time of the whole of 4.1 against the number of points.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "min-area-scaling",
+    title: "Minimum-area enclosing zonogon: growth with the number of points",
+    question: "With the paper's search the operations grow no faster than n log^2 n; with pruning no faster than the hull's n log n. \
+               The lap `hull` is the hull alone on the same points: with few points on the hull it is nearly all of `total`.",
+    claims: &["theorem-4.5", "summary-min-area"],
+    families: SCALING_FAMILIES,
+    real_inputs: &[],
+    sizes: SCALING_SIZES,
+    instances: PerProfile::both(2),
+    variants: &[
+        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(1 << 16) },
+    ],
+    measure,
+    timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile { quick: 3, full: 7 }, prepare }),
+    fits: &[
+        FitPlan::of_operations("by_pruning", SCALING_FAMILIES, Some(GrowthModel::Linearithmic)),
+        FitPlan::of_operations("by_line_search", HULL_FAMILIES, Some(GrowthModel::LinearLogSquared)),
+    ],
+};
+
+/// A hash of the zonogon and of both bounds of its area.
+pub(super) fn digest(answer: &MinAreaZonogon) -> u64 {
+    Digest::default()
+        .floats(&answer.zonogon.center())
+        .floats(answer.zonogon.generators().as_flattened())
+        .floats(&[answer.area, answer.lower_bound])
+        .finish()
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let method = kernel_methods::method(case)?;
+    let points = case.points()?;
+    let mut counts = OperationCounts::default();
+    let answer =
+        min_area_enclosing_zonogon_with(method, &points, case.seed, &mut counts).map_err(|error| error.to_string())?;
+    let verdict = Verdict::of_check("min_area_zonogon::verify", verify::verify(&points, &answer));
+    Ok(Measurement::new(&counts, digest(&answer), verdict)
+        .with_value("hull_vertices", answer.hull.vertex_count() as f64)
+        .with_value("relative_gap", answer.relative_gap()))
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    let (method, seed) = (kernel_methods::method(case)?, case.seed);
+    let points = case.points()?;
+    Ok(Box::new(move |stopwatch| {
+        stopwatch.lap("hull", || convex_hull(&points)).map_err(|error| error.to_string())?;
+        let answer = stopwatch
+            .lap("total", || min_area_enclosing_zonogon_with(method, &points, seed, &mut ()))
+            .map_err(|error| error.to_string())?;
+        Ok(digest(&answer))
+    }))
+}

@@ -1,0 +1,68 @@
+//! Where the operations and the time of 4.1 go: hull, farthest vertices, lines, kernel, output.
+
+use super::{SCALING_FAMILIES, min_area_scaling};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use zonotope::enclosing::bisectors::Bisectors;
+use zonotope::enclosing::min_area_zonogon::{min_area_enclosing_zonogon_with, verify};
+use zonotope::hull::antipodal::farthest_vertices_counted;
+use zonotope::hull::convex_hull_counted;
+use zonotope::lad::Method;
+use zonotope::tally::OperationCounts;
+
+const SIZES: PerProfile<&[usize]> =
+    PerProfile { quick: &[1 << 10, 1 << 14], full: &[1 << 10, 1 << 14, 1 << 17, 1 << 20] };
+
+/// Where the operations and the time of 4.1 go.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "min-area-stages",
+    title: "Minimum-area enclosing zonogon: cost of each stage",
+    question: "With few points on the hull the hull is nearly the whole cost; with all of them on it the stages after the hull cost \
+               about as much again. Laps: hull, antipodal, lines, kernel, and whole, the finished algorithm in one call; whole less \
+               the other four is the output (Z(O), rounding outward, lower bound). Values: operations of each stage.",
+    claims: &["theorem-4.5"],
+    families: SCALING_FAMILIES,
+    real_inputs: &["airports", "canada"],
+    sizes: SIZES,
+    instances: PerProfile::both(1),
+    variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
+    measure,
+    timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 5, full: 11 }, prepare }),
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let points = case.points()?;
+    let mut stages = [OperationCounts::default(); 3];
+    let [hull_counts, antipodal_counts, kernel_counts] = &mut stages;
+    let hull = convex_hull_counted(&points, hull_counts).map_err(|error| error.to_string())?;
+    let farthest = farthest_vertices_counted(&hull, antipodal_counts);
+    Method::Pruning.minimize(&Bisectors::new(&hull, &farthest).kernel_problem(), case.seed, kernel_counts);
+
+    let mut counts = OperationCounts::default();
+    let answer = min_area_enclosing_zonogon_with(Method::Pruning, &points, case.seed, &mut counts)
+        .map_err(|error| error.to_string())?;
+    let verdict = Verdict::of_check("min_area_zonogon::verify", verify::verify(&points, &answer));
+    let measurement = Measurement::new(&counts, min_area_scaling::digest(&answer), verdict)
+        .with_value("hull_vertices", hull.vertex_count() as f64);
+    let named = ["hull_operations", "antipodal_operations", "kernel_operations"].into_iter().zip(&stages);
+    Ok(named.fold(measurement, |measurement, (name, counts)| {
+        let total: u64 = counts.iter().map(|(_, count)| count).sum();
+        measurement.with_value(name, total as f64)
+    }))
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    let points = case.points()?;
+    let seed = case.seed;
+    Ok(Box::new(move |stopwatch| {
+        let hull =
+            stopwatch.lap("hull", || convex_hull_counted(&points, &mut ())).map_err(|error| error.to_string())?;
+        let farthest = stopwatch.lap("antipodal", || farthest_vertices_counted(&hull, &mut ()));
+        let problem = stopwatch.lap("lines", || Bisectors::new(&hull, &farthest).kernel_problem());
+        stopwatch.lap("kernel", || Method::Pruning.minimize(&problem, seed, &mut ()));
+        let answer = stopwatch
+            .lap("whole", || min_area_enclosing_zonogon_with(Method::Pruning, &points, seed, &mut ()))
+            .map_err(|error| error.to_string())?;
+        Ok(min_area_scaling::digest(&answer))
+    }))
+}
