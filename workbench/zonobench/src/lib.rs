@@ -3,6 +3,7 @@
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
 //! - [`report`] lays out what `reproduce` found.
+//! - [`enclosure`] is the answer of least area, with its exact check.
 //! - [`batch`] answers questions that are lines of JSON; [`verify`] checks answers with exact arithmetic of its own.
 //!
 //! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for a failure
@@ -11,6 +12,7 @@
 pub mod batch;
 pub mod cli;
 pub mod commands;
+pub mod enclosure;
 pub mod input;
 pub mod json;
 pub mod output;

@@ -32,6 +32,12 @@ impl Progress {
         self.0.inc(1);
     }
 
+    /// A part is done, and the next one has another name.
+    pub fn next(&self, what: &str) {
+        self.0.set_prefix(what.to_owned());
+        self.step();
+    }
+
     /// So many are done.
     pub fn reach(&self, done: u64) {
         self.0.set_position(done);

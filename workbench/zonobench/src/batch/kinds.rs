@@ -1,12 +1,12 @@
 //! The kinds of question that are answered: one row of a table each.
 
+mod min_area;
 mod support;
 
 use serde_json::Value;
 
 use super::fields::Fields;
 use super::refusal::Refusal;
-use crate::json;
 
 /// A kind of question.
 #[derive(Debug)]
@@ -18,21 +18,17 @@ pub struct Kind {
     /// The fields of its input, all of them required.
     pub fields: &'static [&'static str],
     /// The methods that answer it, the default first.
-    pub methods: &'static [&'static str],
+    pub methods: fn() -> Vec<&'static str>,
     /// Answers it: input, one of the methods, seed.
     pub(super) solve: fn(&Fields<'_>, &'static str, u64) -> Result<Value, Refusal>,
 }
 
 /// Every kind that is answered.
-pub static KINDS: &[Kind] = &[support::KIND];
+pub static KINDS: &[Kind] = &[min_area::KIND, support::KIND];
 
 /// An answer's content.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Solution {
     pub(super) method: &'static str,
     pub(super) result: Value,
-}
-
-fn vector_to_json(vector: &[f64]) -> Value {
-    vector.iter().map(|&component| json::to_json(component)).collect()
 }

@@ -76,10 +76,11 @@ impl Question {
             let known = names(&mut KINDS.iter().map(|kind| kind.name));
             Refusal::new(Code::UnknownKind, format!("there is no kind `{}`; the kinds are {known}", self.kind))
         })?;
+        let methods = (kind.methods)();
         let method = match &self.method {
-            None => kind.methods[0],
-            Some(wanted) => kind.methods.iter().find(|&name| name == wanted).ok_or_else(|| {
-                let known = names(&mut kind.methods.iter().copied());
+            None => methods[0],
+            Some(wanted) => methods.iter().copied().find(|name| name == wanted).ok_or_else(|| {
+                let known = names(&mut methods.iter().copied());
                 let message = format!("`{}` has no method `{wanted}`; its methods are {known}", kind.name);
                 Refusal::new(Code::UnknownMethod, message)
             })?,

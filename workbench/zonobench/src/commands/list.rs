@@ -59,7 +59,7 @@ fn entries(what: What) -> Vec<(String, String)> {
         What::Claims => paper_checks::catalog::CLAIMS.iter().map(|claim| entry(claim.id, claim.statement)).collect(),
         What::Methods => KINDS
             .iter()
-            .map(|kind| entry(kind.name, &format!("{} ({})", kind.summary, kind.methods.join(", "))))
+            .map(|kind| entry(kind.name, &format!("{} ({})", kind.summary, (kind.methods)().join(", "))))
             .collect(),
     }
 }

@@ -11,6 +11,7 @@ mod error;
 mod geojson;
 mod table;
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
@@ -42,6 +43,16 @@ impl Format {
             "json" => Some(Self::Json),
             _ => None,
         }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Csv => "csv",
+            Self::Geojson => "geojson",
+            Self::Json => "json",
+        })
     }
 }
 

@@ -55,3 +55,8 @@ pub fn to_json(number: f64) -> Value {
         None => NonFinite::MinusInfinity.to_string().into(),
     }
 }
+
+/// A vector as a JSON list.
+pub fn vector_to_json(vector: &[f64]) -> Value {
+    vector.iter().map(|&component| to_json(component)).collect()
+}

@@ -1,17 +1,18 @@
 //! `support`: how far a zonotope reaches in a direction, and a point where it does.
 
 use serde_json::{Value, json};
+use zonotope::zonotope::Zonotope;
 
-use super::{Kind, vector_to_json};
+use super::Kind;
 use crate::batch::fields::Fields;
 use crate::batch::refusal::{Code, Refusal};
-use crate::json::to_json;
+use crate::json::{to_json, vector_to_json};
 
 pub(super) const KIND: Kind = Kind {
     name: "support",
     summary: "how far a zonotope reaches in a direction, and a point where it does",
     fields: &["direction", "center", "generators"],
-    methods: &["by_signs"],
+    methods: || vec!["by_signs"],
     solve,
 };
 
@@ -29,15 +30,8 @@ fn in_dimension<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let direction = fields.vector::<D>("direction")?;
     let center = fields.vector::<D>("center")?;
     let generators = fields.vectors::<D>("generators")?;
-    let dot = |v: &[f64; D]| -> f64 { direction.iter().zip(v).map(|(a, b)| a * b).sum() };
-    let mut value = dot(&center);
-    let mut point = center;
-    for generator in &generators {
-        let along = dot(generator);
-        value += along.abs();
-        for (slot, component) in point.iter_mut().zip(generator) {
-            *slot += if along < 0.0 { -component } else { *component };
-        }
-    }
-    Ok(json!({"value": to_json(value), "point": vector_to_json(&point)}))
+    let zonotope =
+        Zonotope::new(center, generators).expect("what is not finite was refused when the question was read");
+    let support = zonotope.support(direction);
+    Ok(json!({"value": to_json(support.value()), "point": vector_to_json(&support.point())}))
 }

@@ -1,0 +1,35 @@
+//! `min_area`: the zonogon of least area that contains points of the plane.
+
+use serde_json::Value;
+use zonotope::enclosing::min_area_zonogon::MinAreaError;
+use zonotope::hull::HullError;
+use zonotope::lad::Method;
+
+use super::Kind;
+use crate::batch::fields::Fields;
+use crate::batch::refusal::{Code, Refusal};
+use crate::enclosure::Enclosure;
+
+pub(super) const KIND: Kind = Kind {
+    name: "min_area",
+    summary: "the zonogon of least area that contains points of the plane",
+    fields: &["points"],
+    methods: || {
+        let default = Method::default();
+        let others = Method::ALL.into_iter().filter(|&method| method != default);
+        std::iter::once(default).chain(others).map(Method::name).collect()
+    },
+    solve,
+};
+
+fn solve(fields: &Fields<'_>, method: &'static str, seed: u64) -> Result<Value, Refusal> {
+    let points = fields.vectors::<2>("points")?;
+    let method = Method::from_name(method).expect("the kind lists the names of these methods");
+    Enclosure::of(&points, method, seed).map(|enclosure| enclosure.result()).map_err(|error| {
+        let code = match error {
+            MinAreaError::Points(HullError::Empty) => Code::Empty,
+            _ => Code::TooLarge,
+        };
+        Refusal::new(code, error.to_string())
+    })
+}

@@ -1,0 +1,58 @@
+//! A picture of an answer.
+
+use std::path::Path;
+
+use figures::scene::page::{Frame, PageBox, PagePoint, WorldBox};
+use figures::scene::{LegendEntry, Panel, Sample, Scene};
+use figures::style::{ENCLOSING, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, Paint, Shape, Stroke, weight};
+
+use crate::enclosure::Enclosure;
+
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 620.0;
+const MARGIN: f64 = 24.0;
+const LEGEND: f64 = 56.0;
+
+/// More points than this are thinned out; the hull shows all of them.
+const MOST_POINTS: usize = 4000;
+
+/// Points, hull, zonogon and centre.
+pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> String {
+    let found = &enclosure.found;
+    let vertices = found.zonogon.vertices();
+    let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy();
+    let title = format!("Smallest zonogon around {name}");
+    let description = format!(
+        "{} points, their convex hull with {} vertices, and the enclosing zonogon of least area with {} vertices.",
+        points.len(),
+        found.hull.vertex_count(),
+        vertices.len()
+    );
+    let mut scene = Scene::new(WIDTH, HEIGHT, &title, &description);
+    let page = PageBox::new(MARGIN, MARGIN, WIDTH - 2.0 * MARGIN, HEIGHT - 2.0 * MARGIN - LEGEND);
+    let world = WorldBox::around(vertices.iter().chain(found.hull.vertices()));
+    let mut panel = Panel::new(&mut scene, Frame::fit(&world, page));
+
+    let zonogon = Paint::fill(ENCLOSING, 0.1).with_outline(Stroke::new(ENCLOSING, weight::STRONG));
+    let hull = Paint::fill(INPUT, 0.12).with_outline(Stroke::new(INPUT, weight::MEDIUM));
+    let dot = Marker::new(Shape::Disc, 1.4, INPUT);
+    panel.polygon(&vertices, &zonogon);
+    panel.polygon(found.hull.vertices(), &hull);
+    let step = points.len().div_ceil(MOST_POINTS).max(1);
+    let shown: Vec<[f64; 2]> = points.iter().copied().step_by(step).collect();
+    panel.markers(&shown, &dot);
+    if found.hull.vertex_count() <= MOST_POINTS {
+        panel.markers(found.hull.vertices(), &INPUT_POINT);
+    }
+    panel.marker(found.zonogon.center(), &OPTIMAL_CENTER);
+
+    let some = if step > 1 { format!("points, one in {step}") } else { "points".to_owned() };
+    let legend = [
+        LegendEntry::new(Sample::Point(dot), &some),
+        LegendEntry::new(Sample::Area(hull), "convex hull"),
+        LegendEntry::new(Sample::Area(zonogon), "smallest enclosing zonogon"),
+        LegendEntry::new(Sample::Point(OPTIMAL_CENTER), "its centre"),
+    ];
+    scene.legend(PagePoint::new(MARGIN, HEIGHT - LEGEND), WIDTH - 2.0 * MARGIN, &legend);
+    scene.finish()
+}

@@ -1,0 +1,92 @@
+//! What a person reads of an answer.
+
+use std::fmt::Write;
+
+use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
+
+use super::Options;
+use crate::enclosure::Enclosure;
+use crate::verify::MinAreaProof;
+
+const LABEL_WIDTH: usize = 14;
+
+/// The answer in a few lines.
+pub(super) fn summary(
+    options: &Options,
+    points: &[[f64; 2]],
+    enclosure: &Enclosure,
+    proof: Result<&MinAreaProof, &String>,
+    exact: Option<&ExactZonogon>,
+) -> String {
+    let found = &enclosure.found;
+    let (hull_area, ratio) = enclosure.hull_area_and_ratio();
+    let [x, y] = found.zonogon.center();
+    let mut lines: Vec<(&str, String)> = vec![
+        ("points", format!("{} in {}", points.len(), options.file.display())),
+        ("hull", format!("{}, area {}", counted(found.hull.vertex_count(), "vertex", "vertices"), figure(hull_area))),
+        ("centre", format!("({}, {})", figure(x), figure(y))),
+        ("zonogon", counted(found.zonogon.generators().len(), "generator", "generators")),
+        (
+            "area",
+            format!(
+                "{}{}",
+                figure(found.area),
+                ratio.map_or(String::new(), |ratio| format!(", {ratio:.6} times the hull's"))
+            ),
+        ),
+        ("lower bound", figure(found.lower_bound)),
+    ];
+    match proof {
+        Ok(proof) => {
+            lines.push((
+                "relative gap",
+                format!("at most {:.1e}: no enclosing zonogon is smaller by more", proof.gap.max(0.0)),
+            ));
+            lines
+                .push(("certificate", "checked: exact containment of every point, exact area, exact bound".to_owned()));
+        }
+        Err(reason) => lines.push(("certificate", format!("WRONG: {reason}"))),
+    }
+    let uniqueness = match found.face_dimension {
+        0 => "unique: no other centre gives this area",
+        1 => "not unique: the optimal centres form a segment",
+        _ => "not unique: the optimal centres form a polygon",
+    };
+    lines.push(("optimum", uniqueness.to_owned()));
+    if let Some(exact) = exact {
+        lines.push(("exact centre", format!("({}, {})", exact.center[0], exact.center[1])));
+        lines.push(("exact area", exact.area.to_string()));
+    }
+    lines.push(("method", enclosure.method.name().to_owned()));
+    lines.push(("verify", verification(options)));
+
+    let mut text = String::new();
+    for (label, value) in lines {
+        writeln!(text, "{label:<LABEL_WIDTH$}{value}").expect("writing to a string does not fail");
+    }
+    text
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// A number as it is written in the answer: enough digits to be read back unchanged.
+fn figure(number: f64) -> String {
+    format!("{number:?}")
+}
+
+/// The command that checks the written answer, or how to get one.
+fn verification(options: &Options) -> String {
+    let Some(answer) = &options.json else {
+        return "--json FILE writes the answer; zonobench verify checks it against the points".to_owned();
+    };
+    let mut command = format!("zonobench verify {} {}", options.file.display(), answer.display());
+    if let Some(columns) = &options.columns {
+        command.push_str(&format!(" --columns {columns}"));
+    }
+    if let Some(format) = options.format {
+        command.push_str(&format!(" --format {format}"));
+    }
+    command
+}

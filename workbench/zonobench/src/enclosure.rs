@@ -1,0 +1,97 @@
+//! The zonogon of least area around points, as an answer: its figures, its JSON, and the exact check of both.
+
+use serde_json::{Value, json};
+use zonotope::enclosing::min_area_zonogon::exact::{ExactZonogon, exact_optimum};
+use zonotope::enclosing::min_area_zonogon::{MinAreaError, MinAreaZonogon, min_area_enclosing_zonogon_with};
+use zonotope::lad::Method;
+use zonotope::numeric::Rational;
+use zonotope::numeric::dyadic::Dyadic;
+
+use crate::json::{to_json, vector_to_json};
+use crate::verify::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+
+/// A solved instance.
+#[derive(Debug)]
+pub struct Enclosure {
+    /// The library's answer.
+    pub found: MinAreaZonogon,
+    /// The method that found it.
+    pub method: Method,
+}
+
+impl Enclosure {
+    /// Solves an instance; the seed decides how long it takes, never how small the zonogon is.
+    pub fn of(points: &[[f64; 2]], method: Method, seed: u64) -> Result<Self, MinAreaError> {
+        let found = min_area_enclosing_zonogon_with(method, points, seed, &mut ())?;
+        Ok(Self { found, method })
+    }
+
+    /// The area of the convex hull, and that of the zonogon relative to it (absent where the hull has no area).
+    pub fn hull_area_and_ratio(&self) -> (f64, Option<f64>) {
+        let vertices: Vec<[Dyadic; 2]> =
+            self.found.hull.vertices().iter().map(|vertex| vertex.map(Dyadic::from_f64)).collect();
+        let arm = |vertex: &[Dyadic; 2]| [&vertex[0] - &vertices[0][0], &vertex[1] - &vertices[0][1]];
+        let doubled = vertices.windows(2).fold(Dyadic::zero(), |sum, pair| {
+            let [a, b] = [arm(&pair[0]), arm(&pair[1])];
+            sum + (&a[0] * &b[1] - &a[1] * &b[0])
+        });
+        let area = doubled.scaled(-1);
+        let ratio = (!area.is_zero()).then(|| self.found.zonogon.exact_area().ratio(&area));
+        (area.to_f64(), ratio)
+    }
+
+    /// The answer in the terms of the verifier.
+    pub fn answer(&self) -> MinAreaAnswer {
+        let found = &self.found;
+        MinAreaAnswer {
+            area: found.area,
+            center: found.zonogon.center(),
+            generators: found.zonogon.generators().to_vec(),
+            lower_bound: found.lower_bound,
+            certificate: Certificate {
+                hull: found.hull.indices().iter().map(|index| index.get()).collect(),
+                farthest: found.farthest.iter().map(|farthest| farthest.vertex().get()).collect(),
+                coefficients: found.certificate.signs.iter().map(|&sign| f64::from(sign)).collect(),
+                basis: found.certificate.basis.iter().map(|edge| edge.get()).collect(),
+            },
+        }
+    }
+
+    /// Checks the answer with the verifier, which shares no code with the solver.
+    pub fn check(&self, points: &[[f64; 2]]) -> Result<MinAreaProof, String> {
+        check_min_area(points, &self.answer())
+    }
+
+    /// The optimum without any rounding.
+    pub fn exact(&self) -> ExactZonogon {
+        exact_optimum(&self.found)
+    }
+
+    /// The result of a `min_area` answer.
+    pub fn result(&self) -> Value {
+        let answer = self.answer();
+        let generators: Vec<Value> = answer.generators.iter().map(|generator| vector_to_json(generator)).collect();
+        json!({
+            "area": to_json(answer.area),
+            "center": vector_to_json(&answer.center),
+            "generators": generators,
+            "lower_bound": to_json(answer.lower_bound),
+            "certificate": {
+                "hull": answer.certificate.hull,
+                "farthest": answer.certificate.farthest,
+                "coefficients": self.found.certificate.signs,
+                "basis": answer.certificate.basis,
+            },
+        })
+    }
+}
+
+/// An exact optimum as JSON: every number a string `num` or `num/den`.
+pub fn exact_to_json(exact: &ExactZonogon) -> Value {
+    let vector = |[x, y]: &[Rational; 2]| json!([x.to_string(), y.to_string()]);
+    json!({
+        "area": exact.area.to_string(),
+        "center": vector(&exact.center),
+        "generators": exact.generators.iter().map(vector).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,132 @@
+//! `solve`: every line is answered or refused, in order, with the code of the format.
+
+mod program;
+
+use std::path::Path;
+
+use program::run_with_input;
+use serde_json::Value;
+
+/// The answers to lines of questions.
+fn answers(input: &str) -> Vec<Value> {
+    let outcome = run_with_input(Path::new("."), &["solve"], input.as_bytes());
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""));
+    outcome.stdout.lines().map(|line| serde_json::from_str(line).expect("an answer is JSON")).collect()
+}
+
+/// The code and the message that refuse a single line.
+fn refusal(line: &str) -> (String, String) {
+    let answers = answers(line);
+    assert_eq!(answers.len(), 1, "{line}");
+    let text = |name: &str| answers[0]["error"][name].as_str().unwrap_or_default().to_owned();
+    assert!(answers[0].get("result").is_none());
+    (text("code"), text("message"))
+}
+
+fn refused(line: &str, code: &str, message: &str) {
+    assert_eq!(refusal(line), (code.to_owned(), message.to_owned()), "{line}");
+}
+
+fn min_area(points: &str) -> String {
+    format!(r#"{{"id":"q","kind":"min_area","input":{{"points":{points}}}}}"#)
+}
+
+fn support(input: &str) -> String {
+    format!(r#"{{"id":"q","kind":"support","input":{{{input}}}}}"#)
+}
+
+#[test]
+fn numbers_that_are_not_finite() {
+    refused(&min_area(r#"[[0,0],[1,"NaN"]]"#), "non_finite", "point 2, coordinate 2 is NaN");
+    refused(&min_area(r#"[["-Infinity",0]]"#), "non_finite", "point 1, coordinate 1 is -Infinity");
+    let first_of_all = r#"{"id":"q","kind":"support","method":"none","input":{"direction":[1,2,3],"generators":[[0,"NaN"]]},"more":1}"#;
+    refused(first_of_all, "non_finite", "generator 1, coordinate 2 is NaN");
+    let line = support(r#""direction":["Infinity",0],"center":[0,0],"generators":[]"#);
+    refused(&line, "non_finite", "direction, coordinate 1 is Infinity");
+    refused(&min_area("[[0,1e999]]"), "non_finite", "line 1, column 56: a number is outside the range of a double");
+    let (code, _) = refusal(&min_area("[[0,NaN]]"));
+    assert_eq!(code, "bad_json", "a bare NaN is not JSON");
+}
+
+#[test]
+fn shapes() {
+    refused(&min_area("[]"), "empty", &refusal(&min_area("[]")).1);
+    refused(&min_area("[[0,0],[1,2,3]]"), "dimension_mismatch", "point 2 has 3 coordinates, not 2");
+    refused(&min_area("[[]]"), "dimension_mismatch", "point 1 has 0 coordinates, not 2");
+    refused(&min_area("[[0,0],[1,null]]"), "bad_input", "point 2, coordinate 2 is null, not a number");
+    refused(&min_area(r#"[[0,"1"]]"#), "bad_input", "point 1, coordinate 2 is a string, not a number");
+    refused(&min_area("[7]"), "bad_input", "point 1 is a number, not a list");
+    refused(&min_area("{}"), "bad_input", "`points` is an object, not a list");
+    let line = support(r#""direction":[1,0],"center":[0,0,0],"generators":[]"#);
+    refused(&line, "dimension_mismatch", "center has 3 coordinates, not 2");
+    let line = support(r#""direction":[1],"center":[0],"generators":[]"#);
+    assert_eq!(refusal(&line).0, "dimension_mismatch");
+}
+
+#[test]
+fn fields() {
+    refused(&support(r#""direction":[1,0],"center":[0,0]"#), "bad_input", "missing field `generators` in the input");
+    let line = r#"{"id":"q","kind":"min_area","input":{"points":[[0,0]],"epsilon":1}}"#;
+    refused(line, "bad_input", "extra field `epsilon` in the input");
+    refused(r#"{"id":"q","kind":"min_area"}"#, "bad_input", "missing field `input` in the question");
+    refused(r#"{"kind":"min_area","input":{}}"#, "bad_input", "missing field `id` in the question");
+    refused(r#"{"id":"q","input":{}}"#, "bad_input", "missing field `kind` in the question");
+    refused(r#"{"id":7,"kind":"min_area","input":{}}"#, "bad_input", "`id` is a number, not a string");
+    refused(r#"{"id":"q","kind":"min_area","input":[]}"#, "bad_input", "`input` is a list, not an object");
+    refused(r#"{"id":"q","id":"r"}"#, "bad_input", "the field `id` occurs twice in one object");
+    refused("[]", "bad_input", "a question is an object, not a list");
+    assert_eq!(refusal(r#"{"id":"q","kind":"volume","input":{}}"#).0, "unknown_kind");
+    let line = r#"{"id":"q","kind":"min_area","method":"by_luck","input":{"points":[[0,0]]}}"#;
+    assert_eq!(refusal(line).0, "unknown_method");
+}
+
+#[test]
+fn lines_that_are_not_json() {
+    let input = "\u{feff}\r\n  \r\nnope\r\n{\"id\":\"q\"\n";
+    let answers = answers(input);
+    let places: Vec<_> = answers.iter().map(|answer| (&answer["error"]["code"], &answer["error"]["line"])).collect();
+    assert_eq!(places, [(&"bad_json".into(), &3.into()), (&"bad_json".into(), &4.into())]);
+    assert_eq!(refusal(&"[".repeat(200_000)).0, "bad_json");
+    assert_eq!(
+        refusal(&format!("{{\"id\":\"q\",\"kind\":\"min_area\",\"input\":{}", "{\"a\":".repeat(200_000))).0,
+        "bad_json"
+    );
+}
+
+#[test]
+fn too_much() {
+    let line = format!(
+        "{{\"id\":\"q\",\"kind\":\"min_area\",\"input\":{{\"points\":[{}[0,0]]}}}}",
+        "[0,0],".repeat(2_000_000)
+    );
+    refused(&line, "too_large", "2000001 points, at most 2000000 are taken");
+    let line = format!("{{\"id\":\"q\",\"kind\":\"min_area\",\"input\":{{\"points\":[{}0]}}}}", "0,".repeat(8_000_001));
+    let answers = answers(&line);
+    assert_eq!(answers[0]["error"]["code"], "too_large");
+    assert_eq!((&answers[0]["id"], &answers[0]["kind"]), (&"q".into(), &"min_area".into()));
+}
+
+#[test]
+fn answers_keep_the_order_and_strict_tells_of_refusals() {
+    let input = [
+        min_area("[[0,0],[2,0],[0,2]]"),
+        min_area("[]"),
+        support(r#""direction":[1,2],"center":[5,5],"generators":[[1,0],[0,1]]"#),
+    ]
+    .join("\n");
+    let found = answers(&input);
+    assert_eq!(found.len(), 3);
+    assert_eq!(found[2]["result"]["value"], 18.0);
+    assert_eq!(found[2]["result"]["point"], serde_json::json!([6.0, 6.0]));
+    assert!(found[0]["result"]["area"].as_f64().is_some_and(|area| (area - 4.0).abs() < 1e-11));
+    let strict = run_with_input(Path::new("."), &["solve", "--strict"], input.as_bytes());
+    assert_eq!((strict.status, strict.stdout.lines().count()), (1, 3));
+    let good = run_with_input(Path::new("."), &["solve", "--strict"], min_area("[[0,0]]").as_bytes());
+    assert_eq!(good.status, 0);
+}
+
+#[test]
+fn values_beyond_the_range_of_doubles_are_spelled() {
+    let found = answers(&support(r#""direction":[1e300,0],"center":[-1e300,0],"generators":[]"#));
+    assert_eq!(found[0]["result"]["value"], "-Infinity");
+}
