@@ -52,7 +52,7 @@ impl Enclosure {
                 hull: found.hull.indices().iter().map(|index| index.get()).collect(),
                 farthest: found.farthest.iter().map(|farthest| farthest.vertex().get()).collect(),
                 coefficients: found.certificate.signs.iter().map(|&sign| f64::from(sign)).collect(),
-                basis: found.certificate.basis.iter().map(|edge| edge.get()).collect(),
+                basis: found.certificate.basis.iter().map(|edge| edge.position()).collect(),
             },
         }
     }

@@ -73,8 +73,9 @@ pub struct MinAreaProof {
 /// or says what fails.
 ///
 /// `area` may differ from the exact area by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
-/// The exact area may exceed `lower_bound` by the relative [`RELATIVE_ERROR`] and, since thin bodies cannot be rounded outward
-/// any closer, by 2^-45 · (largest coordinate) · (width + height).
+/// The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since thin bodies cannot be rounded outward any
+/// closer, by 2^-45 · (largest coordinate) · (width + height); it may exceed `lower_bound` by as much, but for values that leave
+/// the range of normal doubles.
 pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, String> {
     if points.is_empty() {
         return Err("there is no point to enclose".to_owned());
@@ -103,18 +104,25 @@ pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<Min
     let claimed = Proportion::of_double(answer.lower_bound);
     if claimed.compare(&bound) == Ordering::Greater {
         return Err(format!(
-            "lower_bound {} is above {}, all that the certificate proves",
+            "lower_bound {:?} is above {:?}, all that the certificate proves",
             answer.lower_bound,
             bound.near()
         ));
     }
-    let excess = area.minus(&claimed);
-    let allowed = area.times(&Proportion::of_double(RELATIVE_ERROR)).plus(&rounding_allowance(points));
-    if excess.compare(&allowed) == Ordering::Greater {
+    let allowed = allowed.plus(&rounding_allowance(points));
+    if area.minus(&bound).compare(&allowed) == Ordering::Greater {
         return Err(format!(
-            "the area {} is above lower_bound {} by more than rounding",
+            "the area {:?} is above the proven bound {:?} by more than rounding",
             area.near(),
-            answer.lower_bound
+            bound.near()
+        ));
+    }
+    let smallest = Proportion::of_double(f64::MIN_POSITIVE);
+    if answer.lower_bound < f64::MAX && area.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
+        return Err(format!(
+            "lower_bound {:?} says less than the certificate proves, {:?}",
+            answer.lower_bound,
+            bound.near()
         ));
     }
     Ok(MinAreaProof {

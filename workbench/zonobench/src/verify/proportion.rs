@@ -99,7 +99,7 @@ pub(super) fn check_figure(name: &str, claimed: f64, exact: &Proportion, allowed
     } else {
         claimed == near
     };
-    if accepted { Ok(()) } else { Err(format!("{name} is {claimed}, exactly it is {near}")) }
+    if accepted { Ok(()) } else { Err(format!("{name} is {claimed:?}, exactly it is {near:?}")) }
 }
 
 fn shifted(number: &IBig, shift: i32) -> IBig {

@@ -52,7 +52,7 @@ fn every_false_statement_is_caught() {
     caught(|answer| answer.area = 4.0 + 1e-11, "area is 4.00000000001");
     caught(|answer| answer.area = f64::INFINITY, "area is inf");
     caught(|answer| answer.lower_bound = 4.0 + 1e-15, "all that the certificate proves");
-    caught(|answer| answer.lower_bound = 4.0 - 1e-11, "by more than rounding");
+    caught(|answer| answer.lower_bound = 4.0 - 1e-11, "says less than");
     caught(|answer| answer.lower_bound = f64::NAN, "lower_bound is NaN");
     caught(|answer| answer.certificate.hull = vec![0, 2, 1], "not a convex polygon");
     caught(|answer| answer.certificate.hull = vec![0, 1, 3], "does not exist");

@@ -1,10 +1,8 @@
 //! `solve`: every line is answered or refused, in order, with the code of the format.
 
-mod program;
-
 use std::path::Path;
 
-use program::run_with_input;
+use crate::run_with_input;
 use serde_json::Value;
 
 /// The answers to lines of questions.
@@ -43,7 +41,7 @@ fn numbers_that_are_not_finite() {
     refused(first_of_all, "non_finite", "generator 1, coordinate 2 is NaN");
     let line = support(r#""direction":["Infinity",0],"center":[0,0],"generators":[]"#);
     refused(&line, "non_finite", "direction, coordinate 1 is Infinity");
-    refused(&min_area("[[0,1e999]]"), "non_finite", "line 1, column 56: a number is outside the range of a double");
+    refused(&min_area("[[0,1e999]]"), "non_finite", "line 1, column 55: a number is outside the range of a double");
     let (code, _) = refusal(&min_area("[[0,NaN]]"));
     assert_eq!(code, "bad_json", "a bare NaN is not JSON");
 }

@@ -1,11 +1,9 @@
 //! `verify`: right answers pass, every changed one is caught.
 
-mod program;
-
 use std::fs;
 use std::path::Path;
 
-use program::run;
+use crate::run;
 use serde_json::{Value, json};
 
 /// Writes the files, verifies them, and gives status and output.
@@ -60,7 +58,8 @@ fn changed_answers_are_caught() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let questions = questions();
     let answers = solved(folder.path(), &questions);
-    let changes: [(usize, &str, fn(&mut Value)); 8] = [
+    type Change = fn(&mut Value);
+    let changes: [(usize, &str, Change); 8] = [
         (5, "area", |result| result["area"] = json!(result["area"].as_f64().expect("a number") * (1.0 + 1e-11))),
         (5, "bound", |result| {
             result["lower_bound"] = json!(result["area"].as_f64().expect("a number") * (1.0 + 1e-15))

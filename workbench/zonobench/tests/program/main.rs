@@ -1,18 +1,23 @@
-//! Runs the program.
+//! The program as its user meets it: arguments, files and standard input in; output, complaints and status out.
+
+mod readers;
+mod refusals;
+mod usage;
+mod verification;
 
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// What a run of the program left.
-pub struct Outcome {
-    pub status: i32,
-    pub stdout: String,
-    pub stderr: String,
+struct Outcome {
+    status: i32,
+    stdout: String,
+    stderr: String,
 }
 
 /// Runs the program in `folder` with the given words and standard input.
-pub fn run_with_input(folder: &Path, words: &[&str], input: &[u8]) -> Outcome {
+fn run_with_input(folder: &Path, words: &[&str], input: &[u8]) -> Outcome {
     let mut child = Command::new(env!("CARGO_BIN_EXE_zonobench"))
         .args(words)
         .current_dir(folder)
@@ -34,6 +39,6 @@ pub fn run_with_input(folder: &Path, words: &[&str], input: &[u8]) -> Outcome {
 }
 
 /// Runs the program in `folder` with the given words.
-pub fn run(folder: &Path, words: &[&str]) -> Outcome {
+fn run(folder: &Path, words: &[&str]) -> Outcome {
     run_with_input(folder, words, b"")
 }

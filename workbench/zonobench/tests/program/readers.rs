@@ -1,11 +1,9 @@
 //! Files that cannot be read: one line that names file and place, status 1, and nothing written.
 
-mod program;
-
 use std::fs;
 use std::path::Path;
 
-use program::{Outcome, run, run_with_input};
+use crate::{Outcome, run, run_with_input};
 
 /// Runs `enclose` on a file with this content, asking for both outputs.
 fn enclose(name: &str, content: &[u8], more: &[&str]) -> (Outcome, bool) {

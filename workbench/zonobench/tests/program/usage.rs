@@ -1,11 +1,9 @@
 //! Command lines that make no sense: status 2, nothing on standard output.
 
-mod program;
-
 use std::fs;
 use std::path::Path;
 
-use program::run;
+use crate::run;
 
 #[test]
 fn usage_errors_have_status_2() {
