@@ -9,7 +9,8 @@ use figures::style::{ENCLOSING, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, Pain
 use crate::enclosure::Enclosure;
 
 const WIDTH: f64 = 760.0;
-const HEIGHT: f64 = 620.0;
+/// The least and the greatest height of the picture proper.
+const HEIGHTS: [f64; 2] = [160.0, 560.0];
 const MARGIN: f64 = 24.0;
 const LEGEND: f64 = 56.0;
 
@@ -28,9 +29,11 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
         found.hull.vertex_count(),
         vertices.len()
     );
-    let mut scene = Scene::new(WIDTH, HEIGHT, &title, &description);
-    let page = PageBox::new(MARGIN, MARGIN, WIDTH - 2.0 * MARGIN, HEIGHT - 2.0 * MARGIN - LEGEND);
     let world = WorldBox::around(vertices.iter().chain(found.hull.vertices()));
+    let width = WIDTH - 2.0 * MARGIN;
+    let height = height_for(&world, width);
+    let mut scene = Scene::new(WIDTH, height + 2.0 * MARGIN + LEGEND, &title, &description);
+    let page = PageBox::new(MARGIN, MARGIN, width, height);
     let mut panel = Panel::new(&mut scene, Frame::fit(&world, page));
 
     let zonogon = Paint::fill(ENCLOSING, 0.1).with_outline(Stroke::new(ENCLOSING, weight::STRONG));
@@ -53,6 +56,13 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
         LegendEntry::new(Sample::Area(zonogon), "smallest enclosing zonogon"),
         LegendEntry::new(Sample::Point(OPTIMAL_CENTER), "its centre"),
     ];
-    scene.legend(PagePoint::new(MARGIN, HEIGHT - LEGEND), WIDTH - 2.0 * MARGIN, &legend);
+    scene.legend(PagePoint::new(MARGIN, height + 2.0 * MARGIN), width, &legend);
     scene.finish()
+}
+
+/// The height at which the world fills the width, within limits; computed on halves, which do not overflow.
+fn height_for(world: &WorldBox, width: f64) -> f64 {
+    let half = |axis: usize| world.max[axis] / 2.0 - world.min[axis] / 2.0;
+    let height = width * (half(1) / half(0));
+    if height.is_nan() { HEIGHTS[0] } else { height.clamp(HEIGHTS[0], HEIGHTS[1]) }
 }
