@@ -74,7 +74,7 @@ pub struct MinAreaProof {
 ///
 /// `area` may differ from the exact area by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
 /// The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since thin bodies cannot be rounded outward any
-/// closer, by 2^-45 · (largest coordinate) · (width + height); it may exceed `lower_bound` by as much, but for values that leave
+/// closer, by 2^-45 · (largest coordinate, at least the smallest normal double) · (width + height); it may exceed `lower_bound` by as much, but for values that leave
 /// the range of normal doubles.
 pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, String> {
     if points.is_empty() {
@@ -139,7 +139,7 @@ fn rounding_allowance(points: &[[f64; 2]]) -> Proportion {
         let high = values.fold(f64::NEG_INFINITY, f64::max);
         Proportion::of_double(high).minus(&Proportion::of_double(low))
     };
-    let largest = points.iter().flatten().fold(0.0, |largest: f64, coordinate| largest.max(coordinate.abs()));
+    let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, coordinate| largest.max(coordinate.abs()));
     extent(0).plus(&extent(1)).times(&Proportion::of_double(largest)).times(&Proportion::of_double(2.0_f64.powi(-45)))
 }
 
