@@ -159,9 +159,8 @@ impl Ring {
         {
             count -= 1;
         }
-        let is_mostly_unused = count < self.points.len() / 2;
         self.truncate(count);
-        if is_mostly_unused {
+        if count < self.points.capacity() / 2 {
             self.points.shrink_to_fit();
             self.indices.shrink_to_fit();
         }
