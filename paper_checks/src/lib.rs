@@ -22,6 +22,7 @@ mod claim;
 mod claims;
 pub mod instances;
 mod ledger;
+mod library;
 pub mod plane;
 mod ratio;
 mod runs;

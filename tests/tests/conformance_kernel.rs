@@ -4,14 +4,10 @@ use proptest::prelude::*;
 use tests::kernel_twin::Exact;
 use tests::line_families::{self, Instance};
 use tests::runner::for_all;
-use zonotope::lad::{LadOutcome, LadProblem, WeightedLine, brute_force, by_line_search, by_pruning, verify};
+use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine, brute_force, verify};
 
 const CASES: u32 = 300;
 const LARGE_CASES: u32 = 24;
-
-type Method = fn(&LadProblem, u64) -> LadOutcome;
-const METHODS: [(&str, Method); 2] =
-    [("by_line_search", by_line_search::minimize), ("by_pruning", by_pruning::minimize)];
 
 fn problem(instance: &Instance) -> LadProblem<'static> {
     let lines: Vec<WeightedLine> = instance
@@ -34,9 +30,10 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
         prop_assert_eq!(Some(exact.face_dimension(point)), truth.as_ref().map(|truth| truth.face_dimension));
     }
 
-    for (name, method) in METHODS {
+    for method in Method::ALL {
+        let name = method.name();
         for seed in [1, 2] {
-            let outcome = method(&problem, seed);
+            let outcome = method.minimize(&problem, seed, &mut ());
             prop_assert_eq!(verify::verify(&problem, &outcome), Ok(()), "{}", name);
             match (&outcome, &least) {
                 (LadOutcome::Optimal(optimum), Some(least)) => {
@@ -59,7 +56,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
 /// Instances too large for the twin: the certificates prove the answers, and the methods must agree.
 fn methods_agree(instance: Instance) -> Result<(), TestCaseError> {
     let problem = problem(&instance);
-    let answers = METHODS.map(|(name, method)| (name, method(&problem, 3)));
+    let answers = Method::ALL.map(|method| (method.name(), method.minimize(&problem, 3, &mut ())));
     for (name, outcome) in &answers {
         prop_assert_eq!(verify::verify(&problem, outcome), Ok(()), "{}", name);
     }

@@ -1,6 +1,18 @@
-//! Section 4.1, Theorem 4.5.
+//! Theorem 4.5: the minimum-area zonogon in O(n log^2 n).
 
-use crate::claim::{Claim, ClaimKind, Place};
+use experiments::families;
+use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
+use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
+use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon_with;
+use zonotope::lad::Method;
+use zonotope::tally::{Operation, OperationCounts};
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+
+use crate::instances::{Instance, generator, polygons, random_polygon};
+use crate::library::{doubles, encloses};
+use crate::plane::{Point, least_area, zonogon_area};
+use crate::ratio::{exactly, integer};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +20,92 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "4.1", label: "Theorem 4.5" },
     kind: ClaimKind::Theorem,
     statement: "The minimum-area zonotope containing n points of the plane can be computed in O(n log^2 n) time",
+    code: &["zonotope::enclosing::min_area_zonogon", "zonotope::lad::by_slope_selection"],
+    experiments: &["lad-scaling", "min-area-scaling"],
+    check: Check::Run(check),
     ..Claim::LISTED
 };
+
+const EXPERIMENTS: &[&str] = CLAIM.experiments;
+
+/// The answer of every method is the least value over all vertices; operations of the paper's search fit n log^2 n.
+fn check(context: &CheckContext) -> Verdict {
+    let optimum = match optimum_evidence(context) {
+        Ok(evidence) => evidence,
+        Err(witness) => return Verdict::Refuted(witness),
+    };
+    let growth = match growth_evidence(context) {
+        Ok(evidence) => evidence,
+        Err(reason) => return Verdict::Inconclusive(format!("{optimum}; {reason}")),
+    };
+    let measured: Vec<_> = EXPERIMENTS.iter().flat_map(|id| context.measurements_of(id)).collect();
+    let mut evidence = format!("{optimum}; {growth}");
+    for measurement in &measured {
+        evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
+    }
+    if measured.iter().all(|measurement| measurement.agrees) {
+        Verdict::Holds(evidence)
+    } else {
+        Verdict::Inconclusive(evidence)
+    }
+}
+
+fn optimum_evidence(context: &CheckContext) -> Result<String, String> {
+    let mut random = generator(context.seed, 18);
+    let mut instances = polygons(&mut random, 60);
+    instances.extend((0..6).map(|index| Instance {
+        name: format!("large random polygon {index}"),
+        polygon: random_polygon(&mut random, 3000, 1_000_000),
+    }));
+    let mut largest = 0;
+    for instance in &instances {
+        let polygon = &instance.polygon;
+        let (least, _) = least_area(polygon);
+        for method in Method::ALL {
+            let answer = min_area_enclosing_zonogon_with(method, &doubles(polygon), context.seed, &mut ())
+                .map_err(|error| format!("{}: {error}", instance.name))?;
+            let center = exact_optimum(&answer).center;
+            let center = Point::new(center[0].clone(), center[1].clone());
+            let excess = exactly(answer.area) - &least;
+            let bounded = exactly(answer.lower_bound) <= least && excess >= integer(0);
+            let tight = excess * integer(1_000_000_000) <= least;
+            if zonogon_area(polygon, &center) != least || !bounded || !tight || !encloses(&answer, polygon) {
+                return Err(format!("{} by {method:?}: area {}, least {least}", instance.name, answer.area));
+            }
+        }
+        largest = largest.max(polygon.len());
+    }
+    Ok(format!(
+        "for {} polygons of up to {largest} vertices each of {} methods finds the least area over all vertices of the \
+         arrangement, and its zonogon in doubles encloses the points with at most 1e-9 more area",
+        instances.len(),
+        Method::ALL.len()
+    ))
+}
+
+/// The operations of the paper's own search on random convex polygons, against n log^2 n.
+fn growth_evidence(context: &CheckContext) -> Result<String, String> {
+    let family = families::find("random_convex").ok_or("the family of random convex polygons is missing")?;
+    let method = Method::from_name("by_slope_selection").ok_or("the paper's own search is not among the methods")?;
+    let mut samples = Vec::new();
+    for exponent in 6..=12 {
+        let n = 1 << exponent;
+        for instance in 0..2 {
+            let points = family.generate(n, context.seed + instance);
+            let mut counts = OperationCounts::default();
+            min_area_enclosing_zonogon_with(method, &points, context.seed, &mut counts)
+                .map_err(|error| error.to_string())?;
+            let total: u64 = Operation::ALL.iter().map(|&operation| counts.get(operation)).sum();
+            samples.push((n as f64, total as f64));
+        }
+    }
+    let growth = fit_growth(&samples, &[GrowthModel::LinearLogSquared]).map_err(|error| error.to_string())?;
+    let fit = growth.model(GrowthModel::LinearLogSquared).ok_or("the model was not fitted")?;
+    let excess = fit.excess_exponent;
+    let sentence = format!(
+        "operations of the search by slope selection on random convex polygons of 2^6 to 2^12 points, over n log^2 n, grow \
+         with exponent {:.2} in [{:.2}, {:.2}]",
+        excess.value, excess.low, excess.high
+    );
+    if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
+}

@@ -1,0 +1,127 @@
+//! The whole of section 4.1 against the exact twin, with every method of the kernel, on all point families.
+
+use dashu_ratio::RBig;
+use paper_checks::plane;
+use proptest::prelude::*;
+use tests::kernel_twin::exactly;
+use tests::numbers::power_of_two;
+use tests::point_families::{self, Point};
+use tests::runner::for_all;
+use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
+use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, brute_force, min_area_enclosing_zonogon_with, verify};
+use zonotope::lad::Method;
+
+const CASES: u32 = 250;
+
+fn exact(points: &[Point]) -> Vec<plane::Point> {
+    points.iter().map(|point| plane::Point::new(exactly(point[0]), exactly(point[1]))).collect()
+}
+
+/// The least area and where it is attained, by the twin: zero for a hull without area, whatever the centre.
+fn truth(hull: &[plane::Point]) -> (RBig, Vec<plane::Point>) {
+    if hull.len() < 3 { (RBig::ZERO, Vec::new()) } else { plane::least_area(hull) }
+}
+
+fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
+    let given = exact(&points);
+    let hull = plane::convex_hull(&given);
+    let (least, centers) = truth(&hull);
+    prop_assert_eq!(&brute_force::least_area(&points).0, &least);
+
+    for method in Method::ALL {
+        let answer = min_area_enclosing_zonogon_with(method, &points, 5, &mut ())
+            .map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let verified = verify::verify(&points, &answer);
+        prop_assert!(verified.is_ok(), "{:?}: {:?}", method, verified);
+
+        let optimum = exact_optimum(&answer);
+        let center = plane::Point::new(optimum.center[0].clone(), optimum.center[1].clone());
+        prop_assert_eq!(&optimum.area, &least, "{:?}", method);
+        if hull.len() >= 3 {
+            prop_assert_eq!(&plane::zonogon_area(&hull, &center), &least, "{:?}", method);
+            prop_assert_eq!(answer.face_dimension == 0, centers.len() == 1, "{:?}", method);
+        }
+        encloses(&given, &answer)?;
+        bounds_hold(&points, &least, &answer)?;
+    }
+    Ok(())
+}
+
+/// Every point is on the inner side of the two supporting lines along every generator, and of the axes.
+fn encloses(points: &[plane::Point], answer: &MinAreaZonogon) -> Result<(), TestCaseError> {
+    let vector = |[x, y]: [f64; 2]| plane::Point::new(exactly(x), exactly(y));
+    let center = vector(answer.zonogon.center());
+    let generators: Vec<plane::Point> =
+        answer.zonogon.generators().iter().map(|&generator| vector(generator)).collect();
+    let axes = [plane::Point::at(1, 0), plane::Point::at(0, 1)];
+    for direction in generators.iter().chain(&axes) {
+        let magnitude = |value: RBig| if value < RBig::ZERO { -value } else { value };
+        let reach = generators.iter().fold(RBig::ZERO, |sum, generator| sum + magnitude(direction.cross(generator)));
+        for point in points {
+            prop_assert!(magnitude(direction.cross(&center.to(point))) <= reach, "{} lies outside", point);
+        }
+    }
+    Ok(())
+}
+
+/// The area is between the optimum and the optimum with what rounding the centre and the generators may cost: nothing to
+/// speak of, unless the hull is thin or far from the origin for its size.
+fn bounds_hold(points: &[Point], least: &RBig, answer: &MinAreaZonogon) -> Result<(), TestCaseError> {
+    prop_assert!(exactly(answer.lower_bound) <= *least);
+    prop_assert!(answer.lower_bound >= 0.0 && answer.area >= answer.lower_bound);
+    let coordinates = || points.iter().flatten().map(|value| exactly(value.abs()));
+    let largest = coordinates().max().unwrap_or(RBig::ZERO);
+    let spread = |axis: usize| {
+        let values = || points.iter().map(|point| exactly(point[axis]));
+        values().max().unwrap_or(RBig::ZERO) - values().min().unwrap_or(RBig::ZERO)
+    };
+    let unit = exactly(power_of_two(-44));
+    let smallest = exactly(f64::MIN_POSITIVE);
+    let excess = exactly(1e-12) * least + unit * largest * (spread(0) + spread(1)) + smallest;
+    let upper = least + &excess;
+    let out_of_range = upper > exactly(f64::MAX);
+    if answer.area.is_finite() {
+        let area = exactly(answer.area);
+        prop_assert!(area >= *least && area <= upper, "area {} of {:e}", answer.area, least.to_f64_fast());
+    } else {
+        prop_assert!(out_of_range, "the area {:e} is a double", least.to_f64_fast());
+    }
+    let tight = out_of_range || exactly(answer.lower_bound) + excess >= *least;
+    prop_assert!(tight, "bound {} of {:e}", answer.lower_bound, least.to_f64_fast());
+    Ok(())
+}
+
+macro_rules! families {
+    ($($family:ident),*) => {$(
+        #[test]
+        fn $family() {
+            for_all(&point_families::$family(), CASES, agrees);
+        }
+    )*};
+}
+
+families!(
+    generic,
+    lattice_points,
+    collinear,
+    duplicates,
+    symmetric,
+    regular_polygons,
+    near_parallel,
+    scaled,
+    one_ulp,
+    mixed_scales,
+    ends_of_the_range
+);
+
+/// Hulls that are neither thin nor far from the origin keep within a relative 1e-12.
+#[test]
+fn the_excess_is_small() {
+    let fat = proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 8..60);
+    for_all(&fat, 400, |points| {
+        let answer = min_area_enclosing_zonogon_with(Method::default(), &points, 0, &mut ())
+            .map_err(|error| TestCaseError::fail(error.to_string()))?;
+        prop_assert!(answer.relative_gap() <= 1e-12, "{}", answer.relative_gap());
+        Ok(())
+    });
+}
