@@ -1,31 +1,37 @@
 //! Points as the library takes them, and its answers as the checks compare them.
 
+use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::enclosing::min_area_zonogon::MinAreaZonogon;
+use zonotope::hull::antipodal::farthest_vertices;
+use zonotope::hull::convex_hull;
 
-use crate::plane::Point;
-use crate::ratio::{exactly, integer};
+use crate::plane::{Point, generated_zonogon_contains};
 
 /// The points in doubles, each coordinate rounded.
 pub(crate) fn doubles(points: &[Point]) -> Vec<[f64; 2]> {
-    points.iter().map(|point| [point.x.to_f64_fast(), point.y.to_f64_fast()]).collect()
+    points.iter().map(double).collect()
 }
 
-/// The exact values of points in doubles.
-pub(crate) fn exact([x, y]: [f64; 2]) -> Point {
-    Point::new(exactly(x), exactly(y))
+/// The point in doubles, each coordinate rounded.
+pub(crate) fn double(point: &Point) -> [f64; 2] {
+    [point.x.to_f64_fast(), point.y.to_f64_fast()]
 }
 
-/// Whether the zonogon contains every point: none is farther from the centre, across a generator, than the zonogon reaches.
+/// Whether the zonogon of an answer contains every point.
 pub(crate) fn encloses(answer: &MinAreaZonogon, points: &[Point]) -> bool {
-    let center = exact(answer.zonogon.center());
-    let generators: Vec<Point> = answer.zonogon.generators().iter().copied().map(exact).collect();
-    let across = |direction: &Point, vector: &Point| {
-        let cross = direction.cross(vector);
-        if cross < integer(0) { -cross } else { cross }
+    let center = Point::exactly(answer.zonogon.center());
+    let generators: Vec<Point> = answer.zonogon.generators().iter().copied().map(Point::exactly).collect();
+    points.iter().all(|point| generated_zonogon_contains(&center, &generators, point))
+}
+
+/// The library's Z(O) of a polygon in doubles: its vertices in order, and the number of runs in its description.
+pub(crate) fn centered_zonogon(polygon: &[Point], center: [f64; 2]) -> (Vec<Point>, usize) {
+    let hull = convex_hull(&doubles(polygon)).expect("a polygon has vertices, and they are finite");
+    let farthest = farthest_vertices(&hull);
+    let zonogon = CenteredZonogon::new(&hull, &farthest, center);
+    let vertex = |at| {
+        let [x, y] = zonogon.exact_vertex(at).map(|coordinate| coordinate.to_rational());
+        Point::new(x, y)
     };
-    let axes = [Point::at(1, 0), Point::at(0, 1)];
-    generators.iter().chain(&axes).all(|direction| {
-        let reach = generators.iter().fold(integer(0), |sum, generator| sum + across(direction, generator));
-        points.iter().all(|point| across(direction, &center.to(point)) <= reach)
-    })
+    (zonogon.boundary().map(vertex).collect(), zonogon.description().len())
 }

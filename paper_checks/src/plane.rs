@@ -9,7 +9,7 @@ use std::fmt;
 
 use dashu_ratio::RBig;
 
-use crate::ratio::integer;
+use crate::ratio::{exactly, integer};
 
 /// A point or vector of the plane.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,6 +35,11 @@ impl Point {
     /// The point with these integer coordinates.
     pub fn at(x: i64, y: i64) -> Self {
         Point::new(integer(x), integer(y))
+    }
+
+    /// The exact value of a point in finite doubles.
+    pub fn exactly([x, y]: [f64; 2]) -> Self {
+        Point::new(exactly(x), exactly(y))
     }
 
     /// The vector from `self` to `other`.
@@ -115,6 +120,20 @@ pub fn zonogon_about(points: &[Point], center: &Point) -> Vec<Point> {
 /// f(O): the area of Z(O).
 pub fn zonogon_area(points: &[Point], center: &Point) -> RBig {
     signed_area(&zonogon_about(points, center))
+}
+
+/// Whether a point is in { center + Σ δ_i generators_i : |δ_i| <= 1 }: across no generator, and along no axis, is it
+/// farther from the centre than the generators reach. The axes decide when all generators are parallel.
+pub fn generated_zonogon_contains(center: &Point, generators: &[Point], point: &Point) -> bool {
+    let across = |direction: &Point, vector: &Point| {
+        let cross = direction.cross(vector);
+        if cross < RBig::ZERO { -cross } else { cross }
+    };
+    let axes = [Point::at(1, 0), Point::at(0, 1)];
+    generators.iter().chain(&axes).all(|direction| {
+        let reach = generators.iter().fold(RBig::ZERO, |sum, generator| sum + across(direction, generator));
+        across(direction, &center.to(point)) <= reach
+    })
 }
 
 /// The paper's line ℓ_t for one edge of a convex polygon: the line half way between the edge and the farthest vertex.

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 use paper_checks::plane;
 use proptest::prelude::*;
-use tests::kernel_twin::exactly;
 use tests::point_families::{self, Point, Points};
 use tests::runner::for_all;
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
@@ -11,10 +10,6 @@ use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;
 
 const CASES: u32 = 300;
-
-fn exact(point: Point) -> plane::Point {
-    plane::Point::new(exactly(point[0]), exactly(point[1]))
-}
 
 /// Points with a centre: one of the points, the middle of two, or one between them and beyond.
 fn with_center(points: Points) -> impl Strategy<Value = (Vec<Point>, Point)> {
@@ -32,8 +27,8 @@ fn agrees((points, center): (Vec<Point>, Point)) -> Result<(), TestCaseError> {
     let farthest = farthest_vertices(&hull);
     let zonogon = CenteredZonogon::new(&hull, &farthest, center);
 
-    let given: Vec<plane::Point> = points.iter().copied().map(exact).collect();
-    let truth = plane::zonogon_about(&given, &exact(center));
+    let given: Vec<plane::Point> = points.iter().copied().map(plane::Point::exactly).collect();
+    let truth = plane::zonogon_about(&given, &plane::Point::exactly(center));
     let boundary: Vec<plane::Point> = zonogon
         .boundary()
         .map(|vertex| zonogon.exact_vertex(vertex).map(|coordinate| coordinate.to_rational()))

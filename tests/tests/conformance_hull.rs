@@ -4,7 +4,6 @@ use std::cmp::Ordering;
 
 use paper_checks::plane;
 use proptest::prelude::*;
-use tests::kernel_twin::exactly;
 use tests::point_families::{self, Point};
 use tests::runner::for_all;
 use zonotope::hull::{antipodal, brute_force, convex_hull, verify};
@@ -12,7 +11,7 @@ use zonotope::hull::{antipodal, brute_force, convex_hull, verify};
 const CASES: u32 = 400;
 
 fn exact(points: &[Point]) -> Vec<plane::Point> {
-    points.iter().map(|point| plane::Point::new(exactly(point[0]), exactly(point[1]))).collect()
+    points.iter().copied().map(plane::Point::exactly).collect()
 }
 
 fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {

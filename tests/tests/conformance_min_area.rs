@@ -14,7 +14,7 @@ use zonotope::lad::Method;
 const CASES: u32 = 250;
 
 fn exact(points: &[Point]) -> Vec<plane::Point> {
-    points.iter().map(|point| plane::Point::new(exactly(point[0]), exactly(point[1]))).collect()
+    points.iter().copied().map(plane::Point::exactly).collect()
 }
 
 /// The least area and where it is attained, by the twin: zero for a hull without area, whatever the centre.
@@ -47,19 +47,13 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// Every point is on the inner side of the two supporting lines along every generator, and of the axes.
 fn encloses(points: &[plane::Point], answer: &MinAreaZonogon) -> Result<(), TestCaseError> {
-    let vector = |[x, y]: [f64; 2]| plane::Point::new(exactly(x), exactly(y));
-    let center = vector(answer.zonogon.center());
+    let center = plane::Point::exactly(answer.zonogon.center());
     let generators: Vec<plane::Point> =
-        answer.zonogon.generators().iter().map(|&generator| vector(generator)).collect();
-    let axes = [plane::Point::at(1, 0), plane::Point::at(0, 1)];
-    for direction in generators.iter().chain(&axes) {
-        let magnitude = |value: RBig| if value < RBig::ZERO { -value } else { value };
-        let reach = generators.iter().fold(RBig::ZERO, |sum, generator| sum + magnitude(direction.cross(generator)));
-        for point in points {
-            prop_assert!(magnitude(direction.cross(&center.to(point))) <= reach, "{} lies outside", point);
-        }
+        answer.zonogon.generators().iter().copied().map(plane::Point::exactly).collect();
+    for point in points {
+        let inside = plane::generated_zonogon_contains(&center, &generators, point);
+        prop_assert!(inside, "{} lies outside", point);
     }
     Ok(())
 }

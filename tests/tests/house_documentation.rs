@@ -13,7 +13,7 @@ fn is_algorithm(source: &Source) -> bool {
     let named = name.starts_with("by_") || name == "brute_force.rs";
     let counted =
         source.code_lines().any(|(_, line)| line.trim_start().starts_with("pub fn ") && line.contains("_counted"));
-    let stated = headings(source).iter().any(|heading| *heading == "Statement");
+    let stated = headings(source).contains(&"Statement");
     in_problem && name != "mod.rs" && !source.is_test() && (named || counted || stated)
 }
 

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, polygon, polygons, random_center};
 use crate::plane::{Point, zonogon_area};
 use crate::runs::{displayed_lines, first_points_area, runs};

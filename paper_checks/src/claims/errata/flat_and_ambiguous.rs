@@ -3,7 +3,6 @@
 use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, random_polygon};
 use crate::library::{doubles, encloses};
 use crate::plane::{Point, convex_hull, least_area, signed_area, zonogon_area};

@@ -1,7 +1,6 @@
 //! Vertices that share an x, and vertical lines.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::polygon;
 use crate::plane::{arrangement_vertices, bisectors};
 use crate::ratio::integer;

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, listed, polygons};
 use crate::plane::{Point, convex_hull, zonogon_about};
 use crate::ratio::{fraction, integer};

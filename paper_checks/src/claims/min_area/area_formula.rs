@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, listed, polygons, random_center};
 use crate::plane::zonogon_area;
 use crate::runs::{displayed_lines, runs};

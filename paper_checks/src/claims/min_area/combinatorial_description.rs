@@ -1,8 +1,8 @@
 //! The runs of Z(O).
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, listed, polygons, random_center};
+use crate::library::{centered_zonogon, double};
 use crate::plane::Point;
 use crate::runs::{Run, runs};
 
@@ -25,12 +25,16 @@ fn check(context: &CheckContext) -> Verdict {
     for instance in polygons(&mut random, 60) {
         let polygon = &instance.polygon;
         for _ in 0..6 {
-            let center = random_center(&mut random, polygon);
+            let rounded = double(&random_center(&mut random, polygon));
+            let center = Point::exactly(rounded);
             let Some(runs) = runs(polygon, &center) else {
                 continue;
             };
             if !is_description(polygon, &center, &runs) {
                 return Verdict::Refuted(format!("{} about {center}", listed(polygon)));
+            }
+            if centered_zonogon(polygon, rounded).1 != 2 * runs.len() {
+                return Verdict::Refuted(format!("the library's description of {} about {center}", instance.name));
             }
             tried += 1;
             longest = longest.max(runs.len());
@@ -38,7 +42,8 @@ fn check(context: &CheckContext) -> Verdict {
     }
     Verdict::Holds(format!(
         "{tried} zonogons are k runs of consecutive points and k of consecutive reflected points in turn; opposite runs are \
-         reflections, so k is odd (at most {longest} here)"
+         reflections, so k is odd (at most {longest} here); the library \
+         finds as many"
     ))
 }
 

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, listed, polygons, random_center};
 use crate::plane::{Point, signed_area, zonogon_area};
 use crate::runs::{Run, runs};
@@ -15,7 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Figure,
     statement: "Z(O) is cut into the quadrilaterals O P_a P'_{a'} P_{a+1} and the caps beyond them, which is the first line of the area formula",
     code: &["zonotope::enclosing::centered_zonogon"],
-    figures: &["figure_2"],
+    figures: &["paper-figure-2"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -1,9 +1,9 @@
 //! Z(O) is the best zonogon about O.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Point, turn, zonogon_about};
+use crate::library::{centered_zonogon, double};
+use crate::plane::{Point, convex_hull, turn, zonogon_about};
 use crate::ratio::integer;
 
 /// The claim.
@@ -36,11 +36,17 @@ fn check(context: &CheckContext) -> Verdict {
             if fails || !polygon.iter().all(|point| contains(&zonogon, point)) {
                 return Verdict::Refuted(format!("{} about {center}", instance.name));
             }
+            let rounded = double(&center);
+            let (built, _) = centered_zonogon(polygon, rounded);
+            if convex_hull(&built) != zonogon_about(polygon, &Point::exactly(rounded)) {
+                return Verdict::Refuted(format!("{}: the library has another Z(O) about {rounded:?}", instance.name));
+            }
             tried += 1;
         }
     }
     Verdict::Holds(format!(
-        "{tried} zonogons Z(O) are symmetric about O, contain the points and have only points and reflected points as vertices"
+        "{tried} zonogons Z(O) are symmetric about O, contain the points and have only points and reflected points as vertices; \
+         the library builds the same ones"
     ))
 }
 

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Bisector, Point, bisectors, cell, cell_gradient, hinge_sum, zonogon_area};
 use crate::ratio::{fraction, integer};

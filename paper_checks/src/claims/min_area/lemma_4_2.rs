@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, parabola_polygon, polygons, random_center, random_point};
 use crate::plane::{Bisector, Point, bisectors, zonogon_area};
 use crate::ratio::integer;

@@ -3,7 +3,6 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, polygons, random_center};
 use crate::plane::{Bisector, Point, bisectors, zonogon_area};
 use crate::ratio::integer;

@@ -1,7 +1,6 @@
 //! The minimum is at a vertex of the arrangement.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{generator, polygons, random_center};
 use crate::plane::{bisectors, least_area, zonogon_area};
 use crate::subdifferential::is_minimizer;

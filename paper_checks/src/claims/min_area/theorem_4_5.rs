@@ -8,7 +8,6 @@ use zonotope::lad::Method;
 use zonotope::tally::{Operation, OperationCounts};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-
 use crate::instances::{Instance, generator, polygons, random_polygon};
 use crate::library::{doubles, encloses};
 use crate::plane::{Point, least_area, zonogon_area};
@@ -21,7 +20,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Theorem,
     statement: "The minimum-area zonotope containing n points of the plane can be computed in O(n log^2 n) time",
     code: &["zonotope::enclosing::min_area_zonogon", "zonotope::lad::by_slope_selection"],
-    experiments: &["lad-scaling", "min-area-scaling"],
+    experiments: &["lad-scaling"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
