@@ -2,11 +2,13 @@
 //!
 //! | file | what it decides |
 //! |---|---|
+//! | `approximation` | values within a known error, to about 98 bits |
 //! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
 
+pub(crate) mod approximation;
 pub mod dyadic;
 pub mod exact_sum;
 pub mod orientation;

@@ -1,0 +1,282 @@
+//! Lines prepared for sweeping: sorted by slope, with heights that can be compared exactly along any vertical line.
+
+use std::fmt::Debug;
+use std::ops::Range;
+
+use super::exact_sort::{Keyed, sort_exactly};
+use super::fraction::Fraction;
+use crate::lad::{ExactLine, LineIndex};
+use crate::numeric::approximation::Approximation;
+use crate::tally::{Operation, Tally};
+
+/// Exact lines, made when a decision needs them.
+pub(crate) trait LineSource: Debug {
+    /// How many lines there are.
+    fn len(&self) -> usize;
+
+    /// The exact line with an index.
+    fn line(&self, index: u32) -> ExactLine;
+}
+
+/// A set of lines of the plane, each pair of which has a vertex unless it is parallel.
+///
+/// Lines whose normal is zero are no lines and have no vertex. Lines that are not vertical are known by their place in the
+/// order of slopes, then heights, then indices. Approximations live in a frame scaled by powers of two such that
+/// typical slopes and intercepts are about 1.
+#[derive(Debug)]
+pub struct LineArrangement<'a> {
+    source: Box<dyn LineSource + 'a>,
+    /// The line at each place.
+    places: Vec<Graph>,
+    /// The class of parallel lines at each place; classes are numbered by ascending slope.
+    classes: Vec<u32>,
+    /// The vertical lines with their abscissas, ascending.
+    verticals: Vec<(Fraction, u32)>,
+    shift: Shift,
+}
+
+/// The line y = slope · x + intercept.
+#[derive(Debug, Clone, Copy)]
+struct Graph {
+    line: u32,
+    slope: Approximation,
+    intercept: Approximation,
+}
+
+/// The powers of two by which slopes and intercepts are scaled.
+#[derive(Debug, Clone, Copy)]
+struct Shift {
+    slope: i64,
+    intercept: i64,
+}
+
+/// Where lines meet.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Event {
+    /// The lines at two places cross.
+    Crossing([u32; 2]),
+    /// A vertical line, given by its position among them, crosses the lines at all places.
+    Vertical(u32),
+}
+
+/// The places from bottom to top along a vertical line.
+pub(crate) struct VerticalOrder {
+    /// The order just right of the line.
+    right: Vec<u32>,
+    /// The ranges, longer than one, of lines that meet on the vertical line.
+    ties: Vec<Range<usize>>,
+}
+
+impl<'a> LineArrangement<'a> {
+    /// Sorts the lines by slope. O(n log n).
+    pub(crate) fn new(source: Box<dyn LineSource + 'a>, tally: &mut impl Tally) -> Self {
+        let count = source.len() as u32;
+        tally.add(Operation::LineEvaluation, u64::from(count));
+        let shift = Shift::typical(&*source);
+        let (mut graphs, mut verticals) = (Vec::with_capacity(source.len()), Vec::new());
+        for index in 0..count {
+            let line = source.line(index);
+            if !line.normal[1].is_zero() {
+                graphs.push(Graph {
+                    line: index,
+                    slope: slope(&line).approximate(shift.slope),
+                    intercept: intercept(&line).approximate(shift.intercept),
+                });
+            } else if !line.normal[0].is_zero() {
+                let [x, _] = line.normal;
+                verticals.push((Fraction::new(-line.offset, x), index));
+            }
+        }
+        let exact = |item: u32| source.line(graphs[item as usize].line);
+        let keyed = |key: fn(&Graph) -> Approximation, item: u32| Keyed { key: key(&graphs[item as usize]), item };
+        let mut order: Vec<Keyed> = (0..graphs.len() as u32).map(|item| keyed(|g| g.slope, item)).collect();
+        let parallel = sort_exactly(&mut order, |item| slope(&exact(item)), tally);
+        let mut classes: Vec<u32> = (0..graphs.len() as u32).collect();
+        for range in parallel {
+            classes[range.clone()].fill(range.start as u32);
+            let class = &mut order[range];
+            for place in class.iter_mut() {
+                *place = keyed(|g| g.intercept, place.item);
+            }
+            sort_exactly(class, |item| intercept(&exact(item)), tally);
+        }
+        let places = order.iter().map(|place| graphs[place.item as usize]).collect();
+        verticals.sort();
+        Self { source, places, classes, verticals, shift }
+    }
+
+    /// How many lines are neither vertical nor without normal.
+    pub(crate) fn place_count(&self) -> usize {
+        self.places.len()
+    }
+
+    /// How many lines are vertical.
+    pub(crate) fn vertical_count(&self) -> usize {
+        self.verticals.len()
+    }
+
+    /// How many lines there are, with those whose normal is zero.
+    pub fn len(&self) -> usize {
+        self.source.len()
+    }
+
+    /// Whether there are no lines.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The exact line with an index.
+    pub fn exact_line(&self, line: LineIndex) -> ExactLine {
+        self.source.line(line.0)
+    }
+
+    /// How many pairs of lines cross, whether or not at the same point. O(n).
+    pub fn vertex_count(&self) -> u64 {
+        self.crossings_among(0..self.place_count() as u32) + (self.verticals.len() * self.places.len()) as u64
+    }
+
+    /// How many pairs among lines that are not vertical, given by ascending places, cross.
+    fn crossings_among(&self, places: impl ExactSizeIterator<Item = u32>) -> u64 {
+        let pairs = |n: u64| n * n.saturating_sub(1) / 2;
+        let all = pairs(places.len() as u64);
+        let (mut parallel, mut class, mut size) = (0, u32::MAX, 0);
+        for place in places {
+            let own = self.classes[place as usize];
+            if own != class {
+                parallel += pairs(size);
+                (class, size) = (own, 0);
+            }
+            size += 1;
+        }
+        all - parallel - pairs(size)
+    }
+
+    /// The places from bottom to top left of every vertex.
+    pub(crate) fn order_before_all(&self) -> Vec<u32> {
+        let mut order: Vec<u32> = (0..self.place_count() as u32).collect();
+        self.turn(&mut order);
+        order
+    }
+
+    /// The places from bottom to top right of every vertex.
+    pub(crate) fn order_after_all(&self) -> Vec<u32> {
+        (0..self.place_count() as u32).collect()
+    }
+
+    /// Turns lines that meet in one point from their order right of it to their order left of it; equal lines stay.
+    fn turn(&self, places: &mut [u32]) {
+        places.reverse();
+        for parallel in places.chunk_by_mut(|&a, &b| self.classes[a as usize] == self.classes[b as usize]) {
+            parallel.reverse();
+        }
+    }
+
+    /// Sorts the lines along the vertical line at an abscissa. O(n log n).
+    pub(crate) fn order_at(&self, x: &Fraction, tally: &mut impl Tally) -> VerticalOrder {
+        tally.add(Operation::SearchStep, 1);
+        tally.add(Operation::LineEvaluation, self.places.len() as u64);
+        let rounded = x.approximate(self.shift.abscissa());
+        let height =
+            |(item, graph): (usize, &Graph)| Keyed { key: graph.slope * rounded + graph.intercept, item: item as u32 };
+        let mut keyed: Vec<Keyed> = self.places.iter().enumerate().map(height).collect();
+        let exact_height = |place: u32| {
+            let ExactLine { normal: [a, b], offset } = self.source.line(self.places[place as usize].line);
+            Fraction::new(-(a * x.numerator.clone() + offset * x.denominator.clone()), b)
+        };
+        let ties = sort_exactly(&mut keyed, exact_height, tally);
+        VerticalOrder { right: keyed.iter().map(|keyed| keyed.item).collect(), ties }
+    }
+
+    /// The abscissa of an event, exactly.
+    pub(crate) fn abscissa(&self, event: Event) -> Fraction {
+        match event {
+            Event::Crossing(places) => {
+                let [first, second] = places.map(|place| self.source.line(self.places[place as usize].line));
+                let [x, _, w] = first.meet(&second);
+                Fraction::new(x, w)
+            }
+            Event::Vertical(position) => self.verticals[position as usize].0.clone(),
+        }
+    }
+
+    /// The abscissa of an event in the scaled frame.
+    pub(crate) fn approximate_abscissa(&self, event: Event) -> Approximation {
+        match event {
+            Event::Crossing(places) => {
+                let [first, second] = places.map(|place| &self.places[place as usize]);
+                (second.intercept - first.intercept) / (first.slope - second.slope)
+            }
+            Event::Vertical(position) => self.verticals[position as usize].0.approximate(self.shift.abscissa()),
+        }
+    }
+
+    /// Two lines that meet at an event, the lower index first.
+    pub(crate) fn lines_of(&self, event: Event) -> [LineIndex; 2] {
+        let line = |place: u32| self.places[place as usize].line;
+        let mut lines = match event {
+            Event::Crossing(places) => places.map(line),
+            Event::Vertical(position) => [self.verticals[position as usize].1, line(0)],
+        };
+        lines.sort_unstable();
+        lines.map(LineIndex)
+    }
+
+    /// How many vertical lines lie left of an abscissa, and how many left of it or on it. O(log n).
+    pub(crate) fn verticals_up_to(&self, x: &Fraction) -> [usize; 2] {
+        [self.verticals.partition_point(|(own, _)| own < x), self.verticals.partition_point(|(own, _)| own <= x)]
+    }
+}
+
+impl VerticalOrder {
+    /// The places just right of the vertical line.
+    pub(crate) fn just_right(&self) -> Vec<u32> {
+        self.right.clone()
+    }
+
+    /// The places just left of the vertical line.
+    pub(crate) fn just_left(&self, arrangement: &LineArrangement) -> Vec<u32> {
+        let mut order = self.right.clone();
+        for tie in &self.ties {
+            arrangement.turn(&mut order[tie.clone()]);
+        }
+        order
+    }
+
+    /// How many pairs of lines that are not vertical cross on the vertical line.
+    pub(crate) fn crossings(&self, arrangement: &LineArrangement) -> u64 {
+        self.ties.iter().map(|tie| arrangement.crossings_among(self.right[tie.clone()].iter().copied())).sum()
+    }
+}
+
+impl Shift {
+    /// The shifts that make the median slope and intercept of an even sample about 1.
+    fn typical(source: &dyn LineSource) -> Self {
+        const SAMPLE: usize = 1000;
+        let step = source.len().div_ceil(SAMPLE).max(1);
+        let lines = (0..source.len() as u32).step_by(step).map(|index| source.line(index));
+        let (mut slopes, mut intercepts) = (Vec::new(), Vec::new());
+        for line in lines.filter(|line| !line.normal[1].is_zero()) {
+            slopes.extend(slope(&line).binary_exponent());
+            intercepts.extend(intercept(&line).binary_exponent());
+        }
+        let [slope, intercept] = [slopes, intercepts].map(|mut exponents| {
+            let middle = exponents.len() / 2;
+            if exponents.is_empty() { 0 } else { -*exponents.select_nth_unstable(middle).1 }
+        });
+        Self { slope, intercept }
+    }
+
+    /// The power of two by which abscissas are scaled.
+    fn abscissa(&self) -> i64 {
+        self.intercept - self.slope
+    }
+}
+
+fn slope(line: &ExactLine) -> Fraction {
+    let [a, b] = &line.normal;
+    Fraction::new(-a.clone(), b.clone())
+}
+
+fn intercept(line: &ExactLine) -> Fraction {
+    Fraction::new(-line.offset.clone(), line.normal[1].clone())
+}

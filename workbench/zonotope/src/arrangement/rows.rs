@@ -1,0 +1,60 @@
+//! Arrangements of lines given by three doubles each.
+
+use thiserror::Error;
+
+use super::lines::{LineArrangement, LineSource};
+use crate::lad::ExactLine;
+use crate::numeric::dyadic::Dyadic;
+
+/// Why a set of lines is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ArrangementError {
+    /// A coefficient is NaN or infinite; the first such in the order of the input.
+    #[error("line {line}, coefficient {coefficient} is {value}")]
+    NonFinite {
+        /// The line.
+        line: usize,
+        /// 0, 1 or 2 for a, b or c of a x + b y + c = 0.
+        coefficient: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// There are more lines than a 32-bit index can name.
+    #[error("{count} lines are more than the {} that an index can name", u32::MAX)]
+    TooMany {
+        /// How many lines there are.
+        count: usize,
+    },
+}
+
+#[derive(Debug)]
+struct Rows(Vec<[f64; 3]>);
+
+impl LineSource for Rows {
+    fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    fn line(&self, index: u32) -> ExactLine {
+        let [x, y, offset] = self.0[index as usize].map(Dyadic::from_f64);
+        ExactLine { normal: [x, y], offset }
+    }
+}
+
+impl LineArrangement<'static> {
+    /// The lines a x + b y + c = 0, given as rows [a, b, c]; a row with a = b = 0 has no vertex. O(n log n).
+    ///
+    /// # Errors
+    /// [`ArrangementError`] on the first coefficient that is not finite, or too many lines.
+    pub fn from_rows(rows: &[[f64; 3]]) -> Result<Self, ArrangementError> {
+        if u32::try_from(rows.len()).is_err() {
+            return Err(ArrangementError::TooMany { count: rows.len() });
+        }
+        let coefficients = rows.as_flattened();
+        if let Some(at) = coefficients.iter().position(|value| !value.is_finite()) {
+            return Err(ArrangementError::NonFinite { line: at / 3, coefficient: at % 3, value: coefficients[at] });
+        }
+        Ok(Self::new(Box::new(Rows(rows.to_vec())), &mut ()))
+    }
+}

@@ -1,0 +1,173 @@
+//! The k-th leftmost vertex of a line arrangement, by counting the inversions between the orders along two vertical lines and
+//! narrowing the strip between them with random vertices.
+//!
+//! # Statement
+//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every pair of lines that is
+//! not parallel counted once. Concurrent lines, many vertices at one abscissa, vertical, parallel and equal lines are ordinary input; where
+//! several vertices share the k-th abscissa, one of them is returned and the abscissa does not depend on the seed.
+//!
+//! # Source
+//! Reference [5] of the paper for the problem; the randomised method is that of Dillencourt, Mount and Netanyahu, Int. J.
+//! Comput. Geom. Appl. 2 (1992) 1, and Matousek, Inf. Proc. Letters 39 (1991) 183. Departures: the strip is open and its
+//! ends are vertices, so that ties cannot stop the progress; a vertical line counts as n vertices that are never listed one by one.
+//!
+//! # Method
+//! 1. The strip is the whole plane: left of all vertices the lines are ordered by descending slope, right of them by ascending slope.
+//! 2. While the strip holds more than `LISTED` · n vertices: pick `PICKED` · n of them at random, by rank among the inversions,
+//!    in one merge sort. Those that rank about sqrt(`PICKED` · n) below and above the wanted one bracket it, most likely.
+//! 3. Cut the strip at each of the two: sort the lines along the vertical line there and count the inversions left of it. Keep
+//!    the part with the wanted rank, or return when it falls on the cut. Counting decides, chance only shortens.
+//! 4. List the vertices left in the strip, sort them, return the wanted one.
+//!
+//! # Complexity
+//! n lines: expected O(n log n), as in the paper's reference: each round divides the number of vertices by about sqrt(n), so two
+//! or three rounds lead from n² to n. Every round removes at least the vertices of a cut, so the method ends on any input and for any seed. Space O(n).
+//!
+//! # Shapes
+//! `arrangement`: n lines in any order, duplicates allowed; `rank`: from 1 to the number of vertices.
+//!
+//! # Numerics
+//! Orders along vertical lines and the order of the listed vertices are exact: sorted by doubles, refined by pairs of doubles with error bounds, then by
+//! exact dyadic fractions. The picked vertices are compared approximately only: they are guesses.
+//!
+//! # Errors
+//! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force), for every rank.
+//!
+//! # Example
+//! ```
+//! use zonotope::arrangement::LineArrangement;
+//! use zonotope::arrangement::slope_selection::randomized;
+//! // y = 0, y = x and y = 2 x − 2 cross at x = 0, 1 and 2.
+//! let rows = [[0.0, 1.0, 0.0], [1.0, -1.0, 0.0], [2.0, -1.0, -2.0]];
+//! let arrangement = LineArrangement::from_rows(&rows).unwrap();
+//! let middle = randomized::kth_leftmost_vertex(&arrangement, 2, 0).unwrap();
+//! assert_eq!(middle.x(), 1.0);
+//! ```
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::slab::{Slab, keyed};
+use super::{ArrangementVertex, SlopeSelectionError, zero_based};
+use crate::arrangement::exact_sort::{Keyed, sort_exactly};
+use crate::arrangement::fraction::Fraction;
+use crate::arrangement::lines::{Event, LineArrangement};
+use crate::tally::{Operation, Tally};
+
+/// At most this many vertices a line are listed and sorted.
+const LISTED: u64 = 2;
+
+/// This many vertices a line are picked in each round.
+const PICKED: u64 = 2;
+
+/// The k-th leftmost vertex; `seed` decides the time, never the abscissa.
+///
+/// # Errors
+/// When `rank` is 0 or above the number of vertices.
+pub fn kth_leftmost_vertex(
+    arrangement: &LineArrangement,
+    rank: u64,
+    seed: u64,
+) -> Result<ArrangementVertex, SlopeSelectionError> {
+    kth_leftmost_vertex_counted(arrangement, rank, seed, &mut ())
+}
+
+/// [`kth_leftmost_vertex`], counting its operations.
+///
+/// # Errors
+/// When `rank` is 0 or above the number of vertices.
+pub fn kth_leftmost_vertex_counted(
+    arrangement: &LineArrangement,
+    rank: u64,
+    seed: u64,
+    tally: &mut impl Tally,
+) -> Result<ArrangementVertex, SlopeSelectionError> {
+    let rank = zero_based(arrangement, rank)?;
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let selected = select(arrangement, &Slab::whole(arrangement), rank, &mut random, tally);
+    Ok(ArrangementVertex { lines: arrangement.lines_of(selected), x: arrangement.abscissa(selected) })
+}
+
+/// An event at the abscissa of the vertex with a rank, from 0, among the vertices of a slab.
+pub(crate) fn select(
+    arrangement: &LineArrangement,
+    slab: &Slab,
+    rank: u64,
+    random: &mut Pcg64Mcg,
+    tally: &mut impl Tally,
+) -> Event {
+    let mut slab = slab.clone();
+    let mut rank = rank;
+    while slab.event_count() > LISTED * arrangement.place_count() as u64 {
+        let mut lower: Option<Fraction> = None;
+        for guess in bracket(arrangement, &slab, rank, random, tally) {
+            let x = arrangement.abscissa(guess);
+            if lower.is_some_and(|lower| x <= lower) {
+                break;
+            }
+            let cut = slab.cut(arrangement, &x, tally);
+            if rank < cut.left {
+                slab = slab.left_of(arrangement, &cut);
+                break;
+            }
+            if rank < cut.left + cut.at {
+                return guess;
+            }
+            rank -= cut.left + cut.at;
+            slab = slab.right_of(&cut);
+            lower = Some(x);
+        }
+    }
+    select_by_listing(arrangement, &slab, rank, tally)
+}
+
+/// Vertices of the slab that are likely just left and just right of the one with the given rank; one at least.
+fn bracket(
+    arrangement: &LineArrangement,
+    slab: &Slab,
+    rank: u64,
+    random: &mut Pcg64Mcg,
+    tally: &mut impl Tally,
+) -> Vec<Event> {
+    let (total, picked) = (slab.vertex_count(), PICKED * arrangement.place_count() as u64);
+    let stretch = total / picked;
+    let rest = total % picked;
+    let ranks: Vec<u64> = (0..picked)
+        .map(|i| i * stretch + i.min(rest) + random.random_range(0..stretch + u64::from(i < rest)))
+        .collect();
+    let events = slab.pick(&ranks, tally);
+    let mut guesses = keyed(arrangement, &events);
+    let expected = (u128::from(rank) * u128::from(picked) / u128::from(total)) as u64;
+    let margin = picked.isqrt();
+    let mut comparisons = 0;
+    let mut nth = |position: u64| {
+        let order = |a: &Keyed, b: &Keyed| {
+            comparisons += 1;
+            a.key.high.total_cmp(&b.key.high)
+        };
+        events[guesses.select_nth_unstable_by(position as usize, order).1.item as usize]
+    };
+    let lower = expected.checked_sub(margin).map(&mut nth);
+    let upper = Some(expected + margin).filter(|&position| position < picked).map(&mut nth);
+    tally.add(Operation::Comparison, comparisons);
+    lower.into_iter().chain(upper).collect()
+}
+
+fn select_by_listing(arrangement: &LineArrangement, slab: &Slab, rank: u64, tally: &mut impl Tally) -> Event {
+    let events = slab.events(tally);
+    let mut keyed = keyed(arrangement, &events);
+    sort_exactly(&mut keyed, |item| arrangement.abscissa(events[item as usize]), tally);
+    let mut left = 0;
+    let sorted = keyed.iter().map(|keyed| events[keyed.item as usize]);
+    let mut reached = sorted.skip_while(|&event| {
+        left += slab.multiplicity(event);
+        left <= rank
+    });
+    reached.next().expect("the rank is below the number of vertices of the slab")
+}

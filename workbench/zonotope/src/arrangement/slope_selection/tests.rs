@@ -1,0 +1,130 @@
+//! Selection against the truth, for every rank, on every family of lines; growth of the operation counts.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::tally::{Operation, OperationCounts};
+
+fn check(rows: &[[f64; 3]]) -> Result<(), TestCaseError> {
+    let arrangement = LineArrangement::from_rows(rows).expect("the family makes finite lines");
+    let truth: Vec<_> = brute_force::vertices(&arrangement).iter().map(ArrangementVertex::exact_x).collect();
+    prop_assert_eq!(arrangement.vertex_count(), truth.len() as u64);
+    for (rank, x) in (1..).zip(&truth) {
+        let vertex = randomized::kth_leftmost_vertex(&arrangement, rank, rank).expect("the rank exists");
+        prop_assert_eq!(&vertex.exact_x(), x, "rank {}", rank);
+        let [first, second] = vertex.lines.map(|line| arrangement.exact_line(line));
+        let [numerator, _, denominator] = first.meet(&second).map(|v| v.to_rational());
+        prop_assert_eq!(&(numerator / denominator), x, "rank {}: {:?}", rank, vertex.lines);
+    }
+    for rank in [0, truth.len() as u64 + 1] {
+        let error = SlopeSelectionError::Rank { rank, vertices: truth.len() as u64 };
+        prop_assert_eq!(randomized::kth_leftmost_vertex(&arrangement, rank, 0).err(), Some(error));
+        prop_assert_eq!(brute_force::kth_leftmost_vertex(&arrangement, rank).err(), Some(error));
+    }
+    Ok(())
+}
+
+fn rows(coefficient: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Vec<[f64; 3]>> {
+    proptest::collection::vec([coefficient.clone(), coefficient.clone(), coefficient], 0..26)
+}
+
+fn lattice() -> impl Strategy<Value = f64> + Clone {
+    (-3i32..4).prop_map(f64::from)
+}
+
+fn scale() -> impl Strategy<Value = f64> + Clone {
+    prop_oneof![Just(1.0), Just(1e-300), Just(1e300), Just(1e-5), Just(f64::from_bits(1)), Just(1e150)]
+}
+
+fn nudge(value: f64, steps: i64) -> f64 {
+    f64::from_bits((value.to_bits() as i64 + steps) as u64)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn random_lines(rows in rows(-1.0..1.0f64)) {
+        check(&rows)?;
+    }
+
+    #[test]
+    fn lattice_lines(rows in rows(lattice())) {
+        check(&rows)?;
+    }
+
+    #[test]
+    fn lines_of_all_magnitudes(rows in rows((lattice(), scale()).prop_map(|(v, s)| v * s))) {
+        check(&rows)?;
+    }
+
+    #[test]
+    fn lines_of_one_magnitude(rows in rows(-1.0..1.0f64), s in scale(), t in scale()) {
+        let rows: Vec<_> = rows.iter().map(|[a, b, c]| [a * s, b * s, c * t]).collect();
+        check(&rows)?;
+    }
+
+    #[test]
+    fn nearly_parallel_lines(rows in rows(lattice())) {
+        let rows: Vec<_> = rows.iter().map(|[a, b, c]| [1.0 + a * 1e-12, 1.0, 1.0 + b + c * 1e-12]).collect();
+        check(&rows)?;
+    }
+
+    #[test]
+    fn lines_apart_by_units_in_the_last_place(rows in rows(lattice())) {
+        let rows: Vec<_> = rows.iter().map(|row| row.map(|steps| nudge(1.0, steps as i64))).collect();
+        check(&rows)?;
+    }
+
+    #[test]
+    fn concurrent_lines(rows in rows(lattice()), x in lattice(), y in lattice()) {
+        let rows: Vec<_> = rows.iter().map(|[a, b, _]| [*a, *b, -(a * x + b * y)]).collect();
+        check(&rows)?;
+    }
+
+    #[test]
+    fn almost_concurrent_lines(rows in rows(-1.0..1.0f64), x in -1.0..1.0f64) {
+        let rows: Vec<_> = rows.iter().map(|[a, b, _]| [*a, *b, -(a * x + b)]).collect();
+        check(&rows)?;
+    }
+
+    #[test]
+    fn vertical_lines_among_others(rows in rows(lattice()), vertical in proptest::collection::vec(lattice(), 0..26)) {
+        let vertical = vertical.into_iter().map(|x| [1.0, 0.0, x]);
+        check(&rows.into_iter().chain(vertical).collect::<Vec<_>>())?;
+    }
+
+    #[test]
+    fn parallel_families(rows in rows(lattice()), slopes in [-1.0..1.0f64, -1.0..1.0]) {
+        let rows: Vec<_> = rows.iter().map(|[a, _, c]| [slopes[usize::from(*a > 0.0)], 1.0, *c]).collect();
+        check(&rows)?;
+    }
+}
+
+#[test]
+fn values_that_are_not_finite_are_refused() {
+    let rows = [[1.0, 0.0, 0.0], [0.0, f64::INFINITY, 0.0]];
+    let error = LineArrangement::from_rows(&rows).expect_err("a coefficient is infinite");
+    assert_eq!(error.to_string(), "line 1, coefficient 1 is inf");
+}
+
+fn random_rows(count: usize) -> Vec<[f64; 3]> {
+    use rand::{RngExt, SeedableRng};
+    let mut random = rand_pcg::Pcg64Mcg::seed_from_u64(count as u64);
+    (0..count).map(|_| [0; 3].map(|_| random.random_range(-1.0..1.0))).collect()
+}
+
+#[test]
+fn operations_grow_like_n_log_n() {
+    for exponent in (8..=16).step_by(2) {
+        let count = 1usize << exponent;
+        let arrangement = LineArrangement::from_rows(&random_rows(count)).expect("finite lines");
+        let mut counts = OperationCounts::default();
+        let rank = arrangement.vertex_count() / 2;
+        kth_leftmost_vertex_counted(&arrangement, rank, 1, &mut counts).expect("the rank exists");
+        let ratio = counts.get(Operation::Comparison) as f64 / (count * exponent) as f64;
+        println!("n = 2^{exponent}: {ratio:.2} n log2 n comparisons, {counts:?}");
+        assert!(ratio < 30.0, "n = 2^{exponent}: {ratio}");
+        assert!(counts.get(Operation::ExactFallback) < 100, "n = 2^{exponent}: {counts:?}");
+    }
+}

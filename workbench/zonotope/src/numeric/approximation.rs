@@ -1,0 +1,216 @@
+//! A real number as a sum of two doubles within a known error: about 98 bits, for what one double cannot tell apart.
+//!
+//! Values that nearly agree (the heights of lines that almost pass through one point) need more than the 53 bits of a double, yet
+//! rarely exact arithmetic. Each operation here carries a bound on the distance from the exact value, so a comparison knows
+//! whether it is certain. Overflow and division by what may be zero give a value of which nothing is known.
+//!
+//! Bounds: with u = 2^-53, the sum, product and quotient of two doubles-pairs below have a relative error of at most 16 u² of the sum of the
+//! operands' magnitudes (sum) or of the result (product, quotient), plus less than 2^-1060 for underflow;
+//! [`RELATIVE`] and [`UNDERFLOW`] are above both, with room for the rounding of the bounds themselves.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Sub};
+
+use super::dyadic::Dyadic;
+use super::tolerance::{UNDERFLOW, UNIT};
+
+/// Bounds the relative rounding error of one operation: 2^-98 = 256 u².
+const RELATIVE: f64 = f64::from_bits((1023 - 98) << 52);
+
+/// Covers the rounding of a bound that is computed in a few operations.
+const SLACK: f64 = 1.0 + f64::from_bits((1023 - 40) << 52);
+
+/// The exact value lies within `error` of `high` + `low`; |low| ≤ u |high|.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Approximation {
+    pub(crate) high: f64,
+    low: f64,
+    error: f64,
+}
+
+impl Approximation {
+    /// The quotient of two exact numbers, the divisor positive.
+    pub(crate) fn of_ratio(numerator: &Dyadic, denominator: &Dyadic) -> Self {
+        let head = numerator.ratio(denominator);
+        if !head.is_finite() {
+            return Self::unknown();
+        }
+        let rest = numerator - &(&Dyadic::from_f64(head) * denominator);
+        let (high, low) = ordered_sum(head, rest.ratio(denominator));
+        Self::within(high, low, RELATIVE * high.abs() + UNDERFLOW)
+    }
+
+    /// The order of the exact values, if the bounds decide it.
+    pub(crate) fn certain_order(&self, other: &Self) -> Option<Ordering> {
+        let (high, low) = (self.high - other.high, self.low - other.low);
+        let difference = high + low;
+        let bound = (self.error + other.error + 4.0 * UNIT * (high.abs() + low.abs())) * SLACK;
+        (difference.abs() > bound).then(|| difference.total_cmp(&0.0))
+    }
+
+    /// Doubles between which the exact value lies.
+    pub(crate) fn interval(&self) -> (f64, f64) {
+        let reach = (self.low.abs() + self.error + 2.0 * UNIT * self.high.abs()) * SLACK;
+        if reach < f64::INFINITY { (self.high - reach, self.high + reach) } else { (f64::NEG_INFINITY, f64::INFINITY) }
+    }
+
+    fn unknown() -> Self {
+        Self { high: f64::NAN, low: 0.0, error: f64::INFINITY }
+    }
+
+    fn within(high: f64, low: f64, error: f64) -> Self {
+        let error = error * SLACK;
+        if high.is_finite() && low.is_finite() && error < f64::INFINITY {
+            Self { high, low, error }
+        } else {
+            Self::unknown()
+        }
+    }
+}
+
+impl Add for Approximation {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (high, low) = pair_sum((self.high, self.low), (other.high, other.low));
+        let rounding = RELATIVE * (self.high.abs() + other.high.abs());
+        Self::within(high, low, self.error + other.error + rounding)
+    }
+}
+
+impl Sub for Approximation {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + Self { high: -other.high, low: -other.low, ..other }
+    }
+}
+
+impl Mul for Approximation {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (high, low) = pair_product((self.high, self.low), (other.high, other.low));
+        let carried = self.high.abs() * other.error + other.high.abs() * self.error + self.error * other.error;
+        Self::within(high, low, carried + RELATIVE * high.abs() + UNDERFLOW)
+    }
+}
+
+impl Div for Approximation {
+    type Output = Self;
+    fn div(self, divisor: Self) -> Self {
+        let least = divisor.high.abs() * (1.0 - 8.0 * UNIT) - divisor.error * SLACK;
+        if least.is_nan() || least <= 0.0 {
+            return Self::unknown();
+        }
+        let head = self.high / divisor.high;
+        let (back, tail) = pair_product((head, 0.0), (divisor.high, divisor.low));
+        let (rest, _) = pair_sum((self.high, self.low), (-back, -tail));
+        let (high, low) = ordered_sum(head, rest / divisor.high);
+        let carried = (self.error + high.abs() * divisor.error + UNDERFLOW) / least;
+        Self::within(high, low, carried * SLACK + RELATIVE * high.abs() + UNDERFLOW)
+    }
+}
+
+/// a + b as its rounded value and the error, |a| ≥ |b| or a = 0.
+fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// a + b as its rounded value and the error.
+fn exact_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+/// a · b as its rounded value and the error (Dekker).
+fn exact_product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    let (a_head, a_tail) = halves(a);
+    let (b_head, b_tail) = halves(b);
+    (product, ((a_head * b_head - product) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail)
+}
+
+/// A double as the sum of two with at most 26 bits each.
+fn halves(a: f64) -> (f64, f64) {
+    const SPLITTER: f64 = 134_217_729.0;
+    let scaled = SPLITTER * a;
+    let head = scaled - (scaled - a);
+    (head, a - head)
+}
+
+fn pair_sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let (sum, error) = exact_sum(a.0, b.0);
+    ordered_sum(sum, error + (a.1 + b.1))
+}
+
+fn pair_product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    let (product, error) = exact_product(a.0, b.0);
+    ordered_sum(product, error + (a.0 * b.1 + a.1 * b.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Rational;
+    use proptest::prelude::*;
+
+    type Fraction = (f64, f64);
+
+    fn exact((numerator, denominator): Fraction) -> Rational {
+        Dyadic::from_f64(numerator).to_rational() / Dyadic::from_f64(denominator).to_rational()
+    }
+
+    fn approximate((numerator, denominator): Fraction) -> Approximation {
+        Approximation::of_ratio(&Dyadic::from_f64(numerator), &Dyadic::from_f64(denominator))
+    }
+
+    fn holds(value: Approximation, exact: &Rational) -> Result<(), TestCaseError> {
+        if value.error == f64::INFINITY {
+            return Ok(());
+        }
+        let rational = |v: f64| Dyadic::from_f64(v).to_rational();
+        let (off, error) = (rational(value.high) + rational(value.low) - exact, rational(value.error));
+        prop_assert!(off <= error && -off <= error, "{:?} is not {}", value, exact);
+        let (low, high) = value.interval();
+        prop_assert!(low == f64::NEG_INFINITY || rational(low) <= *exact, "{:?}", value);
+        prop_assert!(high == f64::INFINITY || rational(high) >= *exact, "{:?}", value);
+        Ok(())
+    }
+
+    fn fraction() -> impl Strategy<Value = Fraction> {
+        let magnitude = prop_oneof![
+            4 => -1.0..1.0f64,
+            1 => -1e-300..1e-300f64,
+            1 => -1e300..1e300f64,
+            1 => (-3i32..4).prop_map(f64::from),
+            1 => (-9i32..9).prop_map(|i| f64::from(i) * f64::from_bits(1)),
+        ];
+        let positive = magnitude.clone().prop_map(|v| if v == 0.0 { 1.0 } else { v.abs() });
+        (magnitude, positive)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn every_operation_keeps_its_bound(a in fraction(), b in fraction(), c in fraction()) {
+            let (x, y, z) = (exact(a), exact(b), exact(c));
+            let (p, q, r) = (approximate(a), approximate(b), approximate(c));
+            holds(p, &x)?;
+            holds(p + q, &(&x + &y))?;
+            holds(p - q * r, &(&x - &y * &z))?;
+            if y != z {
+                holds((p - q) / (q - r), &((&x - &y) / (&y - &z)))?;
+            }
+            if let Some(order) = (p * q).certain_order(&(q * r)) {
+                prop_assert_eq!(order, (&x * &y).cmp(&(&y * &z)));
+            }
+        }
+    }
+
+    #[test]
+    fn ordinary_values_are_good_to_90_bits() {
+        let value = (approximate((1.0, 3.0)) - approximate((1.0, 7.0))) / approximate((5.0, 11.0));
+        assert!(value.error < value.high * 2f64.powi(-90));
+    }
+}
