@@ -65,16 +65,17 @@ pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
     let [a, b] = slack.map(|v| 2.0 * frame.scaled_length(v));
     let [width, height] = extent.map(|v| v * (1.0 + (8.0 + half.len() as f64) * UNIT) + 2.0 * (a + b));
     // An edge off by ε moves its term by at most |arm| ε, and no arm is longer than the whole zonogon is wide or high.
-    let error = area.error() + 2.0 * (a * height + b * width);
+    let (area, rounding_error) = area.finish();
+    let error = rounding_error + 2.0 * (a * height + b * width);
     let excess = (2.0 * a * height + 2.0 * b * width + 4.0 * a * b) * (1.0 + 16.0 * UNIT) + UNDERFLOW;
-    if half.len() <= FEW || 2.0 * error + excess > PRECISE * area.total {
+    if half.len() <= FEW || 2.0 * error + excess > PRECISE * area {
         let area_below = rounded_towards(&exact.exact_area(), f64::NEG_INFINITY);
         let area_above = rounded_towards(&zonogon.exact_area(), f64::INFINITY);
         return Outward { zonogon, area_below, area_above };
     }
     let in_input_units = |area: f64| Dyadic::from_f64(area).scaled(2 * frame.scale);
-    let area_below = in_input_units((area.total - error) * (1.0 - 4.0 * UNIT));
-    let area_above = in_input_units((area.total + error + excess) * (1.0 + 4.0 * UNIT));
+    let area_below = in_input_units((area - error) * (1.0 - 4.0 * UNIT));
+    let area_above = in_input_units((area + error + excess) * (1.0 + 4.0 * UNIT));
     Outward {
         zonogon,
         area_below: rounded_towards(&area_below, f64::NEG_INFINITY),
@@ -103,18 +104,20 @@ pub(crate) fn rounded_towards(exact: &Dyadic, side: f64) -> f64 {
     value
 }
 
-/// A sum of differences of products, summed in blocks, with a bound on its error when each factor is two roundings off.
+/// A sum of differences of products, with a bound on its error when each factor is two roundings off.
+///
+/// Blocks of terms are summed plainly and joined to the total with their rounding errors carried along.
 #[derive(Default)]
 struct TermSum {
     total: f64,
+    carried: f64,
     magnitude: f64,
     block: [f64; 2],
     terms: usize,
 }
 
 impl TermSum {
-    /// Terms summed before they join the running total.
-    const BLOCK: usize = 256;
+    const BLOCK: usize = 64;
 
     fn add(&mut self, left: f64, right: f64) {
         self.block[0] += left + right;
@@ -126,15 +129,21 @@ impl TermSum {
     }
 
     fn settle(&mut self) {
-        self.total += self.block[0];
+        let total = self.total + self.block[0];
+        self.carried += tail_of_sum(self.total, self.block[0], total);
+        self.total = total;
         self.magnitude += self.block[1];
         self.block = [0.0; 2];
     }
 
-    fn error(&mut self) -> f64 {
+    /// The sum and a bound on its error.
+    fn finish(mut self) -> (f64, f64) {
         self.settle();
-        let additions = (self.terms.min(Self::BLOCK) + self.terms / Self::BLOCK + 8) as f64;
-        UNIT * (8.0 * self.magnitude * (1.0 + additions * UNIT) + additions * self.total.abs()) + UNDERFLOW
+        let sum = self.total + self.carried;
+        let blocks = (self.terms / Self::BLOCK + 1) as f64;
+        let additions = self.terms.min(Self::BLOCK) as f64 + 4.0 + blocks * blocks * UNIT;
+        let error = 8.0 * self.magnitude * (1.0 + blocks * UNIT) + additions * sum.abs();
+        (sum, UNIT * error + UNDERFLOW)
     }
 }
 

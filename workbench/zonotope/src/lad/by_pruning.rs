@@ -174,8 +174,8 @@ fn radius(sample: &Instance, [cx, cy]: [f64; 2], frame: Frame) -> Option<f64> {
 
 /// The solution of the lines that cross a cell, with the signs of all the others.
 fn within<T: Tally>(instance: &Instance, split: Split, seed: u64, tally: &mut T) -> Solution {
-    let Split { crossing, columns, signs, sum, sum_error } = split;
-    let remainder = instance.remainder(&crossing, columns, signs, sum, sum_error);
+    let Split { crossing, signs, sum, sum_error } = split;
+    let remainder = instance.remainder(&crossing, signs, sum, sum_error);
     match solve(&remainder, seed, tally) {
         Solution::Optimal(optimal) => Solution::Optimal(Box::new(lift(*optimal, &remainder, &crossing))),
         unbounded => unbounded,

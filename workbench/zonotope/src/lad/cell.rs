@@ -1,7 +1,7 @@
 //! A small parallelogram around a guess: which lines certainly miss it, and on which side they leave it.
 
 use super::instance::Instance;
-use super::problem::Columns;
+use super::sides::read_sides;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
 
@@ -26,7 +26,6 @@ pub(crate) struct Frame {
 pub(crate) struct Split {
     /// The lines that may cross the cell.
     pub(crate) crossing: Vec<u32>,
-    pub(crate) columns: Columns,
     /// The sign of every other line throughout the cell; 0 for the crossing ones.
     pub(crate) signs: Vec<i8>,
     /// Σ sign · normal over the others, and how far each coordinate may be off.
@@ -91,10 +90,8 @@ impl Cell {
     /// A line misses it when |value at the center| exceeds its reach; the margin covers the rounding of both and the
     /// error of the line's columns anywhere in the cell.
     pub(crate) fn split(&self, instance: &Instance, tally: &mut impl Tally) -> Split {
-        let n = instance.len();
-        tally.add(Operation::LineEvaluation, n as u64);
+        tally.add(Operation::LineEvaluation, instance.len() as u64);
         let columns = &*instance.columns;
-        let (ax, ay, offset) = (&columns.normal_x[..n], &columns.normal_y[..n], &columns.offset[..n]);
         let [cx, cy] = self.center;
         let Frame { xx, yx, yy } = self.frame;
         let [wx, wy] = [self.radius * xx, self.radius * (yx.abs() + yy)];
@@ -103,46 +100,17 @@ impl Cell {
         let (ex, ey) = (per_normal(cx, wx), per_normal(cy, wy));
         let eb = instance.error.offset_relative + 8.0 * UNIT;
         let floor = UNDERFLOW * (1.0 + cx.abs() + cy.abs() + wx + wy);
-        let mut split = Split {
-            crossing: Vec::new(),
-            columns: Columns::default(),
-            signs: vec![0; n],
-            sum: [0.0; 2],
-            sum_error: 0.0,
-        };
-        let mut magnitude = 0.0;
-        for (block, signs) in split.signs.chunks_mut(BLOCK).enumerate() {
-            let start = block * BLOCK;
-            let (mut sums, mut magnitudes, mut missed) = ([[0.0; LANES]; 2], [0.0; LANES], 0);
-            for (i, sign) in signs.iter_mut().enumerate() {
-                let (x, y, b) = (ax[start + i], ay[start + i], offset[start + i]);
-                let value = x * cx + y * cy + b;
-                let reach = self.radius * ((xx * x + yx * y).abs() + (yy * y).abs());
-                let bound = reach + x.abs() * ex + y.abs() * ey + b.abs() * eb + floor;
-                let (above, below) = (value > bound, value < -bound);
-                *sign = i8::from(above) - i8::from(below);
-                let factor = f64::from(u8::from(above)) - f64::from(u8::from(below));
-                missed += usize::from(above | below);
-                sums[0][i % LANES] += factor * x;
-                sums[1][i % LANES] += factor * y;
-                magnitudes[i % LANES] += x.abs() + y.abs();
-            }
-            for axis in 0..2 {
-                split.sum[axis] += sums[axis].iter().sum::<f64>();
-            }
-            magnitude += magnitudes.iter().sum::<f64>();
-            if missed < signs.len() {
-                for i in (0..signs.len()).filter(|&i| signs[i] == 0).map(|i| start + i) {
-                    split.crossing.push(i as u32);
-                    split.columns.push([ax[i], ay[i], offset[i]]);
-                }
-            }
-        }
-        split.sum_error = UNIT * (BLOCK / LANES + LANES + n / BLOCK + 8) as f64 * magnitude + UNDERFLOW;
-        split
+        let radius = self.radius;
+        let (mut crossing, mut signs) = (Vec::new(), Vec::new());
+        let sides = read_sides(
+            columns,
+            &mut signs,
+            |x, y, b| {
+                let reach = radius * ((xx * x + yx * y).abs() + (yy * y).abs());
+                (x * cx + y * cy + b, reach + x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+            },
+            |line| crossing.push(line as u32),
+        );
+        Split { crossing, signs, sum: sides.sum, sum_error: sides.sum_error }
     }
 }
-
-/// Lines summed in parallel within a block; see the bound in `split`.
-const LANES: usize = 8;
-const BLOCK: usize = 512;

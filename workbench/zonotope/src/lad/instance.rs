@@ -11,6 +11,7 @@ use std::rc::Rc;
 
 use super::exact_lines::ExactLine;
 use super::problem::{Columns, LadProblem, LineError};
+use super::sides::read_sides;
 use super::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
@@ -62,7 +63,6 @@ pub(crate) struct Instance<'p> {
     linear_error: f64,
     linear_source: ExactLinear,
     exact_linear: OnceCell<[Dyadic; 2]>,
-    magnitude: OnceCell<f64>,
 }
 
 /// What is known around a vertex: on which side of each line it lies, the sum of the others' normals.
@@ -100,20 +100,11 @@ impl<'p> Instance<'p> {
 
     /// Some lines of the instance in its own objective: the others have the given fixed signs, whose normals sum to
     /// `fixed_sum` within `fixed_error`.
-    pub(crate) fn remainder(
-        &self,
-        lines: &[u32],
-        columns: Columns,
-        signs: Vec<i8>,
-        fixed_sum: [f64; 2],
-        fixed_error: f64,
-    ) -> Self {
+    pub(crate) fn remainder(&self, lines: &[u32], signs: Vec<i8>, fixed_sum: [f64; 2], fixed_error: f64) -> Self {
         let mut source = self.linear_source.clone();
         source.layers.push(Rc::new(FixedSigns { members: self.members.clone(), signs }));
         let linear = [self.linear[0] + fixed_sum[0], self.linear[1] + fixed_sum[1]];
-        let members = Some(self.positions(lines));
-        let mut remainder = Self::new(self.problem, Cow::Owned(columns), members, linear, source);
-        (remainder.own_offsets, remainder.error) = (self.own_offsets, self.error);
+        let mut remainder = self.selection(lines, linear, source);
         remainder.linear_error += self.linear_error + fixed_error;
         remainder
     }
@@ -145,7 +136,6 @@ impl<'p> Instance<'p> {
             linear_error: 8.0 * UNIT * (linear[0].abs() + linear[1].abs()) + UNDERFLOW,
             linear_source,
             exact_linear: OnceCell::new(),
-            magnitude: OnceCell::new(),
         }
     }
 
@@ -183,11 +173,6 @@ impl<'p> Instance<'p> {
         self.exact_linear.get_or_init(|| self.linear_source.value(self.problem))
     }
 
-    fn magnitude(&self) -> f64 {
-        let sum = |column: &[f64]| column.iter().map(|v| v.abs()).sum::<f64>();
-        *self.magnitude.get_or_init(|| sum(&self.columns.normal_x) + sum(&self.columns.normal_y))
-    }
-
     /// linear + Σ sign · normal, exactly.
     pub(crate) fn exact_gradient(&self, signs: &[i8]) -> [Dyadic; 2] {
         let mut terms = signs.iter().enumerate().map(|(line, &sign)| (self.position(line as u32), sign));
@@ -220,25 +205,21 @@ impl<'p> Instance<'p> {
     pub(crate) fn read_at(&self, vertex: &Vertex, around: &mut Surroundings, tally: &mut impl Tally) {
         let n = self.len();
         tally.add(Operation::LineEvaluation, n as u64);
-        around.signs.clear();
-        around.signs.resize(n, 0);
         around.through.clear();
-        let bounds = self.bounds_at(vertex);
-        let columns = &*self.columns;
-        let mut gradient = self.linear;
+        let ([px, py], [vx, vy]) = (vertex.point, vertex.error);
+        let per_normal = |value: f64, error: f64| error + 8.0 * UNIT * value.abs() + self.error.offset_per_normal;
+        let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), self.error.offset_relative + 8.0 * UNIT);
+        let floor = UNDERFLOW * (1.0 + px.abs() + py.abs());
         let mut undecided = Vec::new();
-        for (block, signs) in around.signs.chunks_mut(BLOCK).enumerate() {
-            let start = block * BLOCK;
-            let range = start..start + signs.len();
-            let (x, y) = (&columns.normal_x[range.clone()], &columns.normal_y[range.clone()]);
-            let (sum, certain) = bounds.read_block(x, y, &columns.offset[range], signs);
-            gradient[0] += sum[0];
-            gradient[1] += sum[1];
-            if !certain {
-                undecided.extend((0..signs.len()).filter(|&i| signs[i] == 0).map(|i| (start + i) as u32));
-            }
-        }
-        let additions = (BLOCK / LANES + LANES + n / BLOCK + undecided.len() + 8) as f64;
+        let sides = read_sides(
+            &self.columns,
+            &mut around.signs,
+            |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor),
+            |line| undecided.push(line as u32),
+        );
+        let mut gradient = [self.linear[0] + sides.sum[0], self.linear[1] + sides.sum[1]];
+        let additions = (undecided.len() + 8) as f64;
+        let mut undecided_size = 0.0;
         for line in undecided {
             let side = if vertex.is_on(line) {
                 0
@@ -253,60 +234,11 @@ impl<'p> Instance<'p> {
             let [x, y] = self.normal(line);
             gradient[0] += f64::from(side) * x;
             gradient[1] += f64::from(side) * y;
+            undecided_size += x.abs() + y.abs();
         }
         around.gradient = gradient;
-        let total = self.magnitude() + self.linear[0].abs() + self.linear[1].abs();
-        around.gradient_error = self.linear_error + UNIT * additions * total + UNDERFLOW;
-    }
-
-    fn bounds_at(&self, vertex: &Vertex) -> Bounds {
-        let per_normal =
-            |axis: usize| vertex.error[axis] + 8.0 * UNIT * vertex.point[axis].abs() + self.error.offset_per_normal;
-        Bounds {
-            point: vertex.point,
-            per_normal: [per_normal(0), per_normal(1)],
-            per_offset: self.error.offset_relative + 8.0 * UNIT,
-            floor: UNDERFLOW * (1.0 + vertex.point[0].abs() + vertex.point[1].abs()),
-        }
+        // |sides.sum| is at most the sum of the sizes that its error is a multiple of.
+        let size = undecided_size + self.linear[0].abs() + self.linear[1].abs() + sides.sum_error / UNIT;
+        around.gradient_error = self.linear_error + sides.sum_error + UNIT * additions * size + UNDERFLOW;
     }
 }
-
-/// A point and what bounds the error of a line's value there.
-struct Bounds {
-    point: [f64; 2],
-    per_normal: [f64; 2],
-    per_offset: f64,
-    floor: f64,
-}
-
-impl Bounds {
-    /// Writes the certain signs of a block of lines, 0 for the others; returns Σ sign · normal over the certain ones
-    /// and whether all were.
-    fn read_block(&self, x: &[f64], y: &[f64], offset: &[f64], signs: &mut [i8]) -> ([f64; 2], bool) {
-        let ([px, py], [ex, ey], eb) = (self.point, self.per_normal, self.per_offset);
-        let mut sums = [[0.0; LANES]; 2];
-        let mut certain = true;
-        let mut read = |lane: usize, x: f64, y: f64, b: f64, sign: &mut i8| {
-            let value = x * px + y * py + b;
-            let bound = x.abs() * ex + y.abs() * ey + b.abs() * eb + self.floor;
-            let (above, below) = (value > bound, value < -bound);
-            *sign = i8::from(above) - i8::from(below);
-            let factor = f64::from(u8::from(above)) - f64::from(u8::from(below));
-            certain &= above | below;
-            sums[0][lane] += factor * x;
-            sums[1][lane] += factor * y;
-        };
-        let lanes = x.chunks(LANES).zip(y.chunks(LANES)).zip(offset.chunks(LANES)).zip(signs.chunks_mut(LANES));
-        for (((x, y), offset), signs) in lanes {
-            for (lane, (((&x, &y), &b), sign)) in x.iter().zip(y).zip(offset).zip(signs).enumerate() {
-                read(lane, x, y, b, sign);
-            }
-        }
-        (sums.map(|lanes| lanes.iter().sum()), certain)
-    }
-}
-
-/// Lines summed in parallel within a block; blocks join the running gradient one by one. The rounding error of the sum
-/// is then at most (BLOCK / LANES + LANES + n / BLOCK) · UNIT of the sum of magnitudes rather than n · UNIT.
-const LANES: usize = 8;
-const BLOCK: usize = 512;

@@ -25,6 +25,7 @@ mod line_search;
 mod method;
 mod optimum;
 mod problem;
+mod sides;
 mod solution;
 mod solve;
 pub mod verify;
