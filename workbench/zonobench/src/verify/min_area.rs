@@ -118,7 +118,8 @@ pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<Min
         ));
     }
     let smallest = Proportion::of_double(f64::MIN_POSITIVE);
-    if answer.lower_bound < f64::MAX && area.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
+    let in_range = area.near().is_finite();
+    if in_range && area.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
         return Err(format!(
             "lower_bound {:?} says less than the certificate proves, {:?}",
             answer.lower_bound,
