@@ -8,9 +8,6 @@ use crate::commands::{enclose, list, reproduce, solve, verify};
 #[derive(Debug, Parser)]
 #[command(name = "zonobench", version, arg_required_else_help = true)]
 pub struct Cli {
-    /// Threads for the parts that run in parallel; all processors if absent.
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,

@@ -24,7 +24,6 @@ use std::ffi::OsString;
 use std::io;
 use std::process::ExitCode;
 
-use anyhow::Context;
 use clap::Parser;
 
 use cli::{Cli, Command};
@@ -53,14 +52,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
-    if let Some(threads) = cli.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
-            .build_global()
-            .context("the threads cannot be started")?;
-    }
     match &cli.command {
-        Command::Reproduce(options) => commands::reproduce::run(options, cli.threads),
+        Command::Reproduce(options) => commands::reproduce::run(options),
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Solve(options) => commands::solve::run(options),

@@ -32,6 +32,9 @@ pub struct Options {
     /// The seed of all random numbers.
     #[arg(long, default_value_t = 2003)]
     seed: u64,
+    /// Threads for counting; all processors if absent. Times are taken on one.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     /// Write into the folder although it holds something.
     #[arg(long)]
     force: bool,
@@ -53,10 +56,10 @@ impl From<Extent> for Profile {
 }
 
 /// Runs everything and writes the folder; the manifest comes last, so a folder with a manifest is complete.
-pub fn run(options: &Options, threads: Option<u16>) -> anyhow::Result<Ending> {
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let folder = Folder::claim(&options.out, options.force)?;
     let profile = Profile::from(options.profile);
-    let records = run_experiments(options, profile, threads, &folder)?;
+    let records = run_experiments(options, profile, &folder)?;
     let fits = report::fits(&records);
     let figures = draw_figures(&records);
     let claims = check_claims(&report::check_context(options.seed, &fits));
@@ -116,17 +119,12 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
     Ok(ending)
 }
 
-fn run_experiments(
-    options: &Options,
-    profile: Profile,
-    threads: Option<u16>,
-    folder: &Folder,
-) -> anyhow::Result<Records> {
+fn run_experiments(options: &Options, profile: Profile, folder: &Folder) -> anyhow::Result<Records> {
     let experiments: Vec<&'static Experiment> = EXPERIMENTS.iter().collect();
     let run = RunOptions {
         profile,
         seed: options.seed,
-        threads: threads.map_or(0, usize::from),
+        threads: options.threads.map_or(0, usize::from),
         directory: Some(folder.path.join(RECORDS)),
         times: true,
     };

@@ -203,7 +203,12 @@ fn experiment_section(experiment: &'static Experiment, evidence: &Evidence) -> S
     }
     let fits: Vec<_> = fits_of(experiment, evidence).filter(|fit| fit.is_deterministic()).collect();
     text.push_str(&growth_table(&fits));
-    text.push_str(&value_table(experiment, &evidence.records.counts));
+    let values = value_table(experiment, &evidence.records.counts);
+    if fits.is_empty() || values.is_empty() {
+        text.push_str(&values);
+    } else {
+        text.push_str(&format!("<details>\n<summary>Sizes and other numbers</summary>\n{values}</details>\n"));
+    }
     text.push_str("</section>\n");
     text
 }
