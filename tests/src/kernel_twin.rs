@@ -73,7 +73,8 @@ impl Exact {
         candidates.iter().map(|point| self.value(point)).min()
     }
 
-    fn vertices(&self) -> Vec<Vector> {
+    /// The crossing of every pair of lines that are not parallel, one for each pair.
+    pub fn vertices(&self) -> Vec<Vector> {
         let mut vertices = Vec::new();
         for (index, (a, b, _)) in self.terms.iter().enumerate() {
             for (c, d, _) in &self.terms[..index] {

@@ -1,0 +1,95 @@
+//! Slope selection against a sorted list of all crossings, on all line families, for every rank.
+
+use dashu_ratio::RBig;
+use proptest::prelude::*;
+use tests::kernel_twin::Exact;
+use tests::line_families::{self, Instance};
+use tests::runner::for_all;
+use zonotope::arrangement::LineArrangement;
+use zonotope::arrangement::slope_selection::{brute_force, randomized};
+
+const CASES: u32 = 120;
+const LARGE_CASES: u32 = 12;
+
+fn arrangement(instance: &Instance) -> LineArrangement<'static> {
+    let rows: Vec<[f64; 3]> = instance.terms.iter().map(|term| [term.a[0], term.a[1], term.b]).collect();
+    LineArrangement::from_rows(&rows).expect("the families are finite")
+}
+
+/// The abscissas of all crossings, from the left.
+fn abscissas(instance: &Instance) -> Vec<RBig> {
+    let mut all: Vec<RBig> = Exact::from(instance).vertices().into_iter().map(|[x, _]| x).collect();
+    all.sort();
+    all
+}
+
+fn agrees(instance: Instance) -> Result<(), TestCaseError> {
+    let arrangement = arrangement(&instance);
+    let expected = abscissas(&instance);
+    prop_assert_eq!(arrangement.vertex_count(), expected.len() as u64);
+    for (rank, x) in (1..).zip(&expected) {
+        let truth = brute_force::kth_leftmost_vertex(&arrangement, rank).map(|vertex| vertex.exact_x());
+        prop_assert_eq!(truth.as_ref().ok(), Some(x), "brute_force, rank {}", rank);
+        for seed in [1, 2] {
+            let found = randomized::kth_leftmost_vertex(&arrangement, rank, seed);
+            prop_assert!(found.is_ok(), "rank {}: {:?}", rank, found);
+            let found = found.expect("that was just asserted");
+            prop_assert_eq!(&found.exact_x(), x, "rank {}", rank);
+            let lines = found.lines;
+            let pair = lines.map(|line| instance.terms[line.position()]);
+            let alone = Instance { terms: pair.to_vec(), linear: [0.0, 0.0] };
+            prop_assert_eq!(abscissas(&alone), std::slice::from_ref(x), "the lines {:?} cross elsewhere", lines);
+        }
+    }
+    for rank in [0, expected.len() as u64 + 1] {
+        prop_assert!(randomized::kth_leftmost_vertex(&arrangement, rank, 1).is_err());
+        prop_assert!(brute_force::kth_leftmost_vertex(&arrangement, rank).is_err());
+    }
+    Ok(())
+}
+
+/// More lines than can be listed at once: ranks across the whole range.
+fn some_ranks_agree(instance: Instance) -> Result<(), TestCaseError> {
+    let arrangement = arrangement(&instance);
+    let expected = abscissas(&instance);
+    for twelfth in 0..=12 {
+        let Some(last) = expected.len().checked_sub(1) else { break };
+        let index = last * twelfth / 12;
+        let found = randomized::kth_leftmost_vertex(&arrangement, index as u64 + 1, 3).map(|vertex| vertex.exact_x());
+        prop_assert_eq!(found.as_ref().ok(), Some(&expected[index]), "rank {}", index + 1);
+    }
+    Ok(())
+}
+
+macro_rules! families {
+    ($($family:ident: $most:literal),* $(,)?) => {
+        mod small {
+            $(#[test]
+            fn $family() {
+                super::for_all(&super::line_families::$family(1..=$most), super::CASES, super::agrees);
+            })*
+        }
+
+        mod large {
+            $(#[test]
+            fn $family() {
+                super::for_all(&super::line_families::$family(40..=90), super::LARGE_CASES, super::some_ranks_agree);
+            })*
+        }
+    };
+}
+
+families!(
+    generic: 12,
+    lattice_lines: 12,
+    concurrent: 12,
+    parallel: 12,
+    axis_parallel: 12,
+    near_parallel: 12,
+    duplicates: 12,
+    symmetric: 12,
+    regular_polygons: 12,
+    scaled: 12,
+    one_ulp: 12,
+    mixed_scales: 7,
+);
