@@ -28,7 +28,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     real_inputs: REAL_INPUTS,
     sizes: PerProfile {
         quick: &[3, 4, 5, 8, 16, 32, 64, 256, 1024, 4096],
-        full: &[3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096, 16384, 65536],
+        full: &[3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096],
     },
     instances: PerProfile { quick: 5, full: 25 },
     variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
