@@ -20,7 +20,7 @@ fn a_command_line_that_makes_no_sense_ends_with_status_2() {
         &["list", "no-such-list"],
         &["enclose"],
         &["verify", "one-file-only.jsonl"],
-        &["--threads", "0", "list"],
+        &["reproduce", "--threads", "0"],
         &["solve", "--no-such-switch"],
     ];
     for arguments in senseless {
@@ -64,4 +64,16 @@ fn a_missing_file_is_named_and_ends_with_status_1() {
         assert_eq!(complaint.lines().count(), 1, "{complaint}");
         assert!(complaint.starts_with("zonobench: missing.jsonl: cannot be read"), "{complaint}");
     }
+}
+
+#[test]
+fn reproduce_does_not_write_into_a_folder_that_holds_something() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    std::fs::write(folder.path().join("notes.txt"), "mine").expect("a file of somebody's");
+    let assertion = zonobench().arg("reproduce").arg("--out").arg(folder.path()).assert().code(1);
+    let complaint = String::from_utf8_lossy(&assertion.get_output().stderr).into_owned();
+    assert!(complaint.contains("--force"), "{complaint}");
+    let names: Vec<_> =
+        std::fs::read_dir(folder.path()).expect("the folder").map(|entry| entry.expect("a file").file_name()).collect();
+    assert_eq!(names, ["notes.txt"]);
 }
