@@ -2,7 +2,7 @@
 
 use paper_checks::{ClaimResult, Verdict};
 
-use super::html::{Escaped, badge, table};
+use super::html::{Escaped, badge, prose, table};
 
 /// The claims with their verdicts.
 pub(super) fn claim_table(results: &[&ClaimResult]) -> String {
@@ -11,15 +11,15 @@ pub(super) fn claim_table(results: &[&ClaimResult]) -> String {
         .map(|result| {
             let claim = result.claim;
             let place = format!("{}, {}", claim.place.section, claim.place.label);
-            let mut evidence = Escaped(&result.evidence()).to_string();
+            let mut evidence = prose(&result.evidence());
             if let Some(remedy) = claim.remedy {
-                evidence.push_str(&format!("<p class=\"remedy\">Instead: {}</p>", Escaped(remedy)));
+                evidence.push_str(&format!("<p class=\"remedy\">Instead: {}</p>", prose(remedy)));
             }
             vec![
                 format!(
                     "<span id=\"claim-{}\">{}</span><br><small>{}</small>",
                     claim.id,
-                    Escaped(claim.statement),
+                    prose(claim.statement),
                     Escaped(&place)
                 ),
                 evidence,

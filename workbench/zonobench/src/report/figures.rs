@@ -3,7 +3,7 @@
 use experiments::runner::Records;
 use figures::figure::{Figure, FigureInput};
 
-use super::html::Escaped;
+use super::html::{Escaped, prose};
 
 /// A figure with its drawing.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ fn plate(drawn: &DrawnFigure) -> String {
         "<figure id=\"figure-{}\">\n<div class=\"plate\">{drawing}</div>\n<figcaption><b>{}.</b> {}</figcaption>\n</figure>\n",
         figure.id,
         Escaped(figure.title),
-        Escaped(figure.caption)
+        prose(figure.caption)
     )
 }
 

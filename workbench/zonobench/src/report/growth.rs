@@ -2,30 +2,46 @@
 
 use experiments::analysis::FittedGrowth;
 use experiments::catalog;
-use experiments::fit::{Estimate, GrowthModel, ModelVerdict};
+use experiments::fit::{Estimate, Growth, GrowthModel, ModelVerdict};
+use paper_checks::Measurement;
 
 use super::html::{Escaped, badge, grouped, table};
 
-/// One growth law in one sentence, when there is one to tell.
-pub(super) fn sentence(fit: &FittedGrowth) -> Option<String> {
-    let growth = fit.growth.as_ref().ok()?;
-    let bound = fit.bound?;
-    let excess = growth.model(bound)?.excess_exponent;
-    Some(format!(
-        "{} of {} on {}: exponent {} for n = {} to {}; beyond {bound}: {}",
-        fit.quantity,
-        fit.variant,
-        fit.family,
-        interval(growth.exponent),
-        growth.smallest,
-        growth.largest,
-        interval(excess),
-    ))
+/// What the fits of each method in each experiment say of its bound, in one sentence, leaving out what a clock says.
+pub(super) fn measurements(fits: &[FittedGrowth]) -> Vec<Measurement> {
+    let judged = |fit: &&FittedGrowth| fit.is_deterministic() && fit.verdict().is_some();
+    let fits: Vec<&FittedGrowth> = fits.iter().filter(judged).collect();
+    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound);
+    fits.chunk_by(|a, b| topic(a) == topic(b)).filter_map(measurement).collect()
+}
+
+/// One sentence on fits that differ in their inputs only.
+fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
+    let first = fits.first()?;
+    let bound = first.bound?;
+    let growths: Vec<&Growth> = fits.iter().filter_map(|fit| fit.growth.as_ref().ok()).collect();
+    let range = |value: fn(&Growth) -> f64| {
+        let values = growths.iter().map(|growth| value(growth));
+        [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let [low, high] = range(|growth| growth.exponent.value);
+    let excess = growths.iter().filter_map(|growth| growth.model(bound)).map(|model| model.excess_exponent.high);
+    let summary = format!(
+        "{} of {} on {} inputs, n = {} to {}: exponents {low:.3} to {high:.3}, beyond {bound} at most {:.3}",
+        first.quantity,
+        first.variant,
+        fits.len(),
+        range(|growth| growth.smallest)[0],
+        range(|growth| growth.largest)[1],
+        excess.fold(f64::NEG_INFINITY, f64::max),
+    );
+    let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
+    Some(Measurement { experiment: first.experiment.to_owned(), summary, agrees })
 }
 
 /// A number with its interval.
 fn interval(estimate: Estimate) -> String {
-    format!("{:.3} [{:.3}, {:.3}]", estimate.value, estimate.low, estimate.high)
+    format!("{:.3} [{:.3}, {:.3}]", estimate.value, estimate.low, estimate.high).replace('-', "−")
 }
 
 /// The laws as a table; empty without any.

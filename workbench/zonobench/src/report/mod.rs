@@ -17,7 +17,7 @@ use experiments::analysis::{self, FittedGrowth};
 use experiments::catalog::EXPERIMENTS;
 use experiments::definition::Profile;
 use experiments::runner::Records;
-use paper_checks::{CheckContext, ClaimResult, Measurement};
+use paper_checks::{CheckContext, ClaimResult};
 
 pub use figures::{DrawnFigure, all_figures};
 pub use manifest::{Manifest, OutputFile};
@@ -45,18 +45,7 @@ pub fn fits(records: &Records) -> Vec<FittedGrowth> {
     EXPERIMENTS.iter().flat_map(|experiment| analysis::fits(experiment, records)).collect()
 }
 
-/// What the claims' checks are told: one sentence for every growth law that operation counts show, none that a clock shows.
+/// What the claims' checks are told of the growth that operation counts show.
 pub fn check_context(seed: u64, fits: &[FittedGrowth]) -> CheckContext {
-    let measurements = fits
-        .iter()
-        .filter(|fit| fit.is_deterministic())
-        .filter_map(|fit| {
-            Some(Measurement {
-                experiment: fit.experiment.to_owned(),
-                summary: growth::sentence(fit)?,
-                agrees: fit.supports_bound()?,
-            })
-        })
-        .collect();
-    CheckContext { seed, measurements }
+    CheckContext { seed, measurements: growth::measurements(fits) }
 }

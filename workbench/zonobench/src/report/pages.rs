@@ -9,7 +9,7 @@ use super::chapter::{CHAPTERS, Chapter};
 use super::claims::{claim_table, verdict};
 use super::figures::{DrawnFigure, gallery};
 use super::growth::growth_table;
-use super::html::{Escaped, badge, grouped, page, table};
+use super::html::{Escaped, badge, grouped, page, prose, table};
 use super::values::value_table;
 use super::{Evidence, FittedGrowth};
 
@@ -115,14 +115,14 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
         chapter.id,
         Escaped(chapter.place),
         Escaped(chapter.title),
-        Escaped(chapter.statement)
+        prose(chapter.statement)
     );
     let experiments: Vec<_> =
         EXPERIMENTS.iter().filter(|experiment| chapter_of(experiment.claims) == Some(chapter.id)).collect();
     let results: Vec<_> = evidence.claims.iter().filter(|result| shares(&[result.claim.id])).collect();
     text.push_str(&verdict_line(&experiments, &results, evidence));
     for paragraph in chapter.method {
-        text.push_str(&format!("<p>{}</p>\n", Escaped(paragraph)));
+        text.push_str(&format!("<p>{}</p>\n", prose(paragraph)));
     }
     text.push_str(&format!("<p class=\"bound\"><b>Cost.</b> {}</p>\n", Escaped(chapter.bound)));
     let figures: Vec<&DrawnFigure> = evidence
@@ -193,7 +193,7 @@ fn experiment_section(experiment: &'static Experiment, evidence: &Evidence) -> S
          wrong or failed.</small></p>\n",
         experiment.id,
         Escaped(experiment.title),
-        Escaped(experiment.question),
+        prose(experiment.question),
         grouped(correct),
         grouped(unchecked),
         faults.len()
