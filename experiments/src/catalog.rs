@@ -3,6 +3,7 @@
 use crate::definition::Experiment;
 use crate::definitions::{
     area_ratio, hull_scaling, lad_scaling, methods_agree, min_area_scaling, min_area_stages, pruning_passes,
+    slope_selection_scaling,
 };
 
 /// Every experiment, in the order of reports.
@@ -11,6 +12,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
     min_area_stages::EXPERIMENT,
     lad_scaling::EXPERIMENT,
     pruning_passes::EXPERIMENT,
+    slope_selection_scaling::EXPERIMENT,
     hull_scaling::EXPERIMENT,
     methods_agree::EXPERIMENT,
     area_ratio::EXPERIMENT,

@@ -8,6 +8,7 @@ pub mod methods_agree;
 pub mod min_area_scaling;
 pub mod min_area_stages;
 pub mod pruning_passes;
+pub mod slope_selection_scaling;
 
 use crate::definition::PerProfile;
 
