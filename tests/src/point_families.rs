@@ -108,6 +108,13 @@ pub fn mixed_scales() -> Points {
     vec(pair(any_magnitude), 1..=9).boxed()
 }
 
+/// Coordinates whose magnitudes differ by up to 70 bits: their sums and differences lose digits that still matter.
+pub fn staggered() -> Points {
+    let number =
+        || prop_oneof![plain(), (plain(), -70..=0i32).prop_map(|(part, exponent)| part * power_of_two(exponent))];
+    vec([number(), number()], 1..=12).boxed()
+}
+
 /// Multiples of the smallest double, and numbers next to the largest.
 pub fn ends_of_the_range() -> Points {
     let tiny = || (-6..=6i64).prop_map(|k| k as f64 * f64::from_bits(1)).boxed();

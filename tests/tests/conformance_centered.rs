@@ -73,5 +73,6 @@ families!(
     scaled,
     one_ulp,
     mixed_scales,
+    staggered,
     ends_of_the_range
 );

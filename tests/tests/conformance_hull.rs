@@ -54,5 +54,6 @@ families!(
     scaled,
     one_ulp,
     mixed_scales,
+    staggered,
     ends_of_the_range
 );

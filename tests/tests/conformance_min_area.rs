@@ -105,6 +105,7 @@ families!(
     scaled,
     one_ulp,
     mixed_scales,
+    staggered,
     ends_of_the_range
 );
 
