@@ -5,6 +5,7 @@ use std::path::Path;
 use figures::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use figures::scene::{LegendEntry, Panel, Sample, Scene};
 use figures::style::{ENCLOSING, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, Paint, Shape, Stroke, weight};
+use zonotope::numeric::dyadic::{Dyadic, binary_exponent};
 
 use crate::enclosure::Enclosure;
 
@@ -14,22 +15,32 @@ const HEIGHTS: [f64; 2] = [160.0, 560.0];
 const MARGIN: f64 = 24.0;
 const LEGEND: f64 = 56.0;
 
-/// More points than this are thinned out; the hull shows all of them.
+/// More points or vertices than this are thinned out.
 const MOST_POINTS: usize = 4000;
 
-/// Points, hull, zonogon and centre.
+/// Of more corners the hull's line alone is drawn.
+const MOST_CORNERS: usize = 200;
+
+/// Points, hull, zonogon and centre; scaled by a power of two, so that nothing leaves the range of doubles.
 pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> String {
     let found = &enclosure.found;
-    let vertices = found.zonogon.vertices();
+    let shrink = -i64::from(binary_exponent(largest(points)).unwrap_or(0));
+    let small = |coordinates: [Dyadic; 2]| coordinates.map(|coordinate| coordinate.scaled(shrink).to_f64());
+    let place = |point: &[f64; 2]| small(point.map(Dyadic::from_f64));
+    let exact_vertices = found.zonogon.exact_vertices();
+    let vertex_count = exact_vertices.len();
+    let vertices: Vec<[f64; 2]> = thinned(exact_vertices).map(small).collect();
+    let hull_vertices: Vec<[f64; 2]> = thinned(found.hull.vertices().iter()).map(place).collect();
+    let center = place(&found.zonogon.center());
     let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy();
     let title = format!("Smallest zonogon around {name}");
     let description = format!(
         "{} points, their convex hull with {} vertices, and the enclosing zonogon of least area with {} vertices.",
         points.len(),
         found.hull.vertex_count(),
-        vertices.len()
+        vertex_count
     );
-    let world = WorldBox::around(vertices.iter().chain(found.hull.vertices()));
+    let world = WorldBox::around(vertices.iter().chain(&hull_vertices));
     let width = WIDTH - 2.0 * MARGIN;
     let height = height_for(&world, width);
     let mut scene = Scene::new(WIDTH, height + 2.0 * MARGIN + LEGEND, &title, &description);
@@ -40,16 +51,18 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
     let hull = Paint::fill(INPUT, 0.12).with_outline(Stroke::new(INPUT, weight::MEDIUM));
     let dot = Marker::new(Shape::Disc, 1.4, INPUT);
     panel.polygon(&vertices, &zonogon);
-    panel.polygon(found.hull.vertices(), &hull);
-    let step = points.len().div_ceil(MOST_POINTS).max(1);
-    let shown: Vec<[f64; 2]> = points.iter().copied().step_by(step).collect();
+    panel.polygon(&hull_vertices, &hull);
+    let shown: Vec<[f64; 2]> = thinned(points.iter()).map(place).collect();
     panel.markers(&shown, &dot);
-    if found.hull.vertex_count() <= MOST_POINTS {
-        panel.markers(found.hull.vertices(), &INPUT_POINT);
+    if found.hull.vertex_count() <= MOST_CORNERS {
+        panel.markers(&hull_vertices, &INPUT_POINT);
     }
-    panel.marker(found.zonogon.center(), &OPTIMAL_CENTER);
+    panel.marker(center, &OPTIMAL_CENTER);
 
-    let some = if step > 1 { format!("points, one in {step}") } else { "points".to_owned() };
+    let some = match stride(points.len()) {
+        1 => "points".to_owned(),
+        stride => format!("points, one in {stride}"),
+    };
     let legend = [
         LegendEntry::new(Sample::Point(dot), &some),
         LegendEntry::new(Sample::Area(hull), "convex hull"),
@@ -58,6 +71,21 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
     ];
     scene.legend(PagePoint::new(MARGIN, height + 2.0 * MARGIN), width, &legend);
     scene.finish()
+}
+
+/// Few enough of the items, evenly.
+fn thinned<T>(items: impl IntoIterator<IntoIter: ExactSizeIterator<Item = T>>) -> impl Iterator<Item = T> {
+    let items = items.into_iter();
+    let stride = stride(items.len());
+    items.step_by(stride)
+}
+
+fn stride(count: usize) -> usize {
+    count.div_ceil(MOST_POINTS).max(1)
+}
+
+fn largest(points: &[[f64; 2]]) -> f64 {
+    points.iter().flatten().fold(0.0, |largest, coordinate| largest.max(coordinate.abs()))
 }
 
 /// The height at which the world fills the width, within limits; computed on halves, which do not overflow.

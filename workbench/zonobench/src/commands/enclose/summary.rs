@@ -38,19 +38,23 @@ pub(super) fn summary(
     ];
     match proof {
         Ok(proof) => {
-            lines.push((
-                "relative gap",
-                format!("at most {:.1e}: no enclosing zonogon is smaller by more", proof.gap.max(0.0)),
-            ));
+            let gap = if found.hull.has_area() {
+                format!("at most {:.1e}: no enclosing zonogon is smaller by more", proof.gap.max(0.0))
+            } else {
+                "the points lie on a line, so the least area is 0; anything above it is outward rounding".to_owned()
+            };
+            lines.push(("relative gap", gap));
             lines
                 .push(("certificate", "checked: exact containment of every point, exact area, exact bound".to_owned()));
         }
         Err(reason) => lines.push(("certificate", format!("WRONG: {reason}"))),
     }
-    let uniqueness = match found.face_dimension {
-        0 => "unique: no other centre gives this area",
-        1 => "not unique: the optimal centres form a segment",
-        _ => "not unique: the optimal centres form a polygon",
+    let uniqueness = match (found.hull.has_area(), found.face_dimension) {
+        (_, 0) => "unique: no other centre gives this area",
+        (true, 1) => "not unique: the optimal centres form a segment",
+        (true, _) => "not unique: the optimal centres form a polygon",
+        (false, 1) => "not unique: every centre on the line of the points gives area 0",
+        (false, _) => "not unique: every centre gives area 0",
     };
     lines.push(("optimum", uniqueness.to_owned()));
     if let Some(exact) = exact {
@@ -73,7 +77,7 @@ fn counted(count: usize, one: &str, many: &str) -> String {
 
 /// A number as it is written in the answer: enough digits to be read back unchanged.
 fn figure(number: f64) -> String {
-    format!("{number:?}")
+    if number.is_finite() { format!("{number:?}") } else { "beyond the range of doubles".to_owned() }
 }
 
 /// The command that checks the written answer, or how to get one.
