@@ -13,7 +13,7 @@ use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
-use crate::numeric::exact_sum::ExactSum;
+use crate::numeric::exact_sum::{ExactSum, exact_sum};
 use crate::numeric::tolerance::UNIT;
 
 /// The points of a hull scaled by a power of two to magnitude at most 1, and a reference near twice their middle.
@@ -109,6 +109,11 @@ impl Frame {
         point.map(|v| v * self.factors[0] * self.factors[1])
     }
 
+    /// Whether scaling a point loses nothing to underflow.
+    fn scales_exactly(&self, point: [f64; 2]) -> bool {
+        self.scaled(point).map(|v| v / self.factors[1] / self.factors[0]) == point
+    }
+
     /// A length in the frame.
     pub(crate) fn scaled_length(&self, length: f64) -> f64 {
         length * self.factors[0] * self.factors[1]
@@ -136,9 +141,7 @@ impl Frame {
 /// The sum is taken as head + tail exactly. Where head − r is rounded at all it is not smaller than half of head, hence than the tail;
 /// where it is small it is exact.
 fn sum_from_reference(a: f64, b: f64, r: f64) -> f64 {
-    let head = a + b;
-    let b_in_head = head - a;
-    let tail = (a - (head - b_in_head)) + (b - b_in_head);
+    let (head, tail) = exact_sum(a, b);
     (head - r) + tail
 }
 
@@ -166,6 +169,17 @@ impl ExactLines for ExactBisectors<'_> {
         let offset = &edge[1] * &d[0] - &edge[0] * &d[1];
         let [x, y] = edge;
         ExactLine { normal: [-y, x], offset }
+    }
+
+    fn certainly_passes(&self, t: usize, point: [f64; 2]) -> bool {
+        let ends = [self.hull.vertices()[t], self.hull.vertex(self.farthest[t].vertex())];
+        let [from, far] = ends.map(|end| self.frame.scaled(end));
+        ends.iter().all(|&end| self.frame.scales_exactly(end))
+            && (0..2).all(|axis| {
+                let (sum, tail) = exact_sum(far[axis], from[axis]);
+                let (shifted, shifted_tail) = exact_sum(point[axis], self.frame.reference[axis]);
+                sum == shifted && tail == shifted_tail
+            })
     }
 
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {

@@ -53,6 +53,7 @@ use std::cmp::Ordering;
 use crate::hull::antipodal::FarthestVertex;
 use crate::hull::{ConvexHull, VertexIndex};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::orientation::{Turn, orientation};
 
 use super::bisectors::Bisectors;
@@ -116,7 +117,10 @@ impl<'h> CenteredZonogon<'h> {
         if !hull.has_area() {
             return Self { hull, center, half: half_of_segment(hull, center) };
         }
-        let half = HalfTurn { hull, farthest, exact_center, sides, visited: Vec::with_capacity(hull.edge_count() + 2) };
+        let is_exact = (0..2).all(|i| exact_center[i] == &exact_center[2] * &Dyadic::from_f64(center[i]));
+        let center_in_doubles = is_exact.then_some(center);
+        let visited = Vec::with_capacity(hull.edge_count() + 2);
+        let half = HalfTurn { hull, farthest, exact_center, center_in_doubles, sides, visited };
         Self { hull, center, half: half.walk() }
     }
 
@@ -188,6 +192,8 @@ struct HalfTurn<'a> {
     hull: &'a ConvexHull,
     farthest: &'a [FarthestVertex],
     exact_center: &'a [Dyadic; 3],
+    /// The centre, if its coordinates are doubles.
+    center_in_doubles: Option<[f64; 2]>,
     sides: &'a [i8],
     visited: Vec<BoundaryVertex>,
 }
@@ -250,8 +256,17 @@ impl HalfTurn<'_> {
         self.visit(if ends_earlier { opposite_end } else { end }, ends_earlier);
     }
 
+    /// Whether P'_a = P_b, where that is seen at a glance; `false` decides nothing.
+    fn meet_in_center(&self, a: usize, b: usize) -> bool {
+        let (a, b) = (self.hull.vertices()[a], self.hull.vertices()[b]);
+        self.center_in_doubles.is_some_and(|center| (0..2).all(|i| exact_sum(a[i], b[i]) == (2.0 * center[i], 0.0)))
+    }
+
     /// The sign of the scalar product of an edge with P'_a − P_b.
     fn reflection_is_ahead(&self, edge: usize, a: usize, b: usize) -> Ordering {
+        if self.meet_in_center(a, b) {
+            return Ordering::Equal;
+        }
         let exact = |vertex: usize| self.hull.vertices()[vertex].map(Dyadic::from_f64);
         let [x, y, w] = self.exact_center;
         let (from, to, a, b) = (exact(edge), exact(self.following(edge)), exact(a), exact(b));

@@ -7,6 +7,7 @@
 use super::bisectors::Frame;
 use super::centered_zonogon::{BoundaryVertex, CenteredZonogon};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::zonotope::Zonotope;
 
@@ -30,64 +31,89 @@ struct Rounded {
 
 /// Rounds Z(O) outward. O(h).
 ///
-/// Its area is Σ (vertex − O) × (next vertex − vertex) over half the boundary; no term is negative.
+/// Many edges in an ordinary range are rounded with one bound for all errors; where that, or doubles at all, are not
+/// precise enough, each error is taken exactly and the areas are measured exactly.
 pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
+    let rounding = Rounding { exact, doubled_center: exact.center().map(|v| 2.0 * v), safe: frame.sums_are_doubles() };
+    if rounding.safe && exact.half_boundary().len() > FEW {
+        let (outward, is_precise) = gather(exact, frame, |from, to, axis| rounding.quick_half_edge(from, to, axis));
+        if is_precise {
+            return outward;
+        }
+    }
+    let (outward, _) = gather(exact, frame, |from, to, axis| rounding.half_edge(from, to, axis));
+    Outward {
+        area_below: rounded_towards(&exact.exact_area(), f64::NEG_INFINITY),
+        area_above: rounded_towards(&outward.zonogon.exact_area(), f64::INFINITY),
+        zonogon: outward.zonogon,
+    }
+}
+
+/// The zonogon of the rounded half-edges, with the areas in floating point and whether they are known precisely.
+///
+/// The area of Z(O) is Σ (vertex − O) × (next vertex − vertex) over half the boundary; no term is negative.
+fn gather(
+    exact: &CenteredZonogon,
+    frame: &Frame,
+    half_edge: impl Fn(BoundaryVertex, BoundaryVertex, usize) -> Rounded,
+) -> (Outward, bool) {
     let half = exact.half_boundary();
-    let center = exact.center();
-    let rounding = Rounding { exact, doubled_center: center.map(|v| 2.0 * v), safe: frame.sums_are_doubles() };
-    let scaled_center = frame.scaled(center);
+    let scaled_center = frame.scaled(exact.center());
     let mut generators = Vec::with_capacity(half.len() + 1);
     let (mut slack, mut extent) = ([0.0; 2], [0.0; 2]);
     let mut area = TermSum::default();
     for pair in half.windows(2) {
-        let edge = [0, 1].map(|axis| rounding.half_edge(pair[0], pair[1], axis));
+        let edge = [0, 1].map(|axis| half_edge(pair[0], pair[1], axis));
         let value = edge.map(|coordinate| coordinate.value);
         let point = frame.scaled(exact.hull().vertex(pair[0].vertex));
-        let arm =
-            [0, 1].map(|i| if pair[0].reflected { scaled_center[i] - point[i] } else { point[i] - scaled_center[i] });
+        let sense = sense(pair[0]);
+        let arm = [0, 1].map(|i| sense * (point[i] - scaled_center[i]));
         let long = value.map(|v| 2.0 * frame.scaled_length(v));
         area.add(arm[0] * long[1], -arm[1] * long[0]);
         for axis in 0..2 {
-            slack[axis] = above(slack[axis] + edge[axis].error);
+            slack[axis] += edge[axis].error;
             extent[axis] += long[axis].abs();
         }
         if value != [0.0, 0.0] {
             generators.push(value);
         }
     }
+    let sums = 1.0 + (8.0 + half.len() as f64) * UNIT;
+    let slack = slack.map(|v| above(v * sums));
     if slack[0] > 0.0 {
         generators.push([slack[0], 0.0]);
     }
     if slack[1] > 0.0 {
         generators.push([0.0, slack[1]]);
     }
-    let zonogon = Zonotope::new(center, generators).expect("half-edges of finite points are finite");
+    let zonogon = Zonotope::new(exact.center(), generators).expect("half-edges of finite points are finite");
     let [a, b] = slack.map(|v| 2.0 * frame.scaled_length(v));
-    let [width, height] = extent.map(|v| v * (1.0 + (8.0 + half.len() as f64) * UNIT) + 2.0 * (a + b));
+    let [width, height] = extent.map(|v| v * sums + 2.0 * (a + b));
     // An edge off by ε moves its term by at most |arm| ε, and no arm is longer than the whole zonogon is wide or high.
     let (area, rounding_error) = area.finish();
     let error = rounding_error + 2.0 * (a * height + b * width);
     let excess = (2.0 * a * height + 2.0 * b * width + 4.0 * a * b) * (1.0 + 16.0 * UNIT) + UNDERFLOW;
-    if half.len() <= FEW || 2.0 * error + excess > PRECISE * area {
-        let area_below = rounded_towards(&exact.exact_area(), f64::NEG_INFINITY);
-        let area_above = rounded_towards(&zonogon.exact_area(), f64::INFINITY);
-        return Outward { zonogon, area_below, area_above };
-    }
     let in_input_units = |area: f64| Dyadic::from_f64(area).scaled(2 * frame.scale);
     let area_below = in_input_units((area - error) * (1.0 - 4.0 * UNIT));
     let area_above = in_input_units((area + error + excess) * (1.0 + 4.0 * UNIT));
-    Outward {
+    let outward = Outward {
         zonogon,
         area_below: rounded_towards(&area_below, f64::NEG_INFINITY),
         area_above: rounded_towards(&area_above, f64::INFINITY),
-    }
+    };
+    (outward, 2.0 * error + excess <= PRECISE * area)
 }
 
-/// Boundaries of at most this many vertices are measured exactly at once.
+/// 1 for a vertex of the hull, −1 for a reflected one.
+fn sense(vertex: BoundaryVertex) -> f64 {
+    1.0 - 2.0 * f64::from(u8::from(vertex.reflected))
+}
+
+/// Boundaries of at most this many vertices are rounded and measured exactly at once.
 const FEW: usize = 64;
 
 /// Areas known less precisely than this, relatively, are measured exactly.
-const PRECISE: f64 = 1e-13;
+const PRECISE: f64 = 5e-14;
 
 /// The double nearest to a number, or the next one on the given side if it lies on the other.
 pub(crate) fn rounded_towards(exact: &Dyadic, side: f64) -> f64 {
@@ -129,9 +155,9 @@ impl TermSum {
     }
 
     fn settle(&mut self) {
-        let total = self.total + self.block[0];
-        self.carried += tail_of_sum(self.total, self.block[0], total);
+        let (total, tail) = exact_sum(self.total, self.block[0]);
         self.total = total;
+        self.carried += tail;
         self.magnitude += self.block[1];
         self.block = [0.0; 2];
     }
@@ -155,6 +181,17 @@ struct Rounding<'a, 'h> {
 }
 
 impl Rounding<'_, '_> {
+    /// The half-edge, in a range where nothing overflows; off by one rounding of the result and one of a far smaller tail.
+    fn quick_half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
+        let hull = self.exact.hull();
+        let (a, b) = (sense(from) * hull.vertex(from.vertex)[axis], sense(to) * hull.vertex(to.vertex)[axis]);
+        let centers = f64::from(u8::from(to.reflected)) - f64::from(u8::from(from.reflected));
+        let (head, tail) = exact_sum(b, -a);
+        let (sum, sum_tail) = exact_sum(centers * self.doubled_center[axis], head);
+        let value = (sum + (sum_tail + tail)) / 2.0;
+        Rounded { value, error: 2.0 * UNIT * value.abs() + f64::from_bits(1) }
+    }
+
     fn half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
         if !self.safe {
             return self.exact_half_edge(from, to, axis);
@@ -177,15 +214,11 @@ impl Rounding<'_, '_> {
 
     /// 2 O − a − b.
     fn bridge(&self, a: f64, b: f64, axis: usize) -> Rounded {
-        let sum = a + b;
-        let sum_tail = tail_of_sum(a, b, sum);
-        let head = self.doubled_center[axis] - sum;
-        let head_tail = tail_of_sum(self.doubled_center[axis], -sum, head);
-        let tail = head_tail - sum_tail;
-        let tail_error = if tail_of_sum(head_tail, -sum_tail, tail) == 0.0 { 0.0 } else { above(UNIT * tail.abs()) };
-        let value = head + tail;
-        let error = tail_of_sum(head, tail, value).abs();
-        Rounded { value, error: if tail_error == 0.0 { error } else { above(error + tail_error) } }
+        let (sum, sum_tail) = exact_sum(a, b);
+        let (head, head_tail) = exact_sum(self.doubled_center[axis], -sum);
+        let (tail, lost) = exact_sum(head_tail, -sum_tail);
+        let (value, rounded) = exact_sum(head, tail);
+        Rounded { value, error: if lost == 0.0 { rounded.abs() } else { above(rounded.abs() + lost.abs()) } }
     }
 
     fn exact_half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
@@ -198,14 +231,8 @@ impl Rounding<'_, '_> {
 }
 
 fn difference(a: f64, b: f64) -> Rounded {
-    let value = a - b;
-    Rounded { value, error: tail_of_sum(a, -b, value).abs() }
-}
-
-/// a + b − sum, exactly, where sum is a + b rounded.
-fn tail_of_sum(a: f64, b: f64, sum: f64) -> f64 {
-    let b_in_sum = sum - a;
-    (a - (sum - b_in_sum)) + (b - b_in_sum)
+    let (value, tail) = exact_sum(a, -b);
+    Rounded { value, error: tail.abs() }
 }
 
 /// At least half of a non-negative double, zero staying zero.

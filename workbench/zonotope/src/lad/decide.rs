@@ -94,9 +94,10 @@ fn face_dimension(through: &Instance, optimal: &Optimal) -> u8 {
     let gradient = through.exact_gradient(&optimal.signs);
     let normals: Vec<_> = optimal.basis.iter().map(|&line| through.exact_line(line).normal).collect();
     let mut cone = Cone::Plane;
-    for (line, &sign) in optimal.signs.iter().enumerate() {
-        if sign != 0 {
-            cone = cone.clip(&turned(through.exact_line(line as u32).normal, sign));
+    for (line, &sign) in optimal.signs.iter().enumerate().filter(|(_, sign)| **sign != 0) {
+        cone = cone.clip(&turned(through.exact_line(line as u32).normal, sign));
+        if cone.dimension() == 0 {
+            return 0;
         }
     }
     for (own, other) in [(0, 1), (1, 0)].into_iter().take(normals.len()) {

@@ -45,6 +45,11 @@ pub(crate) trait ExactLines: Debug + Sync {
     /// The exact line at a position.
     fn line(&self, position: usize) -> ExactLine;
 
+    /// Whether a line passes through a point, where that is seen at a glance; `false` decides nothing.
+    fn certainly_passes(&self, _position: usize, _point: [f64; 2]) -> bool {
+        false
+    }
+
     /// Σ sign · normal over the given positions, exactly.
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
         let mut sum = [Dyadic::zero(), Dyadic::zero()];

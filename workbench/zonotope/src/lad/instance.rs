@@ -175,10 +175,17 @@ impl<'p> Instance<'p> {
 
     /// linear + Σ sign · normal, exactly.
     pub(crate) fn exact_gradient(&self, signs: &[i8]) -> [Dyadic; 2] {
-        let mut terms = signs.iter().enumerate().map(|(line, &sign)| (self.position(line as u32), sign));
+        let signed = signs.iter().enumerate().filter(|(_, sign)| **sign != 0);
+        let mut terms = signed.map(|(line, &sign)| (self.position(line as u32), sign));
         let [x, y] = self.problem.exact.signed_normal_sum(&mut terms);
         let [cx, cy] = self.exact_linear();
         [cx + &x, cy + &y]
+    }
+
+    fn exact_side(&self, line: u32, vertex: &Vertex) -> i8 {
+        let certainly_on = !self.own_offsets
+            && vertex.as_doubles().is_some_and(|point| self.problem.exact.certainly_passes(self.position(line), point));
+        if certainly_on { 0 } else { vertex.exact_side(&self.exact_line(line)) }
     }
 
     /// Whether the normal of a line is exactly zero.
@@ -225,7 +232,7 @@ impl<'p> Instance<'p> {
                 0
             } else {
                 tally.add(Operation::ExactFallback, 1);
-                vertex.exact_side(&self.exact_line(line))
+                self.exact_side(line, vertex)
             };
             if side == 0 && !self.has_zero_normal(line) {
                 around.through.push(line);

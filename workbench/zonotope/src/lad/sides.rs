@@ -1,7 +1,7 @@
 //! One pass over the lines that tells on which side of each a point or a cell lies, where floating point can.
 //!
-//! The pass is free of branches: every line contributes its normal with the sign of its value, and only a block in which
-//! some value does not exceed its error bound is read again line by line.
+//! The pass has no branch that depends on a sign: every line contributes its normal with the sign of its value, masked out where the
+//! value does not exceed its error bound.
 
 use super::problem::Columns;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
@@ -38,8 +38,11 @@ pub(crate) fn read_sides(
         let (sign_chunks, sign_rest) = signs.as_chunks_mut::<LANES>();
         let ((x_chunks, x_rest), (y_chunks, y_rest)) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
         let (offset_chunks, offset_rest) = offset.as_chunks::<LANES>();
-        for (((x, y), b), signs) in x_chunks.iter().zip(y_chunks).zip(offset_chunks).zip(sign_chunks) {
-            lanes.read(x, y, b, signs, &value_and_bound);
+        let chunks = x_chunks.iter().zip(y_chunks).zip(offset_chunks).zip(sign_chunks);
+        for (chunk, (((x, y), b), signs)) in chunks.enumerate() {
+            if lanes.read(x, y, b, signs, &value_and_bound) {
+                report_zeros(signs, start + chunk * LANES, &mut uncertain);
+            }
         }
         if !sign_rest.is_empty() {
             let mut rest = [0; LANES];
@@ -52,11 +55,9 @@ pub(crate) fn read_sides(
                 &value_and_bound,
             );
             sign_rest.copy_from_slice(&rest[..sign_rest.len()]);
+            report_zeros(sign_rest, start + x.len() - x_rest.len(), &mut uncertain);
         }
-        let mut sum = [lanes.x.iter().sum(), lanes.y.iter().sum()];
-        if !lanes.certain {
-            sum = reread(x, y, offset, signs, &value_and_bound, |i| uncertain(start + i));
-        }
+        let sum: [f64; 2] = [lanes.x.iter().sum(), lanes.y.iter().sum()];
         total.sum[0] += sum[0];
         total.sum[1] += sum[1];
         magnitude += lanes.magnitude.iter().sum::<f64>();
@@ -65,27 +66,10 @@ pub(crate) fn read_sides(
     total
 }
 
-/// The signs of a block line by line, with the sum over those that are certain.
-fn reread(
-    x: &[f64],
-    y: &[f64],
-    offset: &[f64],
-    signs: &mut [i8],
-    value_and_bound: impl Fn(f64, f64, f64) -> (f64, f64),
-    mut uncertain: impl FnMut(usize),
-) -> [f64; 2] {
-    let mut sum = [0.0; 2];
-    for (i, sign) in signs.iter_mut().enumerate() {
-        let (value, bound) = value_and_bound(x[i], y[i], offset[i]);
-        if value.abs() > bound {
-            sum[0] += f64::from(*sign) * x[i];
-            sum[1] += f64::from(*sign) * y[i];
-        } else {
-            *sign = 0;
-            uncertain(i);
-        }
+fn report_zeros(signs: &[i8], start: usize, uncertain: &mut impl FnMut(usize)) {
+    for (i, _) in signs.iter().enumerate().filter(|(_, sign)| **sign == 0) {
+        uncertain(start + i);
     }
-    sum
 }
 
 /// Lines read side by side. A block sums BLOCK terms at most one after the other, and blocks join the total one by one,
@@ -93,20 +77,15 @@ fn reread(
 const LANES: usize = 8;
 const BLOCK: usize = 256;
 
+#[derive(Default)]
 struct Lanes {
     x: [f64; LANES],
     y: [f64; LANES],
     magnitude: [f64; LANES],
-    certain: bool,
-}
-
-impl Default for Lanes {
-    fn default() -> Self {
-        Self { x: [0.0; LANES], y: [0.0; LANES], magnitude: [0.0; LANES], certain: true }
-    }
 }
 
 impl Lanes {
+    /// Reads lines side by side; returns whether some value did not exceed its bound.
     #[inline(always)]
     fn read(
         &mut self,
@@ -115,16 +94,22 @@ impl Lanes {
         offset: &[f64; LANES],
         signs: &mut [i8; LANES],
         value_and_bound: impl Fn(f64, f64, f64) -> (f64, f64),
-    ) {
+    ) -> bool {
         const SIGN: u64 = 1 << 63;
+        let (mut negative, mut certain) = ([0; LANES], [0; LANES]);
         for lane in 0..LANES {
             let (value, bound) = value_and_bound(x[lane], y[lane], offset[lane]);
-            let negative = value.to_bits() & SIGN;
-            signs[lane] = 1 - 2 * (negative >> 63) as i8;
-            self.x[lane] += f64::from_bits(x[lane].to_bits() ^ negative);
-            self.y[lane] += f64::from_bits(y[lane].to_bits() ^ negative);
-            self.magnitude[lane] += x[lane].abs() + y[lane].abs();
-            self.certain &= value.abs() > bound;
+            negative[lane] = value.to_bits() & SIGN;
+            certain[lane] = if value.abs() > bound { u64::MAX } else { 0 };
         }
+        for lane in 0..LANES {
+            self.x[lane] += f64::from_bits((x[lane].to_bits() ^ negative[lane]) & certain[lane]);
+            self.y[lane] += f64::from_bits((y[lane].to_bits() ^ negative[lane]) & certain[lane]);
+            self.magnitude[lane] += x[lane].abs() + y[lane].abs();
+        }
+        for lane in 0..LANES {
+            signs[lane] = (1 - (negative[lane] >> 62) as i8) & certain[lane] as i8;
+        }
+        certain.iter().fold(u64::MAX, |all, lane| all & lane) == 0
     }
 }

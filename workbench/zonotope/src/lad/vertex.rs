@@ -1,5 +1,6 @@
 //! A point where two lines meet: exact in homogeneous coordinates, and as a double with a bound on its error.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use super::exact_lines::ExactLine;
@@ -17,6 +18,7 @@ pub(crate) struct Vertex {
     pub(crate) error: [f64; 2],
     /// Lines of the instance that are known to pass through the point.
     on: [Option<u32>; 2],
+    is_double: OnceCell<bool>,
 }
 
 impl Vertex {
@@ -30,7 +32,15 @@ impl Vertex {
         debug_assert!(exact[2].sign() == Ordering::Greater, "a point has a positive last coordinate");
         let point = [exact[0].ratio(&exact[2]), exact[1].ratio(&exact[2])];
         let error = point.map(|v| 8.0 * UNIT * v.abs() + UNDERFLOW);
-        Self { exact, point, error, on: [None; 2] }
+        Self { exact, point, error, on: [None; 2], is_double: OnceCell::new() }
+    }
+
+    /// The point, if its coordinates are doubles.
+    pub(crate) fn as_doubles(&self) -> Option<[f64; 2]> {
+        let [x, y, w] = &self.exact;
+        let is_double = |exact: &Dyadic, value: f64| value.is_finite() && *exact == w * &Dyadic::from_f64(value);
+        let holds = || is_double(x, self.point[0]) && is_double(y, self.point[1]);
+        self.is_double.get_or_init(holds).then_some(self.point)
     }
 
     pub(crate) fn is_on(&self, line: u32) -> bool {

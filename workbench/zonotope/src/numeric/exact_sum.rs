@@ -7,6 +7,14 @@ use dashu_int::IBig;
 
 use super::dyadic::{Dyadic, decompose};
 
+/// a + b as an unevaluated sum of two doubles, the rounded sum and its error; exact unless the sum overflows (Knuth).
+#[inline]
+pub fn exact_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let b_in_sum = sum - a;
+    (sum, (a - (sum - b_in_sum)) + (b - b_in_sum))
+}
+
 const DIGITS: usize = 68;
 const LOWEST_EXPONENT: i32 = -1074;
 const ADDITIONS_BETWEEN_CARRIES: u32 = 1 << 30;

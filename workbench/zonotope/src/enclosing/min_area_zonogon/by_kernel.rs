@@ -108,7 +108,17 @@ pub fn min_area_enclosing_zonogon_with(
 ///
 /// A term is at most 2 |v_t|, and zero where v_t is, or where δ_t is its sign.
 fn gap(bisectors: &Bisectors, problem: &LadProblem, point: &[Dyadic; 3], sides: &[i8], signs: &[i8]) -> Dyadic {
-    let differing = (0..sides.len()).filter(|&t| sides[t] != 0 && sides[t] != signs[t]);
-    let sum = differing.fold(Dyadic::zero(), |sum, t| sum + problem.exact_scaled_value(t, point).abs());
+    let mut sum = Dyadic::zero();
+    for (block, (sides, signs)) in sides.chunks(BLOCK).zip(signs.chunks(BLOCK)).enumerate() {
+        if sides == signs {
+            continue;
+        }
+        for i in (0..sides.len()).filter(|&i| sides[i] != 0 && sides[i] != signs[i]) {
+            sum = sum + problem.exact_scaled_value(block * BLOCK + i, point).abs();
+        }
+    }
     sum.scaled(2 * bisectors.frame.scale)
 }
+
+/// Edges whose signs are compared at once.
+const BLOCK: usize = 64;
