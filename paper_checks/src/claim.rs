@@ -1,5 +1,7 @@
 //! What a claim is, what its check is given, and what it may answer.
 
+use experiments::catalog::EXPERIMENTS;
+
 use crate::catalog;
 
 /// One statement of the paper, or one correction to it.
@@ -17,8 +19,6 @@ pub struct Claim {
     pub remedy: Option<&'static str>,
     /// The modules that implement it, as Rust paths.
     pub code: &'static [&'static str],
-    /// Ids of the experiments that measure it.
-    pub experiments: &'static [&'static str],
     /// Ids of the figures that show it.
     pub figures: &'static [&'static str],
     /// How it is checked.
@@ -34,10 +34,15 @@ impl Claim {
         statement: "",
         remedy: None,
         code: &[],
-        experiments: &[],
         figures: &[],
         check: Check::NotYetImplemented,
     };
+
+    /// Ids of the experiments that measure it: those that name it.
+    pub fn experiments(&self) -> Vec<&'static str> {
+        let naming = EXPERIMENTS.iter().filter(|experiment| experiment.claims.contains(&self.id));
+        naming.map(|experiment| experiment.id).collect()
+    }
 
     /// Runs the check, following a restatement to its original; `None` when there is no check yet.
     pub fn verdict(&self, context: &CheckContext) -> Option<Verdict> {
@@ -105,9 +110,10 @@ impl Default for CheckContext {
 }
 
 impl CheckContext {
-    /// The measurements of one experiment.
-    pub fn measurements_of<'a>(&'a self, experiment: &'a str) -> impl Iterator<Item = &'a Measurement> {
-        self.measurements.iter().filter(move |measurement| measurement.experiment == experiment)
+    /// What the experiments that name a claim have measured.
+    pub fn measurements_for(&self, claim: &Claim) -> Vec<&Measurement> {
+        let experiments = claim.experiments();
+        self.measurements.iter().filter(|measurement| experiments.contains(&measurement.experiment.as_str())).collect()
     }
 }
 

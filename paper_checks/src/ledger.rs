@@ -101,7 +101,8 @@ fn evidence_cell(result: &ClaimResult) -> String {
     if let Some(remedy) = claim.remedy {
         parts.push(format!("*Instead:* {}", cell(remedy)));
     }
-    for (title, names) in [("Code", claim.code), ("Experiments", claim.experiments), ("Figures", claim.figures)] {
+    let experiments = claim.experiments();
+    for (title, names) in [("Code", claim.code), ("Experiments", &experiments), ("Figures", claim.figures)] {
         if !names.is_empty() {
             let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             parts.push(format!("*{title}:* {}", quoted.join(", ")));

@@ -29,15 +29,6 @@ fn checked_claims_name_their_code() {
 }
 
 #[test]
-fn experiments_of_claims_exist() {
-    for claim in CLAIMS {
-        for id in claim.experiments {
-            assert!(experiments::catalog::find(id).is_some(), "{}: there is no experiment {id}", claim.id);
-        }
-    }
-}
-
-#[test]
 fn claims_of_experiments_exist() {
     for experiment in experiments::catalog::EXPERIMENTS {
         for id in experiment.claims {

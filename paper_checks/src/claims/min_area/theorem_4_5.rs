@@ -20,12 +20,9 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Theorem,
     statement: "The minimum-area zonotope containing n points of the plane can be computed in O(n log^2 n) time",
     code: &["zonotope::enclosing::min_area_zonogon", "zonotope::lad::by_slope_selection"],
-    experiments: &["lad-scaling"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
-
-const EXPERIMENTS: &[&str] = CLAIM.experiments;
 
 /// The answer of every method is the least value over all vertices; operations of the paper's search fit n log^2 n.
 fn check(context: &CheckContext) -> Verdict {
@@ -37,7 +34,7 @@ fn check(context: &CheckContext) -> Verdict {
         Ok(evidence) => evidence,
         Err(reason) => return Verdict::Inconclusive(format!("{optimum}; {reason}")),
     };
-    let measured: Vec<_> = EXPERIMENTS.iter().flat_map(|id| context.measurements_of(id)).collect();
+    let measured = context.measurements_for(&CLAIM);
     let mut evidence = format!("{optimum}; {growth}");
     for measurement in &measured {
         evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
