@@ -1,5 +1,6 @@
 //! What a figure is.
 
+use experiments::runner::Records;
 use thiserror::Error;
 
 /// A figure: its names, what it illustrates, and how it is drawn.
@@ -15,20 +16,25 @@ pub struct Figure {
     pub claims: &'static [&'static str],
     /// The experiments whose records it shows.
     pub experiments: &'static [&'static str],
+    /// Whether the drawing is the same on every run and machine: it shows no times. Only such figures are committed.
+    pub deterministic: bool,
     /// The drawing, as an SVG document.
-    pub draw: fn(&FigureInput) -> Result<String, FigureError>,
+    pub draw: fn(&FigureInput<'_>) -> Result<String, FigureError>,
 }
 
 impl Figure {
     /// Draws it.
-    pub fn draw(&self, input: &FigureInput) -> Result<String, FigureError> {
+    pub fn draw(&self, input: &FigureInput<'_>) -> Result<String, FigureError> {
         (self.draw)(input)
     }
 }
 
 /// What a figure may draw from besides its own instance.
-#[derive(Clone, Debug, Default)]
-pub struct FigureInput {}
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FigureInput<'a> {
+    /// The records of the experiments that were run.
+    pub records: Option<&'a Records>,
+}
 
 /// Why a figure could not be drawn.
 #[derive(Debug, Error)]

@@ -2,9 +2,17 @@
 //!
 //! - [`style`]: the one look: colours, line weights, text sizes.
 //! - [`scene`]: pictures of geometry; [`axes`]: plots of measurements.
-//! - [`figure`]: what a figure is.
+//! - [`min_area`]: what the figures of section 4.1 share; [`growth_plot`]: what the plots of experiments share.
+//! - [`figure`]: what a figure is; [`gallery`]: the figures; [`catalog`]: their list.
+//!
+//! The folder `gallery` beside the sources holds the drawings of all figures that depend on neither clock nor machine; a test draws
+//! them again and compares bytes. `ZONOTOPE_BLESS=1 cargo test -p figures` writes them anew.
 
 pub mod axes;
+pub mod catalog;
 pub mod figure;
+pub mod gallery;
+pub mod growth_plot;
+pub mod min_area;
 pub mod scene;
 pub mod style;

@@ -66,12 +66,12 @@ impl Ranged for LogAxis {
 
 impl ValueFormatter<f64> for LogAxis {
     fn format_ext(&self, value: &f64) -> String {
-        power_of_ten(libm::round(libm::log10(*value)) as i32)
+        power(10, libm::round(libm::log10(*value)) as i32)
     }
 }
 
-/// `10` with its exponent raised, in plain characters.
-fn power_of_ten(exponent: i32) -> String {
+/// A base with its exponent raised, in plain characters.
+pub(crate) fn power(base: u32, exponent: i32) -> String {
     let digits = exponent.to_string();
     let raised = digits.chars().map(|digit| match digit {
         '-' => '⁻',
@@ -86,7 +86,7 @@ fn power_of_ten(exponent: i32) -> String {
         '8' => '⁸',
         _ => '⁹',
     });
-    "10".chars().chain(raised).collect()
+    base.to_string().chars().chain(raised).collect()
 }
 
 #[cfg(test)]
@@ -95,8 +95,8 @@ mod tests {
 
     #[test]
     fn powers_are_written_with_raised_digits() {
-        assert_eq!(power_of_ten(6), "10⁶");
-        assert_eq!(power_of_ten(-12), "10⁻¹²");
+        assert_eq!(power(10, 6), "10⁶");
+        assert_eq!(power(10, -12), "10⁻¹²");
     }
 
     #[test]

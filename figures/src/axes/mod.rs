@@ -1,10 +1,11 @@
 //! Plots with two logarithmic axes: measured points, fitted curves, and a legend beside the plot.
 //!
-//! Drawn by `plotters`, whose SVG backend rounds to whole units: the plot is drawn [`FINENESS`] times as large as it is
-//! shown. Logarithms come from `libm`, so the bytes are the same on every machine.
+//! Drawn by `plotters`, whose SVG backend rounds to whole units: the plot is drawn ten times as large as it is shown. Logarithms come from `libm`, so the bytes are the same on every machine.
 
 mod log_axis;
 mod sign;
+
+pub(crate) use self::log_axis::power;
 
 use self::log_axis::LogAxis;
 use self::sign::sign;

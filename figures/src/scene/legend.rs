@@ -35,14 +35,20 @@ impl<'a> LegendEntry<'a> {
 const SAMPLE_WIDTH: f64 = 24.0;
 const SAMPLE_GAP: f64 = 7.0;
 const ENTRY_GAP: f64 = 20.0;
-const ROW: f64 = 21.0;
+/// Height of a row in text sizes.
+const ROW: f64 = 1.68;
 
 impl Scene {
     /// Writes a legend in rows no wider than `width`, each centred on it; the upper left corner is `place`.
     ///
     /// Returns the height used.
     pub fn legend(&mut self, place: PagePoint, width: f64, entries: &[LegendEntry<'_>]) -> f64 {
-        let style = TextStyle::new(text_size::NOTE, INK);
+        self.legend_of_size(place, width, text_size::NOTE, entries)
+    }
+
+    /// As [`legend`](Self::legend), with text of another size.
+    pub fn legend_of_size(&mut self, place: PagePoint, width: f64, size: f64, entries: &[LegendEntry<'_>]) -> f64 {
+        let style = TextStyle::new(size, INK);
         let room = |entry: &LegendEntry<'_>| SAMPLE_WIDTH + SAMPLE_GAP + Line::parse(entry.meaning).width(&style);
         let mut rows: Vec<(f64, Vec<&LegendEntry<'_>>)> = Vec::new();
         for entry in entries {
@@ -54,18 +60,24 @@ impl Scene {
                 _ => rows.push((room(entry), vec![entry])),
             }
         }
-        let height = ROW * rows.len() as f64;
+        let row_height = ROW * size;
+        let height = row_height * rows.len() as f64;
         for (number, (used, row)) in rows.into_iter().enumerate() {
             let mut x = place.x + (width - used) / 2.0;
-            let y = place.y + ROW * (number as f64 + 0.5);
+            let y = place.y + row_height * (number as f64 + 0.5);
             for entry in row {
-                self.sample(PagePoint::new(x, y), &entry.sample);
-                let text = PagePoint::new(x + SAMPLE_WIDTH + SAMPLE_GAP, y + 0.36 * text_size::NOTE);
-                self.text(text, Anchor::Start, &style, entry.meaning);
+                self.sample_with_text(PagePoint::new(x, y), size, entry);
                 x += room(entry) + ENTRY_GAP;
             }
         }
         height
+    }
+
+    /// Writes one entry with text of a size, the middle of its left edge at `left`.
+    pub fn sample_with_text(&mut self, left: PagePoint, size: f64, entry: &LegendEntry<'_>) {
+        self.sample(left, &entry.sample);
+        let text = left.moved(SAMPLE_WIDTH + SAMPLE_GAP, 0.36 * size);
+        self.text(text, Anchor::Start, &TextStyle::new(size, INK), entry.meaning);
     }
 
     fn sample(&mut self, left: PagePoint, sample: &Sample) {

@@ -1,7 +1,7 @@
 //! A picture: areas, lines, points and labels on a page, written as SVG whose bytes depend on nothing but the input.
 //!
 //! [`Scene`] draws on the page; [`Panel`] draws in world coordinates through a [`Frame`](page::Frame), clipped where
-//! needed. Labels are collected and placed last, clear of everything drawn (see [`labels`]). The document uses plain
+//! needed. Labels are collected and placed last, clear of everything drawn (see `labels.rs`). The document uses plain
 //! attributes only (no style sheet, no ids), so that many pictures can stand in one page of HTML.
 
 mod labels;
@@ -163,15 +163,6 @@ impl Scene {
     /// Asks for a label near `anchor`, preferably in the direction `wish` (page coordinates; zero: anywhere).
     pub fn label(&mut self, anchor: PagePoint, wish: [f64; 2], style: &TextStyle, source: &str) {
         self.requests.push(Request { line: Line::parse(source), style: style.haloed(), anchor, wish, gap: 6.5 });
-    }
-
-    /// Writes text at a fixed place with a thin line from it to what it speaks of.
-    pub fn callout(&mut self, target: PagePoint, place: PagePoint, anchor: Anchor, style: &TextStyle, source: &str) {
-        let extent = Line::parse(source).extent(place, anchor, style).inset(-3.0);
-        let from =
-            PagePoint::new(target.x.clamp(extent.min.x, extent.max.x), target.y.clamp(extent.min.y, extent.max.y));
-        self.segment(from, target, &Stroke::new(style.color, 0.8));
-        self.text(place, anchor, &style.haloed(), source);
     }
 
     /// Keeps labels off the segment between two places without drawing it.

@@ -13,7 +13,7 @@ fn drawn() -> String {
     scene.label(PagePoint::new(50.0, 50.0), [0.0, 0.0], &TextStyle::new(14.0, INK), "$O$ & $P'_1$");
     let entries = [LegendEntry::new(Sample::Point(CENTER), "centre"); 3];
     let height = scene.legend(PagePoint::new(0.0, 60.0), 200.0, &entries);
-    assert_eq!(height, 42.0, "two entries in the first row, one in the second");
+    assert_eq!(height, 2.0 * 1.68 * 12.5, "two entries in the first row, one in the second");
     scene.finish()
 }
 

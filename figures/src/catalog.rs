@@ -1,0 +1,24 @@
+//! The list of figures. Adding one is one file in [`gallery`](crate::gallery) and one entry here.
+
+use crate::figure::Figure;
+use crate::gallery::{
+    arrangement_and_level_sets, country_outlines, paper_figure_2, polygon_and_reflection, scaling_kernel_operations,
+    scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times,
+};
+
+/// Every figure, in the order of reports.
+pub static FIGURES: &[Figure] = &[
+    paper_figure_2::FIGURE,
+    polygon_and_reflection::FIGURE,
+    arrangement_and_level_sets::FIGURE,
+    country_outlines::FIGURE,
+    scaling_min_area_operations::FIGURE,
+    scaling_min_area_times::FIGURE,
+    scaling_kernel_operations::FIGURE,
+    scaling_kernel_times::FIGURE,
+];
+
+/// The figure called `id`, if there is one.
+pub fn find(id: &str) -> Option<&'static Figure> {
+    FIGURES.iter().find(|figure| figure.id == id)
+}

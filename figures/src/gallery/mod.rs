@@ -1,0 +1,10 @@
+//! The figures, one a file.
+
+pub mod arrangement_and_level_sets;
+pub mod country_outlines;
+pub mod paper_figure_2;
+pub mod polygon_and_reflection;
+pub mod scaling_kernel_operations;
+pub mod scaling_kernel_times;
+pub mod scaling_min_area_operations;
+pub mod scaling_min_area_times;

@@ -1,0 +1,175 @@
+//! Plots of an experiment's growth: samples from the records, the best of the growth models through them.
+
+use crate::axes::{Curve, FittedCurve, LogLogPlot, power};
+use crate::figure::{Figure, FigureError, FigureInput};
+use experiments::analysis;
+use experiments::definition::{Experiment, Quantity};
+use experiments::fit::{self, Growth, GrowthModel, ModelVerdict};
+use experiments::runner::Records;
+
+/// What a plot shows of an experiment: a quantity, for chosen variants and families.
+#[derive(Clone, Copy, Debug)]
+pub struct GrowthPlot {
+    /// The experiment.
+    pub experiment: &'static Experiment,
+    /// What is plotted.
+    pub quantity: Quantity,
+    /// The families, each with its name in the legend (none if it goes without saying).
+    pub families: &'static [(&'static str, Option<&'static str>)],
+    /// Whether a variant is shown on a family.
+    pub shows: fn(variant: &str, family: &str) -> bool,
+    /// What the horizontal axis counts.
+    pub x_name: &'static str,
+    /// What the vertical axis shows.
+    pub y_name: &'static str,
+    /// One unit of the vertical axis in units of the quantity.
+    pub y_unit: f64,
+}
+
+/// Points on a fitted curve.
+const CURVE_POINTS: i32 = 48;
+
+impl GrowthPlot {
+    /// Draws the plot of a figure.
+    pub fn draw(&self, figure: &Figure, input: &FigureInput<'_>) -> Result<String, FigureError> {
+        let no_records = FigureError::NoRecords(self.experiment.id);
+        let Some(records) = input.records else { return Err(no_records) };
+        let mut curves = Vec::new();
+        for variant in self.experiment.variants {
+            for &(family, family_name) in self.families {
+                if !(self.shows)(variant.id, family) {
+                    continue;
+                }
+                let name = match family_name {
+                    Some(family_name) => format!("{}, {family_name}", variant.title),
+                    None => variant.title.to_owned(),
+                };
+                curves.extend(self.curve(name, variant.id, family, records));
+            }
+        }
+        if curves.is_empty() {
+            return Err(no_records);
+        }
+        let plot = LogLogPlot {
+            title: figure.title.into(),
+            description: figure.caption.into(),
+            x_name: self.x_name.into(),
+            y_name: self.y_name.into(),
+            curves,
+        };
+        plot.draw()
+    }
+
+    /// The curve of a variant on a family, if it has samples.
+    fn curve(&self, name: String, variant: &str, family: &str, records: &Records) -> Option<Curve> {
+        let (samples, _left_out) = analysis::samples(self.experiment.id, family, variant, self.quantity, records);
+        if samples.is_empty() {
+            return None;
+        }
+        let smallest = self.smallest_fitted(variant, family);
+        let fitted: Vec<(f64, f64)> = samples.iter().copied().filter(|&(n, _)| n >= smallest).collect();
+        let growth = fit::fit_growth(&fitted, GrowthModel::RUNNING_TIMES).ok();
+        Some(Curve {
+            name,
+            points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
+            fit: growth.as_ref().map(|growth| self.fitted_curve(growth)),
+        })
+    }
+
+    /// The size from which the experiment expects the variant's growth law to show.
+    fn smallest_fitted(&self, variant: &str, family: &str) -> f64 {
+        let plans = self.experiment.fits.iter();
+        let of_this = plans.filter(|plan| plan.variant == variant && plan.families.contains(&family));
+        of_this.map(|plan| plan.smallest).max().unwrap_or(0) as f64
+    }
+
+    /// The best model if the samples are consistent with it, else the power law.
+    fn fitted_curve(&self, growth: &Growth) -> FittedCurve {
+        let consistent = growth.best().filter(|best| best.verdict == ModelVerdict::Consistent);
+        let exponent = growth.exponent;
+        let value = |n: f64| match consistent {
+            Some(best) => best.constant * best.model.value(n),
+            None => growth.constant * libm::pow(n, exponent.value),
+        };
+        let range = growth.largest / growth.smallest;
+        let points = (0..=CURVE_POINTS).map(|step| {
+            let n = growth.smallest * libm::pow(range, f64::from(step) / f64::from(CURVE_POINTS));
+            [n, value(n) / self.y_unit]
+        });
+        let law = match consistent {
+            Some(best) => format!("{} {}", three_digits(best.constant / self.y_unit), model_name(best.model)),
+            None => format!("power law, {}", place_among_models(growth)),
+        };
+        let exponents = format!("exponent {:.2} ({:.2} to {:.2})", exponent.value, exponent.low, exponent.high);
+        let sizes = format!("n = {} to {}", size_name(growth.smallest), size_name(growth.largest));
+        FittedCurve { notes: vec![law, exponents, sizes], points: points.collect() }
+    }
+}
+
+/// Between which models the growth lies, when it is consistent with none.
+fn place_among_models(growth: &Growth) -> String {
+    let of = |verdict| growth.models.iter().filter(move |fit| fit.verdict == verdict).map(|fit| model_name(fit.model));
+    match (of(ModelVerdict::Faster).next_back(), of(ModelVerdict::Slower).next()) {
+        (None, Some(above)) => format!("slower than {above}"),
+        (Some(below), None) => format!("faster than {below}"),
+        (Some(below), Some(above)) => format!("between {below} and {above}"),
+        (None, None) => "no model fits".into(),
+    }
+}
+
+/// A size, as a power of two if it is one.
+fn size_name(size: f64) -> String {
+    let exponent = libm::round(libm::log2(size)) as i32;
+    if libm::exp2(f64::from(exponent)) == size { power(2, exponent) } else { size.to_string() }
+}
+
+fn model_name(model: GrowthModel) -> String {
+    model.to_string().replace("^2", "²")
+}
+
+/// Three significant digits, with a power of ten where that is shorter.
+fn three_digits(value: f64) -> String {
+    let magnitude = libm::floor(libm::log10(value.abs())) as i32;
+    match magnitude {
+        -2..=2 => format!("{value:.*}", (2 - magnitude).unsigned_abs() as usize),
+        3..=5 => format!("{value:.0}"),
+        _ => {
+            let mantissa = value / libm::exp10(f64::from(magnitude));
+            format!("{mantissa:.2} × {}", power(10, magnitude))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_three_digits() {
+        assert_eq!(three_digits(3.14159), "3.14");
+        assert_eq!(three_digits(0.0271), "0.0271");
+        assert_eq!(three_digits(271.8), "272");
+        assert_eq!(three_digits(4.2e-9), "4.20 × 10⁻⁹");
+    }
+
+    #[test]
+    fn sizes_that_are_powers_of_two_are_written_so() {
+        assert_eq!(size_name(131072.0), "2¹⁷");
+        assert_eq!(size_name(1000.0), "1000");
+    }
+
+    #[test]
+    fn growth_is_placed_among_the_models() {
+        let growth = |y: fn(f64) -> f64| {
+            let samples: Vec<(f64, f64)> = (6..16).map(|k| libm::exp2(f64::from(k))).map(|n| (n, y(n))).collect();
+            fit::fit_growth(&samples, GrowthModel::RUNNING_TIMES).expect("ten sizes")
+        };
+        assert_eq!(place_among_models(&growth(f64::sqrt)), "slower than n");
+        assert_eq!(place_among_models(&growth(|n| n * n * n)), "faster than n²");
+    }
+
+    #[test]
+    fn models_are_written_with_raised_digits() {
+        assert_eq!(model_name(GrowthModel::LinearLogSquared), "n log² n");
+    }
+}

@@ -1,0 +1,112 @@
+//! The committed drawings are what the code draws, byte for byte. `ZONOTOPE_BLESS=1` writes them anew.
+
+use experiments::catalog::find as find_experiment;
+use experiments::definition::{Experiment, Profile};
+use experiments::runner::{self, Records, RunOptions};
+use figures::catalog::FIGURES;
+use figures::figure::{Figure, FigureError, FigureInput};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+/// The seed and the profile of `zonobench reproduce` when nothing else is said.
+const SEED: u64 = 2003;
+const PROFILE: Profile = Profile::Quick;
+
+fn gallery() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("gallery")
+}
+
+fn committed() -> impl Iterator<Item = &'static Figure> {
+    FIGURES.iter().filter(|figure| figure.deterministic)
+}
+
+fn needs_records(figure: &Figure) -> bool {
+    matches!(figure.draw(&FigureInput::default()), Err(FigureError::NoRecords(_)))
+}
+
+/// The operation counts that committed figures show.
+fn counts() -> Records {
+    let mut shown: Vec<&'static Experiment> = Vec::new();
+    for id in committed().filter(|figure| needs_records(figure)).flat_map(|figure| figure.experiments) {
+        if shown.iter().all(|other| other.id != *id) {
+            shown.push(find_experiment(id).expect("another test finds the experiments of all figures"));
+        }
+    }
+    let options = RunOptions { profile: PROFILE, seed: SEED, threads: 0, directory: None, times: false };
+    runner::run(&shown, &options, &()).expect("counting without a folder touches no file")
+}
+
+/// Every committed figure as the code draws it.
+static DRAWN: LazyLock<Vec<(&str, String)>> = LazyLock::new(|| {
+    let records = counts();
+    let input = FigureInput { records: Some(&records) };
+    let drawn = |figure: &Figure| figure.draw(&input).unwrap_or_else(|error| panic!("{}: {error}", figure.id));
+    committed().map(|figure| (figure.id, drawn(figure))).collect()
+});
+
+#[test]
+fn drawings_are_those_of_the_gallery() {
+    let bless = std::env::var_os("ZONOTOPE_BLESS").is_some_and(|value| value == "1");
+    if bless {
+        fs::create_dir_all(gallery()).expect("the folder can be made");
+    }
+    let mut different = Vec::new();
+    for (id, drawing) in &*DRAWN {
+        let file = gallery().join(id).with_extension("svg");
+        if bless {
+            fs::write(&file, drawing).expect("the gallery can be written");
+        } else if fs::read_to_string(&file).ok().as_ref() != Some(drawing) {
+            different.push(id);
+        }
+    }
+    assert!(different.is_empty(), "look at {different:?}, then run with ZONOTOPE_BLESS=1");
+}
+
+#[test]
+fn the_gallery_holds_nothing_else() {
+    let expected: BTreeSet<String> = committed().map(|figure| format!("{}.svg", figure.id)).collect();
+    for entry in fs::read_dir(gallery()).expect("the gallery is part of the sources") {
+        let name = entry.expect("it can be read").file_name().to_string_lossy().into_owned();
+        assert!(expected.contains(&name), "{name} belongs to no figure");
+    }
+}
+
+#[test]
+fn figures_name_experiments_that_exist_and_are_named_apart() {
+    let mut ids = BTreeSet::new();
+    for figure in FIGURES {
+        assert!(ids.insert(figure.id), "{} is there twice", figure.id);
+        for id in figure.experiments {
+            assert!(find_experiment(id).is_some(), "{}: there is no experiment {id}", figure.id);
+        }
+        assert!(figure.caption.ends_with('.') && !figure.title.ends_with('.'), "{}", figure.id);
+    }
+}
+
+#[test]
+fn figures_of_times_need_records() {
+    for figure in FIGURES.iter().filter(|figure| !figure.deterministic) {
+        assert!(needs_records(figure), "{}", figure.id);
+    }
+}
+
+/// Every text of a committed drawing starts on its page; how far it reaches depends on the reader's fonts.
+#[test]
+fn text_is_on_the_page() {
+    for (id, drawing) in &*DRAWN {
+        let mut page = [0.0; 2];
+        for event in svg::read(drawing).expect("the drawing is an SVG document") {
+            let svg::parser::Event::Tag(name, _, attributes) = event else { continue };
+            let number = |name: &str| attributes.get(name).and_then(|value| value.parse::<f64>().ok());
+            if let ("svg", Some(view)) = (name, attributes.get("viewBox")) {
+                let numbers: Vec<f64> = view.split(' ').filter_map(|number| number.parse().ok()).collect();
+                page = [numbers[2], numbers[3]];
+            } else if let ("text", Some(x), Some(y)) = (name, number("x"), number("y")) {
+                let inside = (0.0..=page[0]).contains(&x) && (0.0..=page[1]).contains(&y);
+                assert!(inside, "{id}: text at ({x}, {y})");
+            }
+        }
+    }
+}
