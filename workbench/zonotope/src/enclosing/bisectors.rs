@@ -55,7 +55,8 @@ impl<'h> Bisectors<'h> {
             let to = self.frame.scaled(vertices[if t + 1 < vertices.len() { t + 1 } else { 0 }]);
             let far = self.frame.scaled(self.hull.vertex(s.vertex()));
             let edge = [to[0] - from[0], to[1] - from[1]];
-            let d = [0, 1].map(|i| sum_from_reference(far[i], from[i], self.frame.reference[i]));
+            let [rx, ry] = self.frame.reference;
+            let d = [sum_from_reference(far[0], from[0], rx), sum_from_reference(far[1], from[1], ry)];
             spread = spread.max(d[0].abs()).max(d[1].abs());
             columns.push([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]]);
             from = to;
@@ -105,8 +106,10 @@ impl Frame {
         Self { reference: [median(0), median(1)], ..frame }
     }
 
+    #[inline(always)]
     pub(crate) fn scaled(&self, point: [f64; 2]) -> [f64; 2] {
-        point.map(|v| v * self.factors[0] * self.factors[1])
+        let [x, y] = point;
+        [x * self.factors[0] * self.factors[1], y * self.factors[0] * self.factors[1]]
     }
 
     /// Whether scaling a point loses nothing to underflow.
@@ -115,6 +118,7 @@ impl Frame {
     }
 
     /// A length in the frame.
+    #[inline(always)]
     pub(crate) fn scaled_length(&self, length: f64) -> f64 {
         length * self.factors[0] * self.factors[1]
     }

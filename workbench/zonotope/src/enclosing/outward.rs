@@ -63,12 +63,12 @@ fn gather(
     let (mut slack, mut extent) = ([0.0; 2], [0.0; 2]);
     let mut area = TermSum::default();
     for pair in half.windows(2) {
-        let edge = [0, 1].map(|axis| half_edge(pair[0], pair[1], axis));
-        let value = edge.map(|coordinate| coordinate.value);
+        let edge = [half_edge(pair[0], pair[1], 0), half_edge(pair[0], pair[1], 1)];
+        let value = [edge[0].value, edge[1].value];
         let point = frame.scaled(exact.hull().vertex(pair[0].vertex));
         let sense = sense(pair[0]);
-        let arm = [0, 1].map(|i| sense * (point[i] - scaled_center[i]));
-        let long = value.map(|v| 2.0 * frame.scaled_length(v));
+        let arm = [sense * (point[0] - scaled_center[0]), sense * (point[1] - scaled_center[1])];
+        let long = [2.0 * frame.scaled_length(value[0]), 2.0 * frame.scaled_length(value[1])];
         area.add(arm[0] * long[1], -arm[1] * long[0]);
         for axis in 0..2 {
             slack[axis] += edge[axis].error;
@@ -182,6 +182,7 @@ struct Rounding<'a, 'h> {
 
 impl Rounding<'_, '_> {
     /// The half-edge, in a range where nothing overflows; off by one rounding of the result and one of a far smaller tail.
+    #[inline(always)]
     fn quick_half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
         let hull = self.exact.hull();
         let (a, b) = (sense(from) * hull.vertex(from.vertex)[axis], sense(to) * hull.vertex(to.vertex)[axis]);
