@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | [`brute_force`] | O(n³), exact rationals | the truth |
 //! | [`by_line_search`] | O(n) a step, few steps | exact descent by weighted medians |
+//! | [`by_slope_selection`] | O(n log² n) expected | the paper's search (Theorem 4.5) |
 //! | [`by_pruning`] | O(n) expected | the default |
 //!
 //! Every method but the truth returns a minimiser named by its defining lines with a certificate that
@@ -16,6 +17,7 @@
 pub mod brute_force;
 pub mod by_line_search;
 pub mod by_pruning;
+pub mod by_slope_selection;
 mod cell;
 mod cone;
 mod decide;

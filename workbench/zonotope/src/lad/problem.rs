@@ -196,6 +196,11 @@ impl<'a> LadProblem<'a> {
         self.exact.line(line).evaluate(point)
     }
 
+    /// The power of two that takes a point of the scaled frame to the frame of the input.
+    pub(crate) fn point_scale(&self) -> i64 {
+        self.offset_scale - self.normal_scale
+    }
+
     /// The linear term of the scaled frame, rounded.
     pub(crate) fn approximate_linear(&self) -> [f64; 2] {
         [0, 1].map(|i| self.linear[i].to_f64())

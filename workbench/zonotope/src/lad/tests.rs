@@ -5,8 +5,11 @@ use proptest::prelude::*;
 use super::*;
 use crate::numeric::Rational;
 
-const METHODS: [(&str, fn(&LadProblem, u64) -> LadOutcome); 2] =
-    [("by_line_search", by_line_search::minimize), ("by_pruning", by_pruning::minimize)];
+const METHODS: [(&str, fn(&LadProblem, u64) -> LadOutcome); 3] = [
+    ("by_line_search", by_line_search::minimize),
+    ("by_pruning", by_pruning::minimize),
+    ("by_slope_selection", by_slope_selection::minimize),
+];
 
 fn check(lines: &[WeightedLine], linear: [f64; 2]) -> Result<(), TestCaseError> {
     let problem = LadProblem::new(lines, linear).expect("the family makes finite lines");

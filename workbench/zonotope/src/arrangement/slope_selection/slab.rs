@@ -51,6 +51,11 @@ impl Slab {
         }
     }
 
+    /// A slab without vertices.
+    pub(crate) fn empty() -> Self {
+        Self { start: Rc::new([]), end: Rc::new([]), crossings: 0, verticals: 0..0 }
+    }
+
     fn place_count(&self) -> u64 {
         self.start.len() as u64
     }

@@ -1,0 +1,260 @@
+//! Weighted least absolute deviations in the plane, by halving the vertices of the arrangement with vertical lines: the paper's search.
+//!
+//! # Statement
+//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of
+//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When the minimiser is
+//! not unique, one vertex of the set of minimisers and the dimension of that set. Parallel, equal, concurrent, vertical and
+//! zero lines are ordinary input.
+//!
+//! # Source
+//! Section 4.1, Theorem 4.5, stated there for the area of the enclosing zonogon and used again in Theorem 5.2. Departures:
+//! - The paper reads the side off "the linear coefficient of f at O_ℓ", which is not defined, since O_ℓ lies on a line of the
+//!   arrangement. The side is decided by the subdifferential there: by a line through O_ℓ along which the objective falls.
+//! - Corollary 4.4 (unimodal) is too weak for that; the objective is convex.
+//! - The paper assumes general position. Here ℓ passes through the median vertex, and every vertex on ℓ is discarded with it:
+//!   ties and vertical lines are no special cases.
+//! - The objective may be unbounded: then a line ℓ has no minimum or the vertices run out.
+//!
+//! # Method
+//! 1. The candidates are the vertices in an open strip between two vertical lines: at first all.
+//! 2. Select the median candidate ([`randomized`](crate::arrangement::slope_selection::randomized)) and search along the vertical line ℓ through it for the
+//!    minimum O_ℓ (Lemma 4.2).
+//! 3. If no line through O_ℓ descends, O_ℓ is a minimiser; when it is not a vertex, go along its line to one.
+//! 4. Else every minimiser lies on the side to which that line descends: keep the part of the strip there, go on with 2.
+//! 5. When no candidate is left the descending line meets no further line: the objective falls for ever along it.
+//!
+//! # Complexity
+//! n lines: expected O(n log² n), the paper's bound: at most 2 log₂ n vertical lines, since each leaves at most half of the
+//! candidates, each with O(n log n) expected for the selection and for cutting the strip, and O(n) expected for the minimum on it, where the
+//! paper sorts in O(n log n). Space O(n).
+//!
+//! # Shapes
+//! `problem`: n lines in any order, duplicates allowed.
+//!
+//! # Numerics
+//! Every decision (order along a line, order of abscissas, sign of a slope) is exact: filtered floating point, then exact dyadic
+//! arithmetic.
+//!
+//! # Errors
+//! None: the problem was validated when it was made.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force), and [`verify`](super::verify::verify) on every answer.
+//!
+//! # Example
+//! ```
+//! use zonotope::lad::{LadProblem, WeightedLine, by_slope_selection};
+//! use zonotope::lad::by_slope_selection::Side;
+//! // |x − 1| + |y − 2| + |x + y| is 3 at its minimisers (1, 2), (1, −1), (−2, 2) and all points between.
+//! let lines = [([1.0, 0.0], -1.0), ([0.0, 1.0], -2.0), ([1.0, 1.0], 0.0)];
+//! let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
+//! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
+//! let (outcome, steps) = by_slope_selection::trace(&problem, 0);
+//! assert_eq!(outcome.optimum().unwrap().exact_value(&problem), 3.into());
+//! assert_eq!((steps[0].x, steps[0].vertices_before, steps[0].side), (1.0, 3, Side::Optimal));
+//! ```
+
+use std::cmp::Ordering;
+
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::decide::decide;
+use super::exact_lines::ExactLine;
+use super::instance::{Instance, Surroundings};
+use super::line_search::{LineMinimum, SearchLine};
+use super::optimum::LadOutcome;
+use super::problem::LadProblem;
+use super::solution::{Decision, Solution};
+use super::solve::{at_vertex, descend, solve_with};
+use super::vertex::Vertex;
+use crate::arrangement::fraction::Fraction;
+use crate::arrangement::lines::{LineArrangement, LineSource};
+use crate::arrangement::slope_selection::randomized::select;
+use crate::arrangement::slope_selection::slab::Slab;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::tally::Tally;
+
+/// One vertical line of the search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SearchStep {
+    /// Where the vertical line is, within a relative 2^-50.
+    pub x: f64,
+    /// Where it is, exactly.
+    pub exact_x: Rational,
+    /// How many vertices were candidates before it was drawn.
+    pub vertices_before: u64,
+    /// How many are left.
+    pub vertices_after: u64,
+    /// The point at which the objective is least on the line, if it is bounded there.
+    pub minimum: Option<[f64; 2]>,
+    /// What was found there.
+    pub side: Side,
+}
+
+/// Where the minimisers are, seen from a vertical line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Strictly left of it, if there are any.
+    Left,
+    /// On it: its minimum is one.
+    Optimal,
+    /// Strictly right of it, if there are any.
+    Right,
+    /// Nowhere: the objective is unbounded on the line.
+    Unbounded,
+}
+
+/// Minimises a problem by the paper's search. `seed` decides the time, never the minimum.
+pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
+    minimize_counted(problem, seed, &mut ())
+}
+
+/// [`minimize`], counting its operations.
+pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
+    solve(problem, seed, tally, &mut |_, _| ())
+}
+
+/// [`minimize`], with every vertical line that the search draws; none when no two lines cross.
+pub fn trace(problem: &LadProblem, seed: u64) -> (LadOutcome, Vec<SearchStep>) {
+    let mut steps = Vec::new();
+    let outcome = solve(problem, seed, &mut (), &mut |vertical, after| {
+        steps.push(vertical.step(problem.point_scale(), after));
+    });
+    (outcome, steps)
+}
+
+fn solve<T: Tally>(
+    problem: &LadProblem,
+    seed: u64,
+    tally: &mut T,
+    record: &mut impl FnMut(&VerticalLine, u64),
+) -> LadOutcome {
+    let instance = Instance::whole(problem);
+    LadOutcome::new(solve_with(&instance, seed, tally, |_, tally| search(&instance, seed, tally, record)))
+}
+
+/// Solves an instance in which two lines cross; `record` sees each vertical line and how many candidates it leaves.
+fn search(
+    instance: &Instance,
+    seed: u64,
+    tally: &mut impl Tally,
+    record: &mut impl FnMut(&VerticalLine, u64),
+) -> Solution {
+    let arrangement = LineArrangement::new(Box::new(Terms(instance)), tally);
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut slab = Slab::whole(&arrangement);
+    loop {
+        let candidates = slab.vertex_count();
+        let median = select(&arrangement, &slab, (candidates - 1) / 2, &mut random, tally);
+        let vertical = VerticalLine::search(instance, arrangement.abscissa(median), candidates, seed, tally);
+        let half = match vertical.side {
+            Side::Left | Side::Right => {
+                let cut = slab.cut(&arrangement, &vertical.x, tally);
+                if vertical.side == Side::Left { slab.left_of(&arrangement, &cut) } else { slab.right_of(&cut) }
+            }
+            Side::Optimal | Side::Unbounded => Slab::empty(),
+        };
+        record(&vertical, half.vertex_count());
+        if half.vertex_count() == 0 {
+            return vertical.conclude(instance, seed, tally);
+        }
+        slab = half;
+    }
+}
+
+/// A vertical line with what was found on it.
+struct VerticalLine {
+    x: Fraction,
+    candidates: u64,
+    minimum: Option<Box<Vertex>>,
+    around: Surroundings,
+    verdict: Verdict,
+    side: Side,
+}
+
+enum Verdict {
+    Decided(Decision),
+    Unbounded { upward: bool },
+}
+
+impl VerticalLine {
+    /// The minimum on the vertical line at an abscissa, and where the minimisers are.
+    fn search(instance: &Instance, x: Fraction, candidates: u64, seed: u64, tally: &mut impl Tally) -> Self {
+        let normal = [x.denominator.clone(), Dyadic::zero()];
+        let line = SearchLine::free(ExactLine { normal, offset: -x.numerator.clone() });
+        let mut around = Surroundings::default();
+        let (minimum, verdict) = match line.minimize(instance, &mut around, tally) {
+            LineMinimum::At(vertex) => (Some(vertex), Verdict::Decided(decide(instance, &around, seed, tally))),
+            LineMinimum::Unbounded { forward } => (None, Verdict::Unbounded { upward: forward }),
+            LineMinimum::Flat => unreachable!("a line that is not vertical passes through the vertex on this line"),
+        };
+        let side = match &verdict {
+            Verdict::Unbounded { .. } => Side::Unbounded,
+            Verdict::Decided(Decision::Optimal { .. }) => Side::Optimal,
+            Verdict::Decided(Decision::Descend { line, forward }) => {
+                match descent(instance, *line, *forward)[0].sign() {
+                    Ordering::Less => Side::Left,
+                    Ordering::Greater => Side::Right,
+                    Ordering::Equal => unreachable!("the minimum of a vertical line is not left along that line"),
+                }
+            }
+        };
+        Self { x, candidates, minimum, around, verdict, side }
+    }
+
+    /// The solution, when no vertex is a candidate any more.
+    fn conclude(self, instance: &Instance, seed: u64, tally: &mut impl Tally) -> Solution {
+        let unbounded = |direction| Solution::Unbounded { direction, along: None };
+        match (self.verdict, self.minimum) {
+            (Verdict::Decided(Decision::Optimal { through, basis, face_dimension }), Some(vertex)) => {
+                if basis.len() == 2 {
+                    at_vertex(instance, *vertex, self.around, through, basis, face_dimension)
+                } else {
+                    descend(instance, SearchLine::of(instance, basis[0]), seed, tally)
+                }
+            }
+            (Verdict::Decided(Decision::Descend { line, forward }), _) => unbounded(descent(instance, line, forward)),
+            (Verdict::Unbounded { upward }, _) => {
+                unbounded([Dyadic::zero(), Dyadic::from_f64(if upward { 1.0 } else { -1.0 })])
+            }
+            (_, None) => unreachable!("a minimiser on a line is its minimum"),
+        }
+    }
+
+    fn step(&self, point_scale: i64, vertices_after: u64) -> SearchStep {
+        let scaled = |v: f64| scale_by_power_of_two(v, point_scale);
+        let x = Fraction { numerator: self.x.numerator.clone().scaled(point_scale), ..self.x.clone() };
+        SearchStep {
+            x: x.to_f64(),
+            exact_x: x.to_rational(),
+            vertices_before: self.candidates,
+            vertices_after,
+            minimum: self.minimum.as_ref().map(|vertex| vertex.point.map(scaled)),
+            side: self.side,
+        }
+    }
+}
+
+fn descent(instance: &Instance, line: u32, forward: bool) -> [Dyadic; 2] {
+    let direction = instance.exact_line(line).direction();
+    if forward { direction } else { direction.map(|v| -v) }
+}
+
+/// The lines of an instance.
+#[derive(Debug)]
+struct Terms<'i, 'p>(&'i Instance<'p>);
+
+impl LineSource for Terms<'_, '_> {
+    fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    fn line(&self, index: u32) -> ExactLine {
+        self.0.exact_line(index)
+    }
+}
