@@ -258,3 +258,6 @@ impl LineSource for Terms<'_, '_> {
         self.0.exact_line(index)
     }
 }
+
+#[cfg(test)]
+mod tests;

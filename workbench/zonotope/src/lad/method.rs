@@ -2,7 +2,7 @@
 
 use super::optimum::LadOutcome;
 use super::problem::LadProblem;
-use super::{by_line_search, by_pruning};
+use super::{by_line_search, by_pruning, by_slope_selection};
 use crate::tally::Tally;
 
 /// A method that solves any problem of the kernel exactly.
@@ -11,6 +11,8 @@ use crate::tally::Tally;
 pub enum Method {
     /// [`by_line_search`].
     LineSearch,
+    /// [`by_slope_selection`], the paper's search.
+    SlopeSelection,
     /// [`by_pruning`], the default.
     #[default]
     Pruning,
@@ -18,12 +20,13 @@ pub enum Method {
 
 impl Method {
     /// Every method.
-    pub const ALL: [Self; 2] = [Self::LineSearch, Self::Pruning];
+    pub const ALL: [Self; 3] = [Self::LineSearch, Self::SlopeSelection, Self::Pruning];
 
     /// The name of the method's file.
     pub fn name(self) -> &'static str {
         match self {
             Self::LineSearch => "by_line_search",
+            Self::SlopeSelection => "by_slope_selection",
             Self::Pruning => "by_pruning",
         }
     }
@@ -37,6 +40,7 @@ impl Method {
     pub fn minimize(self, problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
         match self {
             Self::LineSearch => by_line_search::minimize_counted(problem, seed, tally),
+            Self::SlopeSelection => by_slope_selection::minimize_counted(problem, seed, tally),
             Self::Pruning => by_pruning::minimize_counted(problem, seed, tally),
         }
     }

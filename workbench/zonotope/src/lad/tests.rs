@@ -5,17 +5,11 @@ use proptest::prelude::*;
 use super::*;
 use crate::numeric::Rational;
 
-const METHODS: [(&str, fn(&LadProblem, u64) -> LadOutcome); 3] = [
-    ("by_line_search", by_line_search::minimize),
-    ("by_pruning", by_pruning::minimize),
-    ("by_slope_selection", by_slope_selection::minimize),
-];
-
 fn check(lines: &[WeightedLine], linear: [f64; 2]) -> Result<(), TestCaseError> {
     let problem = LadProblem::new(lines, linear).expect("the family makes finite lines");
     let truth = brute_force::minimize(&problem);
-    for (name, method) in METHODS {
-        let outcome = method(&problem, 1);
+    for method in Method::ALL {
+        let (name, outcome) = (method.name(), method.minimize(&problem, 1, &mut ()));
         let verdict = verify::verify(&problem, &outcome);
         prop_assert!(verdict.is_ok(), "{}: {:?} of {:?}", name, verdict, outcome);
         let Some(truth) = &truth else {
@@ -123,8 +117,8 @@ fn large_instances_are_pruned_and_verified() {
         .collect();
     let problem = LadProblem::new(&lines, [3.0, -40.0]).expect("finite lines");
     let mut values: Vec<Rational> = Vec::new();
-    for (_, method) in METHODS {
-        let outcome = method(&problem, 5);
+    for method in Method::ALL {
+        let outcome = method.minimize(&problem, 5, &mut ());
         assert_eq!(verify::verify(&problem, &outcome), Ok(()));
         values.push(outcome.optimum().expect("bounded").exact_value(&problem));
     }

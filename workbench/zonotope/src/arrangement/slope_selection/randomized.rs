@@ -7,14 +7,14 @@
 //! several vertices share the k-th abscissa, one of them is returned and the abscissa does not depend on the seed.
 //!
 //! # Source
-//! Reference [5] of the paper for the problem; the randomised method is that of Dillencourt, Mount and Netanyahu, Int. J.
+//! Reference 5 of the paper for the problem; the randomised method is that of Dillencourt, Mount and Netanyahu, Int. J.
 //! Comput. Geom. Appl. 2 (1992) 1, and Matousek, Inf. Proc. Letters 39 (1991) 183. Departures: the strip is open and its
 //! ends are vertices, so that ties cannot stop the progress; a vertical line counts as n vertices that are never listed one by one.
 //!
 //! # Method
 //! 1. The strip is the whole plane: left of all vertices the lines are ordered by descending slope, right of them by ascending slope.
-//! 2. While the strip holds more than `LISTED` · n vertices: pick `PICKED` · n of them at random, by rank among the inversions,
-//!    in one merge sort. Those that rank about sqrt(`PICKED` · n) below and above the wanted one bracket it, most likely.
+//! 2. While the strip holds more than `LISTED` · n vertices: pick n of them at random, by rank among the inversions, in one
+//!    merge sort. Those that rank sqrt(n) below and above the wanted one bracket it, most likely.
 //! 3. Cut the strip at each of the two: sort the lines along the vertical line there and count the inversions left of it. Keep
 //!    the part with the wanted rank, or return when it falls on the cut. Counting decides, chance only shortens.
 //! 4. List the vertices left in the strip, sort them, return the wanted one.
@@ -62,9 +62,6 @@ use crate::tally::{Operation, Tally};
 
 /// At most this many vertices a line are listed and sorted.
 const LISTED: u64 = 2;
-
-/// This many vertices a line are picked in each round.
-const PICKED: u64 = 2;
 
 /// The k-th leftmost vertex; `seed` decides the time, never the abscissa.
 ///
@@ -135,7 +132,7 @@ fn bracket(
     random: &mut Pcg64Mcg,
     tally: &mut impl Tally,
 ) -> Vec<Event> {
-    let (total, picked) = (slab.vertex_count(), PICKED * arrangement.place_count() as u64);
+    let (total, picked) = (slab.vertex_count(), arrangement.place_count() as u64);
     let stretch = total / picked;
     let rest = total % picked;
     let ranks: Vec<u64> = (0..picked)
@@ -144,7 +141,7 @@ fn bracket(
     let events = slab.pick(&ranks, tally);
     let mut guesses = keyed(arrangement, &events);
     let expected = (u128::from(rank) * u128::from(picked) / u128::from(total)) as u64;
-    let margin = picked.isqrt();
+    let margin = picked.isqrt().min(picked / 2);
     let mut comparisons = 0;
     let mut nth = |position: u64| {
         let order = |a: &Keyed, b: &Keyed| {

@@ -95,6 +95,15 @@ proptest! {
     }
 
     #[test]
+    fn vertical_lines_across_few_others(
+        rows in proptest::collection::vec([lattice(), lattice(), lattice()], 0..4),
+        vertical in proptest::collection::vec(-1.0..1.0f64, 0..26),
+    ) {
+        let vertical = vertical.into_iter().map(|x| [1.0, 0.0, x]);
+        check(&rows.into_iter().chain(vertical).collect::<Vec<_>>())?;
+    }
+
+    #[test]
     fn parallel_families(rows in rows(lattice()), slopes in [-1.0..1.0f64, -1.0..1.0]) {
         let rows: Vec<_> = rows.iter().map(|[a, _, c]| [slopes[usize::from(*a > 0.0)], 1.0, *c]).collect();
         check(&rows)?;
