@@ -36,3 +36,23 @@ fn claims_of_experiments_exist() {
         }
     }
 }
+
+/// The crate of the claims may not know the figures, so both name each other, and must agree.
+#[test]
+fn figures_and_claims_name_each_other() {
+    for figure in figures::catalog::FIGURES {
+        for id in figure.claims {
+            let claim = catalog::find(id).unwrap_or_else(|| panic!("{}: there is no claim {id}", figure.id));
+            assert!(claim.figures.contains(&figure.id), "the claim {id} does not name its figure {}", figure.id);
+        }
+        for id in figure.experiments {
+            assert!(experiments::catalog::find(id).is_some(), "{}: there is no experiment {id}", figure.id);
+        }
+    }
+    for claim in CLAIMS {
+        for id in claim.figures {
+            let figure = figures::catalog::find(id).unwrap_or_else(|| panic!("{}: there is no figure {id}", claim.id));
+            assert!(figure.claims.contains(&claim.id), "the figure {id} does not name the claim {}", claim.id);
+        }
+    }
+}

@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "In the plane every centrally symmetric convex polygon is a zonogon",
     code: &["zonotope::zonotope"],
+    figures: &["polygon-and-reflection"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

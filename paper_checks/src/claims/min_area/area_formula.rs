@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "In the notation of the combinatorial description, f(O) = sum over s of ([P_{a'} P_a P_{a+1}] + 4 [P_a ... P_b O] - 2 [P_a ... P_b P_{a'}]) - [P_{a_1} ... P_{a_k}], the last displayed line",
     code: &["zonotope::enclosing::min_area_zonogon"],
+    figures: &["paper-figure-2"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "Z(O) is a circular sequence of runs of consecutive points and runs of consecutive reflected points, in turn",
     code: &["zonotope::enclosing::centered_zonogon"],
+    figures: &["paper-figure-2"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

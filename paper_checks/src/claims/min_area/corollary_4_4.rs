@@ -12,6 +12,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Corollary,
     statement: "f is unimodal",
     code: &["zonotope::lad"],
+    figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

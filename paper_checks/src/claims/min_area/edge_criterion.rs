@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "The edge P_t P_{t+1} of H is an edge of Z(O) iff O is to the left of the line l_t through the midpoints of P_s P_t and P_s P_{t+1}, P_s the vertex farthest from the edge",
     code: &["zonotope::enclosing::bisectors"],
+    figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "Among the zonogons centred at O that contain the points, the convex hull Z(O) of the points and their reflections through O has the least area",
     code: &["zonotope::enclosing::centered_zonogon"],
+    figures: &["polygon-and-reflection"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Lemma,
     statement: "The area function f is piecewise affine over the arrangement of the n lines l_t",
     code: &["zonotope::enclosing::bisectors", "zonotope::enclosing::min_area_zonogon"],
+    figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

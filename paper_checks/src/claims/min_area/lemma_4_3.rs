@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Lemma,
     statement: "On any line the slope of f never decreases, so that f is unimodal on it",
     code: &["zonotope::lad::by_slope_selection"],
+    figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -12,6 +12,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "f has a global minimum at a vertex of the arrangement",
     code: &["zonotope::lad::brute_force"],
+    figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -20,6 +20,14 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Theorem,
     statement: "The minimum-area zonotope containing n points of the plane can be computed in O(n log^2 n) time",
     code: &["zonotope::enclosing::min_area_zonogon", "zonotope::lad::by_slope_selection"],
+    figures: &[
+        "country-outlines",
+        "polygon-and-reflection",
+        "scaling-kernel-operations",
+        "scaling-kernel-times",
+        "scaling-min-area-operations",
+        "scaling-min-area-times",
+    ],
     check: Check::Run(check),
     ..Claim::LISTED
 };
