@@ -1,4 +1,36 @@
 //! Zonotopes as bounding volumes: exact, certified algorithms of computational geometry.
+//!
+//! A zonotope is a Minkowski sum of segments, given by its centre and generators: { p + Σ δ_i v_i : |δ_i| ≤ 1 }. This library
+//! implements *Zonotopes as Bounding Volumes* (Guibas, Nguyen, Zhang, SODA 2003): every decision is exact, every answer carries a
+//! certificate, and a volume that is called enclosing encloses. It is pure: no input or output, no clock, no ambient randomness.
+//!
+//! # Problems
+//!
+//! | module | problem | in the paper |
+//! |---|---|---|
+//! | [`enclosing::min_area_zonogon`] | the zonogon of least area around points of the plane | 4.1, Theorem 4.5 |
+//! | [`enclosing::centered_zonogon`] | the smallest zonogon with a given centre | 4.1, Z(O) |
+//! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
+//! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
+//! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
+//! | [`zonotope`] | support function; vertices, area and membership of zonogons | 3 |
+//!
+//! # Notation
+//!
+//! | paper | here |
+//! |---|---|
+//! | Z = (p, ⟨v_1 … v_n⟩) | [`zonotope::Zonotope`] with `center` and `generators` |
+//! | 𝓗, P_t, P_t P_{t+1} | [`hull::ConvexHull`], a vertex, the edge with the index of its first vertex |
+//! | P_s, farthest from P_t P_{t+1} | [`hull::antipodal::FarthestVertex`] |
+//! | ℓ_t | a line of [`enclosing::bisectors::Bisectors`] |
+//! | 𝓩(O), 𝓢 | [`enclosing::centered_zonogon::CenteredZonogon`] and its `description` |
+//! | P'_i | [`enclosing::centered_zonogon::BoundaryVertex`] with `reflected` |
+//! | f(O) | `area` of Z(O); up to a constant the objective of a [`lad::LadProblem`] |
+//! | 𝓐 | the arrangement of the lines of that problem |
+//!
+//! # Layers
+//!
+//! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then [`enclosing`].
 
 pub mod arrangement;
 pub mod enclosing;
