@@ -55,7 +55,7 @@ fn entries(what: What) -> Vec<(String, String)> {
             let all = experiments::catalog::EXPERIMENTS.iter();
             all.map(|experiment| entry(experiment.id, experiment.question)).collect()
         }
-        What::Figures => crate::report::all_figures().iter().map(|figure| entry(figure.id, figure.title)).collect(),
+        What::Figures => figures::catalog::FIGURES.iter().map(|figure| entry(figure.id, figure.title)).collect(),
         What::Claims => paper_checks::catalog::CLAIMS.iter().map(|claim| entry(claim.id, claim.statement)).collect(),
         What::Methods => KINDS
             .iter()

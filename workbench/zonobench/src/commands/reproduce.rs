@@ -9,6 +9,8 @@ use clap::{Args, ValueEnum};
 use experiments::catalog::EXPERIMENTS;
 use experiments::definition::{Experiment, Profile};
 use experiments::runner::{self, Records, RunOptions};
+use figures::catalog::FIGURES;
+use figures::figure::FigureInput;
 
 use super::Ending;
 use crate::output::{Existing, write_whole};
@@ -73,7 +75,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
     for figure in &evidence.figures {
         if let Ok(svg) = &figure.drawing {
-            write(&figure.path(), svg, figure.deterministic)?;
+            write(&figure.path(), svg, figure.figure.deterministic)?;
         }
     }
     write("CLAIMS.md", &paper_checks::markdown(&evidence.claims), true)?;
@@ -132,11 +134,12 @@ fn run_experiments(options: &Options, profile: Profile, folder: &Folder) -> anyh
 }
 
 fn draw_figures(records: &Records) -> Vec<report::DrawnFigure> {
-    let all = report::all_figures();
-    let progress = Progress::of(all.len() as u64, "figures");
-    all.iter()
+    let input = FigureInput { records: Some(records) };
+    let progress = Progress::of(FIGURES.len() as u64, "figures");
+    FIGURES
+        .iter()
         .map(|figure| {
-            let drawn = report::DrawnFigure::draw(figure, records);
+            let drawn = report::DrawnFigure::draw(figure, &input);
             progress.step();
             drawn
         })

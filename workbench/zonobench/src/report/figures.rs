@@ -1,6 +1,5 @@
 //! Figures within a page.
 
-use experiments::runner::Records;
 use figures::figure::{Figure, FigureInput};
 
 use super::html::{Escaped, prose};
@@ -12,20 +11,12 @@ pub struct DrawnFigure {
     pub figure: &'static Figure,
     /// The SVG document, or why there is none.
     pub drawing: Result<String, String>,
-    /// Whether the drawing depends on neither clock nor machine.
-    pub deterministic: bool,
-}
-
-/// Every figure, in the order of the report.
-pub fn all_figures() -> &'static [Figure] {
-    &[]
 }
 
 impl DrawnFigure {
     /// Draws a figure.
-    pub fn draw(figure: &'static Figure, _records: &Records) -> Self {
-        let drawing = figure.draw(&FigureInput::default()).map_err(|error| error.to_string());
-        Self { figure, drawing, deterministic: true }
+    pub fn draw(figure: &'static Figure, input: &FigureInput) -> Self {
+        Self { figure, drawing: figure.draw(input).map_err(|error| error.to_string()) }
     }
 
     /// Its file in the report's folder.
@@ -48,7 +39,7 @@ fn plate(drawn: &DrawnFigure) -> String {
     format!(
         "<figure id=\"figure-{}\">\n<div class=\"plate\">{drawing}</div>\n<figcaption><b>{}.</b> {}</figcaption>\n</figure>\n",
         figure.id,
-        Escaped(figure.title),
+        prose(figure.title),
         prose(figure.caption)
     )
 }

@@ -19,7 +19,7 @@ use experiments::definition::Profile;
 use experiments::runner::Records;
 use paper_checks::{CheckContext, ClaimResult};
 
-pub use figures::{DrawnFigure, all_figures};
+pub use figures::DrawnFigure;
 pub use manifest::{Manifest, OutputFile};
 pub use pages::{report, times};
 

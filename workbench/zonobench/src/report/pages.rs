@@ -60,7 +60,7 @@ pub fn times(evidence: &Evidence) -> String {
         body.push_str(&growth_table(&fits.collect::<Vec<_>>()));
         body.push_str("</section>\n");
     }
-    let figures: Vec<_> = evidence.figures.iter().filter(|figure| !figure.deterministic).collect();
+    let figures: Vec<_> = evidence.figures.iter().filter(|drawn| !drawn.figure.deterministic).collect();
     if !figures.is_empty() {
         body.push_str(&format!("<section><h2>Figures</h2>\n{}</section>\n", gallery(&figures)));
     }
@@ -117,8 +117,7 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
         Escaped(chapter.title),
         prose(chapter.statement)
     );
-    let experiments: Vec<_> =
-        EXPERIMENTS.iter().filter(|experiment| chapter_of(experiment.claims) == Some(chapter.id)).collect();
+    let experiments: Vec<_> = EXPERIMENTS.iter().filter(|experiment| home(experiment) == Some(chapter.id)).collect();
     let results: Vec<_> = evidence.claims.iter().filter(|result| shares(&[result.claim.id])).collect();
     text.push_str(&verdict_line(&experiments, &results, evidence));
     for paragraph in chapter.method {
@@ -128,7 +127,7 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
     let figures: Vec<&DrawnFigure> = evidence
         .figures
         .iter()
-        .filter(|drawn| drawn.deterministic && chapter_of(drawn.figure.claims) == Some(chapter.id))
+        .filter(|drawn| drawn.figure.deterministic && home_of_figure(drawn) == Some(chapter.id))
         .collect();
     text.push_str(&gallery(&figures));
     for experiment in experiments {
@@ -144,8 +143,20 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
     text
 }
 
-/// The chapter of something that names these claims: that of the first one that has a chapter.
-fn chapter_of(claims: &[&str]) -> Option<&'static str> {
+/// The chapter of an experiment.
+fn home(experiment: &Experiment) -> Option<&'static str> {
+    let listed = CHAPTERS.iter().find(|chapter| chapter.experiments.contains(&experiment.id));
+    listed.map(|chapter| chapter.id).or_else(|| home_of_claims(experiment.claims))
+}
+
+/// The chapter of a figure.
+fn home_of_figure(drawn: &DrawnFigure) -> Option<&'static str> {
+    let experiments = drawn.figure.experiments.iter().filter_map(|id| experiments::catalog::find(id));
+    experiments.filter_map(home).next().or_else(|| home_of_claims(drawn.figure.claims))
+}
+
+/// The chapter of the first of these claims that has one.
+fn home_of_claims(claims: &[&str]) -> Option<&'static str> {
     let home = |claim: &&str| CHAPTERS.iter().find(|chapter| chapter.claims.contains(claim));
     claims.iter().find_map(home).map(|chapter| chapter.id)
 }
@@ -215,12 +226,9 @@ fn experiment_section(experiment: &'static Experiment, evidence: &Evidence) -> S
 
 /// Figures and experiments that belong to no chapter.
 fn remaining_section(evidence: &Evidence) -> String {
-    let figures: Vec<&DrawnFigure> = evidence
-        .figures
-        .iter()
-        .filter(|drawn| drawn.deterministic && chapter_of(drawn.figure.claims).is_none())
-        .collect();
-    let experiments: Vec<_> = EXPERIMENTS.iter().filter(|experiment| chapter_of(experiment.claims).is_none()).collect();
+    let figures: Vec<&DrawnFigure> =
+        evidence.figures.iter().filter(|drawn| drawn.figure.deterministic && home_of_figure(drawn).is_none()).collect();
+    let experiments: Vec<_> = EXPERIMENTS.iter().filter(|experiment| home(experiment).is_none()).collect();
     if figures.is_empty() && experiments.is_empty() {
         return String::new();
     }

@@ -20,6 +20,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
     bound: "The paper's search: expected O(n log² n) with a randomised slope selection. Pruning: expected O(n).",
     claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "halving-search"],
+    experiments: &["lad-scaling", "methods-agree", "pruning-passes", "slope-selection-scaling"],
     commands: &[
         ("zonobench list methods", "names the methods"),
         ("zonobench solve questions.jsonl --seed 7", "answers questions that name a method"),

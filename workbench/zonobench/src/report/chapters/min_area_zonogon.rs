@@ -34,6 +34,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "minimum-at-vertex",
         "theorem-4.5",
     ],
+    experiments: &["min-area-scaling", "min-area-stages", "area-ratio", "hull-scaling"],
     commands: &[
         (
             "zonobench enclose points.csv --svg points.svg --json points.answer.json",

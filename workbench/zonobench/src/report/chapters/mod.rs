@@ -25,6 +25,17 @@ mod tests {
     }
 
     #[test]
+    fn experiments_resolve_and_belong_to_one_chapter() {
+        let mut seen = BTreeSet::new();
+        for chapter in CHAPTERS {
+            for experiment in chapter.experiments {
+                assert!(experiments::catalog::find(experiment).is_some(), "{}: {experiment}", chapter.id);
+                assert!(seen.insert(experiment), "{experiment} is in two chapters");
+            }
+        }
+    }
+
+    #[test]
     fn commands_are_understood() {
         use clap::Parser;
         for (command, _) in CHAPTERS.iter().flat_map(|chapter| chapter.commands) {
