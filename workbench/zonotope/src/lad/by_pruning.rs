@@ -145,11 +145,7 @@ fn sample<'p>(instance: &Instance<'p>, random: &mut Pcg64Mcg) -> Instance<'p> {
 }
 
 fn integer_cube_root(n: usize) -> usize {
-    let mut root = (n as f64).cbrt() as usize;
-    while root.pow(3) > n {
-        root -= 1;
-    }
-    root
+    (1..).find(|root: &usize| (root + 1).pow(3) > n).expect("cubes grow past every number of lines")
 }
 
 /// The radius at which the crossing lines can make up for DEVIATIONS standard deviations of the sample's gradient.
