@@ -2,7 +2,7 @@
 
 use crate::definition::Experiment;
 use crate::definitions::{
-    area_ratio, hull_scaling, lad_scaling, methods_agree, min_area_scaling, min_area_stages, pruning_passes,
+    area_ratio, hull_scaling, lad_race, lad_scaling, methods_agree, min_area_scaling, min_area_stages, pruning_passes,
     slope_selection_scaling,
 };
 
@@ -11,6 +11,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
     min_area_scaling::EXPERIMENT,
     min_area_stages::EXPERIMENT,
     lad_scaling::EXPERIMENT,
+    lad_race::EXPERIMENT,
     pruning_passes::EXPERIMENT,
     slope_selection_scaling::EXPERIMENT,
     hull_scaling::EXPERIMENT,

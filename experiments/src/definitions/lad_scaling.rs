@@ -26,19 +26,25 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: super::KERNEL_SIZES,
     instances: PerProfile { quick: 3, full: 5 },
     variants: &[
+        Variant {
+            id: "by_slope_selection",
+            title: "Slope selection (the paper's search)",
+            largest: PerProfile { quick: 1 << 14, full: 1 << 16 },
+        },
         Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
-    timing: Some(Timing { sizes: super::KERNEL_SIZES, repetitions: PerProfile { quick: 3, full: 7 }, prepare }),
+    timing: Some(Timing { sizes: super::KERNEL_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
+        FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),
         FitPlan::of_operations("by_line_search", FAMILIES, None),
         FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)),
         FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)).from_size(PRUNING_REGIME),
     ],
 };
 
-/// Shared with the experiment on passes.
+/// Shared with the experiments on passes and on the race.
 pub(super) fn measure(case: &Case) -> Result<Measurement, String> {
     let method = kernel_methods::method(case)?;
     KernelInput::of(case)?.with_problem(|problem| {
@@ -52,7 +58,7 @@ pub(super) fn measure(case: &Case) -> Result<Measurement, String> {
     })
 }
 
-fn prepare(case: &Case) -> Result<TimedWork, String> {
+pub(super) fn prepare(case: &Case) -> Result<TimedWork, String> {
     let (method, seed) = (kernel_methods::method(case)?, case.seed);
     let input = KernelInput::of(case)?;
     Ok(Box::new(move |stopwatch| {

@@ -34,6 +34,11 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: PerProfile { quick: &[4, 8, 15, 24, 256, 2048], full: &[4, 5, 8, 11, 15, 19, 24, 64, 256, 2048, 16384] },
     instances: PerProfile { quick: 4, full: 20 },
     variants: &[
+        Variant {
+            id: "by_slope_selection",
+            title: "Slope selection (the paper's search)",
+            largest: PerProfile::both(usize::MAX),
+        },
         Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
     ],

@@ -20,14 +20,20 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: SCALING_SIZES,
     instances: PerProfile::both(2),
     variants: &[
+        Variant {
+            id: "by_slope_selection",
+            title: "Slope selection (the paper's search)",
+            largest: PerProfile { quick: 1 << 13, full: 1 << 16 },
+        },
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(1 << 16) },
     ],
     measure,
-    timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile { quick: 3, full: 5 }, prepare }),
+    timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
+        FitPlan::of_operations("by_slope_selection", HULL_FAMILIES, Some(GrowthModel::LinearLogSquared)),
         FitPlan::of_operations("by_pruning", SCALING_FAMILIES, Some(GrowthModel::Linearithmic)),
-        FitPlan::of_operations("by_line_search", HULL_FAMILIES, Some(GrowthModel::LinearLogSquared)),
+        FitPlan::of_operations("by_line_search", HULL_FAMILIES, None),
     ],
 };
 

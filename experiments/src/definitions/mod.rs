@@ -3,6 +3,7 @@
 pub mod area_ratio;
 pub mod hull_scaling;
 mod kernel_methods;
+pub mod lad_race;
 pub mod lad_scaling;
 pub mod methods_agree;
 pub mod min_area_scaling;

@@ -1,0 +1,31 @@
+//! The kernel's methods against each other by time, on the same lines in one run.
+
+use super::lad_scaling;
+use crate::definition::{Experiment, PerProfile, Timing, Variant};
+
+const SIZES: PerProfile<&[usize]> = PerProfile { quick: &[1 << 12, 1 << 15], full: &[1 << 12, 1 << 15, 1 << 20] };
+
+/// The kernel's methods against each other by time.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "lad-race",
+    title: "Least absolute deviations kernel: the methods side by side",
+    question: "The ratio of the times on the same lines: pruning is ahead of the paper's search by more than a factor of ten, and the \
+               factor grows with the number of lines (the full profile goes to 2^20).",
+    claims: &["theorem-4.5"],
+    families: &["random_lines"],
+    real_inputs: &[],
+    sizes: SIZES,
+    instances: PerProfile::both(1),
+    variants: &[
+        Variant {
+            id: "by_slope_selection",
+            title: "Slope selection (the paper's search)",
+            largest: PerProfile::both(usize::MAX),
+        },
+        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
+    ],
+    measure: lad_scaling::measure,
+    timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare: lad_scaling::prepare }),
+    fits: &[],
+};
