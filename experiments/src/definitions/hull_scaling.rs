@@ -27,7 +27,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "brute_force", title: "Gift wrapping", largest: PerProfile::both(1 << 11) },
     ],
     measure,
-    timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile { quick: 5, full: 11 }, prepare }),
+    timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(5), prepare }),
     fits: &[
         FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES, Some(GrowthModel::Linear))
             .of(Quantity::Count("turn")),

@@ -32,7 +32,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     ],
     real_inputs: REAL_INPUTS,
     sizes: PerProfile { quick: &[4, 8, 15, 24, 256, 2048], full: &[4, 5, 8, 11, 15, 19, 24, 64, 256, 2048, 16384] },
-    instances: PerProfile { quick: 4, full: 20 },
+    instances: PerProfile { quick: 4, full: 8 },
     variants: &[
         Variant {
             id: "by_slope_selection",
