@@ -24,7 +24,7 @@ impl fmt::Display for Escaped<'_> {
     }
 }
 
-/// Text with a little mathematics as markup: `` `code` ``, n^2 and k^(d-1), P_t and P_{t+1}; ` - ` in formulas stays as it is.
+/// Text with a little mathematics as markup: `` `code` ``, n^2 and k^(d-1), P_t and P_{t+1}.
 pub(super) fn prose(text: &str) -> String {
     text.split('`')
         .enumerate()
@@ -32,44 +32,51 @@ pub(super) fn prose(text: &str) -> String {
         .collect()
 }
 
-/// Raises what follows `^`, lowers what follows `_` after a lone letter; the rest is escaped.
+/// Raises what follows `^`, lowers what follows `_` after a lone letter (primes between them allowed); the rest is escaped.
 fn formulas(text: &str) -> String {
     let mut markup = String::new();
     let mut rest = text;
     while let Some(at) = rest.find(['^', '_']) {
         let (before, after) = rest.split_at(at);
-        let mark = &after[..1];
-        let mut letters = before.chars().rev();
+        let (mark, after) = after.split_at(1);
+        let mut letters = before.trim_end_matches('\'').chars().rev();
         let lone =
             letters.next().is_some_and(char::is_alphabetic) && !letters.next().is_some_and(char::is_alphanumeric);
         markup.push_str(&Escaped(before).to_string());
-        match script(&after[1..]) {
-            Some((content, length)) if mark == "^" || lone => {
+        match script(after).filter(|_| mark == "^" || lone) {
+            Some(length) => {
                 let tag = if mark == "^" { "sup" } else { "sub" };
-                markup.push_str(&format!("<{tag}>{}</{tag}>", Escaped(content)));
-                rest = &after[1 + length..];
+                let content = &after[..length];
+                let inner = content.strip_prefix('{').and_then(|group| group.strip_suffix('}')).unwrap_or(content);
+                markup.push_str(&format!("<{tag}>{}</{tag}>", formulas(inner)));
+                rest = &after[length..];
             }
-            _ => {
+            None => {
                 markup.push_str(mark);
-                rest = &after[1..];
+                rest = after;
             }
         }
     }
     markup + &Escaped(rest).to_string()
 }
 
-/// What is raised or lowered, and the bytes it takes: a group in braces (dropped) or brackets (kept), or letters or digits.
-fn script(text: &str) -> Option<(&str, usize)> {
-    let closing = match text.chars().next()? {
-        '{' => '}',
-        '(' => ')',
-        first if first.is_alphanumeric() => {
-            let same = |c: char| c.is_ascii_digit() == first.is_ascii_digit() && c.is_alphanumeric();
-            let length = text.find(|c| !same(c)).unwrap_or(text.len());
-            return Some((&text[..length], length));
-        }
-        _ => return None,
-    };
+/// The length of what is raised or lowered: a group in braces or brackets, or digits, or letters and the group that follows them.
+fn script(text: &str) -> Option<usize> {
+    let first = text.chars().next()?;
+    if first == '{' || first == '(' {
+        return group(text);
+    }
+    if !first.is_alphanumeric() {
+        return None;
+    }
+    let alike = |c: char| c.is_alphanumeric() && c.is_ascii_digit() == first.is_ascii_digit();
+    let word = text.find(|c| !alike(c)).unwrap_or(text.len());
+    let argument = if text[word..].starts_with('(') { group(&text[word..]).unwrap_or(0) } else { 0 };
+    Some(word + argument)
+}
+
+/// The length of the bracketed group at the start, if it is closed.
+fn group(text: &str) -> Option<usize> {
     let mut depth = 0_i32;
     for (index, c) in text.char_indices() {
         match c {
@@ -78,8 +85,7 @@ fn script(text: &str) -> Option<(&str, usize)> {
             _ => {}
         }
         if depth == 0 {
-            let content = if closing == '}' { &text[1..index] } else { &text[..=index] };
-            return Some((content, index + 1));
+            return Some(index + c.len_utf8());
         }
     }
     None
@@ -140,15 +146,11 @@ mod tests {
     #[test]
     fn markup_is_escaped_and_digits_are_grouped() {
         assert_eq!(Escaped("a < b & \"ç\" > d").to_string(), "a &lt; b &amp; &quot;ç&quot; &gt; d");
-        assert_eq!(
-            prose("n log^2 n < k^(d-1), by `f_<x>`"),
-            "n log<sup>2</sup> n &lt; k<sup>(d-1)</sup>, by <code>f_&lt;x&gt;</code>"
-        );
-        assert_eq!(
-            prose("P_{t+1} P_t, p_ij, min_area, k^O(d), a^"),
-            "P<sub>t+1</sub> P<sub>t</sub>, p<sub>ij</sub>, min_area, k<sup>O</sup>(d), a^"
-        );
-        assert_eq!(prose("eps^(-(d-1)^2)"), "eps<sup>(-(d-1)^2)</sup>");
+        let code = prose("n log^2 n < k^(d-1), by `f_<x>`");
+        assert_eq!(code, "n log<sup>2</sup> n &lt; k<sup>(d-1)</sup>, by <code>f_&lt;x&gt;</code>");
+        assert_eq!(prose("P_{t+1} p_ij P'_{a'_s}"), "P<sub>t+1</sub> p<sub>ij</sub> P'<sub>a'<sub>s</sub></sub>");
+        assert_eq!(prose("min_area, k^O(d), a^ (b_"), "min_area, k<sup>O(d)</sup>, a^ (b_");
+        assert_eq!(prose("eps^(-(d-1)^2)"), "eps<sup>(-(d-1)<sup>2</sup>)</sup>");
         assert_eq!(grouped(0), "0");
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(1_048_576), "1\u{202f}048\u{202f}576");

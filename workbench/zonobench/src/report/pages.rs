@@ -10,7 +10,7 @@ use super::claims::{claim_table, verdict};
 use super::figures::{DrawnFigure, gallery};
 use super::growth::growth_table;
 use super::html::{Escaped, badge, grouped, page, prose, table};
-use super::values::value_table;
+use super::values::{time_table, value_table};
 use super::{Evidence, FittedGrowth};
 
 const PAPER: &str = "L. J. Guibas, A. Nguyen and L. Zhang, <cite>Zonotopes as Bounding Volumes</cite>, SODA 2003";
@@ -58,6 +58,7 @@ pub fn times(evidence: &Evidence) -> String {
         ));
         let fits = fits_of(experiment, evidence).filter(|fit| !fit.is_deterministic());
         body.push_str(&growth_table(&fits.collect::<Vec<_>>()));
+        body.push_str(&time_table(experiment, &evidence.records.times));
         body.push_str("</section>\n");
     }
     let figures: Vec<_> = evidence.figures.iter().filter(|drawn| !drawn.figure.deterministic).collect();
@@ -257,15 +258,27 @@ fn ledger_section(evidence: &Evidence) -> String {
     );
     for section in sections {
         let results: Vec<_> = evidence.claims.iter().filter(|result| result.claim.place.section == section).collect();
-        let open = results.iter().any(|result| result.verdict.is_some());
+        let (judged, waiting): (Vec<_>, Vec<_>) = results.iter().partition(|result| result.verdict.is_some());
         let marks: Vec<String> = results.iter().map(|result| verdict(result)).collect();
+        let open = if judged.is_empty() { "" } else { " open" };
         text.push_str(&format!(
-            "<details{}>\n<summary>Section {} <small>{}</small></summary>\n{}</details>\n",
-            if open { " open" } else { "" },
+            "<details{open}>\n<summary>Section {} <small>{}</small></summary>\n",
             Escaped(section),
-            tally(&marks),
-            claim_table(&results)
+            tally(&marks)
         ));
+        if !judged.is_empty() {
+            text.push_str(&claim_table(&judged));
+        }
+        if !waiting.is_empty() {
+            let table = claim_table(&waiting);
+            text.push_str(&match (judged.is_empty(), waiting.len()) {
+                (true, _) => table,
+                (false, count) => {
+                    format!("<details>\n<summary>{count} that wait for their algorithm</summary>\n{table}</details>\n")
+                }
+            });
+        }
+        text.push_str("</details>\n");
     }
     text.push_str("</section>\n");
     text

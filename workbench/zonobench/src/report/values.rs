@@ -3,42 +3,69 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use experiments::definition::Experiment;
-use experiments::record::{CountOutcome, CountRow};
+use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow};
 
 use super::html::{Escaped, grouped, table};
 
 /// For every input and method the values at the largest size: the middle one of the instances. Empty without values.
 pub(super) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
-    let mut largest: BTreeMap<(&str, &str), usize> = BTreeMap::new();
-    let mut order: Vec<(&str, &str)> = Vec::new();
-    let rows: Vec<&CountRow> =
-        rows.iter().filter(|row| row.key.experiment == experiment.id && row.fault().is_none()).collect();
+    let rows = rows.iter().filter(|row| row.fault().is_none());
+    let rows = rows.map(|row| Row {
+        key: &row.key,
+        numbers: values(row).iter().map(|(name, value)| (name.as_str(), *value)).collect(),
+    });
+    at_largest(experiment, rows.collect(), significant)
+}
+
+/// For every input and method the laps at the largest size, in milliseconds: the middle one of the repetitions and instances.
+pub(super) fn time_table(experiment: &Experiment, rows: &[TimeRow]) -> String {
+    let rows = rows.iter().filter_map(|row| match &row.outcome {
+        TimeOutcome::Valid { laps_ns } => {
+            let numbers = laps_ns.iter().map(|(name, &ns)| (name.as_str(), ns as f64 / 1e6)).collect();
+            Some(Row { key: &row.key, numbers })
+        }
+        TimeOutcome::Void { .. } | TimeOutcome::Failed { .. } => None,
+    });
+    at_largest(experiment, rows.collect(), |milliseconds| format!("{milliseconds:.3} ms"))
+}
+
+/// The numbers of one record.
+struct Row<'a> {
+    key: &'a CaseKey,
+    numbers: BTreeMap<&'a str, f64>,
+}
+
+fn at_largest(experiment: &Experiment, mut rows: Vec<Row<'_>>, written: fn(f64) -> String) -> String {
+    rows.retain(|row| row.key.experiment == experiment.id);
+    let mut places: Vec<(&str, &str, usize)> = Vec::new();
     for row in &rows {
-        let place = (row.key.family.as_str(), row.key.variant.as_str());
-        let size = largest.entry(place).or_insert_with(|| {
-            order.push(place);
-            0
-        });
-        *size = row.key.n.max(*size);
+        let CaseKey { family, variant, n, .. } = row.key;
+        match places.iter_mut().find(|place| (place.0, place.1) == (family, variant)) {
+            Some(place) => place.2 = place.2.max(*n),
+            None => places.push((family, variant, *n)),
+        }
     }
-    let names: BTreeSet<&str> = rows.iter().flat_map(|row| values(row).keys()).map(String::as_str).collect();
+    let names: BTreeSet<&str> = rows.iter().flat_map(|row| row.numbers.keys().copied()).collect();
     if names.is_empty() {
         return String::new();
     }
-    let cells = |&(family, variant): &(&str, &str)| {
-        let n = largest[&(family, variant)];
-        let at_largest =
-            rows.iter().filter(|row| row.key.family == family && row.key.variant == variant && row.key.n == n);
-        let middle = |name: &&str| middle(at_largest.clone().filter_map(|row| row.value(name)).collect());
+    let cells = |&(family, variant, n): &(&str, &str, usize)| {
+        let here: Vec<&Row<'_>> = rows
+            .iter()
+            .filter(|row| row.key.family == family && row.key.variant == variant && row.key.n == n)
+            .collect();
         let mut cells =
             vec![Escaped(&family.replace('_', " ")).to_string(), grouped(n as u64), title(experiment, variant)];
-        cells.extend(names.iter().map(middle));
+        for name in &names {
+            let middle = middle(here.iter().filter_map(|row| row.numbers.get(name).copied()).collect());
+            cells.push(middle.map_or("–".to_owned(), written));
+        }
         cells
     };
     let mut header = vec!["input", "n", "method"];
     let titles: Vec<String> = names.iter().map(|name| Escaped(&name.replace('_', " ")).to_string()).collect();
     header.extend(titles.iter().map(String::as_str));
-    table("values", &header, &order.iter().map(cells).collect::<Vec<_>>())
+    table("values", &header, &places.iter().map(cells).collect::<Vec<_>>())
 }
 
 fn values(row: &CountRow) -> &BTreeMap<String, f64> {
@@ -54,13 +81,19 @@ fn title(experiment: &Experiment, variant: &str) -> String {
     Escaped(found.map_or(variant, |variant| variant.title)).to_string()
 }
 
-/// The middle value (the upper one of an even number), in six significant digits.
-fn middle(mut values: Vec<f64>) -> String {
-    values.sort_by(f64::total_cmp);
-    match values.get(values.len() / 2) {
-        None => "–".to_owned(),
-        Some(value) if value.fract() == 0.0 && value.abs() < 1e15 => format!("{value}"),
-        Some(value) if (1e-3..1e6).contains(&value.abs()) => format!("{value:.5}"),
-        Some(value) => format!("{value:.3e}"),
+/// The middle number, the upper one of an even count.
+fn middle(mut numbers: Vec<f64>) -> Option<f64> {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied()
+}
+
+/// Whole numbers as they are, others in a few digits.
+fn significant(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < 1e15 {
+        format!("{value}")
+    } else if (1e-3..1e6).contains(&value.abs()) {
+        format!("{value:.5}")
+    } else {
+        format!("{value:.3e}")
     }
 }
