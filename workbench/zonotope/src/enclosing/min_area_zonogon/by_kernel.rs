@@ -13,7 +13,7 @@
 //! # Method
 //! 1. Convex hull, farthest vertex of each edge, lines ℓ_t.
 //! 2. The kernel minimises Σ |e_t × (X − P_s − P_t)|: the optimal centre and coefficients δ_t.
-//! 3. Round the centre to doubles, take Z(O) there, round it outward.
+//! 3. Round the centre to doubles, the best of the nearest ones, take Z(O) there, round it outward.
 //! 4. Lower bound: f(O) minus ½ Σ (|v_t| − δ_t v_t) with v_t = e_t × (2O − P_s − P_t), a sum over the few edges whose δ_t is not
 //!    the sign of v_t. It holds because f grows by ½ Σ |v_t| and Σ δ_t e_t = 0.
 //!
@@ -51,15 +51,16 @@
 //! ```
 
 use super::answer::{MinAreaError, MinAreaZonogon};
+use super::rounded_center::{Kernel, RoundedCenter};
 use super::segment::around_segment;
 use crate::enclosing::bisectors::Bisectors;
-use crate::enclosing::centered_zonogon::{CenteredZonogon, homogeneous};
 use crate::enclosing::outward::{round_outward, rounded_towards};
-use crate::hull::antipodal::farthest_vertices_counted;
-use crate::hull::convex_hull_counted;
-use crate::lad::{LadProblem, Method};
+use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
+use crate::hull::{ConvexHull, convex_hull_counted};
+use crate::lad::Method;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
+use crate::zonotope::Zonotope;
 
 /// The zonogon of least area around points of the plane, by the default method.
 ///
@@ -89,36 +90,40 @@ pub fn min_area_enclosing_zonogon_with(
     let outcome = method.minimize(&problem, seed, tally);
     let optimum = outcome.optimum().expect("an area is never negative, so the objective is bounded");
     let optimal_center = bisectors.frame.center_of(&optimum.homogeneous_point(&problem));
-    let center = [0, 1].map(|i| optimal_center[i].rounded_ratio(&optimal_center[2]));
-    let exact_center = homogeneous(center);
-    let kernel_point = bisectors.kernel_point(&exact_center);
-    let sides = problem.signs_at(&kernel_point);
-    let boundary = CenteredZonogon::from_sides(&hull, &farthest, center, &exact_center, &sides);
-    let rounded = round_outward(&boundary, &bisectors.frame);
-    let gap = gap(&bisectors, &problem, &kernel_point, &sides, &optimum.certificate.signs);
-    let area = rounded.area_above;
-    let lower_bound = rounded_towards(&(Dyadic::from_f64(rounded.area_below) - gap), f64::NEG_INFINITY).max(0.0);
+    let kernel =
+        Kernel { bisectors: &bisectors, problem: &problem, certificate: &optimum.certificate, center: &optimal_center };
+    let mut rounded = Rounded::around(&RoundedCenter::nearest(&kernel), &bisectors, &hull, &farthest);
+    if rounded.is_loose() {
+        let nearby = Rounded::around(&RoundedCenter::best_nearby(&kernel), &bisectors, &hull, &farthest);
+        if nearby.lower_bound >= rounded.lower_bound && nearby.area <= rounded.area {
+            rounded = nearby;
+        }
+    }
+    let Rounded { zonogon, area, lower_bound } = rounded;
     let (face_dimension, certificate) = (optimum.face_dimension, optimum.certificate.clone());
-    let zonogon = rounded.zonogon;
-    drop((problem, boundary));
+    drop(problem);
     Ok(MinAreaZonogon { zonogon, area, lower_bound, optimal_center, face_dimension, hull, farthest, certificate })
 }
 
-/// At least ½ Σ (|v_t| − δ_t v_t) at a point of the kernel's frame given with W = 1, in the units of the input.
-///
-/// A term is at most 2 |v_t|, and zero where v_t is, or where δ_t is its sign.
-fn gap(bisectors: &Bisectors, problem: &LadProblem, point: &[Dyadic; 3], sides: &[i8], signs: &[i8]) -> Dyadic {
-    let mut sum = Dyadic::zero();
-    for (block, (sides, signs)) in sides.chunks(BLOCK).zip(signs.chunks(BLOCK)).enumerate() {
-        if sides == signs {
-            continue;
-        }
-        for i in (0..sides.len()).filter(|&i| sides[i] != 0 && sides[i] != signs[i]) {
-            sum = sum + problem.exact_scaled_value(block * BLOCK + i, point).abs();
-        }
-    }
-    sum.scaled(2 * bisectors.frame.scale)
+/// A zonogon in doubles with its bounds.
+struct Rounded {
+    zonogon: Zonotope<2>,
+    area: f64,
+    lower_bound: f64,
 }
 
-/// Edges whose signs are compared at once.
-const BLOCK: usize = 64;
+impl Rounded {
+    fn around(center: &RoundedCenter, bisectors: &Bisectors, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
+        let outward = round_outward(&center.boundary(hull, farthest), &bisectors.frame);
+        let least = Dyadic::from_f64(outward.area_below) - center.gap.clone();
+        let lower_bound = rounded_towards(&least, f64::NEG_INFINITY).max(0.0);
+        Self { zonogon: outward.zonogon, area: outward.area_above, lower_bound }
+    }
+
+    fn is_loose(&self) -> bool {
+        self.area - self.lower_bound > LOOSE * self.area
+    }
+}
+
+/// A relative gap that makes it worth to look at other doubles for the centre.
+const LOOSE: f64 = 1e-13;

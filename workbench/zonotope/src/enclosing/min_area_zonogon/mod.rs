@@ -15,6 +15,7 @@ mod answer;
 pub mod brute_force;
 pub mod by_kernel;
 pub mod exact;
+mod rounded_center;
 mod segment;
 pub mod verify;
 
