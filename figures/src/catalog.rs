@@ -3,7 +3,7 @@
 use crate::figure::Figure;
 use crate::gallery::{
     arrangement_and_level_sets, country_outlines, paper_figure_2, polygon_and_reflection, scaling_kernel_operations,
-    scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times,
+    scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times, search_of_theorem_4_5,
 };
 
 /// Every figure, in the order of reports.
@@ -11,6 +11,7 @@ pub static FIGURES: &[Figure] = &[
     paper_figure_2::FIGURE,
     polygon_and_reflection::FIGURE,
     arrangement_and_level_sets::FIGURE,
+    search_of_theorem_4_5::FIGURE,
     country_outlines::FIGURE,
     scaling_min_area_operations::FIGURE,
     scaling_min_area_times::FIGURE,

@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn numbers_have_three_digits() {
-        assert_eq!(three_digits(3.14159), "3.14");
+        assert_eq!(three_digits(4.3219), "4.32");
         assert_eq!(three_digits(0.0271), "0.0271");
         assert_eq!(three_digits(271.8), "272");
         assert_eq!(three_digits(4.2e-9), "4.20 × 10⁻⁹");

@@ -5,7 +5,7 @@ use crate::min_area::Polygon;
 use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{LegendEntry, Panel, Sample, Scene};
-use crate::style::{Dash, ENCLOSING, GREY, INPUT, Marker, OPTIMAL_CENTER, Paint, REFLECTED, Stroke, text_size, weight};
+use crate::style::{Dash, ENCLOSING, GREY, INPUT, Marker, OPTIMAL_CENTER, Paint, REFLECTED, Stroke, text_size};
 use experiments::data::{Outline, outlines};
 
 /// The country outlines.

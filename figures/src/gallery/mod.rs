@@ -8,3 +8,4 @@ pub mod scaling_kernel_operations;
 pub mod scaling_kernel_times;
 pub mod scaling_min_area_operations;
 pub mod scaling_min_area_times;
+pub mod search_of_theorem_4_5;

@@ -56,6 +56,11 @@ impl PageBox {
         Self { min: self.min.moved(margin, margin), max: self.max.moved(-margin, -margin) }
     }
 
+    /// Whether a place lies in the rectangle or on its edge.
+    pub fn holds(&self, place: PagePoint) -> bool {
+        (self.min.x..=self.max.x).contains(&place.x) && (self.min.y..=self.max.y).contains(&place.y)
+    }
+
     /// The area that two rectangles share.
     pub fn shared_area(&self, other: &Self) -> f64 {
         let width = self.max.x.min(other.max.x) - self.min.x.max(other.min.x);
