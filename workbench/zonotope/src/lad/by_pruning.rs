@@ -64,7 +64,7 @@ use super::line_search::SearchLine;
 use super::optimum::LadOutcome;
 use super::problem::LadProblem;
 use super::solution::{Optimal, Solution};
-use super::solve::{descend, solve, solve_with};
+use super::solve::{descend, solve_with};
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::{Operation, Tally};
 
@@ -90,11 +90,24 @@ pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally)
 
 /// Solves an instance in which two lines cross.
 pub(crate) fn search<T: Tally>(instance: &Instance, first: u32, seed: u64, tally: &mut T) -> Solution {
-    if instance.len() <= SMALL {
+    search_above(SMALL, instance, first, seed, tally)
+}
+
+/// [`minimize`], pruning whenever there are more than `small` lines.
+#[cfg(test)]
+pub(super) fn minimize_above(small: usize, problem: &LadProblem, seed: u64) -> LadOutcome {
+    let instance = Instance::whole(problem);
+    LadOutcome::new(solve_with(&instance, seed, &mut (), |first, tally| {
+        search_above(small, &instance, first, seed, tally)
+    }))
+}
+
+fn search_above<T: Tally>(small: usize, instance: &Instance, first: u32, seed: u64, tally: &mut T) -> Solution {
+    if instance.len() <= small {
         return descend(instance, SearchLine::of(instance, first), seed, tally);
     }
     let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let Some(mut cell) = first_cell(instance, &mut random, tally) else {
+    let Some(mut cell) = first_cell(small, instance, &mut random, tally) else {
         return descend(instance, SearchLine::of(instance, first), seed, tally);
     };
     for _ in 0..ROUNDS {
@@ -103,7 +116,7 @@ pub(crate) fn search<T: Tally>(instance: &Instance, first: u32, seed: u64, tally
         if 2 * split.crossing.len() > instance.len() {
             break;
         }
-        match within(instance, split, random.random(), tally) {
+        match within(small, instance, split, random.random(), tally) {
             Solution::Optimal(optimal) => match optimal.vertex.as_ref().map(|vertex| vertex.point) {
                 Some(point) if cell.contains(point) && optimal.defining.len() == 2 => {
                     return Solution::Optimal(optimal);
@@ -117,11 +130,15 @@ pub(crate) fn search<T: Tally>(instance: &Instance, first: u32, seed: u64, tally
     descend(instance, nearest_line(instance, cell.center, tally), seed, tally)
 }
 
+fn solve_above<T: Tally>(small: usize, instance: &Instance, seed: u64, tally: &mut T) -> Solution {
+    solve_with(instance, seed, tally, |first, tally| search_above(small, instance, first, seed, tally))
+}
+
 /// The cell around the optimum of a sample.
-fn first_cell<T: Tally>(instance: &Instance, random: &mut Pcg64Mcg, tally: &mut T) -> Option<Cell> {
-    let sample = sample(instance, random);
+fn first_cell<T: Tally>(small: usize, instance: &Instance, random: &mut Pcg64Mcg, tally: &mut T) -> Option<Cell> {
+    let sample = sample(small, instance, random);
     tally.add(Operation::LineEvaluation, sample.len() as u64);
-    let Solution::Optimal(optimal) = solve(&sample, random.random(), tally) else { return None };
+    let Solution::Optimal(optimal) = solve_above(small, &sample, random.random(), tally) else { return None };
     let center = optimal.vertex?.point;
     let frame = Frame::of(&sample)?;
     let radius = radius(&sample, center, frame)?;
@@ -130,9 +147,9 @@ fn first_cell<T: Tally>(instance: &Instance, random: &mut Pcg64Mcg, tally: &mut 
 }
 
 /// About n^(2/3) lines, one from each of as many equal stretches, with the linear term in proportion.
-fn sample<'p>(instance: &Instance<'p>, random: &mut Pcg64Mcg) -> Instance<'p> {
+fn sample<'p>(small: usize, instance: &Instance<'p>, random: &mut Pcg64Mcg) -> Instance<'p> {
     let n = instance.len();
-    let size = (2 * integer_cube_root(n).pow(2)).clamp(SMALL / 4, n / 4);
+    let size = (2 * integer_cube_root(n).pow(2)).clamp((small / 4).max(1), (n / 4).max(1));
     let lines: Vec<u32> = (0..size)
         .map(|i| {
             let (start, end) = (i * n / size, (i + 1) * n / size);
@@ -169,10 +186,10 @@ fn radius(sample: &Instance, [cx, cy]: [f64; 2], frame: Frame) -> Option<f64> {
 }
 
 /// The solution of the lines that cross a cell, with the signs of all the others.
-fn within<T: Tally>(instance: &Instance, split: Split, seed: u64, tally: &mut T) -> Solution {
+fn within<T: Tally>(small: usize, instance: &Instance, split: Split, seed: u64, tally: &mut T) -> Solution {
     let Split { crossing, signs, sum, sum_error } = split;
     let remainder = instance.remainder(&crossing, signs, sum, sum_error);
-    match solve(&remainder, seed, tally) {
+    match solve_above(small, &remainder, seed, tally) {
         Solution::Optimal(optimal) => Solution::Optimal(Box::new(lift(*optimal, &remainder, &crossing))),
         unbounded => unbounded,
     }
