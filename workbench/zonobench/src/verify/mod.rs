@@ -1,7 +1,7 @@
 //! An exact check of answers, by code that shares nothing with the solvers but the big integers.
 //!
 //! Every double is a whole multiple of a power of two. So all the numbers of one question and its answer are laid on one
-//! [`grid`]: integers, in which sums and products are exact. What is proved on the grid holds for the numbers as written.
+//! `grid`: integers, in which sums and products are exact. What is proved on the grid holds for the numbers as written.
 //! Distances between a rounded figure and the exact one are measured in the same integers.
 
 mod grid;
