@@ -1,9 +1,9 @@
 //! Plots of an experiment's growth: samples from the records, the best of the growth models through them.
 
-use crate::axes::{Curve, FittedCurve, LogLogPlot, power};
+use crate::axes::{Curve, LogLogPlot, power};
 use crate::figure::{Figure, FigureError, FigureInput};
 use experiments::analysis;
-use experiments::definition::{Experiment, Quantity};
+use experiments::definition::{Experiment, Quantity, Variant};
 use experiments::fit::{self, Growth, GrowthModel, ModelVerdict};
 use experiments::runner::Records;
 
@@ -40,11 +40,7 @@ impl GrowthPlot {
                 if !(self.shows)(variant.id, family) {
                     continue;
                 }
-                let name = match family_name {
-                    Some(family_name) => format!("{}, {family_name}", variant.title),
-                    None => variant.title.to_owned(),
-                };
-                curves.extend(self.curve(name, variant.id, family, records));
+                curves.extend(self.curve(variant, family, family_name, records));
             }
         }
         if curves.is_empty() {
@@ -61,19 +57,23 @@ impl GrowthPlot {
     }
 
     /// The curve of a variant on a family, if it has samples.
-    fn curve(&self, name: String, variant: &str, family: &str, records: &Records) -> Option<Curve> {
-        let (samples, _left_out) = analysis::samples(self.experiment.id, family, variant, self.quantity, records);
+    fn curve(&self, variant: &Variant, family: &str, family_name: Option<&str>, records: &Records) -> Option<Curve> {
+        let (samples, _left_out) = analysis::samples(self.experiment.id, family, variant.id, self.quantity, records);
         if samples.is_empty() {
             return None;
         }
-        let smallest = self.smallest_fitted(variant, family);
+        let smallest = self.smallest_fitted(variant.id, family);
         let fitted: Vec<(f64, f64)> = samples.iter().copied().filter(|&(n, _)| n >= smallest).collect();
-        let growth = fit::fit_growth(&fitted, GrowthModel::RUNNING_TIMES).ok();
-        Some(Curve {
-            name,
+        let mut curve = Curve {
+            name: variant.title.to_owned(),
+            notes: family_name.map(|name| format!("on {name}")).into_iter().collect(),
             points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
-            fit: growth.as_ref().map(|growth| self.fitted_curve(growth)),
-        })
+            fit: Vec::new(),
+        };
+        if let Ok(growth) = fit::fit_growth(&fitted, GrowthModel::RUNNING_TIMES) {
+            self.add_fit(&mut curve, &growth);
+        }
+        Some(curve)
     }
 
     /// The size from which the experiment expects the variant's growth law to show.
@@ -84,7 +84,7 @@ impl GrowthPlot {
     }
 
     /// The best model if the samples are consistent with it, else the power law.
-    fn fitted_curve(&self, growth: &Growth) -> FittedCurve {
+    fn add_fit(&self, curve: &mut Curve, growth: &Growth) {
         let consistent = growth.best().filter(|best| best.verdict == ModelVerdict::Consistent);
         let exponent = growth.exponent;
         let value = |n: f64| match consistent {
@@ -102,7 +102,8 @@ impl GrowthPlot {
         };
         let exponents = format!("exponent {:.2} ({:.2} to {:.2})", exponent.value, exponent.low, exponent.high);
         let sizes = format!("n = {} to {}", size_name(growth.smallest), size_name(growth.largest));
-        FittedCurve { notes: vec![law, exponents, sizes], points: points.collect() }
+        curve.notes.extend([law, exponents, sizes]);
+        curve.fit = points.collect();
     }
 }
 

@@ -1,6 +1,7 @@
 //! Plots with two logarithmic axes: measured points, fitted curves, and a legend beside the plot.
 //!
-//! Drawn by `plotters`, whose SVG backend rounds to whole units: the plot is drawn ten times as large as it is shown. Logarithms come from `libm`, so the bytes are the same on every machine.
+//! Drawn by `plotters`, whose SVG backend rounds to whole units: the plot is drawn ten times as large as it is shown.
+//! Logarithms come from `libm`, so the bytes are the same on every machine.
 
 mod log_axis;
 mod sign;
@@ -26,19 +27,12 @@ use std::fmt::Write as _;
 pub struct Curve {
     /// What was measured.
     pub name: String,
+    /// Further lines for the legend: on what, the fitted model, its constants, its interval.
+    pub notes: Vec<String>,
     /// Size and value, both positive.
     pub points: Vec<[f64; 2]>,
-    /// The fitted model, if there is one.
-    pub fit: Option<FittedCurve>,
-}
-
-/// A fitted model, sampled.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FittedCurve {
-    /// Lines for the legend: the model, its constants, its interval.
-    pub notes: Vec<String>,
-    /// Size and value, both positive, by increasing size.
-    pub points: Vec<[f64; 2]>,
+    /// Samples of the fitted model, by increasing size; none without a fit.
+    pub fit: Vec<[f64; 2]>,
 }
 
 /// A plot.
@@ -68,12 +62,7 @@ const LEGEND_GAP: f64 = 10.0;
 impl LogLogPlot {
     /// The plot as an SVG document.
     pub fn draw(&self) -> Result<String, FigureError> {
-        let all = || {
-            self.curves.iter().flat_map(|curve| {
-                let fitted = curve.fit.iter().flat_map(|fit| &fit.points);
-                curve.points.iter().chain(fitted)
-            })
-        };
+        let all = || self.curves.iter().flat_map(|curve| curve.points.iter().chain(&curve.fit));
         if let Some(curve) = self.curves.iter().find(|curve| curve.points.is_empty()) {
             return Err(FigureError::EmptySeries(curve.name.clone()));
         }
@@ -131,9 +120,8 @@ impl LogLogPlot {
         let name = TextStyle::new(text_size::NOTE, INK).bold();
         let note = TextStyle::new(text_size::NOTE, GREY);
         self.curves.iter().enumerate().map(move |(number, curve)| {
-            let notes = curve.fit.iter().flat_map(|fit| &fit.notes);
-            let lines =
-                std::iter::once((curve.name.as_str(), name)).chain(notes.map(|text| (text.as_str(), note))).collect();
+            let notes = curve.notes.iter().map(|text| (text.as_str(), note));
+            let lines = std::iter::once((curve.name.as_str(), name)).chain(notes).collect();
             (number, lines)
         })
     }
@@ -199,8 +187,8 @@ fn draw_curve<DB: DrawingBackend>(
     curve: &Curve,
     number: usize,
 ) -> Result<(), FigureError> {
-    if let Some(fit) = &curve.fit {
-        let points: Vec<(f64, f64)> = fit.points.iter().map(|&[x, y]| (x, y)).collect();
+    if !curve.fit.is_empty() {
+        let points: Vec<(f64, f64)> = curve.fit.iter().map(|&[x, y]| (x, y)).collect();
         chart
             .draw_series(std::iter::once(PathElement::new(points, line(color_of(number), 1.6))))
             .map_err(FigureError::plot)?;

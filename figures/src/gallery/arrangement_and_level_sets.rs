@@ -14,10 +14,10 @@ use crate::style::{
 pub const FIGURE: Figure = Figure {
     id: "arrangement-and-level-sets",
     title: "The area of Z(O) over the arrangement of the lines ℓ_t",
-    caption: "Each edge of the polygon has a line ℓ_t, parallel to it, halfway to the farthest vertex: the edge is on the \
-              boundary of Z(O) exactly when O lies on its left. The area f of Z(O) is affine in every cell of \
-              the arrangement, so its level sets bend only at the lines; f is convex, so they are nested convex \
-              polygons, and the minimum is at a vertex of the arrangement.",
+    caption: "Each edge of the polygon has a line ℓ_t, parallel to it, halfway to the farthest vertex: the edge is on \
+              the boundary of Z(O) exactly when O lies on its left. The area f of Z(O) is affine in every cell of the \
+              arrangement, so its level sets bend only at the lines; f is convex, so they are nested convex polygons, \
+              and the minimum is at a vertex of the arrangement.",
     claims: &["lemma-4.1", "lemma-4.3", "corollary-4.4", "edge-criterion", "minimum-at-vertex"],
     experiments: &[],
     deterministic: true,

@@ -12,10 +12,10 @@ use experiments::data::{Outline, outlines};
 pub const FIGURE: Figure = Figure {
     id: "country-outlines",
     title: "Minimum-area enclosing zonogons of ten country outlines",
-    caption: "Under each name: the area of the zonogon as a multiple of that of the convex hull (1 for a centrally symmetric \
-              hull, 2 for a triangle). Computed in degrees of longitude and latitude; each map is drawn with the longitudes \
-              shortened by the cosine of its middle latitude. The shortening changes neither the optimum nor the ratio, \
-              for both are the same after every affine map.",
+    caption: "Under each name: the area of the zonogon as a multiple of that of the convex hull (1 for a centrally \
+              symmetric hull, 2 for a triangle). Computed in degrees of longitude and latitude; each map is drawn with \
+              the longitudes shortened by the cosine of its middle latitude. The shortening changes neither the \
+              optimum nor the ratio, for both are the same after every affine map.",
     claims: &["theorem-4.5"],
     experiments: &["area-ratio"],
     deterministic: true,

@@ -15,11 +15,11 @@ use zonotope::enclosing::centered_zonogon::{CenteredZonogon, Run};
 pub const FIGURE: Figure = Figure {
     id: "paper-figure-2",
     title: "A part of a zonotope (the paper's Figure 2)",
-    caption: "The boundary of Z(O) alternates between runs of points P and runs of their reflections P'. The sector from \
-              one run of points to the next splits into a quadrilateral at O and two caps; the area of Z(O) is the sum \
-              over the sectors. O is the midpoint of every point and its reflection, so the caps can be written with \
-              points of the polygon and O alone, and the area is an affine function of O as long as the runs stay the \
-              same.",
+    caption: "The boundary of Z(O) alternates between runs of points P and runs of their reflections P'. The sector \
+              from one run of points to the next splits into a quadrilateral at O and two caps; the area of Z(O) is \
+              the sum over the sectors. O is the midpoint of every point and its reflection, so the caps can be \
+              written with points of the polygon and O alone, and the area is an affine function of O as long as the \
+              runs stay the same.",
     claims: &["figure-2", "area-formula", "combinatorial-description"],
     experiments: &[],
     deterministic: true,

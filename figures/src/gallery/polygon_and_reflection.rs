@@ -14,9 +14,9 @@ use crate::style::{
 pub const FIGURE: Figure = Figure {
     id: "polygon-and-reflection",
     title: "The smallest zonogon around a polygon, for a given and for the best centre",
-    caption: "A zonogon with centre O that contains the points P contains their reflections P' through O as well; Z(O), the \
-              convex hull of both, is the smallest one. Its area depends on O: the least area over all centres is that \
-              of the minimum-area enclosing zonogon.",
+    caption: "A zonogon with centre O that contains the points P contains their reflections P' through O as well; \
+              Z(O), the convex hull of both, is the smallest one. Its area depends on O: the least area over all \
+              centres is that of the minimum-area enclosing zonogon.",
     claims: &["fixed-center-optimum", "theorem-4.5", "planar-symmetric-is-zonogon"],
     experiments: &[],
     deterministic: true,

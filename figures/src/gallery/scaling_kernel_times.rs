@@ -9,7 +9,9 @@ use experiments::definitions::lad_scaling;
 pub const FIGURE: Figure = Figure {
     id: "scaling-kernel-times",
     title: "Time of the kernel's methods",
-    caption: "Time of each method of the least absolute deviations kernel on random lines: medians of several runs on this machine, with the growth model that fits best and the exponent of a power law with its 95 % interval.",
+    caption: "Time of each method of the least absolute deviations kernel on random lines: medians of several runs on \
+              this machine, with the growth model that fits best (a power law where none does) and the exponent with \
+              its 95 % interval.",
     claims: &["theorem-4.5", "halving-search"],
     experiments: &[lad_scaling::EXPERIMENT.id],
     deterministic: false,

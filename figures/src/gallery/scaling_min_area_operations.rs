@@ -9,7 +9,9 @@ use experiments::definitions::min_area_scaling;
 pub const FIGURE: Figure = Figure {
     id: "scaling-min-area-operations",
     title: "Operations of the minimum-area enclosing zonogon",
-    caption: "Operations of the whole of section 4.1, hull included, with each method of the kernel on random convex polygons, where every point is on the hull, and with pruning on Gaussian points, where few are.",
+    caption: "Operations of the whole of section 4.1, hull included, with each method of the kernel on random convex \
+              polygons, where every point is on the hull, and with pruning on Gaussian points, where few are, with the \
+              growth model that fits best (a power law where none does) and the exponent with its 95 % interval.",
     claims: &["theorem-4.5", "summary-min-area"],
     experiments: &[min_area_scaling::EXPERIMENT.id],
     deterministic: true,
@@ -19,7 +21,7 @@ pub const FIGURE: Figure = Figure {
 const PLOT: GrowthPlot = GrowthPlot {
     experiment: &min_area_scaling::EXPERIMENT,
     quantity: Quantity::AllCounts,
-    families: &[("random_convex", Some("convex polygon")), ("gaussian", Some("Gaussian"))],
+    families: &[("random_convex", Some("random convex polygons")), ("gaussian", Some("Gaussian points"))],
     shows: |variant, family| family == "random_convex" || variant == "by_pruning",
     x_name: "points n",
     y_name: "operations",

@@ -19,10 +19,11 @@ use zonotope::numeric::Rational;
 pub const FIGURE: Figure = Figure {
     id: "search-of-theorem-4-5",
     title: "The search of Theorem 4.5",
-    caption: "The candidates are the vertices of the arrangement of the lines ℓ_t. Each step draws the vertical line through \
-              the median candidate, found by slope selection, and finds the minimum of f on it. The directions in which f falls \
-              from there tell on which side the optimum lies; the candidates on the other side and on the line are \
-              discarded, at least half of all. The search ends when the minimum on the line is the minimum of f.",
+    caption: "The candidates are the vertices of the arrangement of the lines ℓ_t. Each step draws the vertical line \
+              through the median candidate, found by slope selection, and finds the minimum of f on it. The directions \
+              in which f falls from there tell on which side the optimum lies; the candidates on the other side and on \
+              the line are discarded, at least half of all. The search ends when the minimum on the line is the \
+              minimum of f. Panels that say so are magnified.",
     claims: &[],
     experiments: &[],
     deterministic: true,
