@@ -175,6 +175,10 @@ impl ExactLines for ExactBisectors<'_> {
         ExactLine { normal: [-y, x], offset }
     }
 
+    fn normals_sum_to_zero(&self) -> bool {
+        true
+    }
+
     fn certainly_passes(&self, t: usize, point: [f64; 2]) -> bool {
         let ends = [self.hull.vertices()[t], self.hull.vertex(self.farthest[t].vertex())];
         let [from, far] = ends.map(|end| self.frame.scaled(end));

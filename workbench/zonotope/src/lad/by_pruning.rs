@@ -20,7 +20,7 @@
 //!    sample lines as the sampling error of the gradient can shift the optimum across.
 //! 4. One pass: sum up the lines that certainly miss the cell, keep the others; solve those recursively.
 //! 5. If the optimum lies in the interior of the cell it is the answer; else move and enlarge the cell and go to 4.
-//! 6. After `ROUNDS` failures, or when a cell keeps most of the lines, descend from the best point by line searches.
+//! 6. After `ROUNDS` failures, or when a cell keeps most of the lines, descend from the last optimum found by line searches.
 //!
 //! # Complexity
 //! n lines: expected O(n), with about one pass over the lines and O(n^(2/3)) lines kept; worst case that of line searches.
@@ -64,7 +64,8 @@ use super::line_search::SearchLine;
 use super::optimum::LadOutcome;
 use super::problem::LadProblem;
 use super::solution::{Optimal, Solution};
-use super::solve::{descend, solve_with};
+use super::solve::{descend, descend_from, solve_with};
+use super::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::{Operation, Tally};
 
@@ -107,7 +108,7 @@ fn search_above<T: Tally>(small: usize, instance: &Instance, first: u32, seed: u
         return descend(instance, SearchLine::of(instance, first), seed, tally);
     }
     let mut random = Pcg64Mcg::seed_from_u64(seed);
-    let Some(mut cell) = first_cell(small, instance, &mut random, tally) else {
+    let Some((mut cell, mut best)) = first_cell(small, instance, &mut random, tally) else {
         return descend(instance, SearchLine::of(instance, first), seed, tally);
     };
     for _ in 0..ROUNDS {
@@ -117,33 +118,42 @@ fn search_above<T: Tally>(small: usize, instance: &Instance, first: u32, seed: u
             break;
         }
         match within(small, instance, split, random.random(), tally) {
-            Solution::Optimal(optimal) => match optimal.vertex.as_ref().map(|vertex| vertex.point) {
-                Some(point) if cell.contains(point) && optimal.defining.len() == 2 => {
+            Solution::Optimal(optimal) => match &optimal.vertex {
+                Some(vertex) if cell.contains(vertex.point) && optimal.defining.len() == 2 => {
                     return Solution::Optimal(optimal);
                 }
-                Some(point) => cell = cell.moved_towards(point, 4.0),
+                Some(vertex) => {
+                    cell = cell.moved_towards(vertex.point, 4.0);
+                    best = vertex.clone();
+                }
                 None => cell = cell.moved_towards(cell.center, 8.0),
             },
             Solution::Unbounded { .. } => cell = cell.moved_towards(cell.center, 8.0),
         }
     }
-    descend(instance, nearest_line(instance, cell.center, tally), seed, tally)
+    descend_from(instance, Vertex::at(best.exact), seed, tally)
 }
 
 fn solve_above<T: Tally>(small: usize, instance: &Instance, seed: u64, tally: &mut T) -> Solution {
     solve_with(instance, seed, tally, |first, tally| search_above(small, instance, first, seed, tally))
 }
 
-/// The cell around the optimum of a sample.
-fn first_cell<T: Tally>(small: usize, instance: &Instance, random: &mut Pcg64Mcg, tally: &mut T) -> Option<Cell> {
+/// The cell around the optimum of a sample, and that optimum.
+fn first_cell<T: Tally>(
+    small: usize,
+    instance: &Instance,
+    random: &mut Pcg64Mcg,
+    tally: &mut T,
+) -> Option<(Cell, Vertex)> {
     let sample = sample(small, instance, random);
     tally.add(Operation::LineEvaluation, sample.len() as u64);
     let Solution::Optimal(optimal) = solve_above(small, &sample, random.random(), tally) else { return None };
-    let center = optimal.vertex?.point;
+    let vertex = optimal.vertex?;
+    let center = vertex.point;
     let frame = Frame::of(&sample)?;
     let radius = radius(&sample, center, frame)?;
     let cell = Cell::new(center, radius, frame);
-    (center[0].is_finite() && center[1].is_finite()).then_some(cell)
+    (center[0].is_finite() && center[1].is_finite()).then_some((cell, vertex))
 }
 
 /// About n^(2/3) lines, one from each of as many equal stretches, with the linear term in proportion.
@@ -203,18 +213,4 @@ fn lift(optimal: Optimal, remainder: &Instance, crossing: &[u32]) -> Optimal {
     }
     let rename = |lines: Vec<u32>| lines.into_iter().map(|line| crossing[line as usize]).collect();
     Optimal { defining: rename(optimal.defining), basis: rename(optimal.basis), signs, ..optimal }
-}
-
-/// The line that passes nearest to a point, measured by its reach.
-fn nearest_line(instance: &Instance, [cx, cy]: [f64; 2], tally: &mut impl Tally) -> SearchLine {
-    tally.add(Operation::LineEvaluation, instance.len() as u64);
-    let columns = &*instance.columns;
-    let distance = |line: u32| {
-        let [x, y] = instance.normal(line);
-        let distance = (x * cx + y * cy + columns.offset[line as usize]).abs() / (x.abs() + y.abs());
-        if distance.is_nan() { f64::INFINITY } else { distance }
-    };
-    let lines = (0..instance.len() as u32).filter(|&line| !instance.has_zero_normal(line));
-    let nearest = lines.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
-    SearchLine::of(instance, nearest.expect("two lines cross"))
 }

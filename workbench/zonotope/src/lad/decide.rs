@@ -29,8 +29,24 @@ pub(crate) fn decide(instance: &Instance, around: &Surroundings, seed: u64, tall
         [first, second] if instance.cross_sign(first, second) != Ordering::Equal => {
             decide_on_two(instance, around, [first, second])
         }
-        _ => decide_among_many(instance, around, seed, tally),
+        _ => {
+            decide_where_all_meet(instance, around).unwrap_or_else(|| decide_among_many(instance, around, seed, tally))
+        }
     }
+}
+
+/// Where all lines meet and their normals sum to zero, as the edges of a centrally symmetric polygon do, all coefficients may be 1.
+/// Normals that sum to zero and are not all parallel span the plane positively, so the minimiser is unique.
+fn decide_where_all_meet(instance: &Instance, around: &Surroundings) -> Option<Decision> {
+    let lines = &around.through;
+    let first = lines[0];
+    let crossing = lines.iter().copied().find(|&line| instance.cross_sign(first, line) != Ordering::Equal)?;
+    let sign = |line| i8::from(line != first && line != crossing);
+    (lines.len() == instance.len() && instance.has_normals_that_cancel()).then(|| Decision::Optimal {
+        through: lines.iter().map(|&line| (line, sign(line))).collect(),
+        basis: vec![first, crossing],
+        face_dimension: 0,
+    })
 }
 
 fn slopes(instance: &Instance, around: &Surroundings, line: u32) -> [Ordering; 2] {

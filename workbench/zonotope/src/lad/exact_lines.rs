@@ -45,6 +45,11 @@ pub(crate) trait ExactLines: Debug + Sync {
     /// The exact line at a position.
     fn line(&self, position: usize) -> ExactLine;
 
+    /// Whether the normals of all lines are known to sum to zero.
+    fn normals_sum_to_zero(&self) -> bool {
+        false
+    }
+
     /// Whether a line passes through a point, where that is seen at a glance; `false` decides nothing.
     fn certainly_passes(&self, _position: usize, _point: [f64; 2]) -> bool {
         false

@@ -188,6 +188,13 @@ impl<'p> Instance<'p> {
         if certainly_on { 0 } else { vertex.exact_side(&self.exact_line(line)) }
     }
 
+    /// Whether this is the whole of a problem without a linear term whose normals are known to sum to zero.
+    pub(crate) fn has_normals_that_cancel(&self) -> bool {
+        self.members.is_none()
+            && self.problem.exact.normals_sum_to_zero()
+            && self.exact_linear().iter().all(Dyadic::is_zero)
+    }
+
     /// Whether the normal of a line is exactly zero.
     pub(crate) fn has_zero_normal(&self, line: u32) -> bool {
         self.normal(line) == [0.0, 0.0] && self.exact_line(line).normal.iter().all(Dyadic::is_zero)

@@ -56,6 +56,20 @@ pub(crate) fn descend(instance: &Instance, first: SearchLine, seed: u64, tally: 
     }
 }
 
+/// From a point on lines of the instance: decides there, and descends if it is not a minimiser.
+pub(crate) fn descend_from(instance: &Instance, start: Vertex, seed: u64, tally: &mut impl Tally) -> Solution {
+    let mut around = Surroundings::default();
+    instance.read_at(&start, &mut around, tally);
+    let line = match decide(instance, &around, seed, tally) {
+        Decision::Optimal { through, basis, face_dimension } if basis.len() == 2 => {
+            return at_vertex(instance, start, around, through, basis, face_dimension);
+        }
+        Decision::Optimal { basis, .. } => basis[0],
+        Decision::Descend { line, .. } => line,
+    };
+    descend(instance, SearchLine::of(instance, line), seed, tally)
+}
+
 /// The solution at a vertex that was decided to be optimal.
 pub(crate) fn at_vertex(
     instance: &Instance,
