@@ -27,6 +27,7 @@ pub static CLAIM: Claim = Claim {
         "scaling-kernel-times",
         "scaling-min-area-operations",
         "scaling-min-area-times",
+        "search-of-theorem-4-5",
     ],
     check: Check::Run(check),
     ..Claim::LISTED

@@ -42,7 +42,8 @@
 //! use zonotope::hull::{antipodal::farthest_vertices, convex_hull};
 //!
 //! let triangle = convex_hull(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
-//! let zonogon = CenteredZonogon::new(&triangle, &farthest_vertices(&triangle), [1.0, 1.0]);
+//! let farthest = farthest_vertices(&triangle);
+//! let zonogon = CenteredZonogon::new(&triangle, &farthest, [1.0, 1.0]);
 //! // the square of the triangle and its reflection in the midpoint of its long side
 //! assert_eq!(zonogon.exact_area().to_f64(), 4.0);
 //! # Ok::<(), zonotope::hull::HullError>(())

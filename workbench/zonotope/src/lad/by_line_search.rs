@@ -40,7 +40,7 @@
 //! # Example
 //! ```
 //! use zonotope::lad::{LadProblem, WeightedLine, by_line_search};
-//! // |x − 1| + |y − 2| + |x + y|: the minimum 3 is taken at every point with 0 ≥ … between; a vertex is returned.
+//! // |x − 1| + |y − 2| + |x + y| ≥ (1 − x) + (2 − y) + (x + y) = 3, with equality at (1, 2)
 //! let lines = [([1.0, 0.0], -1.0), ([0.0, 1.0], -2.0), ([1.0, 1.0], 0.0)];
 //! let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
 //! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
