@@ -20,7 +20,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Shows that O_l is always on a line, and one case where the neighbouring cells disagree on the side.

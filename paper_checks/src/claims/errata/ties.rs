@@ -17,7 +17,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Shows a symmetric hexagon whose lines all meet in one point, and a polygon with a vertical line l_t.
