@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::exact_sort::{Keyed, sort_exactly};
 use super::fraction::Fraction;
-use crate::lad::{ExactLine, LineIndex};
+use super::line::{ExactLine, LineIndex};
 use crate::numeric::approximation::Approximation;
 use crate::tally::{Operation, Tally};
 

@@ -6,9 +6,11 @@
 
 mod exact_sort;
 pub(crate) mod fraction;
+mod line;
 pub(crate) mod lines;
 mod rows;
 pub mod slope_selection;
 
+pub use line::{ExactLine, LineIndex};
 pub use lines::LineArrangement;
 pub use rows::ArrangementError;

@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
+use super::line::ExactLine;
 use super::lines::{LineArrangement, LineSource};
-use crate::lad::ExactLine;
 use crate::numeric::dyadic::Dyadic;
 
 /// Why a set of lines is refused.

@@ -43,8 +43,9 @@
 //! assert_eq!((truth.value, truth.face_dimension), (0.into(), 0));
 //! ```
 
-use super::exact_lines::ExactLine;
-use super::problem::{LadProblem, LineIndex};
+use super::problem::LadProblem;
+use crate::arrangement::ExactLine;
+use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
 
 type Vector = [Rational; 2];

@@ -63,7 +63,6 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
 use super::decide::decide;
-use super::exact_lines::ExactLine;
 use super::instance::{Instance, Surroundings};
 use super::line_search::{LineMinimum, SearchLine};
 use super::optimum::LadOutcome;
@@ -71,6 +70,7 @@ use super::problem::LadProblem;
 use super::solution::{Decision, Solution};
 use super::solve::{at_vertex, descend, solve_with};
 use super::vertex::Vertex;
+use crate::arrangement::ExactLine;
 use crate::arrangement::fraction::Fraction;
 use crate::arrangement::lines::{LineArrangement, LineSource};
 use crate::arrangement::slope_selection::randomized::select;

@@ -9,10 +9,10 @@ use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-use super::exact_lines::ExactLine;
 use super::problem::{Columns, LadProblem, LineError};
 use super::sides::read_sides;
 use super::vertex::Vertex;
+use crate::arrangement::ExactLine;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};

@@ -8,9 +8,9 @@
 
 use std::cmp::Ordering;
 
-use super::exact_lines::ExactLine;
 use super::instance::{Instance, Surroundings};
 use super::vertex::Vertex;
+use crate::arrangement::ExactLine;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};

@@ -33,16 +33,17 @@ mod solve;
 pub mod verify;
 mod vertex;
 
+pub use crate::arrangement::{ExactLine, LineIndex};
 pub use by_pruning::{minimize, minimize_counted};
-pub use exact_lines::ExactLine;
 pub use method::Method;
 pub use optimum::{LadCertificate, LadOptimum, LadOutcome, Minimizer};
-pub use problem::{LadError, LadProblem, LineIndex, WeightedLine};
+pub use problem::{LadError, LadProblem, WeightedLine};
 
 /// What a problem is made of when its lines come from elsewhere than a slice of doubles.
 pub(crate) mod kernel_input {
-    pub(crate) use super::exact_lines::{ExactLine, ExactLines};
+    pub(crate) use super::exact_lines::ExactLines;
     pub(crate) use super::problem::{Columns, LineError};
+    pub(crate) use crate::arrangement::ExactLine;
 }
 
 #[cfg(test)]

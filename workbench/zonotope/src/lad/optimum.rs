@@ -1,8 +1,9 @@
 //! What a method answers: a minimiser named by its defining lines, with coefficients that prove it.
 
-use super::exact_lines::ExactLine;
-use super::problem::{LadProblem, LineIndex};
+use super::problem::LadProblem;
 use super::solution::{Optimal, Solution};
+use crate::arrangement::ExactLine;
+use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 

@@ -2,22 +2,12 @@
 
 use thiserror::Error;
 
-use super::exact_lines::{ExactLine, ExactLines, Rows};
+use super::exact_lines::{ExactLines, Rows};
 use super::instance::{Instance, Surroundings};
 use super::vertex::Vertex;
+use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
-
-/// The index of a line in the input.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct LineIndex(pub u32);
-
-impl LineIndex {
-    /// The index as a position in the input slice.
-    pub fn position(self) -> usize {
-        self.0 as usize
-    }
-}
 
 /// One term weight · |normal · x + offset| of the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]

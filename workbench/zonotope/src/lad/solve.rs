@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 
 use super::by_pruning;
 use super::decide::decide;
-use super::exact_lines::ExactLine;
 use super::instance::{Instance, Surroundings};
 use super::line_search::{LineMinimum, SearchLine};
 use super::solution::{Decision, Optimal, Solution};
 use super::vertex::Vertex;
+use crate::arrangement::ExactLine;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 

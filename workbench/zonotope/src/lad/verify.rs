@@ -7,7 +7,8 @@
 use thiserror::Error;
 
 use super::optimum::{LadCertificate, LadOptimum, LadOutcome};
-use super::problem::{LadProblem, LineIndex};
+use super::problem::LadProblem;
+use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 

@@ -41,9 +41,9 @@
 //! ```
 
 use super::{ArrangementVertex, SlopeSelectionError};
+use crate::arrangement::LineIndex;
 use crate::arrangement::fraction::Fraction;
 use crate::arrangement::lines::LineArrangement;
-use crate::lad::LineIndex;
 
 /// All vertices from left to right.
 pub fn vertices(arrangement: &LineArrangement) -> Vec<ArrangementVertex> {

@@ -22,7 +22,7 @@ pub use randomized::{kth_leftmost_vertex, kth_leftmost_vertex_counted};
 
 use super::fraction::Fraction;
 use super::lines::LineArrangement;
-use crate::lad::LineIndex;
+use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
 
 /// A vertex of an arrangement: where two lines cross.
