@@ -76,7 +76,7 @@ const SMALL: usize = 400;
 const ROUNDS: usize = 5;
 
 /// The cell is crossed by so much weight of sample lines, in standard deviations of the sample's gradient.
-const DEVIATIONS: f64 = 3.0;
+const DEVIATIONS: f64 = 4.0;
 
 /// Minimises a problem by pruning. `seed` decides the sample: the time, never the minimum.
 pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
