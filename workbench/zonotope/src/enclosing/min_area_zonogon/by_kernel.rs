@@ -26,7 +26,7 @@
 //! make up for rounding.
 //!
 //! # Numerics
-//! The optimal centre and all signs are exact. Relative excess of the area: about 1e-15 for hulls that are neither thin nor far from the origin; it
+//! The optimal centre and all signs are exact. Relative gap: about 1e-16 for few vertices and 2e-14 for many, on hulls that are neither thin nor far from the origin; it
 //! grows with (diameter + distance from the origin) · perimeter / area, as no double is nearer to the optimal centre. Always certified by
 //! `lower_bound`; use [`exact`](super::exact) where doubles are not enough.
 //!
