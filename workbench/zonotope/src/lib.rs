@@ -33,6 +33,7 @@
 //! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then [`enclosing`].
 
 pub mod arrangement;
+pub mod collision;
 pub mod enclosing;
 pub mod hull;
 pub mod lad;

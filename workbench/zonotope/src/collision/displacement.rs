@@ -1,0 +1,126 @@
+//! The question under membership, intersection and gauge.
+
+use thiserror::Error;
+
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::Zonotope;
+
+/// Where is the exact vector `to` − `from` relative to the zonotope { Σ δ_i g_i : |δ_i| ≤ 1 }? Every coordinate is finite.
+///
+/// The generators come in two slices, so that two bodies are put to the question without a copy; a generator's index counts
+/// through the first slice and then the second.
+#[derive(Debug, Clone, Copy)]
+pub struct Displacement<'a, const D: usize> {
+    from: [f64; D],
+    to: [f64; D],
+    generators: [&'a [[f64; D]]; 2],
+}
+
+/// Why points and generators are refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum DisplacementError {
+    /// A coordinate of one of the two points is NaN or infinite.
+    #[error("the {point}'s coordinate {coordinate} is {value}, not a finite number")]
+    NonFinitePoint {
+        /// "start" or "end".
+        point: &'static str,
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A coordinate of a generator is NaN or infinite.
+    #[error("generator {generator}, coordinate {coordinate} is {value}, not a finite number")]
+    NonFiniteGenerator {
+        /// The generator, from 0.
+        generator: usize,
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl<'a, const D: usize> Displacement<'a, D> {
+    /// The displacement between two points, relative to generators. O(n).
+    ///
+    /// # Errors
+    /// [`DisplacementError`] names the first coordinate that is not finite.
+    pub fn new(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Result<Self, DisplacementError> {
+        for (name, point) in [("start", &from), ("end", &to)] {
+            if let Some(coordinate) = non_finite(point) {
+                return Err(DisplacementError::NonFinitePoint { point: name, coordinate, value: point[coordinate] });
+            }
+        }
+        for (generator, v) in generators.iter().enumerate() {
+            if let Some(coordinate) = non_finite(v) {
+                return Err(DisplacementError::NonFiniteGenerator { generator, coordinate, value: v[coordinate] });
+            }
+        }
+        Ok(Self { from, to, generators: [generators, &[]] })
+    }
+
+    /// Membership of a point: from the centre of the body to the point. O(1).
+    ///
+    /// # Errors
+    /// [`DisplacementError::NonFinitePoint`] if a coordinate of the point is not finite.
+    pub fn of_point(point: [f64; D], body: &'a Zonotope<D>) -> Result<Self, DisplacementError> {
+        if let Some(coordinate) = non_finite(&point) {
+            return Err(DisplacementError::NonFinitePoint { point: "end", coordinate, value: point[coordinate] });
+        }
+        Ok(Self { from: body.center(), to: point, generators: [body.generators(), &[]] })
+    }
+
+    /// Intersection of two bodies (Lemma 5.1): from the centre of the first to that of the second, relative to the generators of
+    /// both. O(1).
+    pub fn between(a: &'a Zonotope<D>, b: &'a Zonotope<D>) -> Self {
+        Self { from: a.center(), to: b.center(), generators: [a.generators(), b.generators()] }
+    }
+
+    /// Where the displacement starts.
+    pub fn from(&self) -> [f64; D] {
+        self.from
+    }
+
+    /// Where it ends.
+    pub fn to(&self) -> [f64; D] {
+        self.to
+    }
+
+    /// `to` − `from`, exactly: the difference of doubles is seldom a double.
+    pub fn exact(&self) -> [Dyadic; D] {
+        std::array::from_fn(|i| Dyadic::from_f64(self.to[i]) - Dyadic::from_f64(self.from[i]))
+    }
+
+    /// The generators, in two runs.
+    pub fn runs(&self) -> [&'a [[f64; D]]; 2] {
+        self.generators
+    }
+
+    /// The generators, in the order of their indices.
+    pub fn generators(&self) -> impl Iterator<Item = &'a [f64; D]> {
+        let [first, second] = self.generators;
+        first.iter().chain(second)
+    }
+
+    /// A generator by its index.
+    pub fn generator(&self, index: usize) -> [f64; D] {
+        let [first, second] = self.generators;
+        if index < first.len() { first[index] } else { second[index - first.len()] }
+    }
+
+    /// How many generators there are.
+    pub fn len(&self) -> usize {
+        self.generators[0].len() + self.generators[1].len()
+    }
+
+    /// Whether there are no generators: the zonotope is the origin.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+fn non_finite<const D: usize>(vector: &[f64; D]) -> Option<usize> {
+    vector.iter().position(|c| !c.is_finite())
+}

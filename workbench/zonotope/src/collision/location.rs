@@ -1,0 +1,50 @@
+//! The answer to a [`Displacement`](super::Displacement), with its proof.
+
+use crate::numeric::Rational;
+
+/// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Location<const D: usize> {
+    /// In the interior of Z (a flat Z has none): the interiors of two bodies meet.
+    Inside(Witness),
+    /// In Z, but not in its interior: two bodies only touch, or their sum is flat.
+    Boundary(Witness),
+    /// Not in Z: a point outside, two bodies that are disjoint.
+    Outside(Separation<D>),
+}
+
+/// The proof of a displacement p that lies in Z: coefficients of the generators.
+///
+/// With the coefficients off the basis taken as they stand, those of the basis that solve Σ δ_i g_i = p exactly lie in [−1, 1].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Witness {
+    /// A coefficient in [−1, 1] for each generator; those of the basis are rounded.
+    pub coefficients: Vec<f64>,
+    /// Linearly independent generators, at most D of them, in increasing order.
+    pub basis: Vec<usize>,
+}
+
+/// The proof of a displacement p that lies outside Z: a direction u with u · p > Σ |u · g_i|, exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Separation<const D: usize> {
+    /// A direction of doubles.
+    Rounded([f64; D]),
+    /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit.
+    Exact([Rational; D]),
+}
+
+impl<const D: usize> Location<D> {
+    /// Whether the displacement lies in the closed zonotope.
+    pub fn is_member(&self) -> bool {
+        !matches!(self, Self::Outside(_))
+    }
+
+    /// The name of the case: `inside`, `boundary` or `outside`.
+    pub fn status(&self) -> &'static str {
+        match self {
+            Self::Inside(_) => "inside",
+            Self::Boundary(_) => "boundary",
+            Self::Outside(_) => "outside",
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Collision: where a point lies relative to a zonotope given by its generators, and so whether two zonotopes meet.
+//!
+//! Lemma 5.1 turns every question into one: where is the exact difference of two points relative to the zonotope of some
+//! generators centred at the origin? [`Displacement`] is that question, [`Location`] its answer with a proof.
+//!
+//! - membership: the displacement from the centre to the point;
+//! - intersection: the displacement between the centres, relative to the generators of both bodies;
+//! - gauge: the least t ≥ 0 for which t times the zonotope holds the displacement.
+//!
+//! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
+
+mod displacement;
+mod gauge;
+mod location;
+
+pub use displacement::{Displacement, DisplacementError};
+pub use gauge::Gauge;
+pub use location::{Location, Separation, Witness};
