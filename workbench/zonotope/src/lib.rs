@@ -12,6 +12,7 @@
 //! | [`enclosing::centered_zonogon`] | the smallest zonogon with a given centre | 4.1, Z(O) |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
+//! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`zonotope`] | support function; vertices, area and membership of zonogons | 3 |
 //!
@@ -37,6 +38,8 @@ pub mod collision;
 pub mod enclosing;
 pub mod hull;
 pub mod lad;
+#[cfg(feature = "linear-programming")]
+pub mod linear_program;
 pub mod numeric;
 pub mod tally;
 pub mod zonotope;
