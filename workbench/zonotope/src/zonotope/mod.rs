@@ -3,9 +3,11 @@
 //! | file | what it holds |
 //! |---|---|
 //! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex |
+//! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
 
 mod implicit;
+pub mod passes;
 pub mod zonogon;
 
 pub use implicit::{Support, Zonotope, ZonotopeError};
