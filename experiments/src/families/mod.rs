@@ -1,4 +1,5 @@
-//! Instance families: deterministic generators of point sets in the plane, and of line sets for the kernel in [`lines`].
+//! Instance families: deterministic generators of point sets in the plane, of line sets for the kernel in [`lines`], and of
+//! zonotopes with questions about them in [`bodies`].
 //!
 //! A family is a static value; the instance is a function of the family, the number of points and a seed. Transcendental functions
 //! come from `libm`, so instances agree bit for bit on every machine.
@@ -12,6 +13,7 @@
 //! | `lattice` | few | many ties |
 //! | `symmetric`, `duplicates`, `collinear` | varies | degenerate input |
 
+pub mod bodies;
 pub mod circle;
 pub mod clustered;
 pub mod degenerate;
