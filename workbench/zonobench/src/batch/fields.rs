@@ -1,72 +1,112 @@
 //! The fields of an input, taken with their types checked.
 
 use super::MAX_VECTORS;
+use super::place::Place;
 use super::refusal::{Code, Refusal};
 use crate::json::Tree;
 
-/// An input that has exactly the fields of its kind.
-#[derive(Debug, Clone, Copy)]
+/// An object that has exactly the fields that it should have: the input, or a zonotope in it.
+#[derive(Debug, Clone)]
 pub struct Fields<'a> {
-    input: &'a Tree,
+    object: &'a Tree,
+    place: Place,
 }
 
 impl<'a> Fields<'a> {
-    /// Checks that `input` is an object with the expected fields and no others.
-    pub(super) fn new(input: &'a Tree, expected: &[&str]) -> Result<Self, Refusal> {
-        let Tree::Object(fields) = input else {
-            return Err(Refusal::bad_input(format!("`input` is {}, not an object", input.describe())));
+    /// Checks that the input is an object with the expected fields and no others.
+    pub(super) fn of_input(input: &'a Tree, expected: &[&str]) -> Result<Self, Refusal> {
+        Self::at(input, expected, Place::default())
+    }
+
+    fn at(object: &'a Tree, expected: &[&str], place: Place) -> Result<Self, Refusal> {
+        let name = if place == Place::default() { "input".to_owned() } else { place.to_string() };
+        let Tree::Object(fields) = object else {
+            return Err(Refusal::bad_input(format!("`{name}` is {}, not an object", object.describe())));
         };
-        if let Some(missing) = expected.iter().find(|name| input.field(name).is_none()) {
-            return Err(Refusal::bad_input(format!("missing field `{missing}` in the input")));
+        let whole = if place == Place::default() { "the input".to_owned() } else { format!("`{name}`") };
+        if let Some(missing) = expected.iter().find(|name| object.field(name).is_none()) {
+            return Err(Refusal::bad_input(format!("missing field `{missing}` in {whole}")));
         }
         if let Some((extra, _)) = fields.iter().find(|(name, _)| !expected.contains(&name.as_str())) {
-            return Err(Refusal::bad_input(format!("extra field `{extra}` in the input")));
+            return Err(Refusal::bad_input(format!("extra field `{extra}` in {whole}")));
         }
-        Ok(Self { input })
+        Ok(Self { object, place })
+    }
+
+    fn value(&self, name: &str) -> &'a Tree {
+        self.object.field(name).expect("the fields of an object were checked to be there")
     }
 
     /// The list under an expected name.
-    fn list(self, name: &str) -> Result<&'a [Tree], Refusal> {
-        let value = self.input.field(name).expect("the fields of an input were checked to be there");
-        value.list().ok_or_else(|| Refusal::bad_input(format!("`{name}` is {}, not a list", value.describe())))
+    fn list(&self, name: &str) -> Result<&'a [Tree], Refusal> {
+        list(self.value(name), &self.place.field(name))
     }
 
     /// The number of coordinates of the vector under `name`.
-    pub(super) fn dimension(self, name: &str) -> Result<usize, Refusal> {
+    pub(super) fn dimension(&self, name: &str) -> Result<usize, Refusal> {
         self.list(name).map(<[Tree]>::len)
     }
 
     /// The vector under `name`.
-    pub(super) fn vector<const D: usize>(self, name: &str) -> Result<[f64; D], Refusal> {
-        coordinates(self.list(name)?, || name.to_owned())
+    pub(super) fn vector<const D: usize>(&self, name: &str) -> Result<[f64; D], Refusal> {
+        coordinates(self.list(name)?, &self.place.field(name))
     }
 
-    /// The vectors under `name`, which ends in s: "point 2" is the second of the points.
-    pub(super) fn vectors<const D: usize>(self, name: &str) -> Result<Vec<[f64; D]>, Refusal> {
+    /// The vectors under `name`.
+    pub(super) fn vectors<const D: usize>(&self, name: &str) -> Result<Vec<[f64; D]>, Refusal> {
+        let rows = self.limited(name)?;
+        let place = self.place.field(name);
+        (0..).zip(rows).map(|(index, row)| vector_at(row, &place, index)).collect()
+    }
+
+    /// The whole numbers under `name`, which count from 1.
+    pub(super) fn ranks(&self, name: &str) -> Result<Vec<u64>, Refusal> {
+        let place = self.place.field(name);
+        (0..).zip(self.limited(name)?).map(|(index, value)| rank(value, &place.element(index))).collect()
+    }
+
+    /// The list under `name`, if it is not too long.
+    fn limited(&self, name: &str) -> Result<&'a [Tree], Refusal> {
         let rows = self.list(name)?;
         if rows.len() > MAX_VECTORS {
-            let message = format!("{} {name}, at most {MAX_VECTORS} are taken", rows.len());
+            let message = format!("{} {}, at most {MAX_VECTORS} are taken", rows.len(), self.place.field(name));
             return Err(Refusal::new(Code::TooLarge, message));
         }
-        let singular = name.strip_suffix('s').unwrap_or(name);
-        rows.iter()
-            .enumerate()
-            .map(|(index, row)| {
-                let place = || format!("{singular} {}", index + 1);
-                let Tree::List(row) = row else {
-                    return Err(Refusal::bad_input(format!("{} is {}, not a list", place(), row.describe())));
-                };
-                coordinates(row, place)
-            })
-            .collect()
+        Ok(rows)
     }
 }
 
-fn coordinates<const D: usize>(row: &[Tree], place: impl Fn() -> String) -> Result<[f64; D], Refusal> {
+fn list<'a>(value: &'a Tree, place: &Place) -> Result<&'a [Tree], Refusal> {
+    value.list().ok_or_else(|| Refusal::bad_input(format!("`{place}` is {}, not a list", value.describe())))
+}
+
+fn vector_at<const D: usize>(row: &Tree, place: &Place, index: usize) -> Result<[f64; D], Refusal> {
+    if let Some(vector) = plain_vector(row) {
+        return Ok(vector);
+    }
+    let place = place.element(index);
+    let Tree::List(row) = row else {
+        return Err(Refusal::bad_input(format!("{place} is {}, not a list", row.describe())));
+    };
+    coordinates(row, &place)
+}
+
+/// The vector, if there is nothing to complain about: the only way that millions of rows take.
+fn plain_vector<const D: usize>(row: &Tree) -> Option<[f64; D]> {
+    let row: &[Tree; D] = row.list()?.try_into().ok()?;
+    let mut vector = [0.0; D];
+    for (slot, value) in vector.iter_mut().zip(row) {
+        let Tree::Number(number) = value else { return None };
+        *slot = *number;
+    }
+    Some(vector)
+}
+
+fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], Refusal> {
     let mut vector = [0.0; D];
     for (index, value) in row.iter().enumerate() {
         let Tree::Number(number) = value else {
-            let message = format!("{}, coordinate {} is {}, not a number", place(), index + 1, value.describe());
+            let message = format!("{} is {}, not a number", place.element(index), value.describe());
             return Err(Refusal::bad_input(message));
         };
         if let Some(slot) = vector.get_mut(index) {
@@ -74,8 +114,20 @@ fn coordinates<const D: usize>(row: &[Tree], place: impl Fn() -> String) -> Resu
         }
     }
     if row.len() != D {
-        let message = format!("{} has {} coordinates, not {D}", place(), row.len());
+        let plural = if row.len() == 1 { "coordinate" } else { "coordinates" };
+        let message = format!("{place} has {} {plural}, not {D}", row.len());
         return Err(Refusal::new(Code::DimensionMismatch, message));
     }
     Ok(vector)
+}
+
+fn rank(value: &Tree, place: &Place) -> Result<u64, Refusal> {
+    let whole = value.index().filter(|&rank| rank > 0);
+    whole.map(|rank| rank as u64).ok_or_else(|| {
+        let found = match value {
+            Tree::Number(number) => format!("{number:?}"),
+            other => other.describe().to_owned(),
+        };
+        Refusal::bad_input(format!("{place} is {found}, not a whole number from 1"))
+    })
 }

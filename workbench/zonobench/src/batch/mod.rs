@@ -4,8 +4,10 @@
 //! What a question is refused for is looked for in this order: a line that is too long or is not JSON; a number that is not
 //! finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of the input.
 
+mod dimension;
 mod fields;
 mod kinds;
+mod place;
 mod question;
 mod refusal;
 
@@ -13,6 +15,7 @@ use serde_json::{Map, Value, json};
 
 use crate::json::Line;
 
+pub use dimension::MAX_DIMENSION;
 pub use kinds::{KINDS, Kind};
 pub use refusal::{Code, Refusal};
 

@@ -1,12 +1,11 @@
 //! One question: its envelope read, and the search for numbers that are not finite.
 
-use std::fmt;
-
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use super::fields::Fields;
 use super::kinds::{KINDS, Solution};
+use super::place::{Place, Step};
 use super::refusal::{Code, Refusal};
 use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
@@ -78,15 +77,14 @@ impl Question {
         })?;
         let methods = (kind.methods)();
         let method = match &self.method {
-            None => methods[0],
-            Some(wanted) => methods.iter().copied().find(|name| name == wanted).ok_or_else(|| {
+            None => None,
+            Some(wanted) => Some(methods.iter().copied().find(|name| name == wanted).ok_or_else(|| {
                 let known = names(&mut methods.iter().copied());
                 let message = format!("`{}` has no method `{wanted}`; its methods are {known}", kind.name);
                 Refusal::new(Code::UnknownMethod, message)
-            })?,
+            })?),
         };
-        let result = (kind.solve)(&Fields::new(&self.input, kind.fields)?, method, seed)?;
-        Ok(Solution { method, result })
+        (kind.solve)(&Fields::of_input(&self.input, kind.fields)?, method, seed)
     }
 }
 
@@ -114,48 +112,26 @@ struct Names {
     _input: Option<IgnoredAny>,
 }
 
-/// The first number that is spelled as NaN or an infinity, and its place in words.
-fn first_non_finite(input: &Tree) -> Option<(Place<'_>, NonFinite)> {
-    let Tree::Object(fields) = input else {
-        return None;
-    };
-    fields.iter().find_map(|(field, value)| {
-        let mut indices = Vec::new();
-        let number = search(value, &mut indices)?;
-        Some((Place { field, indices }, number))
-    })
+/// The first number of the input that is spelled as NaN or an infinity, and its place.
+fn first_non_finite(input: &Tree) -> Option<(Place, NonFinite)> {
+    let mut steps = Vec::new();
+    let number = search(input, &mut steps)?;
+    Some((Place(steps), number))
 }
 
-fn search(value: &Tree, indices: &mut Vec<usize>) -> Option<NonFinite> {
+fn search(value: &Tree, steps: &mut Vec<Step>) -> Option<NonFinite> {
+    let mut enter = |step: Step, value: &Tree| {
+        steps.push(step);
+        let found = search(value, steps);
+        if found.is_none() {
+            steps.pop();
+        }
+        found
+    };
     match value {
         Tree::Text(text) => NonFinite::spelled(text),
-        Tree::List(elements) => elements.iter().enumerate().find_map(|(index, element)| {
-            indices.push(index);
-            let found = search(element, indices);
-            if found.is_none() {
-                indices.pop();
-            }
-            found
-        }),
-        Tree::Object(fields) => fields.iter().find_map(|(_, value)| search(value, indices)),
+        Tree::List(elements) => (0..).zip(elements).find_map(|(index, element)| enter(Step::Element(index), element)),
+        Tree::Object(fields) => fields.iter().find_map(|(name, value)| enter(Step::Field(name.clone()), value)),
         Tree::Null | Tree::Bool(_) | Tree::Number(_) => None,
-    }
-}
-
-/// A place in an input: `points`, [3, 1] reads "point 4, coordinate 2".
-struct Place<'a> {
-    field: &'a str,
-    indices: Vec<usize>,
-}
-
-impl fmt::Display for Place<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let singular = self.field.strip_suffix('s').unwrap_or(self.field);
-        match self.indices.as_slice() {
-            [] => f.write_str(self.field),
-            [element] if singular != self.field => write!(f, "{singular} {}", element + 1),
-            [coordinate] => write!(f, "{}, coordinate {}", self.field, coordinate + 1),
-            [element, coordinate, ..] => write!(f, "{singular} {}, coordinate {}", element + 1, coordinate + 1),
-        }
     }
 }

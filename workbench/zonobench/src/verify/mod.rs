@@ -4,14 +4,25 @@
 //! `grid`: integers, in which sums and products are exact. What is proved on the grid holds for the numbers as written.
 //! Distances between a rounded figure and the exact one are measured in the same integers.
 
+mod combinatorics;
+mod cone;
+mod gauge;
 mod grid;
+mod linear;
+mod location;
 mod min_area;
 mod polygon;
 mod proportion;
+mod slope_selection;
+mod subsets;
 mod support;
 mod transcript;
 
+pub use combinatorics::{CombinatoricsAnswer, CombinatoricsProof, check_combinatorics};
+pub use gauge::{GaugeAnswer, GaugeProof, check_gauge};
+pub use location::{Displaced, LocationAnswer, LocationCertificate, check_location};
 pub use min_area::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+pub use slope_selection::{Fraction, check_slope_selection};
 pub use support::{SupportAnswer, check_support};
 pub use transcript::{Verdict, check};
 

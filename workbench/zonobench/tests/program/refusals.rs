@@ -57,7 +57,9 @@ fn shapes() {
     refused(&min_area("{}"), "bad_input", "`points` is an object, not a list");
     let line = support(r#""direction":[1,0],"center":[0,0,0],"generators":[]"#);
     refused(&line, "dimension_mismatch", "center has 3 coordinates, not 2");
-    let line = support(r#""direction":[1],"center":[0],"generators":[]"#);
+    let line = support(r#""direction":[],"center":[],"generators":[]"#);
+    refused(&line, "dimension_mismatch", "direction has 0 coordinates; 1 to 6 are taken");
+    let line = support(r#""direction":[1,2,3,4,5,6,7],"center":[0],"generators":[]"#);
     assert_eq!(refusal(&line).0, "dimension_mismatch");
 }
 
@@ -76,6 +78,22 @@ fn fields() {
     assert_eq!(refusal(r#"{"id":"q","kind":"volume","input":{}}"#).0, "unknown_kind");
     let line = r#"{"id":"q","kind":"min_area","method":"by_luck","input":{"points":[[0,0]]}}"#;
     assert_eq!(refusal(line).0, "unknown_method");
+}
+
+#[test]
+fn ranks() {
+    let refusal = |k: &str, code: &str, message: &str| {
+        let line = format!(
+            r#"{{"id":"q","kind":"slope_selection","input":{{"generators":[[1,1,0],[2,1,0],[0,0,1]],"k":{k}}}}}"#
+        );
+        refused(&line, code, message);
+    };
+    refusal("[1,2]", "bad_input", "k, entry 2 is 2, but there are 1 vertices");
+    refusal("[0]", "bad_input", "k, entry 1 is 0.0, not a whole number from 1");
+    refusal("[1.5]", "bad_input", "k, entry 1 is 1.5, not a whole number from 1");
+    refusal(r#"["NaN"]"#, "non_finite", "k, entry 1 is NaN");
+    refusal("1", "bad_input", "`k` is a number, not a list");
+    refusal(r#"[true]"#, "bad_input", "k, entry 1 is a boolean, not a whole number from 1");
 }
 
 #[test]

@@ -1,11 +1,10 @@
 //! `min_area`: the zonogon of least area that contains points of the plane.
 
-use serde_json::Value;
 use zonotope::enclosing::min_area_zonogon::MinAreaError;
 use zonotope::hull::HullError;
 use zonotope::lad::Method;
 
-use super::Kind;
+use super::{Kind, Solution};
 use crate::batch::fields::Fields;
 use crate::batch::refusal::{Code, Refusal};
 use crate::enclosure::Enclosure;
@@ -22,14 +21,16 @@ pub(super) const KIND: Kind = Kind {
     solve,
 };
 
-fn solve(fields: &Fields<'_>, method: &'static str, seed: u64) -> Result<Value, Refusal> {
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let points = fields.vectors::<2>("points")?;
-    let method = Method::from_name(method).expect("the kind lists the names of these methods");
-    Enclosure::of(&points, method, seed).map(|enclosure| enclosure.result()).map_err(|error| {
+    let named = |name| Method::from_name(name).expect("the kind lists the names of these methods");
+    let method = method.map_or(Method::default(), named);
+    let enclosure = Enclosure::of(&points, method, seed).map_err(|error| {
         let code = match error {
             MinAreaError::Points(HullError::Empty) => Code::Empty,
             _ => Code::TooLarge,
         };
         Refusal::new(code, error.to_string())
-    })
+    })?;
+    Ok(Solution { method: method.name(), result: enclosure.result() })
 }

@@ -1,37 +1,31 @@
 //! `support`: how far a zonotope reaches in a direction, and a point where it does.
 
 use serde_json::{Value, json};
-use zonotope::zonotope::Zonotope;
 
-use super::Kind;
+use super::body::zonotope;
+use super::{Kind, Solution};
+use crate::batch::dimension::in_dimension;
 use crate::batch::fields::Fields;
-use crate::batch::refusal::{Code, Refusal};
+use crate::batch::refusal::Refusal;
 use crate::json::{to_json, vector_to_json};
 
 pub(super) const KIND: Kind = Kind {
     name: "support",
     summary: "how far a zonotope reaches in a direction, and a point where it does",
     fields: &["direction", "center", "generators"],
-    methods: || vec!["by_signs"],
+    methods: || vec![BY_SIGNS],
     solve,
 };
 
-fn solve(fields: &Fields<'_>, _method: &'static str, _seed: u64) -> Result<Value, Refusal> {
-    match fields.dimension("direction")? {
-        2 => in_dimension::<2>(fields),
-        3 => in_dimension::<3>(fields),
-        other => {
-            Err(Refusal::new(Code::DimensionMismatch, format!("direction has {other} coordinates; 2 and 3 are taken")))
-        }
-    }
+const BY_SIGNS: &str = "by_signs";
+
+fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    let result = in_dimension!(fields.dimension("direction")?, "direction", in_space(fields))?;
+    Ok(Solution { method: BY_SIGNS, result })
 }
 
-fn in_dimension<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
+fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let direction = fields.vector::<D>("direction")?;
-    let center = fields.vector::<D>("center")?;
-    let generators = fields.vectors::<D>("generators")?;
-    let zonotope =
-        Zonotope::new(center, generators).expect("what is not finite was refused when the question was read");
-    let support = zonotope.support(direction);
+    let support = zonotope::<D>(fields)?.support(direction);
     Ok(json!({"value": to_json(support.value()), "point": vector_to_json(&support.point())}))
 }

@@ -1,6 +1,8 @@
 //! The kinds of question that are answered: one row of a table each.
 
+mod body;
 mod min_area;
+mod slope_selection;
 mod support;
 
 use serde_json::Value;
@@ -19,12 +21,12 @@ pub struct Kind {
     pub fields: &'static [&'static str],
     /// The methods that answer it, the default first.
     pub methods: fn() -> Vec<&'static str>,
-    /// Answers it: input, one of the methods, seed.
-    pub(super) solve: fn(&Fields<'_>, &'static str, u64) -> Result<Value, Refusal>,
+    /// Answers it: input, the method that was asked for, seed.
+    pub(super) solve: fn(&Fields<'_>, Option<&'static str>, u64) -> Result<Solution, Refusal>,
 }
 
 /// Every kind that is answered.
-pub static KINDS: &[Kind] = &[min_area::KIND, support::KIND];
+pub static KINDS: &[Kind] = &[support::KIND, slope_selection::KIND, min_area::KIND];
 
 /// An answer's content.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,28 @@
+//! Questions put in any of the dimensions that are answered.
+
+use super::refusal::{Code, Refusal};
+
+/// The largest number of coordinates that is taken.
+pub const MAX_DIMENSION: usize = 6;
+
+/// Calls a function whose constant parameter is the dimension with a dimension that the question brings; refuses the others.
+macro_rules! in_dimension {
+    ($dimension:expr, $name:literal, $function:ident($($argument:expr),*)) => {
+        match $dimension {
+            1 => $function::<1>($($argument),*),
+            2 => $function::<2>($($argument),*),
+            3 => $function::<3>($($argument),*),
+            4 => $function::<4>($($argument),*),
+            5 => $function::<5>($($argument),*),
+            6 => $function::<6>($($argument),*),
+            other => Err($crate::batch::dimension::refused($name, other)),
+        }
+    };
+}
+pub(super) use in_dimension;
+
+/// The refusal of a vector that has too many coordinates, or none.
+pub(super) fn refused(name: &str, dimension: usize) -> Refusal {
+    let message = format!("{name} has {dimension} coordinates; 1 to {MAX_DIMENSION} are taken");
+    Refusal::new(Code::DimensionMismatch, message)
+}

@@ -1,0 +1,74 @@
+//! Places in an input, in words.
+
+use std::fmt;
+
+/// One step on the way from the input down to a value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Step {
+    /// Into a field of an object.
+    Field(String),
+    /// Into an element of a list, counted from 0.
+    Element(usize),
+}
+
+/// A place in an input: `a`, `generators`, 3, 1 reads "a, generator 4, coordinate 2".
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Place(pub(super) Vec<Step>);
+
+impl Place {
+    /// The place one step further down.
+    pub(super) fn then(&self, step: Step) -> Self {
+        Self(self.0.iter().cloned().chain([step]).collect())
+    }
+
+    /// The place of a field below this one.
+    pub(super) fn field(&self, name: &str) -> Self {
+        self.then(Step::Field(name.to_owned()))
+    }
+
+    /// The place of an element below this one.
+    pub(super) fn element(&self, index: usize) -> Self {
+        self.then(Step::Element(index))
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut words: Vec<String> = Vec::new();
+        let mut plural = false;
+        let mut element = "coordinate";
+        for step in &self.0 {
+            match step {
+                Step::Field(name) => {
+                    plural = name.len() > 1 && name.ends_with('s');
+                    element = if name == "k" { "entry" } else { "coordinate" };
+                    words.push(name.clone());
+                }
+                Step::Element(index) if plural => {
+                    let name = words.pop().unwrap_or_default();
+                    words.push(format!("{} {}", name.trim_end_matches('s'), index + 1));
+                    plural = false;
+                }
+                Step::Element(index) => words.push(format!("{element} {}", index + 1)),
+            }
+        }
+        f.write_str(&words.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_read_as_words() {
+        let root = Place::default();
+        assert_eq!(root.field("points").element(3).element(1).to_string(), "point 4, coordinate 2");
+        assert_eq!(root.field("center").element(0).to_string(), "center, coordinate 1");
+        assert_eq!(root.field("weights").element(2).to_string(), "weight 3");
+        assert_eq!(root.field("k").element(0).to_string(), "k, entry 1");
+        assert_eq!(root.field("epsilon").to_string(), "epsilon");
+        let nested = root.field("a").field("generators").element(0).element(2);
+        assert_eq!(nested.to_string(), "a, generator 1, coordinate 3");
+    }
+}

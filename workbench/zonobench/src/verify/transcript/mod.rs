@@ -1,0 +1,86 @@
+//! A question and its answer, as lines of JSON.
+
+mod collision;
+mod enclosing;
+mod reading;
+mod solids;
+
+use self::reading::member;
+use crate::json::Tree;
+
+/// What the check says about one answer.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// Proved right; what was proved.
+    Right(String),
+    /// Wrong; why.
+    Wrong(String),
+    /// A refusal, or a kind that this verifier does not know.
+    Unchecked(String),
+}
+
+/// Checks an answer against its question.
+pub fn check(question: &Tree, answer: &Tree) -> Verdict {
+    match checked(question, answer) {
+        Ok(verdict) => verdict,
+        Err(complaint) => Verdict::Wrong(complaint),
+    }
+}
+
+fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
+    for name in ["id", "kind"] {
+        let (asked, answered) = (question.field(name), answer.field(name));
+        if asked.and_then(Tree::text) != answered.and_then(Tree::text) {
+            return Err(format!("the {name} is not the question's"));
+        }
+    }
+    if let Some(error) = answer.field("error") {
+        let text = |name| error.field(name).and_then(Tree::text).unwrap_or("?");
+        return Ok(Verdict::Unchecked(format!("refused: {}: {}", text("code"), text("message"))));
+    }
+    let input = member(question, "input")?;
+    let result = member(answer, "result")?;
+    match question.field("kind").and_then(Tree::text).unwrap_or_default() {
+        "min_area" => enclosing::min_area(input, result),
+        "support" => solids::support(input, result),
+        "combinatorics" => solids::combinatorics(input, result),
+        "slope_selection" => solids::slope_selection(input, result),
+        "member" => collision::member_of(input, result),
+        "intersect" => collision::intersect(input, result),
+        "gauge" => collision::gauge(input, result),
+        other => return Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
+    }
+    .map(Verdict::Right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::json::{MAX_VALUES, read};
+
+    fn verdict(question: &str, answer: &str) -> Verdict {
+        let tree = |text: &str| read(text.as_bytes(), MAX_VALUES).expect("the test's lines are JSON");
+        check(&tree(question), &tree(answer))
+    }
+
+    const QUESTION: &str = r#"{"id":"t","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
+
+    #[test]
+    fn an_answer_is_read_and_proved() {
+        let answer = r#"{"id":"t","kind":"min_area","method":"m","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]],
+            "lower_bound":4,"certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
+        assert!(matches!(verdict(QUESTION, answer), Verdict::Right(_)));
+        let other = answer.replace("\"t\"", "\"s\"");
+        assert_eq!(verdict(QUESTION, &other), Verdict::Wrong("the id is not the question's".into()));
+        let partial = answer.replace("\"basis\"", "\"base\"");
+        assert_eq!(verdict(QUESTION, &partial), Verdict::Wrong("`basis` is missing".into()));
+    }
+
+    #[test]
+    fn refusals_and_unknown_kinds_are_not_judged() {
+        let refusal = r#"{"id":"t","kind":"min_area","error":{"code":"too_large","message":"m"}}"#;
+        assert_eq!(verdict(QUESTION, refusal), Verdict::Unchecked("refused: too_large: m".into()));
+        let line = r#"{"id":"t","kind":"weather","input":{},"result":{}}"#;
+        assert!(matches!(verdict(line, line), Verdict::Unchecked(_)));
+    }
+}

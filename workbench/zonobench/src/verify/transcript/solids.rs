@@ -1,0 +1,45 @@
+//! Zonotopes as bodies of their own: how far they reach, how many faces they have.
+
+use super::reading::{float, fraction, fractions, index, indices, member, text, vector, vectors};
+use crate::json::Tree;
+use crate::verify::{CombinatoricsAnswer, SupportAnswer, check_combinatorics, check_slope_selection, check_support};
+
+pub(super) fn support(input: &Tree, result: &Tree) -> Result<String, String> {
+    let direction = vector(member(input, "direction")?, "direction")?;
+    let center = vector(member(input, "center")?, "center")?;
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    if center.len() != direction.len() || generators.iter().any(|generator| generator.len() != direction.len()) {
+        return Err("answered a question whose dimensions do not agree".to_owned());
+    }
+    let answer = SupportAnswer { value: float(result, "value")?, point: vector(member(result, "point")?, "point")? };
+    check_support(&direction, &center, &generators, &answer)?;
+    Ok(format!("value {:?} and point agree with the exact sums", answer.value))
+}
+
+pub(super) fn slope_selection(input: &Tree, result: &Tree) -> Result<String, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let ranks: Vec<u64> = indices(input, "k")?.into_iter().map(|rank| rank as u64).collect();
+    check_slope_selection(&generators, &ranks, &fractions(result, "x")?)?;
+    Ok(format!("{} abscissas, each with the right numbers of vertices on its sides", ranks.len()))
+}
+
+pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<String, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let Tree::Object(sizes) = member(result, "facet_sizes")? else {
+        return Err("`facet_sizes` is not an object".to_owned());
+    };
+    let sizes = sizes.iter().map(|(size, count)| Some((size.parse().ok()?, count.index()? as u64)));
+    let count = |name| index(result, name).map(|count| count as u64);
+    let answer = CombinatoricsAnswer {
+        affine_dim: index(result, "affine_dim")?,
+        vertices: count("vertices")?,
+        edges: count("edges")?,
+        facets: count("facets")?,
+        facet_sizes: sizes.collect::<Option<_>>().ok_or("`facet_sizes` holds something else than counts")?,
+        measure: fraction(text(result, "measure")?).ok_or("`measure` is not an exact number")?,
+    };
+    let proof = check_combinatorics(&generators, &answer)?;
+    let counts = if proof.counted { "faces counted one by one" } else { "counts satisfy Euler's relation" };
+    let measure = if proof.measured { "the measure is exact" } else { "the measure was not computed" };
+    Ok(format!("{counts}; {measure}"))
+}
