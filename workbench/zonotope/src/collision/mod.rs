@@ -8,11 +8,17 @@
 //! - gauge: the least t ≥ 0 for which t times the zonotope holds the displacement.
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
+//!
+//! | method | cost for n generators | what it is |
+//! |---|---|---|
+//! | [`by_lad`] (default) | O(n) expected | the kernel on the plane of directions with u · p = 1; dimensions 1 to 3 |
 
+pub mod by_lad;
 mod displacement;
 mod gauge;
 mod location;
 
+pub use by_lad::{gauge, locate};
 pub use displacement::{Displacement, DisplacementError};
 pub use gauge::Gauge;
 pub use location::{Location, Separation, Witness};

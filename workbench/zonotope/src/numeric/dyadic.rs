@@ -71,7 +71,7 @@ impl Dyadic {
     }
 
     /// A double head and an exponent with number ≈ head · 2^exponent; relative error at most 2^-52.
-    fn leading(&self) -> (f64, i64) {
+    pub(crate) fn leading(&self) -> (f64, i64) {
         let bits = self.mantissa.clone().unsigned_abs().bit_len();
         let drop = bits.saturating_sub(63);
         let head = i64::try_from(self.mantissa.clone() >> drop).expect("at most 63 bits are left");

@@ -7,11 +7,13 @@
 //! | [`exact_sum`] | the exact sum of any number of doubles |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
+//! | `vector` | vectors of space with exact coordinates |
 
 pub(crate) mod approximation;
 pub mod dyadic;
 pub mod exact_sum;
 pub mod orientation;
 pub mod tolerance;
+pub(crate) mod vector;
 
 pub use dashu_ratio::RBig as Rational;

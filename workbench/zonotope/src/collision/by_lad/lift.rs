@@ -1,0 +1,57 @@
+//! Bodies of the line and the plane as prisms in space.
+//!
+//! Let Z lie in R^D, D < 3. The prism Z × [−s, s]^(3−D) has the generators of Z and one more along each new axis. A displacement p of
+//! R^D lies in t Z just when (p, 0) lies in t times the prism, inside when inside, so the gauge and the status are the same. A
+//! proof for the prism is one for Z: the coefficient of a new generator is 0, and a direction loses its new coordinates.
+
+use std::array;
+
+use crate::collision::{Displacement, Location, Separation, Witness};
+use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
+
+/// The points and generators of a prism.
+pub(super) struct Prism {
+    from: [f64; 3],
+    to: [f64; 3],
+    generators: Vec<[f64; 3]>,
+    /// How many generators are those of the body.
+    own: usize,
+}
+
+impl Prism {
+    pub(super) fn over<const D: usize>(question: &Displacement<'_, D>) -> Self {
+        let mut generators: Vec<[f64; 3]> = question.generators().map(padded).collect();
+        let own = generators.len();
+        let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let size = scale_by_power_of_two(1.0, binary_exponent(largest).map_or(0, i64::from));
+        generators.extend((D..3).map(|axis| array::from_fn(|i| if i == axis { size } else { 0.0 })));
+        Self { from: padded(&question.from()), to: padded(&question.to()), generators, own }
+    }
+
+    pub(super) fn question(&self) -> Displacement<'_, 3> {
+        Displacement::new(self.from, self.to, &self.generators).expect("the body's coordinates are finite")
+    }
+
+    /// The answer for the body.
+    pub(super) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
+        let witness = |Witness { mut coefficients, mut basis }: Witness| {
+            coefficients.truncate(self.own);
+            basis.retain(|&generator| generator < self.own);
+            Witness { coefficients, basis }
+        };
+        match location {
+            Location::Inside(proof) => Location::Inside(witness(proof)),
+            Location::Boundary(proof) => Location::Boundary(witness(proof)),
+            Location::Outside(Separation::Rounded(u)) => {
+                Location::Outside(Separation::Rounded(array::from_fn(|i| u[i])))
+            }
+            Location::Outside(Separation::Exact(u)) => {
+                Location::Outside(Separation::Exact(array::from_fn(|i| u[i].clone())))
+            }
+        }
+    }
+}
+
+fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
+    array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
+}
