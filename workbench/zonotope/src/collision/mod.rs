@@ -7,16 +7,21 @@
 //! - intersection: the displacement between the centres, relative to the generators of both bodies;
 //! - gauge: the least t ≥ 0 for which t times the zonotope holds the displacement.
 //!
-//! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
+//! | method | dimensions | cost for n generators | what it is |
+//! |---|---|---|---|
+//! | [`by_lad`] (default) | 1 to 3 | O(n) expected | the kernel on the plane of directions with u · p = 1 |
+//! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
 //!
-//! | method | cost for n generators | what it is |
-//! |---|---|---|
-//! | [`by_lad`] (default) | O(n) expected | the kernel on the plane of directions with u · p = 1; dimensions 1 to 3 |
+//! [`verify`] checks an answer exactly and shares nothing with the methods.
+//!
+//! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
+pub mod brute_force;
 pub mod by_lad;
 mod displacement;
 mod gauge;
 mod location;
+pub mod verify;
 
 pub use by_lad::{gauge, locate};
 pub use displacement::{Displacement, DisplacementError};

@@ -1,0 +1,154 @@
+//! Location and gauge of a displacement, from every facet normal: the truth, in exact arithmetic.
+//!
+//! # Statement
+//! Input: a displacement p and generators g_i in R^D, any D ≥ 1. Output: where p lies relative to Z = { Σ δ_i g_i : |δ_i| ≤ 1 }, and the
+//! gauge min { t ≥ 0 : p ∈ t Z }, exactly. Z is closed; a flat Z has no inside, so its points are on the boundary, the origin of an
+//! empty Z included. The gauge of p = 0 is 0; off the span of the generators it is infinite.
+//!
+//! # Source
+//! None; Section 3 names the facets of a zonotope by sets of D − 1 generators.
+//!
+//! # Method
+//! 1. Eliminate to find the span of the generators and coordinates ("axes") that determine a vector of the span. If p is off the span, a
+//!    direction orthogonal to the span separates.
+//! 2. In those coordinates Z has an interior. Each r − 1 independent generators of r = rank have one normal u; every facet normal is
+//!    among these. The gauge is the largest |u · p| / Σ |u · g_i|, and its normal separates when it exceeds 1.
+//! 3. A member p ≠ 0 of gauge t takes t · sign(u · g_i) off the facet; what is left lies in t times the zonotope of the generators
+//!    in the facet, a problem of lower rank.
+//! 4. Coefficients that are no doubles are moved along linear dependences until each has met ±1 or belongs to the basis.
+//!
+//! # Complexity
+//! n = number of generators: O(n^D) exact operations for the normals, O(n D³) for the coefficients.
+//!
+//! # Shapes
+//! generators: n × D, any order, zero and parallel ones allowed.
+//!
+//! # Numerics
+//! Exact rationals throughout. Basis coefficients are rounded to nearest; a separating direction is rounded if the rounded one
+//! still separates exactly.
+//!
+//! # Errors
+//! None: a [`Displacement`] is valid.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`verify`](super::verify), and squares and cubes by hand.
+//!
+//! # Example
+//! ```
+//! use zonotope::collision::{Displacement, brute_force};
+//! let square = [[1.0, 0.0], [0.0, 1.0]];
+//! let question = Displacement::new([0.0, 0.0], [1.0, 0.25], &square).unwrap();
+//! assert_eq!(brute_force::exact_gauge(&question), Some(1.into()));
+//! assert_eq!(brute_force::locate(&question).status(), "boundary");
+//! ```
+
+mod coefficients;
+mod span;
+
+use std::cmp::Ordering;
+
+use span::{Span, combination, dot, normals};
+
+use super::displacement::Displacement;
+use super::gauge::Gauge;
+use super::location::{Location, Separation};
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+
+type Vector = Vec<Dyadic>;
+
+/// Where the displacement lies, with a proof.
+pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
+    let point = question.exact().to_vec();
+    let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
+    let span = Span::of(&generators, D);
+    if let Some(direction) = span.direction_to(&point) {
+        return Location::Outside(separation(question, &direction));
+    }
+    let tightest = Tightest::of(&span.project(&point), &span.project_all(&generators));
+    let order = tightest.along_point.cmp(&tightest.along_zonotope);
+    if order == Ordering::Greater {
+        return Location::Outside(separation(question, &span.lift(&tightest.normal)));
+    }
+    let witness = coefficients::witness(&point, &generators);
+    if order == Ordering::Less && span.rank() == D { Location::Inside(witness) } else { Location::Boundary(witness) }
+}
+
+/// The gauge; `None` when it is infinite.
+pub fn exact_gauge<const D: usize>(question: &Displacement<'_, D>) -> Option<Rational> {
+    let point = question.exact().to_vec();
+    let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
+    let span = Span::of(&generators, D);
+    if span.direction_to(&point).is_some() {
+        return None;
+    }
+    let tightest = Tightest::of(&span.project(&point), &span.project_all(&generators));
+    Some(tightest.along_point.to_rational() / tightest.along_zonotope.to_rational())
+}
+
+/// The gauge, rounded, and the location.
+pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Gauge<D> {
+    let location = locate(question);
+    let Some(exact) = exact_gauge(question) else { return Gauge { value: f64::INFINITY, error: 0.0, location } };
+    let value = exact.to_f64().value().min(f64::MAX);
+    let rounded = Dyadic::from_f64(value).to_rational();
+    let error = if rounded > exact { rounded - exact } else { exact - rounded };
+    let error = if error == Rational::ZERO { 0.0 } else { error.to_f64().value().next_up() };
+    Gauge { value, error, location }
+}
+
+/// The normal that bounds the gauge from below best, with the support values on both sides.
+struct Tightest {
+    normal: Vector,
+    /// normal · p, not negative.
+    along_point: Dyadic,
+    /// Σ |normal · g_i|, positive.
+    along_zonotope: Dyadic,
+}
+
+impl Tightest {
+    /// The generators must span the space. In no dimension the gauge is 0.
+    fn of(point: &Vector, generators: &[Vector]) -> Self {
+        let rank = point.len();
+        let mut best = Self {
+            normal: vec![Dyadic::zero(); rank],
+            along_point: Dyadic::zero(),
+            along_zonotope: Dyadic::from_f64(1.0),
+        };
+        let mut found = false;
+        for normal in normals(generators, rank) {
+            let along = dot(&normal, point);
+            let total = generators.iter().fold(Dyadic::zero(), |sum, g| sum + dot(&normal, g).abs());
+            let positive = along.clone().abs();
+            if !found || &positive * &best.along_zonotope > &best.along_point * &total {
+                let normal = if along.sign().is_lt() { normal.into_iter().map(|v| -v).collect() } else { normal };
+                best = Self { normal, along_point: positive, along_zonotope: total };
+                found = true;
+            }
+        }
+        best
+    }
+}
+
+/// The direction as doubles if they separate, too, else as it is.
+fn separation<const D: usize>(question: &Displacement<'_, D>, direction: &[Dyadic]) -> Separation<D> {
+    let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+    let scaled = |i: usize| direction[i].clone().scaled(-largest);
+    let rounded: [f64; D] = std::array::from_fn(|i| scaled(i).to_f64());
+    let exact: Vector = rounded.iter().map(|&v| Dyadic::from_f64(v)).collect();
+    let reach = question.generators().fold(Dyadic::zero(), |sum, g| {
+        let along = combination(&exact, g);
+        sum + along.abs()
+    });
+    if dot(&exact, &question.exact()) > reach {
+        Separation::Rounded(rounded)
+    } else {
+        Separation::Exact(std::array::from_fn(|i| scaled(i).to_rational()))
+    }
+}
+
+#[cfg(test)]
+mod tests;
