@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{enclose, list, reproduce, solve, verify};
+use crate::commands::{enclose, intersect, list, reproduce, solve, verify};
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
 #[derive(Debug, Parser)]
@@ -22,6 +22,8 @@ pub enum Command {
     List(list::Options),
     /// Find the zonogon of least area around the points of a file.
     Enclose(enclose::Options),
+    /// Tell whether two zonotopes have a point in common, with the proof.
+    Intersect(intersect::Options),
     /// Answer questions, one line of JSON each.
     Solve(solve::Options),
     /// Check answers against their questions, exactly.

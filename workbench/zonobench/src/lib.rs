@@ -1,7 +1,7 @@
-//! The workbench on the command line: `reproduce`, `list`, `enclose`, `solve`, `verify`.
+//! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `solve`, `verify`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
-//! - [`input`] reads points from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
+//! - [`input`] reads points and zonotopes from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
 //! - [`report`] lays out what `reproduce` found.
 //! - [`enclosure`] is the answer of least area, with its exact check.
 //! - [`batch`] answers questions that are lines of JSON; [`verify`] checks answers with exact arithmetic of its own.
@@ -56,6 +56,7 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Reproduce(options) => commands::reproduce::run(options),
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
+        Command::Intersect(options) => commands::intersect::run(options),
         Command::Solve(options) => commands::solve::run(options),
         Command::Verify(options) => commands::verify::run(options),
     }

@@ -42,6 +42,11 @@ impl<'a> Fields<'a> {
         list(self.value(name), &self.place.field(name))
     }
 
+    /// The object under `name`, which has the expected fields and no others.
+    pub(super) fn object(&self, name: &str, expected: &[&str]) -> Result<Self, Refusal> {
+        Self::at(self.value(name), expected, self.place.field(name))
+    }
+
     /// The number of coordinates of the vector under `name`.
     pub(super) fn dimension(&self, name: &str) -> Result<usize, Refusal> {
         self.list(name).map(<[Tree]>::len)

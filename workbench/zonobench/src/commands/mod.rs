@@ -1,9 +1,12 @@
 //! The commands, one file each.
 
 pub mod enclose;
+pub mod intersect;
 pub mod list;
+mod page;
 pub mod reproduce;
 pub mod solve;
+mod table;
 pub mod verify;
 
 use std::fs::File;

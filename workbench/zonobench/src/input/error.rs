@@ -69,6 +69,9 @@ pub enum Problem {
     /// There is no point in the file.
     #[error("holds no points")]
     Empty,
+    /// There is no zonotope in the file: neither a centre nor a generator.
+    #[error("holds no zonotope")]
+    NoBody,
     /// The extension says nothing about the format.
     #[error("the format cannot be told from the name; say --format csv, geojson or json")]
     UnknownFormat,

@@ -1,9 +1,10 @@
-//! Points of the plane from data files: CSV, GeoJSON and JSON.
+//! Points of the plane from data files (CSV, GeoJSON and JSON), zonotopes of any dimension (CSV and JSON).
 //!
 //! A file is read into at most [`MAX_FILE_BYTES`] of memory and yields at most [`MAX_POINTS`] points; both limits are checked
 //! before the memory is taken. Every complaint is one line that names the file and the place ([`InputError`]). A byte order
 //! mark, Windows line endings and blank lines are skipped.
 
+mod body;
 mod bytes;
 mod columns;
 mod document;
@@ -16,6 +17,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
+pub use body::{Body, BodySource};
 pub use bytes::MAX_FILE_BYTES;
 pub use columns::{Column, Columns};
 pub use error::{InputError, Place, Problem};
@@ -88,8 +90,8 @@ impl PointSource {
     }
 }
 
-/// Adds a point unless the limit is reached.
-fn push_limited(points: &mut Vec<[f64; 2]>, point: [f64; 2]) -> Result<(), Problem> {
+/// Adds a point, or a generator, unless the limit is reached.
+fn push_limited<T>(points: &mut Vec<T>, point: T) -> Result<(), Problem> {
     if points.len() >= MAX_POINTS {
         return Err(Problem::TooMany { what: "points", limit: MAX_POINTS });
     }

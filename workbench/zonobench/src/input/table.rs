@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use csv::{ByteRecord, ReaderBuilder};
+use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
@@ -21,6 +21,28 @@ pub(super) fn points(file: &Path, content: &[u8], columns: Option<&Columns>) -> 
     table.read(columns)
 }
 
+/// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as above.
+pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Vec<Vec<f64>>, InputError> {
+    let mut table = Table { file, content, columns: [0, 0], width: None };
+    let mut reader = table.reader();
+    let mut records = reader.byte_records().filter(|row| !row.as_ref().is_ok_and(is_blank));
+    let Some(first) = records.next() else {
+        return Ok(Vec::new());
+    };
+    let first = table.parsed(first)?;
+    let second = records.next().map(|row| table.parsed(row)).transpose()?;
+    table.width = Some(first.len());
+    let opening = if table.is_header(&first, second.as_ref()) { None } else { Some(first) };
+    let mut rows = Vec::new();
+    for row in opening.into_iter().chain(second).map(Ok).chain(records.map(|row| table.parsed(row))) {
+        let row = row?;
+        let numbers: Result<Vec<f64>, InputError> =
+            (0..row.len().max(1)).map(|column| table.number(&row, column)).collect();
+        push_limited(&mut rows, numbers?).map_err(|problem| problem.at(file, Place::Line(table.line(&row))))?;
+    }
+    Ok(rows)
+}
+
 struct Table<'a> {
     file: &'a Path,
     content: &'a [u8],
@@ -30,13 +52,17 @@ struct Table<'a> {
     width: Option<usize>,
 }
 
-impl Table<'_> {
-    fn read(&mut self, columns: Option<&Columns>) -> Result<Vec<[f64; 2]>, InputError> {
-        let mut reader = ReaderBuilder::new()
+impl<'a> Table<'a> {
+    fn reader(&self) -> Reader<&'a [u8]> {
+        ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
             .delimiter(separator(self.content))
-            .from_reader(self.content);
+            .from_reader(self.content)
+    }
+
+    fn read(&mut self, columns: Option<&Columns>) -> Result<Vec<[f64; 2]>, InputError> {
+        let mut reader = self.reader();
         let mut rows = reader.byte_records().filter(|row| !row.as_ref().is_ok_and(is_blank));
 
         let Some(first) = rows.next() else {

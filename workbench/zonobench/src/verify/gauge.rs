@@ -39,7 +39,8 @@ pub enum GaugeProof {
     Bounded,
 }
 
-/// Proves the gauge, or says what fails. The value may err by the relative [`RELATIVE_ERROR`].
+/// Proves the gauge, or says what fails. The value may err by the relative [`RELATIVE_ERROR`]; the largest double stands for any
+/// finite gauge that is larger.
 pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugeProof, String> {
     let found = member_or_not(question, answer)?;
     if answer.at_most_one != matches!(found, Located::Member(_)) {
@@ -71,6 +72,9 @@ pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugePr
         .find_map(|facet| tight_gauge(&p, &generators, facet, &found).or_else(|| facet_gauge(&p, &generators, facet)));
     let exact = exact.or_else(|| searched(&p, &generators));
     if let Some(exact) = exact {
+        if answer.gauge == f64::MAX && exact.near() == f64::INFINITY {
+            return Ok(GaugeProof::Exact);
+        }
         let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
         check_figure("gauge", answer.gauge, &exact, &allowed)?;
         return Ok(GaugeProof::Exact);

@@ -1,6 +1,10 @@
 //! The kinds of question that are answered: one row of a table each.
 
 mod body;
+mod collision;
+mod gauge;
+mod intersect;
+mod member;
 mod min_area;
 mod slope_selection;
 mod support;
@@ -26,7 +30,8 @@ pub struct Kind {
 }
 
 /// Every kind that is answered.
-pub static KINDS: &[Kind] = &[support::KIND, slope_selection::KIND, min_area::KIND];
+pub static KINDS: &[Kind] =
+    &[member::KIND, intersect::KIND, gauge::KIND, support::KIND, slope_selection::KIND, min_area::KIND];
 
 /// An answer's content.
 #[derive(Debug, Clone, PartialEq)]

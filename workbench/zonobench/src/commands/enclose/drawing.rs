@@ -2,21 +2,13 @@
 
 use std::path::Path;
 
-use figures::scene::page::{Frame, PageBox, PagePoint, WorldBox};
-use figures::scene::{LegendEntry, Panel, Sample, Scene};
+use figures::scene::page::WorldBox;
+use figures::scene::{LegendEntry, Sample};
 use figures::style::{ENCLOSING, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, Paint, Shape, Stroke, weight};
 use zonotope::numeric::dyadic::{Dyadic, binary_exponent};
 
+use crate::commands::page::{Page, stride, thinned};
 use crate::enclosure::Enclosure;
-
-const WIDTH: f64 = 760.0;
-/// The least and the greatest height of the picture proper.
-const HEIGHTS: [f64; 2] = [160.0, 560.0];
-const MARGIN: f64 = 24.0;
-const LEGEND: f64 = 56.0;
-
-/// More points or vertices than this are thinned out.
-const MOST_POINTS: usize = 4000;
 
 /// Of more corners the hull's line alone is drawn.
 const MOST_CORNERS: usize = 200;
@@ -41,11 +33,8 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
         vertex_count
     );
     let world = WorldBox::around(vertices.iter().chain(&hull_vertices));
-    let width = WIDTH - 2.0 * MARGIN;
-    let height = height_for(&world, width);
-    let mut scene = Scene::new(WIDTH, height + 2.0 * MARGIN + LEGEND, &title, &description);
-    let page = PageBox::new(MARGIN, MARGIN, width, height);
-    let mut panel = Panel::new(&mut scene, Frame::fit(&world, page));
+    let mut page = Page::new(world, 2, &title, &description);
+    let mut panel = page.panel();
 
     let zonogon = Paint::fill(ENCLOSING, 0.1).with_outline(Stroke::new(ENCLOSING, weight::STRONG));
     let hull = Paint::fill(INPUT, 0.12).with_outline(Stroke::new(INPUT, weight::MEDIUM));
@@ -69,28 +58,9 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
         LegendEntry::new(Sample::Area(zonogon), "smallest enclosing zonogon"),
         LegendEntry::new(Sample::Point(OPTIMAL_CENTER), "its centre"),
     ];
-    scene.legend(PagePoint::new(MARGIN, height + 2.0 * MARGIN), width, &legend);
-    scene.finish()
-}
-
-/// Few enough of the items, evenly.
-fn thinned<T>(items: impl IntoIterator<IntoIter: ExactSizeIterator<Item = T>>) -> impl Iterator<Item = T> {
-    let items = items.into_iter();
-    let stride = stride(items.len());
-    items.step_by(stride)
-}
-
-fn stride(count: usize) -> usize {
-    count.div_ceil(MOST_POINTS).max(1)
+    page.finish(&legend)
 }
 
 fn largest(points: &[[f64; 2]]) -> f64 {
     points.iter().flatten().fold(0.0, |largest, coordinate| largest.max(coordinate.abs()))
-}
-
-/// The height at which the world fills the width, within limits; computed on halves, which do not overflow.
-fn height_for(world: &WorldBox, width: f64) -> f64 {
-    let half = |axis: usize| world.max[axis] / 2.0 - world.min[axis] / 2.0;
-    let height = width * (half(1) / half(0));
-    if height.is_nan() { HEIGHTS[0] } else { height.clamp(HEIGHTS[0], HEIGHTS[1]) }
 }

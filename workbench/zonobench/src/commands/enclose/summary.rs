@@ -1,14 +1,11 @@
 //! What a person reads of an answer.
 
-use std::fmt::Write;
-
 use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 
 use super::Options;
+use crate::commands::table::{Table, counted, figure};
 use crate::enclosure::Enclosure;
 use crate::verify::MinAreaProof;
-
-const LABEL_WIDTH: usize = 14;
 
 /// The answer in a few lines.
 pub(super) fn summary(
@@ -64,20 +61,11 @@ pub(super) fn summary(
     lines.push(("method", enclosure.method.name().to_owned()));
     lines.push(("verify", verification(options)));
 
-    let mut text = String::new();
+    let mut table = Table::default();
     for (label, value) in lines {
-        writeln!(text, "{label:<LABEL_WIDTH$}{value}").expect("writing to a string does not fail");
+        table.row(label, value);
     }
-    text
-}
-
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
-}
-
-/// A number as it is written in the answer: enough digits to be read back unchanged.
-fn figure(number: f64) -> String {
-    if number.is_finite() { format!("{number:?}") } else { "beyond the range of doubles".to_owned() }
+    table.text()
 }
 
 /// The command that checks the written answer, or how to get one.

@@ -1,0 +1,40 @@
+//! `gauge`: how many times a zonotope must be taken to reach from one point to another.
+
+use serde_json::json;
+use zonotope::collision::Displacement;
+
+use super::collision::{Dimension, Kernel, Method, certificate};
+use super::{Kind, Solution};
+use crate::batch::dimension::in_dimension;
+use crate::batch::fields::Fields;
+use crate::batch::refusal::Refusal;
+use crate::json::to_json;
+
+pub(super) const KIND: Kind = Kind {
+    name: "gauge",
+    summary: "how many times a zonotope around the origin must be taken to hold the way from p to q",
+    fields: &["p", "q", "generators"],
+    methods: Method::names,
+    solve,
+};
+
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    in_dimension!(fields.dimension("p")?, "p", in_space(fields, method))
+}
+
+fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal>
+where
+    Dimension: Kernel<D>,
+{
+    let [p, q] = [fields.vector::<D>("p")?, fields.vector::<D>("q")?];
+    let generators = fields.vectors::<D>("generators")?;
+    let method = Method::chosen(method, D, generators.len())?;
+    let question = Displacement::new(p, q, &generators).expect("the numbers of a question are finite");
+    let gauge = method.gauge(&question);
+    let result = json!({
+        "gauge": to_json(gauge.value),
+        "at_most_one": gauge.location.is_member(),
+        "certificate": certificate(&gauge.location),
+    });
+    Ok(Solution { method: method.name(), result })
+}

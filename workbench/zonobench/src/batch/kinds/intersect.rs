@@ -1,0 +1,43 @@
+//! `intersect`: whether two zonotopes have a point in common.
+
+use serde_json::json;
+use zonotope::collision::Displacement;
+
+use super::body::zonotope;
+use super::collision::{Dimension, Kernel, Method, certificate};
+use super::{Kind, Solution};
+use crate::batch::dimension::in_dimension;
+use crate::batch::fields::Fields;
+use crate::batch::refusal::Refusal;
+
+pub(super) const KIND: Kind = Kind {
+    name: "intersect",
+    summary: "whether two zonotopes overlap, only touch or are disjoint",
+    fields: &["a", "b"],
+    methods: Method::names,
+    solve,
+};
+
+/// The fields of a zonotope.
+const BODY: [&str; 2] = ["center", "generators"];
+
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    let bodies = [fields.object("a", &BODY)?, fields.object("b", &BODY)?];
+    in_dimension!(bodies[0].dimension("center")?, "the center of a", in_space(&bodies, method))
+}
+
+fn in_space<const D: usize>(bodies: &[Fields<'_>; 2], method: Option<&'static str>) -> Result<Solution, Refusal>
+where
+    Dimension: Kernel<D>,
+{
+    let [a, b] = [zonotope::<D>(&bodies[0])?, zonotope::<D>(&bodies[1])?];
+    let question = Displacement::between(&a, &b);
+    let method = Method::chosen(method, D, question.len())?;
+    let location = method.locate(&question);
+    let result = json!({
+        "intersects": location.is_member(),
+        "status": location.status(),
+        "certificate": certificate(&location),
+    });
+    Ok(Solution { method: method.name(), result })
+}

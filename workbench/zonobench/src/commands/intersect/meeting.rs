@@ -1,0 +1,167 @@
+//! Two bodies and what `solve` says about them, in the terms of the picture and the summary.
+
+use anyhow::{anyhow, bail};
+use serde_json::{Value, json};
+use zonotope::numeric::Rational;
+use zonotope::numeric::dyadic::Dyadic;
+
+use crate::batch;
+use crate::input::Body;
+use crate::json::{self, Line, MAX_VALUES, NonFinite, vector_to_json};
+use crate::verify::{Verdict, check};
+
+/// Two bodies, the question about them and its answer.
+pub(super) struct Meeting {
+    pub(super) bodies: [Body; 2],
+    /// The question and the answer in the format of `solve`.
+    pub(super) question: Value,
+    pub(super) answer: Value,
+    pub(super) status: String,
+    /// How many times both bodies must be taken about their centres to touch.
+    pub(super) gauge: f64,
+    pub(super) proof: Proof,
+}
+
+/// The proof, rounded for the eye.
+pub(super) enum Proof {
+    Gap(Gap),
+    /// A coefficient for each generator, those of the first body first, and the point that they lead to.
+    Common {
+        coefficients: Vec<f64>,
+        point: Vec<f64>,
+    },
+}
+
+/// Two parallel planes with the first body below one and the second above the other.
+pub(super) struct Gap {
+    /// The unit normal of the planes.
+    pub(super) direction: Vec<f64>,
+    /// Their distance.
+    pub(super) width: f64,
+    /// How far the second centre lies above the first in this direction, and how far both bodies together reach.
+    pub(super) centers: f64,
+    pub(super) reach: f64,
+}
+
+impl Meeting {
+    /// Asks about two bodies, which may be refused.
+    pub(super) fn of(name: &str, bodies: [Body; 2]) -> anyhow::Result<Self> {
+        let [a, b] = bodies
+            .each_ref()
+            .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows(&body.generators)}));
+        let generators = [a["generators"].clone(), b["generators"].clone()].into_iter();
+        let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
+        let distance = json!({"p": a["center"], "q": b["center"], "generators": generators});
+        let question = json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}});
+        let answer = answered(&question)?;
+        let gauge = answered(&json!({"id": name, "kind": "gauge", "input": distance}))?;
+
+        let result = &answer["result"];
+        let certificate = &result["certificate"];
+        let proof = match certificate["separating_direction"].as_array() {
+            Some(direction) => Proof::Gap(Gap::of(&bodies, direction)?),
+            None => {
+                let floats = certificate["coefficients"].as_array().into_iter().flatten();
+                let coefficients: Vec<f64> = floats.filter_map(Value::as_f64).collect();
+                let point = common_point(&bodies[0], &coefficients);
+                Proof::Common { coefficients, point }
+            }
+        };
+        let status = result["status"].as_str().unwrap_or_default().to_owned();
+        let gauge = float(&gauge["result"]["gauge"]);
+        Ok(Self { bodies, question, answer, status, gauge, proof })
+    }
+
+    /// What the verifier, which shares no code with the solvers, says about the answer.
+    pub(super) fn verdict(&self) -> Verdict {
+        let tree = |value: &Value| json::read(value.to_string().as_bytes(), MAX_VALUES);
+        match (tree(&self.question), tree(&self.answer)) {
+            (Ok(question), Ok(answer)) => check(&question, &answer),
+            _ => Verdict::Wrong("the answer cannot be read".to_owned()),
+        }
+    }
+
+    /// How many coordinates there are.
+    pub(super) fn dimension(&self) -> usize {
+        self.bodies[0].center.len()
+    }
+
+    /// The distance of the centres.
+    pub(super) fn distance(&self) -> f64 {
+        let [a, b] = &self.bodies;
+        let exact = |x: &f64| Dyadic::from_f64(*x);
+        length(&b.center.iter().zip(&a.center).map(|(b, a)| exact(b) - exact(a)).collect::<Vec<_>>()).1
+    }
+}
+
+fn rows(vectors: &[Vec<f64>]) -> Vec<Value> {
+    vectors.iter().map(|vector| vector_to_json(vector)).collect()
+}
+
+fn answered(question: &Value) -> anyhow::Result<Value> {
+    let answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), 0);
+    if answer.refused {
+        bail!("{}", answer.content["error"]["message"].as_str().unwrap_or("the question is refused"));
+    }
+    Ok(answer.content)
+}
+
+fn float(value: &Value) -> f64 {
+    let spelled = || value.as_str().and_then(NonFinite::spelled).map(NonFinite::value);
+    value.as_f64().or_else(spelled).unwrap_or(f64::NAN)
+}
+
+/// A vector divided by its length, and the length; computed on multiples that neither overflow nor vanish.
+fn length(vector: &[Dyadic]) -> (Vec<f64>, f64) {
+    let Some(exponent) = vector.iter().filter_map(Dyadic::binary_exponent).max() else {
+        return (vec![0.0; vector.len()], 0.0);
+    };
+    let scaled: Vec<f64> = vector.iter().map(|x| x.clone().scaled(-exponent).to_f64()).collect();
+    let norm = scaled.iter().map(|x| x * x).sum::<f64>().sqrt();
+    (scaled.iter().map(|x| x / norm).collect(), Dyadic::from_f64(norm).scaled(exponent).to_f64())
+}
+
+impl Gap {
+    fn of(bodies: &[Body; 2], direction: &[Value]) -> anyhow::Result<Self> {
+        let direction = whole(direction).ok_or_else(|| anyhow!("the direction cannot be read"))?;
+        let exact = |v: &[f64]| v.iter().map(|&x| Dyadic::from_f64(x)).collect::<Vec<_>>();
+        let along = |v: &[f64]| direction.iter().zip(exact(v)).fold(Dyadic::zero(), |sum, (u, x)| sum + u * &x);
+        let centers = along(&bodies[1].center) - along(&bodies[0].center);
+        let all = bodies.iter().flat_map(|body| &body.generators);
+        let reach = all.fold(Dyadic::zero(), |sum, generator| sum + along(generator).abs());
+        let exponent = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+        let scaled: Vec<Dyadic> = direction.iter().map(|u| u.clone().scaled(-exponent)).collect();
+        let (direction, norm) = length(&scaled);
+        let per_length = |value: &Dyadic| value.clone().scaled(-exponent).to_f64() / norm;
+        Ok(Self {
+            direction,
+            width: per_length(&(&centers - &reach)),
+            centers: per_length(&centers),
+            reach: per_length(&reach),
+        })
+    }
+}
+
+/// A multiple of a direction that is written in floats or in exact numbers.
+fn whole(direction: &[Value]) -> Option<Vec<Dyadic>> {
+    if direction.iter().all(Value::is_f64) {
+        return direction.iter().map(|u| u.as_f64().map(Dyadic::from_f64)).collect();
+    }
+    let exact: Vec<Rational> = direction.iter().map(|u| u.as_str()?.parse().ok()).collect::<Option<_>>()?;
+    let common = exact.iter().fold(Rational::ONE, |common, u| common * Rational::from(u.denominator().clone()));
+    let whole = exact.into_iter().map(|u| Dyadic::new((u * &common).into_parts().0, 0));
+    Some(whole.collect())
+}
+
+/// The point of a body to which its coefficients, the first of all, lead.
+fn common_point(body: &Body, coefficients: &[f64]) -> Vec<f64> {
+    let coordinate = |axis: usize| {
+        let terms = body.generators.iter().zip(coefficients);
+        let start = Dyadic::from_f64(body.center[axis]);
+        let sum = terms.fold(start, |sum, (generator, &delta)| {
+            sum + &Dyadic::from_f64(generator[axis]) * &Dyadic::from_f64(delta)
+        });
+        sum.to_f64()
+    };
+    (0..body.center.len()).map(coordinate).collect()
+}

@@ -1,0 +1,66 @@
+//! `zonobench intersect`: whether two zonotopes have a point in common, with the proof.
+
+mod drawing;
+mod meeting;
+mod summary;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+
+use self::meeting::Meeting;
+use super::Ending;
+use super::verify::question_name;
+use crate::input::{BodySource, Format};
+use crate::output::{Existing, check_free, write_whole};
+use crate::verify::Verdict;
+
+/// Options of `intersect`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The first zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
+    /// standard input.
+    a: PathBuf,
+    /// The second zonotope.
+    b: PathBuf,
+    /// The format of both files, where their extensions do not tell it.
+    #[arg(long)]
+    format: Option<Format>,
+    /// Write a picture of both bodies with the separating plane or the common point.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// Write the answer with its certificate, in the format of `solve`.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the question in the format of `solve`: `verify` checks the answer against it.
+    #[arg(long, value_name = "FILE")]
+    question: Option<PathBuf>,
+    /// Replace files that exist.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Reads, solves, checks, and prints the answer with its proof.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let existing = Existing::from_force(options.force);
+    for file in options.svg.iter().chain(&options.json).chain(&options.question) {
+        check_free(file, existing)?;
+    }
+    let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read();
+    let bodies = [read(&options.a)?, read(&options.b)?];
+    let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
+    let meeting = Meeting::of(&name, bodies)?;
+    let verdict = meeting.verdict();
+
+    if let Some(file) = &options.svg {
+        write_whole(file, drawing::draw(&name, &meeting).as_bytes(), existing)?;
+    }
+    for (file, content) in [(&options.question, &meeting.question), (&options.json, &meeting.answer)] {
+        if let Some(file) = file {
+            write_whole(file, format!("{content}\n").as_bytes(), existing)?;
+        }
+    }
+    io::stdout().lock().write_all(summary::summary(options, &meeting, &verdict).as_bytes())?;
+    Ok(if matches!(verdict, Verdict::Right(_)) { Ending::Good } else { Ending::Bad })
+}

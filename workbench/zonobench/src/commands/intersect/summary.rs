@@ -1,0 +1,100 @@
+//! What a person reads of an intersection.
+
+use super::Options;
+use super::meeting::{Meeting, Proof};
+use crate::commands::table::{Table, counted, figure, tuple};
+use crate::input::Body;
+use crate::verify::Verdict;
+
+/// So many terms of a point are written out.
+const MOST_TERMS: usize = 6;
+
+/// The answer with its proof in a few lines.
+pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -> String {
+    let mut table = Table::default();
+    for (name, body, file) in [("a", &meeting.bodies[0], &options.a), ("b", &meeting.bodies[1], &options.b)] {
+        let count = counted(body.generators.len(), "generator", "generators");
+        table.row(name, format!("{count} in {}, centre {}", file.display(), tuple(&body.center)));
+    }
+    table.row("dimension", meeting.dimension().to_string());
+    let answer = match meeting.status.as_str() {
+        "inside" => "a and b overlap: their interiors meet",
+        "boundary" => "a and b touch: they have a point in common, but not in the interiors",
+        _ => "a and b are disjoint",
+    };
+    table.row("answer", answer.to_owned());
+    match &meeting.proof {
+        Proof::Gap(gap) => {
+            table.row(
+                "gap",
+                format!("{}, between two parallel planes; the bodies are at least so far apart", figure(gap.width)),
+            );
+            table.row("direction", format!("{}, the unit normal of the planes, rounded", tuple(&gap.direction)));
+            table.row(
+                "proof",
+                format!(
+                    "the centres are {} apart in this direction, a and b reach {} together",
+                    figure(gap.centers),
+                    figure(gap.reach)
+                ),
+            );
+        }
+        Proof::Common { coefficients, point } => {
+            let split = meeting.bodies[0].generators.len();
+            table.row("common point", format!("{}, rounded", tuple(point)));
+            table.row("in a", combination("a", 1.0, &meeting.bodies[0], &coefficients[..split]));
+            table.row("in b", combination("b", -1.0, &meeting.bodies[1], &coefficients[split..]));
+        }
+    }
+    table.row("gauge", gauge(meeting));
+    table.row(
+        "certificate",
+        match verdict {
+            Verdict::Right(proved) => format!("checked: {proved}"),
+            Verdict::Wrong(reason) | Verdict::Unchecked(reason) => format!("WRONG: {reason}"),
+        },
+    );
+    table.row("method", meeting.answer["method"].as_str().unwrap_or_default().to_owned());
+    table.row(
+        "verify",
+        match (&options.question, &options.json) {
+            (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
+            _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
+        },
+    );
+    table.text()
+}
+
+/// centre + Σ ± δ_i generator_i, the longest terms first to be left out.
+fn combination(name: &str, sign: f64, body: &Body, coefficients: &[f64]) -> String {
+    let mut text = format!("centre of {name}");
+    for (index, delta) in (1..).zip(coefficients).take(MOST_TERMS) {
+        let delta = sign * delta;
+        let written =
+            if delta < 0.0 { format!(" − {}", figure(-delta)) } else { format!(" + {}", figure(delta + 0.0)) };
+        text.push_str(&format!("{written} {name}{index}"));
+    }
+    let left_out = body.generators.len().saturating_sub(MOST_TERMS);
+    if left_out > 0 {
+        text.push_str(&format!(" + … ({left_out} more terms)"));
+    }
+    text
+}
+
+fn gauge(meeting: &Meeting) -> String {
+    let gauge = meeting.gauge;
+    let meaning = if gauge == f64::INFINITY {
+        "no growth about the centres makes them meet".to_owned()
+    } else if gauge == 0.0 {
+        "the centres coincide".to_owned()
+    } else if meeting.status == "inside" {
+        let free = meeting.distance() * (1.0 / gauge - 1.0);
+        format!(
+            "taken so many times about their centres they would only touch; so would b moved away by {}",
+            figure(free)
+        )
+    } else {
+        "taken so many times about their centres they touch".to_owned()
+    };
+    format!("{}: {meaning}", figure(gauge))
+}
