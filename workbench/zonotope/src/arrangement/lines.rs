@@ -115,6 +115,16 @@ impl<'a> LineArrangement<'a> {
         self.verticals.len()
     }
 
+    /// The line at a place.
+    pub(crate) fn line_at(&self, place: u32) -> LineIndex {
+        LineIndex(self.places[place as usize].line)
+    }
+
+    /// The vertical lines from left to right.
+    pub(crate) fn vertical_lines(&self) -> impl Iterator<Item = LineIndex> {
+        self.verticals.iter().map(|(_, line)| LineIndex(*line))
+    }
+
     /// How many lines there are, with those whose normal is zero.
     pub fn len(&self) -> usize {
         self.source.len()
@@ -136,7 +146,7 @@ impl<'a> LineArrangement<'a> {
     }
 
     /// How many pairs among lines that are not vertical, given by ascending places, cross.
-    fn crossings_among(&self, places: impl ExactSizeIterator<Item = u32>) -> u64 {
+    pub(crate) fn crossings_among(&self, places: impl ExactSizeIterator<Item = u32>) -> u64 {
         let pairs = |n: u64| n * n.saturating_sub(1) / 2;
         let all = pairs(places.len() as u64);
         let (mut parallel, mut class, mut size) = (0, u32::MAX, 0);
@@ -164,7 +174,7 @@ impl<'a> LineArrangement<'a> {
     }
 
     /// Turns lines that meet in one point from their order right of it to their order left of it; equal lines stay.
-    fn turn(&self, places: &mut [u32]) {
+    pub(crate) fn turn(&self, places: &mut [u32]) {
         places.reverse();
         for parallel in places.chunk_by_mut(|&a, &b| self.classes[a as usize] == self.classes[b as usize]) {
             parallel.reverse();
@@ -240,6 +250,19 @@ impl VerticalOrder {
             arrangement.turn(&mut order[tie.clone()]);
         }
         order
+    }
+
+    /// The lines from bottom to top, those that meet on the vertical line together, in their order right of it.
+    pub(crate) fn groups(&self) -> impl DoubleEndedIterator<Item = &[u32]> {
+        let mut groups = Vec::new();
+        let mut next = 0;
+        for tie in &self.ties {
+            groups.extend((next..tie.start).map(|single| single..single + 1));
+            groups.push(tie.clone());
+            next = tie.end;
+        }
+        groups.extend((next..self.right.len()).map(|single| single..single + 1));
+        groups.into_iter().map(|group| &self.right[group])
     }
 
     /// How many pairs of lines that are not vertical cross on the vertical line.

@@ -3,14 +3,20 @@
 //! | problem | what is asked |
 //! |---|---|
 //! | [`slope_selection`] | the k-th leftmost vertex |
+//! | [`separator`] | the chain with k tiles of the dual tiling on its left |
+//!
+//! [`DualArrangement`] is the arrangement that Section 3 attaches to the generators of a zonotope in space.
 
+mod dual;
 mod exact_sort;
 pub(crate) mod fraction;
 mod line;
 pub(crate) mod lines;
 mod rows;
+pub mod separator;
 pub mod slope_selection;
 
+pub use dual::{DualArrangement, GeneratorError};
 pub use line::{ExactLine, LineIndex};
 pub use lines::LineArrangement;
 pub use rows::ArrangementError;

@@ -88,7 +88,60 @@ pub fn kth_leftmost_vertex_counted(
     let rank = zero_based(arrangement, rank)?;
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let selected = select(arrangement, &Slab::whole(arrangement), rank, &mut random, tally);
-    Ok(ArrangementVertex { lines: arrangement.lines_of(selected), x: arrangement.abscissa(selected) })
+    Ok(vertex_at(arrangement, selected))
+}
+
+/// The k-th leftmost vertices for many k, in the order of `ranks`; `seed` decides the time, never the abscissas. Once the
+/// vertices between two answers are few they are listed, so n lines cost O(n log n) expected for each of the first
+/// n ranks, and O(n² log n) for all.
+///
+/// # Errors
+/// On the first rank that is 0 or above the number of vertices.
+pub fn kth_leftmost_vertices(
+    arrangement: &LineArrangement,
+    ranks: &[u64],
+    seed: u64,
+) -> Result<Vec<ArrangementVertex>, SlopeSelectionError> {
+    let zero_based = ranks.iter().map(|&rank| zero_based(arrangement, rank)).collect::<Result<Vec<_>, _>>()?;
+    let mut order: Vec<usize> = (0..ranks.len()).collect();
+    order.sort_by_key(|&position| zero_based[position]);
+    let sorted: Vec<u64> = order.iter().map(|&position| zero_based[position]).collect();
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut events = Vec::with_capacity(ranks.len());
+    select_all(arrangement, Slab::whole(arrangement), &sorted, &mut random, &mut events);
+    let mut place = vec![0; ranks.len()];
+    for (sorted, &position) in order.iter().enumerate() {
+        place[position] = sorted;
+    }
+    let vertex = |sorted: usize| vertex_at(arrangement, events[sorted]);
+    Ok(place.into_iter().map(vertex).collect())
+}
+
+fn vertex_at(arrangement: &LineArrangement, event: Event) -> ArrangementVertex {
+    ArrangementVertex { lines: arrangement.lines_of(event), x: arrangement.abscissa(event) }
+}
+
+/// Appends an event for each of the ascending ranks, from 0, among the vertices of a slab.
+fn select_all(
+    arrangement: &LineArrangement,
+    slab: Slab,
+    ranks: &[u64],
+    random: &mut Pcg64Mcg,
+    events: &mut Vec<Event>,
+) {
+    let Some(&median) = ranks.get(ranks.len() / 2) else { return };
+    if slab.event_count() <= LISTED * arrangement.place_count() as u64 {
+        events.extend(select_by_listing(arrangement, &slab, ranks, &mut ()));
+        return;
+    }
+    let selected = select(arrangement, &slab, median, random, &mut ());
+    let cut = slab.cut(arrangement, &arrangement.abscissa(selected), &mut ());
+    let (left, others) = ranks.split_at(ranks.partition_point(|&rank| rank < cut.left));
+    let (at, right) = others.split_at(others.partition_point(|&rank| rank < cut.left + cut.at));
+    let right: Vec<u64> = right.iter().map(|rank| rank - cut.left - cut.at).collect();
+    select_all(arrangement, slab.left_of(arrangement, &cut), left, random, events);
+    events.extend(at.iter().map(|_| selected));
+    select_all(arrangement, slab.right_of(&cut), &right, random, events);
 }
 
 /// An event at the abscissa of the vertex with a rank, from 0, among the vertices of a slab.
@@ -121,7 +174,7 @@ pub(crate) fn select(
             lower = Some(x);
         }
     }
-    select_by_listing(arrangement, &slab, rank, tally)
+    select_by_listing(arrangement, &slab, &[rank], tally)[0]
 }
 
 /// Vertices of the slab that are likely just left and just right of the one with the given rank; one at least.
@@ -156,15 +209,20 @@ fn bracket(
     lower.into_iter().chain(upper).collect()
 }
 
-fn select_by_listing(arrangement: &LineArrangement, slab: &Slab, rank: u64, tally: &mut impl Tally) -> Event {
-    let events = slab.events(tally);
-    let mut keyed = keyed(arrangement, &events);
-    sort_exactly(&mut keyed, |item| arrangement.abscissa(events[item as usize]), tally);
-    let mut left = 0;
-    let sorted = keyed.iter().map(|keyed| events[keyed.item as usize]);
-    let mut reached = sorted.skip_while(|&event| {
-        left += slab.multiplicity(event);
-        left <= rank
-    });
-    reached.next().expect("the rank is below the number of vertices of the slab")
+/// An event for each of the ascending ranks, from 0, among the vertices of a slab.
+fn select_by_listing(arrangement: &LineArrangement, slab: &Slab, ranks: &[u64], tally: &mut impl Tally) -> Vec<Event> {
+    let listed = slab.events(tally);
+    let mut keyed = keyed(arrangement, &listed);
+    sort_exactly(&mut keyed, |item| arrangement.abscissa(listed[item as usize]), tally);
+    let mut sorted = keyed.iter().map(|keyed| listed[keyed.item as usize]);
+    let (mut left, mut last) = (0, None);
+    let mut event_with = |rank: u64| {
+        while left <= rank {
+            let event = sorted.next().expect("the rank is below the number of vertices of the slab");
+            left += slab.multiplicity(event);
+            last = Some(event);
+        }
+        last.expect("the first rank has moved past an event")
+    };
+    ranks.iter().map(|&rank| event_with(rank)).collect()
 }

@@ -28,11 +28,11 @@ pub(crate) struct Slab {
 
 /// A vertical line through a slab.
 pub(crate) struct Cut {
-    order: VerticalOrder,
+    pub(crate) order: VerticalOrder,
     /// How many pairs cross left of it and on it.
     crossings: [u64; 2],
     /// How many vertical lines of the arrangement lie left of it, and left of it or on it.
-    verticals: [usize; 2],
+    pub(crate) verticals: [usize; 2],
     /// How many vertices of the slab lie left of it.
     pub(crate) left: u64,
     /// How many vertices of the slab lie on it.

@@ -16,10 +16,17 @@ fn check(rows: &[[f64; 3]]) -> Result<(), TestCaseError> {
         let [numerator, _, denominator] = first.meet(&second).map(|v| v.to_rational());
         prop_assert_eq!(&(numerator / denominator), x, "rank {}: {:?}", rank, vertex.lines);
     }
+    let ranks: Vec<u64> = (1..=truth.len() as u64).rev().chain((1..=truth.len() as u64).step_by(7)).collect();
+    let together = kth_leftmost_vertices(&arrangement, &ranks, 5).expect("the ranks exist");
+    prop_assert_eq!(together.len(), ranks.len());
+    for (rank, vertex) in ranks.iter().zip(&together) {
+        prop_assert_eq!(&vertex.exact_x(), &truth[*rank as usize - 1], "rank {} among all", rank);
+    }
     for rank in [0, truth.len() as u64 + 1] {
         let error = SlopeSelectionError::Rank { rank, vertices: truth.len() as u64 };
         prop_assert_eq!(randomized::kth_leftmost_vertex(&arrangement, rank, 0).err(), Some(error));
         prop_assert_eq!(brute_force::kth_leftmost_vertex(&arrangement, rank).err(), Some(error));
+        prop_assert_eq!(kth_leftmost_vertices(&arrangement, &[rank], 0).err(), Some(error));
     }
     Ok(())
 }
@@ -108,6 +115,19 @@ proptest! {
         let rows: Vec<_> = rows.iter().map(|[a, _, c]| [slopes[usize::from(*a > 0.0)], 1.0, *c]).collect();
         check(&rows)?;
     }
+}
+
+#[test]
+fn the_dual_of_a_cube_and_two_more() {
+    use crate::arrangement::DualArrangement;
+    // e1: x = 0; e2: y = 0; e3 has no line; (1, 1, −1): x + y = 1; (1, 0, −3): x = 3, which has no vertex with x = 0.
+    let generators = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, -1.0], [1.0, 0.0, -3.0], [0.0; 3]];
+    let dual = DualArrangement::new(&generators).expect("finite");
+    let vertices = kth_leftmost_vertices(dual.lines(), &[1, 2, 3, 4, 5], 0).expect("five vertices");
+    assert_eq!(vertices.iter().map(ArrangementVertex::x).collect::<Vec<_>>(), [0.0, 0.0, 1.0, 3.0, 3.0]);
+    assert_eq!(dual.lines().vertex_count(), 5);
+    let error = DualArrangement::new(&[[0.0, f64::NAN, 0.0]]).expect_err("a coordinate is no number");
+    assert_eq!(error.to_string(), "generator 0, coordinate 1 is NaN, not a finite number");
 }
 
 #[test]
