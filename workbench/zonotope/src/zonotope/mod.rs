@@ -3,11 +3,16 @@
 //! | file | what it holds |
 //! |---|---|
 //! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex |
+//! | [`Directions`] | parallel generators together, zero ones left out |
+//! | [`faces`] | what only space allows: the face lattice |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
 
+pub mod directions;
+pub mod faces;
 mod implicit;
 pub mod passes;
 pub mod zonogon;
 
+pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError};

@@ -1,0 +1,128 @@
+//! The arrangement of great circles, one a direction v: the unit vectors u with u · v = 0, seen from a pole that lies on none of them.
+//!
+//! Every meridian from the north pole to the south pole meets each circle once, so along a meridian the circles have an order, and
+//! going east from one meridian halfway around the sphere each pair changes places exactly once: where the facets with both
+//! directions have their normals. Relative to the pole the circles are lines x s + y + o = 0 of the plane with the meridians
+//! vertical. Floating-point numbers s and o guess orders; determinants of the directions decide them.
+
+use std::cmp::Ordering;
+
+use super::direction::{Direction, determinant_sign};
+use crate::numeric::dyadic::Dyadic;
+
+/// In a sequence of crossings: this one is not at the place of the one before.
+pub(super) const NEW_PLACE: u32 = 1 << 31;
+
+/// Circles in the order from north to south in which the first meridian meets them; their number is a circle's rank.
+#[derive(Debug, Clone)]
+pub(super) struct Circles {
+    /// Turned to the hemisphere of the pole.
+    pub(super) directions: Vec<Direction>,
+    /// The class of parallel generators, and whether its representative was turned around.
+    pub(super) classes: Vec<(u32, bool)>,
+    slopes: Vec<f64>,
+    offsets: Vec<f64>,
+}
+
+impl Circles {
+    /// The circles of pairwise non-parallel nonzero vectors. O(n log n), apart from the rare search for a pole.
+    pub(super) fn new(vectors: &[[f64; 3]]) -> Self {
+        let vectors: Vec<Direction> = vectors.iter().map(|&v| Direction::new(v)).collect();
+        let pole = pole_off_all_circles(&vectors);
+        // the first meridian leaves the pole towards the y axis; meridians exactly there count as slightly further east
+        let [p, q, r] = pole;
+        let meridian = Direction::new([r, 0.0, -p]);
+        let tie_breaker = Direction::new([0.0, -r, q]);
+        let mut circles: Vec<(Direction, u32, bool)> = vectors
+            .into_iter()
+            .zip(0..)
+            .map(|(v, class)| {
+                let reversed = side_of(&pole, &v).is_lt();
+                (if reversed { v.reversed() } else { v }, class, reversed)
+            })
+            .collect();
+        circles.sort_by(|(a, ..), (b, ..)| {
+            let further_north = determinant_sign(&meridian, a, b).reverse();
+            further_north.then_with(|| determinant_sign(&tie_breaker, a, b))
+        });
+        let height = |v: [f64; 3]| v[0] * p + v[1] * q + v[2] * r;
+        Self {
+            slopes: circles.iter().map(|(v, ..)| v.scaled()[1] / height(v.scaled())).collect(),
+            offsets: circles.iter().map(|(v, ..)| v.scaled()[0] / height(v.scaled())).collect(),
+            classes: circles.iter().map(|&(_, class, reversed)| (class, reversed)).collect(),
+            directions: circles.into_iter().map(|(v, ..)| v).collect(),
+        }
+    }
+
+    /// How many circles there are.
+    pub(super) fn len(&self) -> usize {
+        self.directions.len()
+    }
+
+    /// The ranks of the circles that circle `rank` crosses in the half turn east of the first meridian, in this order; those that cross
+    /// in one place in the order of their ranks, all but the first without [`NEW_PLACE`]. O(n log n).
+    pub(super) fn crossings(&self, rank: usize, keys: &mut Vec<u64>, crossings: &mut Vec<u32>) {
+        crossings.clear();
+        self.guess_order(rank, keys);
+        let low_bits = self.low_bits();
+        crossings.extend(keys.iter().map(|key| (key & low_bits) as u32));
+        let certain = crossings.windows(2).all(|pair| self.order(rank, pair[0], pair[1]).is_lt());
+        if certain {
+            crossings.iter_mut().for_each(|crossing| *crossing |= NEW_PLACE);
+            return;
+        }
+        crossings.sort_by(|&a, &b| self.order(rank, a, b).then(a.cmp(&b)));
+        let mut previous = None;
+        for crossing in crossings {
+            let other = *crossing;
+            if previous.is_none_or(|p| self.order(rank, p, other).is_ne()) {
+                *crossing |= NEW_PLACE;
+            }
+            previous = Some(other);
+        }
+    }
+
+    /// Which of the circles `a` and `b` circle `rank` crosses first, exactly.
+    #[inline]
+    fn order(&self, rank: usize, a: u32, b: u32) -> Ordering {
+        // the circle further north passes below the other: the crossing lies at the cross product of the northern by the southern one
+        let swapped = (a as usize > rank) != (b as usize > rank);
+        let sign = determinant_sign(&self.directions[rank], &self.directions[a as usize], &self.directions[b as usize]);
+        if swapped { sign } else { sign.reverse() }
+    }
+
+    /// The other circles sorted by the computed abscissa of the crossing: its bits, made to compare like the number, with the rank in the
+    /// lowest ones.
+    fn guess_order(&self, rank: usize, keys: &mut Vec<u64>) {
+        let (slope, offset, low_bits) = (self.slopes[rank], self.offsets[rank], self.low_bits());
+        let key = |(other, (s, o)): (u64, (&f64, &f64))| {
+            let bits = ((o - offset) / (slope - s)).to_bits();
+            let ordered = bits ^ (((bits as i64 >> 63) as u64) | 1 << 63);
+            (ordered & !low_bits) | other
+        };
+        keys.clear();
+        keys.extend((0..).zip(self.slopes.iter().zip(&self.offsets)).map(key));
+        keys.swap_remove(rank);
+        keys.sort_unstable();
+    }
+
+    fn low_bits(&self) -> u64 {
+        (self.len() as u64).next_power_of_two() - 1
+    }
+}
+
+/// A vector of positive coordinates with no zero dot product among `directions`.
+fn pole_off_all_circles(directions: &[Direction]) -> [f64; 3] {
+    let ordinary = [297.0, 471.0, 1024.0];
+    // On the curve (k, k², k³) a direction vanishes at two k > 0 at most: one of 2 n + 1 values is good for all.
+    let curve = (2..).map(f64::from).map(|k: f64| [k, k * k, k * k * k]);
+    let good = |pole: &[f64; 3]| directions.iter().all(|v| side_of(pole, v).is_ne());
+    std::iter::once(ordinary).chain(curve).find(good).expect("finitely many candidates are bad")
+}
+
+/// The sign of pole · v, exactly.
+fn side_of(pole: &[f64; 3], v: &Direction) -> Ordering {
+    let terms = v.original().map(Dyadic::from_f64);
+    let dot = terms.iter().zip(pole).fold(Dyadic::zero(), |sum, (c, &p)| sum + c * &Dyadic::from_f64(p));
+    dot.sign()
+}

@@ -1,0 +1,147 @@
+//! A direction of space prepared for determinants, and the exact sign of the determinant of three.
+//!
+//! Scaling a vector by a power of two does not change the sign of a determinant, so each is scaled on its own: then one bound on the
+//! rounding error serves the whole range of doubles.
+
+use std::cmp::Ordering;
+
+use robust::{Coord3D, orient3d};
+
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+
+/// Bounds the error of a computed determinant relative to the sum of the magnitudes of its six products: each goes through five
+/// roundings; the rest pays for the roundings within the bound.
+const RELATIVE: f64 = 8.0 * UNIT;
+
+/// A nonzero vector, and the same scaled by a power of two so that its largest coordinate has magnitude in [1, 2).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Direction {
+    original: [f64; 3],
+    scaled: [f64; 3],
+    precision: Precision,
+}
+
+/// What is known of scaled coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Precision {
+    /// Multiples of 2^-15 below 2: a determinant of three such vectors is computed without rounding.
+    Short,
+    /// Zero or of magnitude at least 2^-200, and scaled exactly: expansions of doubles are exact.
+    Narrow,
+    /// Anything; scaling may have rounded coordinates that became smaller than any normal double.
+    Wide,
+}
+
+impl Direction {
+    /// The direction of a nonzero vector.
+    pub(super) fn new(original: [f64; 3]) -> Self {
+        let exponent = original.iter().filter_map(|&c| binary_exponent(c)).max().unwrap_or(0);
+        let scaled = original.map(|c| scale_by_power_of_two(c, -i64::from(exponent)));
+        let least = f64::from_bits((1023 - 200) << 52);
+        let narrow = original.iter().zip(&scaled).all(|(o, s)| *o == 0.0 || s.abs() >= least);
+        let short = narrow && scaled.iter().all(|s| (s * 32768.0).fract() == 0.0);
+        let precision = match (short, narrow) {
+            (true, _) => Precision::Short,
+            (_, true) => Precision::Narrow,
+            _ => Precision::Wide,
+        };
+        Self { original, scaled, precision }
+    }
+
+    /// The opposite direction.
+    pub(super) fn reversed(self) -> Self {
+        Self { original: self.original.map(|c| -c), scaled: self.scaled.map(|c| -c), ..self }
+    }
+
+    /// The vector before scaling.
+    pub(super) fn original(&self) -> [f64; 3] {
+        self.original
+    }
+
+    /// The vector with its largest coordinate in [1, 2); coordinates far below may be rounded.
+    pub(super) fn scaled(&self) -> [f64; 3] {
+        self.scaled
+    }
+}
+
+/// The sign of det(a, b, c) = a · (b × c), exactly.
+#[inline]
+pub(super) fn determinant_sign(a: &Direction, b: &Direction, c: &Direction) -> Ordering {
+    let [x, y, z] = a.scaled;
+    let [d, e, f] = b.scaled;
+    let [g, h, i] = c.scaled;
+    let products = [e * i, f * h, f * g, d * i, d * h, e * g];
+    let determinant =
+        x * (products[0] - products[1]) + y * (products[2] - products[3]) + z * (products[4] - products[5]);
+    let [p, q, r, s, t, u] = products.map(f64::abs);
+    let magnitude = x.abs() * (p + q) + y.abs() * (r + s) + z.abs() * (t + u);
+    if determinant.abs() > RELATIVE * magnitude + UNDERFLOW {
+        return if determinant > 0.0 { Ordering::Greater } else { Ordering::Less };
+    }
+    exact_sign(determinant, a, b, c)
+}
+
+#[cold]
+#[inline(never)]
+fn exact_sign(computed: f64, a: &Direction, b: &Direction, c: &Direction) -> Ordering {
+    let sign_of = |value: f64| value.partial_cmp(&0.0).expect("products of coordinates below 2 are finite");
+    match a.precision.max(b.precision).max(c.precision) {
+        Precision::Short => sign_of(computed),
+        Precision::Narrow => {
+            let [a, b, c] = [a, b, c].map(|v| Coord3D { x: v.scaled[0], y: v.scaled[1], z: v.scaled[2] });
+            sign_of(orient3d(a, b, c, Coord3D { x: 0.0, y: 0.0, z: 0.0 }))
+        }
+        Precision::Wide => {
+            let [a, b, c] = [a, b, c].map(|v| v.original.map(Dyadic::from_f64));
+            let minor = |k: usize, l: usize| &b[k] * &c[l] - &b[l] * &c[k];
+            (&a[0] * &minor(1, 2) + &a[1] * &minor(2, 0) + &a[2] * &minor(0, 1)).sign()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            2 => -1.0..1.0f64,
+            2 => (-2i32..3).prop_map(f64::from),
+            1 => (-9i32..9).prop_map(|i| f64::from(i) * 0.1),
+            1 => (-9i32..9, -1074i64..1000).prop_map(|(i, e)| scale_by_power_of_two(f64::from(i), e)),
+            1 => any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |v| v.is_finite()),
+        ]
+    }
+
+    fn vector() -> impl Strategy<Value = [f64; 3]> {
+        [coordinate(), coordinate(), coordinate()].prop_filter("nonzero", |v| v.iter().any(|&c| c != 0.0))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        #[test]
+        fn signs_are_exact(a in vector(), b in vector(), c in vector(), near in any::<bool>(), k in -3i32..4, up in 0usize..4) {
+            let c = if near {
+                // nearly, often exactly, in the plane of a and b
+                let mut sum: [f64; 3] = std::array::from_fn(|i| a[i] + f64::from(k) * b[i]);
+                if up < 3 {
+                    sum[up] = sum[up].next_up();
+                }
+                prop_assume!(sum.iter().all(|v| v.is_finite()) && sum != [0.0; 3]);
+                sum
+            } else {
+                c
+            };
+            let [x, y, z] = [a, b, c].map(|v| v.map(|v| Dyadic::from_f64(v).to_rational()));
+            let minor = |k: usize, l: usize| &y[k] * &z[l] - &y[l] * &z[k];
+            let determinant = &x[0] * minor(1, 2) + &x[1] * minor(2, 0) + &x[2] * minor(0, 1);
+            let truth = determinant.cmp(&crate::numeric::Rational::ZERO);
+            let [a, b, c] = [a, b, c].map(Direction::new);
+            prop_assert_eq!(determinant_sign(&a, &b, &c), truth);
+            prop_assert_eq!(determinant_sign(&b.reversed(), &a, &c), truth);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! The faces of a zonotope of R^3: vertices, edges, facets, zones and how they meet.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | [`FaceLattice`] | faces as indices; incidences, opposite faces, zones |
+//! | [`by_sweep`] | O(n² log n) and the size of the output: the default |
+//! | [`brute_force`] | all faces in any dimension, as sign vectors in rationals: the truth |
+
+pub mod brute_force;
+pub mod by_sweep;
+mod circles;
+mod direction;
+mod lattice;
+mod position;
+mod signs;
+mod slots;
+#[cfg(test)]
+mod tests;
+
+use thiserror::Error;
+
+pub use lattice::{Edge, FaceLattice, Facet, Vertex, Zone};
+
+use super::Zonotope;
+use super::directions::Directions;
+
+/// The faces of a zonotope, by the dimension of the body.
+#[derive(Debug, Clone)]
+pub enum Faces {
+    /// Every generator is zero.
+    Point([f64; 3]),
+    /// All generators are parallel: the two ends.
+    Segment([[f64; 3]; 2]),
+    /// All generators lie in one plane: a zonogon, whose two sides count as facets.
+    Flat(FaceLattice),
+    /// A body with interior.
+    Solid(FaceLattice),
+}
+
+/// Why faces are not listed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum FacesError {
+    /// So many faces that their indices would not fit 32 bits.
+    #[error(
+        "{directions} directions of generators are more than {}, the most whose faces have 32-bit indices",
+        by_sweep::MAX_DIRECTIONS
+    )]
+    TooManyDirections {
+        /// How many directions there are.
+        directions: usize,
+    },
+}
+
+/// The faces of a zonotope, by [`by_sweep`].
+///
+/// # Errors
+/// [`FacesError::TooManyDirections`].
+pub fn faces(body: &Zonotope<3>) -> Result<Faces, FacesError> {
+    let directions = Directions::new(body.generators());
+    match directions.len() {
+        0 => Ok(Faces::Point(body.center())),
+        1 => {
+            let sum = directions.representatives()[0];
+            Ok(Faces::Segment([body.support(sum.map(|c| -c)).point(), body.support(sum).point()]))
+        }
+        _ => {
+            let lattice = by_sweep::face_lattice(body, directions)?;
+            Ok(if lattice.is_flat() { Faces::Flat(lattice) } else { Faces::Solid(lattice) })
+        }
+    }
+}
