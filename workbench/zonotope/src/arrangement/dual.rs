@@ -49,6 +49,8 @@ pub struct DualArrangement<'a> {
     pub(crate) slanted: Vec<Upward>,
     /// The generators of the vertical lines from left to right, upward: y = 0 and x < 0.
     pub(crate) level: Vec<Upward>,
+    /// The vertical generators, upward: z > 0.
+    pub(crate) poles: Vec<Upward>,
 }
 
 /// Generators in two runs, with their coordinates in a chosen order.
@@ -90,8 +92,10 @@ impl<'a> DualArrangement<'a> {
         let upward = |line: LineIndex| generators.upward(line.0);
         let slanted = (0..lines.place_count() as u32).map(|place| upward(lines.line_at(place))).collect();
         let level = lines.vertical_lines().map(upward).collect();
+        let is_pole = |vector: &[f64; 3]| vector[0] == 0.0 && vector[1] == 0.0 && vector[2] != 0.0;
         let count = generators.len();
-        Self { lines, count, slanted, level }
+        let poles = (0..count as u32).map(|i| generators.upward(i)).filter(|pole| is_pole(&pole.vector)).collect();
+        Self { lines, count, slanted, level, poles }
     }
 
     /// The lines.

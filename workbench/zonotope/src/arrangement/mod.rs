@@ -7,7 +7,7 @@
 //!
 //! [`DualArrangement`] is the arrangement that Section 3 attaches to the generators of a zonotope in space.
 
-mod dual;
+pub(crate) mod dual;
 mod exact_sort;
 pub(crate) mod fraction;
 mod line;

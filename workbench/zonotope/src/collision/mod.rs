@@ -10,6 +10,7 @@
 //! | method | dimensions | cost for n generators | what it is |
 //! |---|---|---|---|
 //! | [`by_lad`] (default) | 1 to 3 | O(n) expected | the kernel on the plane of directions with u · p = 1 |
+//! | [`by_slope_selection`] | 1 to 3 | O(n log² n) expected | the paper's search over separators (Theorem 5.2) |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
 //!
 //! [`verify`] checks an answer exactly and shares nothing with the methods.
@@ -18,6 +19,7 @@
 
 pub mod brute_force;
 pub mod by_lad;
+pub mod by_slope_selection;
 mod displacement;
 mod gauge;
 mod location;

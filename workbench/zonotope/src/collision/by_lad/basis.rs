@@ -9,8 +9,8 @@ const PROPOSALS: usize = 3;
 
 /// Three independent vectors, the first `rank` of which are generators; the others are orthogonal to those.
 #[derive(Debug, Clone)]
-pub(super) struct Basis {
-    pub(super) generators: Vec<usize>,
+pub(in crate::collision) struct Basis {
+    pub(in crate::collision) generators: Vec<usize>,
     /// The dual vectors times the determinant: the coefficient of b_i in x is dual_i · x / determinant.
     dual: [ExactVector; 3],
     /// Positive.
@@ -19,7 +19,7 @@ pub(super) struct Basis {
 
 impl Basis {
     /// Independent generators, at most three, by index and value.
-    pub(super) fn new(members: Vec<(usize, [f64; 3])>) -> Self {
+    pub(in crate::collision) fn new(members: Vec<(usize, [f64; 3])>) -> Self {
         let generators = members.iter().map(|(index, _)| *index).collect();
         let mut vectors: Vec<ExactVector> = members.iter().map(|(_, v)| exact(*v)).collect();
         while vectors.len() < 3 {
@@ -37,7 +37,7 @@ impl Basis {
     }
 
     /// A basis extended until it spans all generators, and other generators that might have come last.
-    pub(super) fn spanning(question: &Displacement<'_, 3>, start: Self) -> (Self, Vec<usize>) {
+    pub(in crate::collision) fn spanning(question: &Displacement<'_, 3>, start: Self) -> (Self, Vec<usize>) {
         let of = |index| question.generator(index);
         let (mut basis, mut others) = (start, Vec::new());
         while basis.rank() < 3 {
@@ -51,31 +51,31 @@ impl Basis {
         (basis, others)
     }
 
-    pub(super) fn rank(&self) -> usize {
+    pub(in crate::collision) fn rank(&self) -> usize {
         self.generators.len()
     }
 
     /// The coefficients of a vector of the span, times [`determinant`](Self::determinant).
-    pub(super) fn numerators(&self, x: &ExactVector) -> Vec<Dyadic> {
+    pub(in crate::collision) fn numerators(&self, x: &ExactVector) -> Vec<Dyadic> {
         self.dual[..self.rank()].iter().map(|dual| dot(dual, x)).collect()
     }
 
-    pub(super) fn determinant(&self) -> &Dyadic {
+    pub(in crate::collision) fn determinant(&self) -> &Dyadic {
         &self.determinant
     }
 
     /// Whether a vector lies outside the span.
-    pub(super) fn misses(&self, x: &ExactVector) -> bool {
+    pub(in crate::collision) fn misses(&self, x: &ExactVector) -> bool {
         self.dual[self.rank()..].iter().any(|dual| !dot(dual, x).is_zero())
     }
 
     /// Normals of the planes between which the span is the intersection, as doubles.
-    pub(super) fn rounded_normals(&self) -> Vec<[f64; 3]> {
+    pub(in crate::collision) fn rounded_normals(&self) -> Vec<[f64; 3]> {
         self.dual[self.rank()..].iter().map(rounded_direction).collect()
     }
 
     /// With one more generator, one that the span misses.
-    pub(super) fn with(&self, generator: usize, of: impl Fn(usize) -> [f64; 3]) -> Self {
+    pub(in crate::collision) fn with(&self, generator: usize, of: impl Fn(usize) -> [f64; 3]) -> Self {
         let mut generators = self.generators.clone();
         generators.push(generator);
         generators.sort_unstable();

@@ -10,7 +10,7 @@ use crate::collision::{Displacement, Location, Separation, Witness};
 use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
 
 /// The points and generators of a prism.
-pub(super) struct Prism {
+pub(in crate::collision) struct Prism {
     from: [f64; 3],
     to: [f64; 3],
     generators: Vec<[f64; 3]>,
@@ -19,7 +19,7 @@ pub(super) struct Prism {
 }
 
 impl Prism {
-    pub(super) fn over<const D: usize>(question: &Displacement<'_, D>) -> Self {
+    pub(in crate::collision) fn over<const D: usize>(question: &Displacement<'_, D>) -> Self {
         let mut generators: Vec<[f64; 3]> = question.generators().map(padded).collect();
         let own = generators.len();
         let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));
@@ -28,12 +28,12 @@ impl Prism {
         Self { from: padded(&question.from()), to: padded(&question.to()), generators, own }
     }
 
-    pub(super) fn question(&self) -> Displacement<'_, 3> {
+    pub(in crate::collision) fn question(&self) -> Displacement<'_, 3> {
         Displacement::new(self.from, self.to, &self.generators).expect("the body's coordinates are finite")
     }
 
     /// The answer for the body.
-    pub(super) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
+    pub(in crate::collision) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
         let witness = |Witness { mut coefficients, mut basis }: Witness| {
             coefficients.truncate(self.own);
             basis.retain(|&generator| generator < self.own);

@@ -46,14 +46,14 @@
 //! assert_eq!(by_lad::gauge(&question).value, 2.0);
 //! ```
 
-mod basis;
+pub(super) mod basis;
 mod exit;
-mod lift;
+pub(super) mod lift;
 mod plane;
-mod separation;
-mod sums;
+pub(super) mod separation;
+pub(super) mod sums;
 mod walk;
-mod witness;
+pub(super) mod witness;
 
 #[cfg(test)]
 mod tests;

@@ -10,7 +10,7 @@ use super::sums::signed_sum;
 const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
 
 /// The proof from an exact direction u with u · p > h(u); `basis` are the generators that u is known to be orthogonal to.
-pub(super) fn separation(
+pub(in crate::collision) fn separation(
     question: &Displacement<'_, 3>,
     p: &ExactVector,
     direction: &ExactVector,

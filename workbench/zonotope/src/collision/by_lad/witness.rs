@@ -83,6 +83,6 @@ impl<'a> Combination<'a> {
 }
 
 /// A ratio of magnitude at most 1, as a double of magnitude at most 1.
-pub(super) fn rounded(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
+pub(in crate::collision) fn rounded(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     numerator.rounded_ratio(denominator).clamp(-1.0, 1.0)
 }
