@@ -3,16 +3,20 @@
 //! | file | what it holds |
 //! |---|---|
 //! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex |
+//! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
 
+mod combinatorics;
 pub mod directions;
 pub mod faces;
 mod implicit;
 pub mod passes;
+mod rank;
 pub mod zonogon;
 
+pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError};

@@ -1,16 +1,20 @@
-//! The faces of a zonotope of R^3: vertices, edges, facets, zones and how they meet.
+//! Faces: of a zonotope of R^3 vertices, edges, facets, zones and how they meet; in other dimensions vertices and facets.
 //!
 //! | file | what it holds |
 //! |---|---|
 //! | [`FaceLattice`] | faces as indices; incidences, opposite faces, zones |
 //! | [`by_sweep`] | O(n² log n) and the size of the output: the default |
+//! | [`by_recursion`] | vertices and facets in any dimension, O(n^r) for rank r |
 //! | [`brute_force`] | all faces in any dimension, as sign vectors in rationals: the truth |
 
 pub mod brute_force;
+pub mod by_recursion;
 pub mod by_sweep;
 mod circles;
+mod counts;
 mod direction;
 mod lattice;
+mod measures;
 mod position;
 mod signs;
 mod slots;
@@ -19,7 +23,9 @@ mod tests;
 
 use thiserror::Error;
 
+pub(super) use counts::space_counts;
 pub use lattice::{Edge, FaceLattice, Facet, Vertex, Zone};
+pub use measures::Estimate;
 
 use super::Zonotope;
 use super::directions::Directions;

@@ -225,3 +225,65 @@ proptest! {
         }
     }
 }
+
+fn check_recursion<const D: usize>(generators: &[[f64; D]]) {
+    let truth = faces_by_dimension(generators);
+    let found = super::by_recursion::vertices_and_facets(generators);
+    assert_eq!(found.dimension, truth.len() - 1);
+    assert!(found.vertices.iter().eq(&truth[0]), "{found:?}");
+    if found.dimension > 0 {
+        assert!(found.facets.iter().eq(&truth[found.dimension - 1]));
+        assert_eq!(found.edge_count(), truth[1].len());
+    }
+    for (facet, &size) in found.facets.iter().zip(&found.facet_sizes) {
+        let on_facet = |v: &&SignVector| facet.iter().zip(*v).all(|(f, v)| f.is_eq() || f == v);
+        assert_eq!(found.vertices.iter().filter(on_facet).count(), size);
+    }
+}
+
+/// Zaslavsky: an arrangement of hyperplanes through the origin has as many cells as the sum of (−1)^(|S| − rank S) over subsets S of normals.
+fn cells_by_ranks<const D: usize>(vectors: &[[f64; D]]) -> i64 {
+    (0..1u32 << vectors.len())
+        .map(|subset| {
+            let chosen: Vec<[f64; D]> =
+                vectors.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, v)| *v).collect();
+            let rank = crate::zonotope::rank::independent_coordinates(&chosen).len();
+            if (chosen.len() - rank).is_multiple_of(2) { 1 } else { -1 }
+        })
+        .sum()
+}
+
+fn few_vectors<const D: usize>(most: usize) -> impl Strategy<Value = Vec<[f64; D]>> {
+    let vector = proptest::collection::vec(coordinate(), D).prop_map(|v| std::array::from_fn(|k| v[k]));
+    proptest::collection::vec(vector, 0..most)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn recursion_is_right_in_every_dimension(
+        line in few_vectors::<1>(5),
+        plane in few_vectors::<2>(8),
+        space in generators(),
+        four in few_vectors::<4>(8),
+        five in few_vectors::<5>(7),
+    ) {
+        check_recursion(&line);
+        check_recursion(&plane);
+        check_recursion(&space);
+        check_recursion(&four);
+        check_recursion(&five);
+    }
+
+    #[test]
+    fn vertices_are_as_many_as_zaslavsky_says(four in few_vectors::<4>(9), space in generators()) {
+        let four: Vec<[f64; 4]> = four.into_iter().filter(|v| *v != [0.0; 4]).collect();
+        let found = super::by_recursion::vertices_and_facets(&four);
+        prop_assert_eq!(found.vertices.len() as i64, cells_by_ranks(&four));
+        let space: Vec<[f64; 3]> = space.into_iter().filter(|v| *v != [0.0; 3]).collect();
+        if let Some(lattice) = lattice_of([0.0; 3], &space) {
+            prop_assert_eq!(lattice.vertex_count() as i64, cells_by_ranks(&space));
+        }
+    }
+}
