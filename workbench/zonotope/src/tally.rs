@@ -17,6 +17,8 @@ pub enum Operation {
     Turn,
     /// One point read by a pass over the points.
     PointRead,
+    /// One generator read and evaluated; divided by the number of generators: passes over the data.
+    GeneratorRead,
     /// One step of an outer search: a line search, a vertical line, a cell.
     SearchStep,
     /// One sign that floating point could not decide and exact arithmetic did.
@@ -25,8 +27,15 @@ pub enum Operation {
 
 impl Operation {
     /// All operations, in the order in which they are reported.
-    pub const ALL: [Self; 6] =
-        [Self::LineEvaluation, Self::Comparison, Self::Turn, Self::PointRead, Self::SearchStep, Self::ExactFallback];
+    pub const ALL: [Self; 7] = [
+        Self::LineEvaluation,
+        Self::Comparison,
+        Self::Turn,
+        Self::PointRead,
+        Self::GeneratorRead,
+        Self::SearchStep,
+        Self::ExactFallback,
+    ];
 
     /// The name used in records: lower-case words joined by underscores.
     pub fn name(self) -> &'static str {
@@ -35,6 +44,7 @@ impl Operation {
             Self::Comparison => "comparison",
             Self::Turn => "turn",
             Self::PointRead => "point_read",
+            Self::GeneratorRead => "generator_read",
             Self::SearchStep => "search_step",
             Self::ExactFallback => "exact_fallback",
         }

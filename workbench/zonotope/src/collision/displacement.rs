@@ -78,6 +78,13 @@ impl<'a, const D: usize> Displacement<'a, D> {
         Self { from: a.center(), to: b.center(), generators: [a.generators(), b.generators()] }
     }
 
+    /// The same question, if space is where it is asked. O(1).
+    pub(crate) fn in_space(&self) -> Option<Displacement<'a, 3>> {
+        let coordinates = |v: &[f64; D]| v.first_chunk::<3>().copied();
+        let generators = self.generators.map(|run| run.as_flattened().as_chunks::<3>().0);
+        (D == 3).then_some(Displacement { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators })
+    }
+
     /// Where the displacement starts.
     pub fn from(&self) -> [f64; D] {
         self.from

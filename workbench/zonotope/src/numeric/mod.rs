@@ -3,6 +3,7 @@
 //! | file | what it decides |
 //! |---|---|
 //! | `approximation` | values within a known error, to about 98 bits |
+//! | `bounded` | doubles with a bound on their error, for filters of a few operations |
 //! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
@@ -10,6 +11,7 @@
 //! | `vector` | vectors of space with exact coordinates |
 
 pub(crate) mod approximation;
+pub(crate) mod bounded;
 pub mod dyadic;
 pub mod exact_sum;
 pub mod orientation;

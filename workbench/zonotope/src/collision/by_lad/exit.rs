@@ -2,16 +2,18 @@
 
 use std::cmp::Ordering;
 
-use super::plane::PlaneProblem;
+use super::cell::Cell;
+use super::certain::Certain;
+use super::plane::{PlaneProblem, Vectors};
+use super::reduced::Reduced;
+use super::separation::separation;
 use super::sums::signed_sum;
-use crate::collision::{Displacement, Gauge, Location, Separation};
+use super::witness::Combination;
+use crate::collision::{Displacement, Location, Separation};
 use crate::lad::by_pruning;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, dot};
+use crate::numeric::vector::{ExactVector, cross, dot, exact, sum};
 use crate::tally::{Operation, Tally};
-
-use super::separation::separation;
-use super::witness::Combination;
 
 /// The seed of the kernel: it decides the time, never the answer.
 const SEED: u64 = 0x5a;
@@ -38,7 +40,8 @@ impl Exit {
     /// Solves the kernel problem of a question whose displacement p is not zero.
     pub(super) fn find(question: &Displacement<'_, 3>, p: &ExactVector, tally: &mut impl Tally) -> Self {
         tally.add(Operation::ExactFallback, 1);
-        let plane = PlaneProblem::new(question, p.clone());
+        tally.add(Operation::GeneratorRead, question.len() as u64);
+        let plane = PlaneProblem::new(Vectors::All(question), p.clone());
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
@@ -46,30 +49,83 @@ impl Exit {
         Self::new(question, p, direction, plane.signs(&optimum.certificate.signs), basis)
     }
 
-    pub(super) fn new(
+    /// Solves a reduced problem; none if its optimum is not proved to be in the cells.
+    pub(super) fn of_reduced(
+        question: &Displacement<'_, 3>,
+        p: &ExactVector,
+        reduced: &Reduced,
+        tally: &mut impl Tally,
+    ) -> Option<Self> {
+        tally.add(Operation::ExactFallback, 1);
+        tally.add(Operation::GeneratorRead, question.len() as u64);
+        let few = reduced.indices.iter().map(|&index| (index, 0));
+        let overrides = reduced.overrides.iter().copied().chain(few);
+        let mut signs = signs(question, reduced.cells.first(), overrides);
+        let rest = signed_sum(question.generators().copied().zip(signs.iter().copied()));
+        let plane = PlaneProblem::new(Vectors::Few(&reduced.vectors, rest.clone()), p.clone());
+        let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
+        let optimum = outcome.optimum()?;
+        let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
+        let own = plane.signs(&optimum.certificate.signs);
+        let (last, own) = own.split_last()?;
+        let is_inside = *last == 1 && reduced.cells.iter().all(|cell| cell.contains_exactly(&direction));
+        is_inside.then(|| {
+            for (&index, &sign) in reduced.indices.iter().zip(own) {
+                signs[index as usize] = sign;
+            }
+            let total = sum(&rest, &signed_sum(reduced.vectors.iter().copied().zip(own.iter().copied())));
+            let basis = optimum.certificate.basis.iter().map(|line| reduced.indices[line.position()] as usize);
+            Self::with_sum(p, direction, signs, basis.collect(), total)
+        })
+    }
+
+    /// An optimum that doubles proved.
+    pub(super) fn of_certain(
+        question: &Displacement<'_, 3>,
+        p: &ExactVector,
+        certain: &Certain,
+        cell: Option<&Cell>,
+    ) -> Self {
+        let [a, b] = certain.vectors.map(exact);
+        let direction = if certain.reversed { cross(&b, &a) } else { cross(&a, &b) };
+        let signs = signs(question, cell, certain.overrides.iter().copied());
+        Self::new(question, p, direction, signs, certain.basis.to_vec())
+    }
+
+    fn new(
         question: &Displacement<'_, 3>,
         p: &ExactVector,
         direction: ExactVector,
         signs: Vec<i8>,
+        basis: Vec<usize>,
+    ) -> Self {
+        let sum = signed_sum(question.generators().copied().zip(signs.iter().copied()));
+        Self::with_sum(p, direction, signs, basis, sum)
+    }
+
+    fn with_sum(
+        p: &ExactVector,
+        direction: ExactVector,
+        signs: Vec<i8>,
         mut basis: Vec<usize>,
+        sum: ExactVector,
     ) -> Self {
         basis.sort_unstable();
-        let sum = signed_sum(question.generators().copied().zip(signs.iter().copied()));
         let (reach, along) = (dot(&sum, &direction), dot(p, &direction));
         Self { direction, signs, basis, sum, reach, along }
     }
 
-    /// The gauge is 1 / λ = `along` / `reach`.
-    pub(super) fn gauge(&self, location: Location<3>) -> Gauge<3> {
+    /// The gauge `along` / `reach` with a bound for its error.
+    pub(super) fn value(&self) -> (f64, f64) {
         if self.reach.is_zero() {
-            return Gauge { value: f64::INFINITY, error: 0.0, location };
+            return (f64::INFINITY, 0.0);
         }
         let value = self.along.rounded_ratio(&self.reach);
         if value < f64::MAX {
             // half a unit in the last place, a little more, and a step where the value is denormal
-            Gauge { value, error: value * f64::EPSILON + f64::from_bits(1), location }
+            (value, value * f64::EPSILON + f64::from_bits(1))
         } else {
-            Gauge { value: f64::MAX, error: f64::INFINITY, location }
+            (f64::MAX, f64::INFINITY)
         }
     }
 
@@ -89,4 +145,16 @@ impl Exit {
     fn separation(&self, question: &Displacement<'_, 3>, p: &ExactVector) -> Separation<3> {
         separation(question, p, &self.direction, &self.basis)
     }
+}
+
+/// The signs of the dot products with the centre of a cell, but for some that are known to be others.
+fn signs(question: &Displacement<'_, 3>, cell: Option<&Cell>, overrides: impl Iterator<Item = (u32, i8)>) -> Vec<i8> {
+    let mut signs = match cell {
+        Some(cell) => question.generators().map(|v| cell.sign(v)).collect(),
+        None => vec![0; question.len()],
+    };
+    for (index, sign) in overrides {
+        signs[index as usize] = sign;
+    }
+    signs
 }

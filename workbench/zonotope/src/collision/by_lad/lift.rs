@@ -34,20 +34,23 @@ impl Prism {
 
     /// The answer for the body.
     pub(in crate::collision) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
-        let witness = |Witness { mut coefficients, mut basis }: Witness| {
-            coefficients.truncate(self.own);
-            basis.retain(|&generator| generator < self.own);
-            Witness { coefficients, basis }
-        };
-        match location {
-            Location::Inside(proof) => Location::Inside(witness(proof)),
-            Location::Boundary(proof) => Location::Boundary(witness(proof)),
-            Location::Outside(Separation::Rounded(u)) => {
-                Location::Outside(Separation::Rounded(array::from_fn(|i| u[i])))
-            }
-            Location::Outside(Separation::Exact(u)) => {
-                Location::Outside(Separation::Exact(array::from_fn(|i| u[i].clone())))
-            }
+        lowered(location, self.own)
+    }
+}
+
+/// The answer for a body with `own` generators, from that for its prism.
+pub(super) fn lowered<const D: usize>(location: Location<3>, own: usize) -> Location<D> {
+    let witness = |Witness { mut coefficients, mut basis }: Witness| {
+        coefficients.truncate(own);
+        basis.retain(|&generator| generator < own);
+        Witness { coefficients, basis }
+    };
+    match location {
+        Location::Inside(proof) => Location::Inside(witness(proof)),
+        Location::Boundary(proof) => Location::Boundary(witness(proof)),
+        Location::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
+        Location::Outside(Separation::Exact(u)) => {
+            Location::Outside(Separation::Exact(array::from_fn(|i| u[i].clone())))
         }
     }
 }

@@ -12,13 +12,19 @@
 //!
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lift`).
-//! 2. The generators as lines in exact coordinates of the plane (`plane`); the kernel finds the optimal u with coefficients
-//!    δ_i in [−1, 1], Σ δ_i v_i = λ p, where 1 / λ is the gauge (`exit`).
-//! 3. λ < 1: the direction u separates; it is rounded to doubles and checked exactly (`separation`).
-//! 4. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`witness`, `walk`).
+//! 2. The optimum of a sample with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all is likely
+//!    to be. Where that is all that is asked: does its centre separate? (`support`)
+//! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
+//!    are left with that sum make a problem (`reduced`) whose optimum, if it lies in the cell, is that of the whole.
+//! 4. The same again on those few, then exact descent from vertex to vertex (`descend`). Bounds on all rounding errors prove the
+//!    vertex (`certain`): u is optimal and Σ δ_i v_i = λ p with δ_i in [−1, 1], where 1 / λ is the gauge.
+//! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
+//!    in exact coordinates of the plane (`plane`, `exit`); where that does not help, the whole problem.
+//! 6. λ < 1: the direction u separates; it is rounded to doubles, which is proved to be enough (`facet`, `separation`).
+//! 7. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`facet`, `witness`, `walk`).
 //!
 //! # Complexity
-//! n generators: O(n) expected, space O(n).
+//! n generators: O(n) expected, with one pass over the generators and one for the proof of a member; space O(n).
 //!
 //! # Shapes
 //! `question`: n × D generators in two runs, any order, duplicates allowed.
@@ -47,22 +53,30 @@
 //! ```
 
 pub(super) mod basis;
+mod cell;
+mod certain;
+mod chart;
+mod descend;
 mod exit;
+mod facet;
 pub(super) mod lift;
 mod plane;
+mod reduced;
+mod search;
 pub(super) mod separation;
+mod smooth;
 pub(super) mod sums;
+mod support;
 mod walk;
 pub(super) mod witness;
+
+pub use facet::Facet;
 
 #[cfg(test)]
 mod tests;
 
-use self::basis::Basis;
-use self::exit::Exit;
-use self::lift::Prism;
-use super::{Displacement, Gauge, Location, Witness};
-use crate::numeric::vector::is_zero;
+use self::lift::{Prism, lowered};
+use super::{Displacement, Gauge, Location};
 use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
@@ -73,8 +87,13 @@ pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
 /// [`locate`], counting its operations.
 pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> Location<D> {
     const { assert!(D <= 3, "the kernel in the plane answers up to three dimensions") }
-    let prism = Prism::over(question);
-    prism.lower(locate_in_space(&prism.question(), tally))
+    match question.in_space() {
+        Some(question) => lowered(Facet::find(&question, true, tally).location(), question.len()),
+        None => {
+            let prism = Prism::over(question);
+            prism.lower(Facet::find(&prism.question(), true, tally).location())
+        }
+    }
 }
 
 /// The gauge of a displacement and where it lies.
@@ -85,34 +104,19 @@ pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Gauge<D> {
 /// [`gauge`], counting its operations.
 pub fn gauge_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> Gauge<D> {
     const { assert!(D <= 3, "the kernel in the plane answers up to three dimensions") }
-    let prism = Prism::over(question);
-    let Gauge { value, error, location } = gauge_in_space(&prism.question(), tally);
-    Gauge { value, error, location: prism.lower(location) }
+    let Gauge { value, error, location } = match question.in_space() {
+        Some(question) => Facet::find(&question, false, tally).gauge(),
+        None => Facet::find(&Prism::over(question).question(), false, tally).gauge(),
+    };
+    Gauge { value, error, location: lowered(location, question.len()) }
 }
 
-fn locate_in_space(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Location<3> {
-    let p = question.exact();
-    if is_zero(&p) {
-        return locate_center(question);
-    }
-    Exit::find(question, &p, tally).location(question, &p)
+/// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n) proof.
+pub fn facet<'q>(question: &'q Displacement<'q, 3>) -> Facet<'q> {
+    facet_counted(question, &mut ())
 }
 
-fn gauge_in_space(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Gauge<3> {
-    let p = question.exact();
-    if is_zero(&p) {
-        return Gauge { value: 0.0, error: 0.0, location: locate_center(question) };
-    }
-    let exit = Exit::find(question, &p, tally);
-    exit.gauge(exit.location(question, &p))
-}
-
-/// The centre is a member with all coefficients 0, inside just when the generators span space.
-fn locate_center(question: &Displacement<'_, 3>) -> Location<3> {
-    let witness = Witness { coefficients: vec![0.0; question.len()], basis: Vec::new() };
-    if Basis::spanning(question, Basis::new(Vec::new())).0.rank() == 3 {
-        Location::Inside(witness)
-    } else {
-        Location::Boundary(witness)
-    }
+/// [`facet`], counting its operations.
+pub fn facet_counted<'q>(question: &'q Displacement<'q, 3>, tally: &mut impl Tally) -> Facet<'q> {
+    Facet::find(question, false, tally)
 }

@@ -8,12 +8,13 @@
 //! a line whose coefficients are polynomials in the input: the data are not rotated. The objective of the kernel is
 //! |p_k| h(u), and u · p = 1 is kept exactly.
 
+use super::sums::signed_sum;
 use crate::collision::Displacement;
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
 use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
-use crate::numeric::vector::ExactVector;
+use crate::numeric::vector::{ExactVector, exact, multiple, sum};
 
 /// The coordinates of the plane for a displacement that is not zero.
 #[derive(Debug, Clone)]
@@ -23,16 +24,57 @@ pub(super) struct Plane {
     p: ExactVector,
 }
 
-/// The generators of a question as lines, normals and offsets each scaled by a power of two.
+/// The vectors of a kernel problem.
+#[derive(Debug)]
+pub(super) enum Vectors<'a> {
+    /// The generators of a question.
+    All(&'a Displacement<'a, 3>),
+    /// Some generators, and last the sum of all others with their signs.
+    Few(&'a [[f64; 3]], ExactVector),
+}
+
+/// Vectors as lines, normals and offsets each scaled by a power of two.
 #[derive(Debug)]
 struct GeneratorLines<'a> {
     plane: Plane,
-    question: &'a Displacement<'a, 3>,
+    vectors: Vectors<'a>,
     normal_scale: i64,
     offset_scale: i64,
 }
 
-/// The kernel problem of a question, and how its points are scaled.
+impl Vectors<'_> {
+    fn len(&self) -> usize {
+        match self {
+            Self::All(question) => question.len(),
+            Self::Few(vectors, _) => vectors.len() + 1,
+        }
+    }
+
+    fn get(&self, position: usize) -> ExactVector {
+        match self {
+            Self::All(question) => exact(question.generator(position)),
+            Self::Few(vectors, last) => vectors.get(position).map_or_else(|| last.clone(), |v| exact(*v)),
+        }
+    }
+
+    fn signed_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> ExactVector {
+        match self {
+            Self::All(question) => signed_sum(terms.map(|(position, sign)| (question.generator(position), sign))),
+            Self::Few(vectors, last) => {
+                let mut last_sign = 0;
+                let few = terms.filter_map(|(position, sign)| {
+                    let vector = vectors.get(position);
+                    last_sign += if vector.is_none() { sign } else { 0 };
+                    vector.map(|v| (*v, sign))
+                });
+                let few = signed_sum(few);
+                sum(&few, &multiple(&Dyadic::from_f64(f64::from(last_sign)), last))
+            }
+        }
+    }
+}
+
+/// A kernel problem, and how its points are scaled.
 pub(super) struct PlaneProblem<'a> {
     pub(super) problem: LadProblem<'a>,
     plane: Plane,
@@ -46,9 +88,8 @@ impl Plane {
         Self { axes, p }
     }
 
-    fn line(&self, v: [f64; 3]) -> ExactLine {
+    fn line(&self, v: &ExactVector) -> ExactLine {
         let [i, j, k] = self.axes;
-        let v = v.map(Dyadic::from_f64);
         let p = &self.p;
         let across = |axis: usize| &v[axis] * &p[k] - &v[k] * &p[axis];
         ExactLine { normal: [across(i), across(j)], offset: v[k].clone() }
@@ -72,14 +113,14 @@ impl Plane {
 }
 
 impl<'a> PlaneProblem<'a> {
-    /// The kernel problem of a question whose displacement p is not zero. O(n) exact operations.
-    pub(super) fn new(question: &'a Displacement<'a, 3>, p: ExactVector) -> Self {
+    /// The kernel problem of some vectors and a displacement p that is not zero. O(n) exact operations.
+    pub(super) fn new(vectors: Vectors<'a>, p: ExactVector) -> Self {
         let plane = Plane::new(p);
-        let leading = |v: &[f64; 3]| {
-            let ExactLine { normal: [x, y], offset } = plane.line(*v);
+        let leading = |position: usize| {
+            let ExactLine { normal: [x, y], offset } = plane.line(&vectors.get(position));
             [x, y, offset].map(|value| value.leading())
         };
-        let lines: Vec<[(f64, i64); 3]> = question.generators().map(leading).collect();
+        let lines: Vec<[(f64, i64); 3]> = (0..vectors.len()).map(leading).collect();
         let exponent = |(head, exponent): &(f64, i64)| (*head != 0.0).then_some(exponent + 63);
         let largest = |columns: &[usize]| {
             let values = lines.iter().flat_map(|line| columns.iter().filter_map(|&c| exponent(&line[c])));
@@ -91,7 +132,7 @@ impl<'a> PlaneProblem<'a> {
             let scaled = |c: usize, scale: i64| scale_by_power_of_two(line[c].0, line[c].1 - scale);
             columns.push([scaled(0, normal_scale), scaled(1, normal_scale), scaled(2, offset_scale)]);
         }
-        let exact = GeneratorLines { plane: plane.clone(), question, normal_scale, offset_scale };
+        let exact = GeneratorLines { plane: plane.clone(), vectors, normal_scale, offset_scale };
         let error = LineError { offset_relative: 2.0 * UNIT, offset_per_normal: 0.0 };
         let problem = LadProblem::from_exact_lines(columns, error, Box::new(exact));
         Self { problem, plane, point_scale: offset_scale - normal_scale }
@@ -113,14 +154,13 @@ impl PlaneProblem<'_> {
 
 impl ExactLines for GeneratorLines<'_> {
     fn line(&self, position: usize) -> ExactLine {
-        let ExactLine { normal, offset } = self.plane.line(self.question.generator(position));
+        let ExactLine { normal, offset } = self.plane.line(&self.vectors.get(position));
         ExactLine { normal: normal.map(|v| v.scaled(-self.normal_scale)), offset: offset.scaled(-self.offset_scale) }
     }
 
     /// By linearity in the generator: one line, that of the exact sum.
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
-        let signed = terms.map(|(position, sign)| (self.question.generator(position), sign));
-        let sum = super::sums::signed_sum(signed);
+        let sum = self.vectors.signed_sum(terms);
         let [i, j, k] = self.plane.axes;
         let p = &self.plane.p;
         let across = |axis: usize| (&sum[axis] * &p[k] - &sum[k] * &p[axis]).scaled(-self.normal_scale);

@@ -5,6 +5,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::*;
 use crate::collision::Separation;
+use crate::collision::verify::verify;
 use crate::numeric::Rational;
 
 type Vector = [Rational; 3];
@@ -238,6 +239,49 @@ fn agrees_with_the_definition_in_the_plane() {
 #[test]
 fn agrees_with_the_definition_on_the_line() {
     cross_all::<1>(3, 30);
+}
+
+/// Answers on many generators, which the definition would take too long for: every proof is checked, and that the body times the gauge,
+/// a little smaller or larger, does not hold the point or holds it.
+fn prove_all<const D: usize>(seed: u64, sizes: &[usize], rounds: usize) {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    for name in FAMILIES {
+        for &n in sizes {
+            let generators = family::<D>(name, n, &mut random);
+            for _ in 0..rounds {
+                let (from, to) = displacement(&generators, &mut random);
+                prove(name, &Displacement::new(from, to, &generators).expect("finite"));
+            }
+        }
+    }
+}
+
+fn prove<const D: usize>(name: &str, question: &Displacement<'_, D>) {
+    let located = locate(question);
+    assert_eq!(verify(question, &located), Ok(()), "{name} {}", question.len());
+    let Gauge { value, error, location } = gauge(question);
+    assert_eq!(verify(question, &location), Ok(()), "{name} {}", question.len());
+    assert_eq!(location.status(), located.status(), "{name} {}", question.len());
+    if error.is_finite() && value.is_finite() {
+        assert!(error <= 1e-9 * value + 1e-300, "{name} {}: {value} ± {error}", question.len());
+    }
+    // where rounding a point moves it by little in terms of the body
+    if ["random", "lattice", "bundles"].contains(&name) && value > 0.0 && question.from() == [0.0; D] {
+        let generators: Vec<[f64; D]> = question.generators().copied().collect();
+        for (factor, is_member) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+            let scaled = question.to().map(|c| c / value * factor);
+            let moved = Displacement::new([0.0; D], scaled, &generators).expect("finite");
+            let located = locate(&moved);
+            assert_eq!(located.is_member(), is_member, "{name} {}: {value} ± {error}", question.len());
+            assert_eq!(verify(&moved, &located), Ok(()), "{name} {}", question.len());
+        }
+    }
+}
+
+#[test]
+fn many_generators_are_answered_with_proofs() {
+    prove_all::<3>(4, &[12, 17, 40, 129, 300, 1000], 3);
+    prove_all::<2>(5, &[12, 40, 200], 2);
 }
 
 #[test]

@@ -1,0 +1,104 @@
+//! From a point to the vertex at which Σ |a x + b y + c| is least, along lines, in doubles.
+//!
+//! Each line search ends where the slope changes its sign, found by selection among the crossings ahead. What it ends in is checked by
+//! others; here rounding may at worst end the search at the wrong vertex.
+
+use super::smooth::Columns;
+
+/// The most line searches.
+const SEARCHES: usize = 60;
+
+/// A crossing of the searched line: where, and half of what the slope gains there.
+#[derive(Debug, Clone, Copy)]
+struct Crossing {
+    position: f64,
+    weight: f64,
+    line: usize,
+}
+
+/// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it.
+pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
+    let mut line = nearest(lines, start)?;
+    let mut point = start;
+    let mut ahead = Vec::with_capacity(lines.len());
+    for _ in 0..SEARCHES {
+        let (other, vertex) = search(lines, linear, line, point, &mut ahead)?;
+        point = vertex;
+        // the slope along the other line at the vertex, without the two lines through it
+        let [mut gx, mut gy] = linear;
+        for i in (0..lines.len()).filter(|&i| i != line && i != other) {
+            let (a, b) = (lines.a[i], lines.b[i]);
+            let sign = f64::copysign(1.0, a * point[0] + b * point[1] + lines.c[i]);
+            gx += sign * a;
+            gy += sign * b;
+        }
+        let (dx, dy) = (-lines.b[other], lines.a[other]);
+        let turn = (lines.a[line] * dx + lines.b[line] * dy).abs();
+        if (gx * dx + gy * dy).abs() <= turn {
+            return Some([line, other]);
+        }
+        line = other;
+    }
+    None
+}
+
+fn nearest(lines: &Columns, [x, y]: [f64; 2]) -> Option<usize> {
+    let distance = |i: usize| {
+        let (a, b) = (lines.a[i], lines.b[i]);
+        let value = a * x + b * y + lines.c[i];
+        value * value / (a * a + b * b)
+    };
+    let lines = (0..lines.len()).map(|i| (distance(i), i)).filter(|(d, _)| d.is_finite());
+    lines.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
+}
+
+/// The minimum along a line: the line that crosses it there, and where.
+fn search(
+    lines: &Columns,
+    linear: [f64; 2],
+    line: usize,
+    [x, y]: [f64; 2],
+    ahead: &mut Vec<Crossing>,
+) -> Option<(usize, [f64; 2])> {
+    let (a, b) = (lines.a[line], lines.b[line]);
+    let off = (a * x + b * y + lines.c[line]) / (a * a + b * b);
+    let foot = [x - off * a, y - off * b];
+    let (mut dx, mut dy) = (-b, a);
+    let mut slope = linear[0] * dx + linear[1] * dy;
+    for i in (0..lines.len()).filter(|&i| i != line) {
+        let value = lines.a[i] * foot[0] + lines.b[i] * foot[1] + lines.c[i];
+        slope += f64::copysign(1.0, value) * (lines.a[i] * dx + lines.b[i] * dy);
+    }
+    if slope > 0.0 {
+        (dx, dy, slope) = (-dx, -dy, -slope);
+    }
+    ahead.clear();
+    for i in (0..lines.len()).filter(|&i| i != line) {
+        let value = lines.a[i] * foot[0] + lines.b[i] * foot[1] + lines.c[i];
+        let rate = lines.a[i] * dx + lines.b[i] * dy;
+        // the sign that the slope was summed up with, also where the value is zero
+        if f64::copysign(1.0, value) * rate < 0.0 {
+            ahead.push(Crossing { position: -value / rate, weight: rate.abs(), line: i });
+        }
+    }
+    let found = select(ahead, -slope / 2.0)?;
+    Some((found.line, [foot[0] + found.position * dx, foot[1] + found.position * dy]))
+}
+
+/// The first crossing at which the weights up to it reach `target`; the last one if they never do.
+fn select(crossings: &mut [Crossing], target: f64) -> Option<Crossing> {
+    let mut range = crossings;
+    let mut missing = target;
+    while range.len() > 1 {
+        let middle = (range.len() - 1) / 2;
+        range.select_nth_unstable_by(middle, |a, b| a.position.total_cmp(&b.position).then(a.line.cmp(&b.line)));
+        let below: f64 = range[..=middle].iter().map(|c| c.weight).sum();
+        if below >= missing {
+            range = &mut range[..=middle];
+        } else {
+            missing -= below;
+            range = &mut range[middle + 1..];
+        }
+    }
+    range.first().copied()
+}

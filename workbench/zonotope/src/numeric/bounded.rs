@@ -1,0 +1,139 @@
+//! Doubles with a bound on their distance from an exact value, for filters of a few operations.
+//!
+//! Each operation adds its own rounding: u = 2^-53 times the result, and less than 2^-1000 for underflow. The bounds themselves are sums and
+//! products of a few rounded terms that are not negative, which [`SLACK`] covers. Overflow makes a bound infinite or NaN, and
+//! every certain comparison false.
+
+use std::ops::{Add, Mul, Sub};
+
+use super::tolerance::UNIT;
+
+/// Covers five roundings in the computation of a bound.
+const SLACK: f64 = 1.0 + 8.0 * UNIT;
+
+/// Covers the underflow of one operation.
+const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+
+/// An exact value within `error` of `value`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bounded {
+    pub(crate) value: f64,
+    pub(crate) error: f64,
+}
+
+/// A vector of such values.
+pub(crate) type BoundedVector = [Bounded; 3];
+
+impl Bounded {
+    /// A double that is the exact value.
+    #[inline]
+    pub(crate) fn exact(value: f64) -> Self {
+        Self { value, error: 0.0 }
+    }
+
+    /// Whether the exact value is certainly positive.
+    #[inline]
+    pub(crate) fn is_positive(self) -> bool {
+        self.value > self.error
+    }
+
+    /// Whether the exact value is certainly smaller in magnitude than another, which is certainly positive.
+    #[inline]
+    pub(crate) fn is_within(self, limit: Self) -> bool {
+        (self.value.abs() + self.error) * SLACK < (limit.value - limit.error) * (2.0 - SLACK)
+    }
+
+    /// The sign of the exact value if it is certain and not zero.
+    #[inline]
+    pub(crate) fn sign(self) -> Option<i8> {
+        (self.value.abs() > self.error).then_some(if self.value > 0.0 { 1 } else { -1 })
+    }
+
+    /// A bound for the exact value's magnitude.
+    #[inline]
+    pub(crate) fn magnitude(self) -> f64 {
+        (self.value.abs() + self.error) * SLACK
+    }
+
+    /// The opposite value.
+    #[inline]
+    pub(crate) fn negated(self) -> Self {
+        Self { value: -self.value, error: self.error }
+    }
+}
+
+impl Add for Bounded {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let value = self.value + other.value;
+        Self { value, error: (self.error + other.error + UNIT * value.abs()) * SLACK }
+    }
+}
+
+impl Sub for Bounded {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        let value = self.value - other.value;
+        Self { value, error: (self.error + other.error + UNIT * value.abs()) * SLACK }
+    }
+}
+
+impl Mul for Bounded {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let value = self.value * other.value;
+        let carried = self.value.abs() * other.error + (other.value.abs() + other.error) * self.error;
+        Self { value, error: (carried + UNIT * value.abs()) * SLACK + TINY }
+    }
+}
+
+/// a · b.
+#[inline]
+pub(crate) fn dot(a: &BoundedVector, b: &BoundedVector) -> Bounded {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// a × b.
+#[inline]
+pub(crate) fn cross(a: &BoundedVector, b: &BoundedVector) -> BoundedVector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// A vector of doubles.
+#[inline]
+pub(crate) fn exact(v: [f64; 3]) -> BoundedVector {
+    v.map(Bounded::exact)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::dyadic::Dyadic;
+    use crate::numeric::vector;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn bounds_hold(bits in proptest::array::uniform9(any::<u64>()), small in any::<bool>()) {
+            let value = |bits: u64| {
+                let v = f64::from_bits(bits);
+                if !v.is_finite() { 0.5 } else if small { v % 8.0 } else { v }
+            };
+            let rows: [[f64; 3]; 3] = [0, 3, 6].map(|i| [0, 1, 2].map(|k| value(bits[i + k])));
+            let [a, b, c] = rows.map(exact);
+            let rounded = dot(&cross(&a, &b), &c);
+            let [a, b, c] = rows.map(vector::exact);
+            let truth = vector::dot(&vector::cross(&a, &b), &c);
+            if rounded.error.is_finite() && rounded.value.is_finite() {
+                let off = (truth.clone() - Dyadic::from_f64(rounded.value)).abs();
+                prop_assert!(off <= Dyadic::from_f64(rounded.error));
+                if let Some(sign) = rounded.sign() {
+                    prop_assert_eq!(sign, truth.sign() as i8);
+                }
+            }
+        }
+    }
+}
