@@ -11,7 +11,8 @@
 //! | [`by_slope_selection`] | O(n log² n) expected | the paper's search (Theorem 4.5) |
 //! | [`by_pruning`] | O(n) expected | the default |
 //!
-//! [`line_fit`] is the kernel as a statistician knows it: the line of least absolute deviations through points.
+//! [`line_fit`] is the kernel as a statistician knows it: the line of least absolute deviations through points;
+//! [`in_space`] is the same problem in three variables.
 //!
 //! Every method but the truth returns a minimiser named by its defining lines with a certificate that
 //! [`verify`] checks on its own.
@@ -24,6 +25,7 @@ mod cell;
 mod cone;
 mod decide;
 mod exact_lines;
+pub mod in_space;
 mod instance;
 pub mod line_fit;
 mod line_search;

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::IBig;
-use dashu_int::ops::{BitTest, UnsignedAbs};
+use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
 use dashu_ratio::RBig;
 
 /// An exact number mantissa · 2^exponent.
@@ -109,6 +109,24 @@ impl Dyadic {
     pub fn to_f64(&self) -> f64 {
         let (head, exponent) = self.leading();
         scale_by_power_of_two(head, exponent)
+    }
+}
+
+/// Divides numbers by what they have in common, a positive number: their ratios and signs stay, their digits become few.
+pub fn remove_common_factor(numbers: &mut [Dyadic]) {
+    let lowest = numbers.iter().filter(|v| !v.is_zero()).map(|v| v.exponent).min();
+    let Some(lowest) = lowest else { return };
+    for v in numbers.iter_mut() {
+        let lift = if v.is_zero() { 0 } else { (v.exponent - lowest) as usize };
+        *v = Dyadic::new(v.mantissa.clone() << lift, 0);
+    }
+    let common = numbers.iter().filter(|v| !v.is_zero()).fold(IBig::ZERO, |gcd, v| match gcd == IBig::ZERO {
+        true => v.mantissa.clone(),
+        false => IBig::from((&gcd).gcd(&v.mantissa)),
+    });
+    let common = IBig::from(common.unsigned_abs());
+    if common != IBig::ONE {
+        numbers.iter_mut().for_each(|v| v.mantissa = &v.mantissa / &common);
     }
 }
 
@@ -234,6 +252,18 @@ mod tests {
         assert!(((&huge * &huge).ratio(&huge) / f64::MAX - 1.0).abs() < 1e-15);
         assert_eq!((&huge * &huge).to_f64(), f64::INFINITY);
         assert!(tiny.ratio(&Dyadic::zero()).is_nan());
+    }
+
+    #[test]
+    fn ratios_outlive_the_common_factor() {
+        let mut numbers = [0.0, -0.75, 1.5, 9e-300].map(Dyadic::from_f64);
+        let ratio = numbers[3].ratio(&numbers[1]);
+        remove_common_factor(&mut numbers);
+        assert!(numbers[0].is_zero() && numbers[2] == -(&numbers[1] + &numbers[1]));
+        assert_eq!(numbers[3].ratio(&numbers[1]), ratio);
+        let mut few = [6.0, -9.0].map(Dyadic::from_f64);
+        remove_common_factor(&mut few);
+        assert_eq!(few, [2.0, -3.0].map(Dyadic::from_f64));
     }
 
     proptest! {

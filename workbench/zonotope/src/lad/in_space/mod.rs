@@ -1,0 +1,35 @@
+//! The kernel in three variables: weighted least absolute deviations in space.
+//!
+//! Minimise linear · x + Σ w_i |a_i · x + b_i| over x in space, w_i ≥ 0. Membership in a zonotope of R^4 reduces to it, and with
+//! that the intersection of space-time zonotopes, which the paper leaves open.
+//!
+//! | method | cost for n planes | what it is |
+//! |---|---|---|
+//! | [`brute_force`] | O(n⁴), exact rationals | the truth |
+//! | [`by_line_search`] (default) | O(n) a step, few steps | exact descent along the arrangement's edges by weighted medians |
+//!
+//! Every optimum carries a certificate that [`verify`] checks on its own.
+
+pub mod brute_force;
+pub mod by_line_search;
+mod instance;
+mod line_search;
+mod outcome;
+mod problem;
+mod vector4;
+pub mod verify;
+mod vertex;
+
+pub use by_line_search::{minimize, minimize_counted};
+pub use outcome::{SpaceCertificate, SpaceOptimum, SpaceOutcome};
+pub use problem::{SpaceLadError, SpaceLadProblem, WeightedPlane};
+
+/// What the search is made of, for problems whose planes are not given as such.
+pub(crate) mod homogeneous {
+    pub(crate) use super::by_line_search::{Descent, descend};
+    pub(crate) use super::instance::{Instance, Source};
+    pub(crate) use super::vector4::{Vector4, dot4};
+}
+
+#[cfg(test)]
+mod tests;
