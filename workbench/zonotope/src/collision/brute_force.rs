@@ -50,7 +50,9 @@ mod span;
 
 use std::cmp::Ordering;
 
-use span::{Span, combination, dot, normals};
+pub(super) use coefficients::through_facet;
+pub(super) use span::Span;
+use span::{dot, normals};
 
 use super::displacement::Displacement;
 use super::gauge::Gauge;
@@ -58,7 +60,7 @@ use super::location::{Location, Separation};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 
-type Vector = Vec<Dyadic>;
+pub(super) type Vector = Vec<Dyadic>;
 
 /// Where the displacement lies, with a proof.
 pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
@@ -66,12 +68,12 @@ pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
     let span = Span::of(&generators, D);
     if let Some(direction) = span.direction_to(&point) {
-        return Location::Outside(separation(question, &direction));
+        return Location::Outside(Separation::near(question, &array(direction)));
     }
     let tightest = Tightest::of(&span.project(&point), &span.project_all(&generators));
     let order = tightest.along_point.cmp(&tightest.along_zonotope);
     if order == Ordering::Greater {
-        return Location::Outside(separation(question, &span.lift(&tightest.normal)));
+        return Location::Outside(Separation::near(question, &array(span.lift(&tightest.normal))));
     }
     let witness = coefficients::witness(&point, &generators);
     if order == Ordering::Less && span.rank() == D { Location::Inside(witness) } else { Location::Boundary(witness) }
@@ -101,12 +103,12 @@ pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Gauge<D> {
 }
 
 /// The normal that bounds the gauge from below best, with the support values on both sides.
-struct Tightest {
-    normal: Vector,
+pub(super) struct Tightest {
+    pub(super) normal: Vector,
     /// normal · p, not negative.
-    along_point: Dyadic,
+    pub(super) along_point: Dyadic,
     /// Σ |normal · g_i|, positive.
-    along_zonotope: Dyadic,
+    pub(super) along_zonotope: Dyadic,
 }
 
 impl Tightest {
@@ -133,21 +135,8 @@ impl Tightest {
     }
 }
 
-/// The direction as doubles if they separate, too, else as it is.
-fn separation<const D: usize>(question: &Displacement<'_, D>, direction: &[Dyadic]) -> Separation<D> {
-    let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
-    let scaled = |i: usize| direction[i].clone().scaled(-largest);
-    let rounded: [f64; D] = std::array::from_fn(|i| scaled(i).to_f64());
-    let exact: Vector = rounded.iter().map(|&v| Dyadic::from_f64(v)).collect();
-    let reach = question.generators().fold(Dyadic::zero(), |sum, g| {
-        let along = combination(&exact, g);
-        sum + along.abs()
-    });
-    if dot(&exact, &question.exact()) > reach {
-        Separation::Rounded(rounded)
-    } else {
-        Separation::Exact(std::array::from_fn(|i| scaled(i).to_rational()))
-    }
+fn array<const D: usize>(vector: Vector) -> [Dyadic; D] {
+    vector.try_into().expect("the vector has D coordinates")
 }
 
 #[cfg(test)]

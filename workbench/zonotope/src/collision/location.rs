@@ -1,6 +1,8 @@
 //! The answer to a [`Displacement`](super::Displacement), with its proof.
 
+use super::displacement::Displacement;
 use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
 
 /// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +33,23 @@ pub enum Separation<const D: usize> {
     Rounded([f64; D]),
     /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit.
     Exact([Rational; D]),
+}
+
+impl<const D: usize> Separation<D> {
+    /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
+    pub(super) fn near(question: &Displacement<'_, D>, direction: &[Dyadic; D]) -> Self {
+        let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+        let scaled = direction.clone().map(|v| v.scaled(-largest));
+        let rounded = scaled.clone().map(|v| v.to_f64());
+        let along =
+            |v: &[Dyadic; D]| v.iter().zip(rounded).fold(Dyadic::zero(), |s, (a, b)| s + a * &Dyadic::from_f64(b));
+        let reach = question.generators().fold(Dyadic::zero(), |s, g| s + along(&g.map(Dyadic::from_f64)).abs());
+        if along(&question.exact()) > reach {
+            Self::Rounded(rounded)
+        } else {
+            Self::Exact(scaled.map(|v| v.to_rational()))
+        }
+    }
 }
 
 impl<const D: usize> Location<D> {

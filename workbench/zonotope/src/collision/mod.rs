@@ -11,18 +11,29 @@
 //! |---|---|---|---|
 //! | [`by_lad`] (default) | 1 to 3 | O(n) expected | the kernel on the plane of directions with u · p = 1 |
 //! | [`by_slope_selection`] | 1 to 3 | O(n log² n) expected | the paper's search over separators (Theorem 5.2) |
+//! | [`by_lad_in_r4`] | 4 | O(n) a step, few steps | the kernel in three variables |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
+//! | [`by_explicit_faces`] | 1 to 3 | Ω(n²) | every facet of the explicit body |
+//! | [`by_gjk`] | any D | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
+//! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
 //! [`verify`] checks an answer exactly and shares nothing with the methods.
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
 pub mod brute_force;
+pub mod by_explicit_faces;
+pub mod by_gjk;
 pub mod by_lad;
+pub mod by_lad_in_r4;
+#[cfg(feature = "linear-programming")]
+pub mod by_linear_program;
 pub mod by_slope_selection;
 mod displacement;
 mod gauge;
 mod location;
+mod settling;
+mod solving;
 pub mod verify;
 
 pub use by_lad::{gauge, locate};

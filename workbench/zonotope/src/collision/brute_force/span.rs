@@ -5,7 +5,7 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 
 /// The span of vectors of R^D, as the rows of a reduced echelon form.
-pub(super) struct Span {
+pub(in crate::collision) struct Span {
     /// Row k is 1 at `axes[k]` and 0 at the other axes.
     rows: Vec<Vec<Rational>>,
     axes: Vec<usize>,
@@ -13,7 +13,7 @@ pub(super) struct Span {
 }
 
 impl Span {
-    pub(super) fn of(vectors: &[Vector], dimension: usize) -> Self {
+    pub(in crate::collision) fn of(vectors: &[Vector], dimension: usize) -> Self {
         let mut span = Self { rows: Vec::new(), axes: Vec::new(), dimension };
         for vector in vectors {
             let mut left = span.residual(vector);
@@ -30,7 +30,7 @@ impl Span {
         span
     }
 
-    pub(super) fn rank(&self) -> usize {
+    pub(in crate::collision) fn rank(&self) -> usize {
         self.axes.len()
     }
 
@@ -48,7 +48,7 @@ impl Span {
     ///
     /// With j a coordinate of the residual that is not 0, e_j − Σ_k row_k[j] e_axis(k) is orthogonal to each row, and its product
     /// with the vector is that coordinate.
-    pub(super) fn direction_to(&self, vector: &Vector) -> Option<Vector> {
+    pub(in crate::collision) fn direction_to(&self, vector: &Vector) -> Option<Vector> {
         let left = self.residual(vector);
         let j = left.iter().position(|v| *v != Rational::ZERO)?;
         let sign = if left[j] < Rational::ZERO { Rational::NEG_ONE } else { Rational::ONE };
@@ -61,6 +61,11 @@ impl Span {
             direction.iter().fold(Rational::ONE, |product, v| product * Rational::from(v.denominator().clone()));
         let integer = |v: Rational| Dyadic::new((v * &common).numerator().clone(), 0);
         Some(direction.into_iter().map(integer).collect())
+    }
+
+    /// The coordinates that the axes determine: the span holds no vector but 0 in which only these are not 0.
+    pub(in crate::collision) fn other_axes(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.dimension).filter(|axis| !self.axes.contains(axis))
     }
 
     /// The coordinates on the axes: they determine a member of the span.
@@ -133,9 +138,4 @@ fn determinant(rows: &[&Vector], columns: &[usize]) -> Dyadic {
 
 pub(super) fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
     a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b)
-}
-
-/// The product with a vector of doubles.
-pub(super) fn combination(direction: &[Dyadic], vector: &[f64]) -> Dyadic {
-    direction.iter().zip(vector).fold(Dyadic::zero(), |sum, (a, &b)| sum + a * &Dyadic::from_f64(b))
 }

@@ -1,0 +1,58 @@
+//! From rational coefficients of a member to a witness, whose coefficients off the basis are doubles.
+
+use super::location::Witness;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+
+/// The witness of exact coefficients in [−1, 1]. They are moved along dependences of the generators until those that no double says belong
+/// to independent generators, the basis; each move takes one of them to −1 or 1. O(n) eliminations.
+pub(super) fn settle(mut coefficients: Vec<Rational>, generator: impl Fn(usize) -> Vec<Rational>) -> Witness {
+    let is_double = |c: &Rational| Dyadic::from_f64(c.to_f64().value()).to_rational() == *c;
+    let mut basis: Vec<usize> = Vec::new();
+    for i in 0..coefficients.len() {
+        if is_double(&coefficients[i]) {
+            continue;
+        }
+        basis.push(i);
+        let members: Vec<Vec<Rational>> = basis.iter().map(|&b| generator(b)).collect();
+        let Some(dependence) = dependence(&members) else { continue };
+        // The longest step in the direction of the dependence that stays in [−1, 1].
+        let room = |(&b, rate): (&usize, &Rational)| {
+            let end = if *rate > Rational::ZERO { Rational::ONE } else { Rational::NEG_ONE };
+            (*rate != Rational::ZERO).then(|| (end - &coefficients[b]) / rate)
+        };
+        let step =
+            basis.iter().zip(&dependence).filter_map(room).min().expect("a dependence has a member that is not 0");
+        for (&b, rate) in basis.iter().zip(&dependence) {
+            coefficients[b] += &step * rate;
+        }
+        basis.retain(|&b| !is_double(&coefficients[b]));
+    }
+    let coefficients = coefficients.iter().map(|c| c.to_f64().value().clamp(-1.0, 1.0)).collect();
+    Witness { coefficients, basis }
+}
+
+/// The dependence of vectors all but the last of which are independent: Σ c_k vector_k = 0, c ≠ 0; `None` when all are.
+fn dependence(vectors: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+    let count = vectors.len();
+    let dimension = vectors.first().map_or(0, |v| v.len());
+    // One row for each coordinate: the vectors are the columns.
+    let mut rows: Vec<Vec<Rational>> = (0..dimension).map(|j| vectors.iter().map(|v| v[j].clone()).collect()).collect();
+    for column in 0..count {
+        let Some(found) = (column..dimension).find(|&row| rows[row][column] != Rational::ZERO) else {
+            // Only the last column can be without a pivot.
+            let mut dependence: Vec<Rational> = rows[..column].iter().map(|row| -&row[column]).collect();
+            dependence.push(Rational::ONE);
+            return Some(dependence);
+        };
+        rows.swap(column, found);
+        let pivot = rows[column][column].clone();
+        rows[column].iter_mut().for_each(|v| *v /= &pivot);
+        let reduced = rows[column].clone();
+        for row in rows.iter_mut().enumerate().filter(|(r, _)| *r != column).map(|(_, row)| row) {
+            let factor = row[column].clone();
+            row.iter_mut().zip(&reduced).for_each(|(a, b)| *a -= &factor * b);
+        }
+    }
+    None
+}
