@@ -40,6 +40,17 @@ pub enum GeneratorError {
     },
 }
 
+impl GeneratorError {
+    /// Refuses generators that are not finite or too many.
+    pub(crate) fn check(generators: &[[f64; 3]]) -> Result<(), Self> {
+        let coordinates = generators.as_flattened();
+        if let Some(at) = coordinates.iter().position(|value| !value.is_finite()) {
+            return Err(Self::NonFinite { generator: at / 3, coordinate: at % 3, value: coordinates[at] });
+        }
+        u32::try_from(generators.len()).map(|_| ()).map_err(|_| Self::TooMany { count: generators.len() })
+    }
+}
+
 /// The lines of generators of R^3; a line has the index of its generator.
 #[derive(Debug)]
 pub struct DualArrangement<'a> {
@@ -75,13 +86,7 @@ impl<'a> DualArrangement<'a> {
     /// # Errors
     /// [`GeneratorError`] on the first coordinate that is not finite, or too many generators.
     pub fn new(generators: &'a [[f64; 3]]) -> Result<Self, GeneratorError> {
-        if u32::try_from(generators.len()).is_err() {
-            return Err(GeneratorError::TooMany { count: generators.len() });
-        }
-        let coordinates = generators.as_flattened();
-        if let Some(at) = coordinates.iter().position(|value| !value.is_finite()) {
-            return Err(GeneratorError::NonFinite { generator: at / 3, coordinate: at % 3, value: coordinates[at] });
-        }
+        GeneratorError::check(generators)?;
         Ok(Self::of_runs([generators, &[]], [0, 1, 2], &mut ()))
     }
 

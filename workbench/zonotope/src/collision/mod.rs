@@ -17,6 +17,7 @@
 //! | [`by_gjk`] | any D | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
+//! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of the plane.
 //! [`verify`] checks an answer exactly and shares nothing with the methods.
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
@@ -34,6 +35,7 @@ mod gauge;
 mod location;
 mod settling;
 mod solving;
+pub mod upper_hull;
 pub mod verify;
 
 pub use by_lad::{gauge, locate};

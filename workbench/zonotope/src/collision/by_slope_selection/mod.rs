@@ -86,6 +86,7 @@ use super::by_lad::separation::separation;
 use super::{Displacement, Location, Separation, Witness};
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
+use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::ExactSum;
 use crate::numeric::vector::{ExactVector, cross, exact, is_zero, negated};
@@ -115,6 +116,15 @@ pub fn trace(question: &Displacement<'_, 3>, seed: u64) -> Trace {
     Trace { location, steps: course.steps, tiles: course.tiles, swapped: search.axes != UNCHANGED }
 }
 
+/// Where the upper hull is over the projection of p: how high, exactly, or a level direction u with u · p > h(u) where it is not.
+pub(super) fn height_of_upper_hull(
+    question: &Displacement<'_, 3>,
+    seed: u64,
+    tally: &mut impl Tally,
+) -> Result<Rational, [f64; 3]> {
+    Search::new(question, tally).height(seed, tally)
+}
+
 const UNCHANGED: [usize; 3] = [0, 1, 2];
 const SWAPPED: [usize; 3] = [1, 0, 2];
 
@@ -142,11 +152,10 @@ impl<'a> Search<'a> {
         if self.dual.slanted.is_empty() {
             return self.locate_on_axis();
         }
-        let (start, end) = (self.question.from(), self.question.to());
-        let target = Target { start: self.axes.map(|axis| start[axis]), end: self.axes.map(|axis| end[axis]) };
-        let shadow = Shadow::of(&target, &self.dual);
+        let target = self.target();
+        let shadow = self.shadow();
         if let Shadow::Outside(u) = shadow {
-            return Location::Outside(Separation::Rounded(self.axes.map(|axis| u[axis])));
+            return Location::Outside(Separation::Rounded(u));
         }
         let mut random = Pcg64Mcg::seed_from_u64(seed);
         let mut footing = |hull, target: Target| {
@@ -170,12 +179,44 @@ impl<'a> Search<'a> {
         if is_inside { Location::Inside(witness) } else { Location::Boundary(witness) }
     }
 
+    fn target(&self) -> Target {
+        let (start, end) = (self.question.from(), self.question.to());
+        Target { start: self.axes.map(|axis| start[axis]), end: self.axes.map(|axis| end[axis]) }
+    }
+
+    /// Where p_0 lies relative to Q, when some generator has a line.
+    fn shadow(&self) -> Shadow {
+        match Shadow::of(&self.target(), &self.dual) {
+            Shadow::Outside(u) => Shadow::Outside(self.axes.map(|axis| u[axis])),
+            inner => inner,
+        }
+    }
+
+    fn height(&self, seed: u64, tally: &mut impl Tally) -> Result<Rational, [f64; 3]> {
+        if self.dual.slanted.is_empty() {
+            return match (0..2).find(|&axis| !self.p[axis].is_zero()) {
+                Some(side) => Err(self.toward(side)),
+                None => Ok(self.half_length_on_axis().to_rational()),
+            };
+        }
+        if let Shadow::Outside(u) = self.shadow() {
+            return Err(u);
+        }
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let footing = Footing::search(&self.target(), &self.dual, &mut random, tally, &mut |_| ());
+        Ok(self.p[2].to_rational() + footing.depth.to_rational() / footing.normal[2].to_rational())
+    }
+
+    fn half_length_on_axis(&self) -> Dyadic {
+        let mut length = ExactSum::default();
+        self.dual.poles.iter().for_each(|pole| length.add(pole.vector[2]));
+        length.value()
+    }
+
     /// The answer when no generator has a line: Z is a vertical segment, or the origin.
     fn locate_on_axis(&self) -> Location<3> {
         let Some(side) = (0..2).find(|&axis| !self.p[axis].is_zero()) else {
-            let mut length = ExactSum::default();
-            self.dual.poles.iter().for_each(|pole| length.add(pole.vector[2]));
-            let (length, z) = (length.value(), &self.p[2]);
+            let (length, z) = (self.half_length_on_axis(), &self.p[2]);
             if z.clone().abs() > length {
                 return Location::Outside(Separation::Rounded(self.toward(2)));
             }

@@ -1,0 +1,69 @@
+//! The height of the upper hull over a point, by the kernel: the least of a sum of absolute values.
+//!
+//! # Statement
+//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a direction that
+//! separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none included.
+//!
+//! # Source
+//! Beyond the paper, which searches the tile of p_0. The duality is its own: (x, y, 1) is the normal of a facet.
+//!
+//! # Method
+//! 1. Minimise Σ |a_i x + b_i y + c_i| − (x, y) · p_0 over the plane ([`lad`](crate::lad)).
+//! 2. The minimum is the height. If there is none, the direction in which the objective falls for ever separates.
+//!
+//! # Complexity
+//! n generators: expected O(n); space O(n).
+//!
+//! # Shapes
+//! `generators`: n × 3, any order, duplicates allowed; `p0`: x first.
+//!
+//! # Numerics
+//! Exact.
+//!
+//! # Errors
+//! [`HeightError`] ⇔ a coordinate is not finite, or n exceeds 32 bits.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force) and [`by_slope_selection`](super::by_slope_selection).
+//!
+//! # Example
+//! ```
+//! use zonotope::collision::upper_hull::{Height, by_kernel};
+//! // the cube [−1, 1]³ with a slanted segment: its top goes up by a unit from x = −1 to x = 1
+//! let generators = [[1.0, 0.0, 0.5], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! assert_eq!(by_kernel::height(&generators, [0.0, 0.25]).unwrap(), Height::OverQ(1.into()));
+//! assert_eq!(by_kernel::height(&generators, [1.0, -1.0]).unwrap(), Height::OverQ("3/2".parse().unwrap()));
+//! assert!(matches!(by_kernel::height(&generators, [1.5, 0.0]).unwrap(), Height::BesideQ(_)));
+//! ```
+
+use super::{Height, HeightError, validate};
+use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize_counted};
+use crate::tally::Tally;
+
+/// The seed of the kernel: it decides the time, never the height.
+const SEED: u64 = 0;
+
+/// The height of the upper hull over a point.
+///
+/// # Errors
+/// [`HeightError`] names the first coordinate that is not finite.
+pub fn height(generators: &[[f64; 3]], p0: [f64; 2]) -> Result<Height, HeightError> {
+    height_counted(generators, p0, &mut ())
+}
+
+/// [`height`], counting its operations.
+///
+/// # Errors
+/// [`HeightError`] names the first coordinate that is not finite.
+pub fn height_counted(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Tally) -> Result<Height, HeightError> {
+    validate(generators, p0)?;
+    let lines: Vec<WeightedLine> = generators.iter().map(|&[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
+    let problem = LadProblem::new(&lines, p0.map(|c| -c)).expect("the coordinates are finite, weights are 1");
+    Ok(match minimize_counted(&problem, SEED, tally) {
+        LadOutcome::Optimal(optimum) => Height::OverQ(optimum.exact_value(&problem)),
+        LadOutcome::Unbounded { direction } => Height::BesideQ(direction.map(|c| c.to_rational())),
+    })
+}

@@ -1,0 +1,59 @@
+//! Problem: how high the upper hull of a zonotope in space is over a point of the plane (Section 5.1).
+//!
+//! Z = { Σ δ_i v_i : |δ_i| ≤ 1 } projects to the zonogon Q along the z axis. Over a point p_0 of Q, its boundary included, the upper hull is
+//! at max { z : (p_0, z) ∈ Z }; by the support function that is the least h(x, y, 1) − (x, y) · p_0. Where p_0 is not in Q, a
+//! direction of the plane separates the two. Flat, vertical and empty zonotopes are ordinary input: Q may be a segment or the origin.
+//!
+//! | method | cost for n generators | what it is |
+//! |---|---|---|
+//! | [`brute_force`] | O(n³), exact rationals | the truth |
+//! | [`by_slope_selection`] | O(n log² n) expected | the paper's search for the tile of p_0 |
+//! | [`by_kernel`] | O(n) expected | the default: the least of that sum of absolute values |
+
+pub mod brute_force;
+pub mod by_kernel;
+pub mod by_slope_selection;
+
+use thiserror::Error;
+
+pub use by_kernel::height;
+
+use crate::arrangement::GeneratorError;
+use crate::numeric::Rational;
+
+/// What is over a point of the plane.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Height {
+    /// The point is in Q, and the upper hull is at this z over it, exactly.
+    OverQ(Rational),
+    /// The point is not in Q: a direction u of the plane with u · p_0 > Σ |u · v'_i|, exactly.
+    BesideQ([Rational; 2]),
+}
+
+/// Why a question is refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum HeightError {
+    /// A coordinate of a generator is not finite, or there are too many generators.
+    #[error(transparent)]
+    Generators(#[from] GeneratorError),
+    /// A coordinate of the point is NaN or infinite.
+    #[error("p0, coordinate {coordinate} is {value}, not a finite number")]
+    NonFinitePoint {
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+}
+
+fn validate(generators: &[[f64; 3]], p0: [f64; 2]) -> Result<(), HeightError> {
+    GeneratorError::check(generators)?;
+    match p0.iter().position(|value| !value.is_finite()) {
+        Some(coordinate) => Err(HeightError::NonFinitePoint { coordinate, value: p0[coordinate] }),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests;
