@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::collision::Separation;
+use crate::collision::{Separation, Witness};
 use crate::collision::verify::verify;
 use crate::numeric::Rational;
 
