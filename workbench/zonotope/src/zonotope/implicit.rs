@@ -8,8 +8,8 @@ use crate::numeric::dyadic::Dyadic;
 /// parallel ones allowed. Every coordinate is finite.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Zonotope<const D: usize> {
-    center: [f64; D],
-    generators: Vec<[f64; D]>,
+    pub(super) center: [f64; D],
+    pub(super) generators: Vec<[f64; D]>,
 }
 
 /// Why a centre and generators are refused.
@@ -33,6 +33,14 @@ pub enum ZonotopeError {
         coordinate: usize,
         /// Its value.
         value: f64,
+    },
+    /// A list of coordinates does not divide into generators.
+    #[error("{length} coordinates are not a whole number of generators of dimension {dimension}")]
+    RaggedRows {
+        /// How many coordinates there are.
+        length: usize,
+        /// How many a generator has.
+        dimension: usize,
     },
 }
 

@@ -6,13 +6,21 @@
 //! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
+//! | `operations`, `cleanup` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
+//! | `matrices` | generators as rows and as matrices |
+//! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
 
+mod cleanup;
 mod combinatorics;
 pub mod directions;
 pub mod faces;
 mod implicit;
+mod matrices;
+pub mod named;
+mod operations;
+mod outward;
 pub mod passes;
 mod rank;
 pub mod zonogon;
@@ -20,3 +28,4 @@ pub mod zonogon;
 pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError};
+pub use operations::BoundingBox;

@@ -83,7 +83,7 @@ pub fn vertices_and_facets<const D: usize>(generators: &[[f64; D]]) -> VerticesA
         for signs in [facet.signs.clone(), opposite(&facet.signs)] {
             facets.insert(signs, corners.len());
         }
-        vertices.extend(corners.iter().map(|corner| opposite(corner)));
+        vertices.extend(corners.iter().map(opposite));
         vertices.extend(corners);
     }
     if vectors.is_empty() {
@@ -160,7 +160,7 @@ fn vertices(vectors: &[Vector], rank: usize) -> BTreeSet<SignVector> {
     }
     let facets = facet_pairs(vectors, rank);
     let half: Vec<SignVector> = facets.iter().flat_map(|facet| facet.vertices(vectors)).collect();
-    half.iter().map(|vertex| opposite(vertex)).chain(half.iter().cloned()).collect()
+    half.iter().map(opposite).chain(half.iter().cloned()).collect()
 }
 
 /// One of each pair of opposite facets.
@@ -205,7 +205,7 @@ fn cross_product(rows: &[&Vector]) -> Vector {
     let minor = |axis: usize| {
         let columns: Vec<usize> = (0..dimension).filter(|&k| k != axis).collect();
         let value = determinant(rows, &columns);
-        if axis % 2 == 0 { value } else { -value }
+        if axis.is_multiple_of(2) { value } else { -value }
     };
     (0..dimension).map(minor).collect()
 }
@@ -220,7 +220,7 @@ pub(super) fn determinant(rows: &[&Vector], columns: &[usize]) -> Dyadic {
         }
         let others: Vec<usize> = columns.iter().copied().filter(|&c| c != column).collect();
         let term = &first[column] * &determinant(rest, &others);
-        sum = if at % 2 == 0 { sum + term } else { sum - term };
+        sum = if at.is_multiple_of(2) { sum + term } else { sum - term };
     }
     sum
 }

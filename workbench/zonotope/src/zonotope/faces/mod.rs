@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`FaceLattice`] | faces as indices; incidences, opposite faces, zones |
 //! | [`by_sweep`] | O(n² log n) and the size of the output: the default |
+//! | `export` | the lattice as OBJ, PLY and STL |
 //! | [`by_recursion`] | vertices and facets in any dimension, O(n^r) for rank r |
 //! | [`brute_force`] | all faces in any dimension, as sign vectors in rationals: the truth |
 
@@ -13,6 +14,7 @@ pub mod by_sweep;
 mod circles;
 mod counts;
 mod direction;
+mod export;
 mod lattice;
 mod measures;
 mod position;

@@ -53,9 +53,15 @@ impl FaceLattice {
         if facet.0 < half { normal } else { normal.map(|c| -c) }
     }
 
-    /// The outward normal of a facet, scaled by a power of two so that its largest coordinate has magnitude in [1, 2]; each coordinate within a relative
-    /// 2^-50.
+    /// The outward normal of a facet, of any length but neither tiny nor huge; its direction within 2^-38.
     pub fn normal(&self, facet: Facet) -> [f64; 3] {
+        let half = self.facet_count() as u32 / 2;
+        let [a, b] = self.spanning_zones(facet.0 % half).map(|zone| self.circles.directions[zone].scaled());
+        let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        // coordinates of a and b are below 2, so each of the normal's is off by less than 2^-49
+        if normal.iter().any(|c| c.abs() > 1.0 / 1024.0) {
+            return if facet.0 < half { normal } else { normal.map(|c| -c) };
+        }
         let exact = self.exact_normal(facet);
         let exponent = exact.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         exact.map(|c| c.scaled(-exponent).to_f64())
