@@ -14,7 +14,9 @@
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
-//! | [`zonotope`] | support function; vertices, area and membership of zonogons | 3 |
+//! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
+//! | [`zonotope::faces`] | the face lattice in space; vertices and facets in any dimension | 3 |
+//! | [`zonotope::combinatorics()`] | counts of faces, exact volume | 3 |
 //!
 //! # Notation
 //!

@@ -1,7 +1,7 @@
 //! Zonohedra with names, centred at the origin.
 //!
-//! Bodies whose shape needs more than doubles are not here: ten facets of the truncated icosidodecahedron's kind meet the golden ratio in
-//! conditions that no rational coordinates satisfy.
+//! The truncated icosidodecahedron is not among them: that its decagons are flat is a condition on the golden ratio which no rational
+//! coordinates satisfy, so doubles give another body.
 
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -61,9 +61,7 @@ pub fn rhombic_enneacontahedron() -> Zonotope<3> {
 }
 
 /// The polar zonohedron of n generators (cos φ, sin φ, pitch) evenly around an axis, rounded: n (n − 1) rhombi, for n ≥ 3 and a positive
-/// pitch. The pitch 1/√2 makes the cube (n = 3), the rhombic dodecahedron (n = 4, pitch 1) and others.
-///
-/// A pitch that is not finite counts as 1.
+/// pitch. The pitch 1/√2 makes a cube (n = 3) and a rhombic dodecahedron (n = 4). A pitch that is not finite counts as 1.
 pub fn polar_zonohedron(count: u32, pitch: f64) -> Zonotope<3> {
     let pitch = if pitch.is_finite() { pitch } else { 1.0 };
     let generator = |k: u32| {
@@ -116,7 +114,7 @@ mod tests {
     #[test]
     fn volumes_are_those_of_the_books() {
         assert_eq!(cube().exact_volume().to_f64(), 8.0);
-        // half the volume of the cube through its vertices of degree four, times two: 16 for the cube [−2, 2]³ less half
+        // edges of length a = 2 √3: 16 √3 a³ / 9
         assert_eq!(rhombic_dodecahedron().exact_volume().to_f64(), 128.0);
         // edges of length a = 2 √2: 8 √2 a³
         assert_eq!(truncated_octahedron().exact_volume().to_f64(), 256.0);

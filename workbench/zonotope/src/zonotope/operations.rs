@@ -100,7 +100,7 @@ impl<const D: usize> Zonotope<D> {
         });
         let center = self.center.map(Dyadic::from_f64);
         BoundingBox {
-            low: std::array::from_fn(|k| -round_up(&(&reach[k] - &center[k]))),
+            low: std::array::from_fn(|k| 0.0 - round_up(&(&reach[k] - &center[k]))),
             high: std::array::from_fn(|k| round_up(&(&reach[k] + &center[k]))),
         }
     }

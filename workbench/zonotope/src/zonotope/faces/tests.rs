@@ -158,6 +158,15 @@ fn named_counts_by_hand() {
     assert_eq!(counts(&all), [48, 72, 26]);
 }
 
+#[test]
+fn parallelograms_take_92_bytes() {
+    let generators: Vec<[f64; 3]> = (1..60).map(f64::from).map(|k| [k, k * k, k * k * k]).collect();
+    let lattice = lattice_of([0.0; 3], &generators).expect("many directions");
+    check_incidences(&lattice);
+    assert_eq!(lattice.facet_count(), 59 * 58);
+    assert!(lattice.size_in_bytes() < 93 * lattice.facet_count());
+}
+
 fn coordinate() -> impl Strategy<Value = f64> + Clone {
     prop_oneof![
         3 => (-2i32..3).prop_map(f64::from),
