@@ -10,7 +10,9 @@
 //! |---|---|---|
 //! | [`enclosing::min_area_zonogon`] | the zonogon of least area around points of the plane | 4.1, Theorem 4.5 |
 //! | [`enclosing::centered_zonogon`] | the smallest zonogon with a given centre | 4.1, Z(O) |
+//! | [`collision`] | membership, intersection and gauge, with proofs | 5.1, Theorem 5.2 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
+//! | [`lad::in_space`] | the kernel in three variables | under 5.1 in R^4 |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |

@@ -78,11 +78,11 @@ impl<'a, const D: usize> Displacement<'a, D> {
         Self { from: a.center(), to: b.center(), generators: [a.generators(), b.generators()] }
     }
 
-    /// The same question, if space is where it is asked. O(1).
-    pub(crate) fn in_space(&self) -> Option<Displacement<'a, 3>> {
-        let coordinates = |v: &[f64; D]| v.first_chunk::<3>().copied();
-        let generators = self.generators.map(|run| run.as_flattened().as_chunks::<3>().0);
-        (D == 3).then_some(Displacement { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators })
+    /// The same question, if E is the dimension in which it is asked. O(1).
+    pub(crate) fn in_dimension<const E: usize>(&self) -> Option<Displacement<'a, E>> {
+        let coordinates = |v: &[f64; D]| v.first_chunk::<E>().copied();
+        let generators = self.generators.map(|run| run.as_flattened().as_chunks::<E>().0);
+        (D == E).then_some(Displacement { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators })
     }
 
     /// Where the displacement starts.

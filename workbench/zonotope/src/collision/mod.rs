@@ -9,9 +9,9 @@
 //!
 //! | method | dimensions | cost for n generators | what it is |
 //! |---|---|---|---|
-//! | [`by_lad`] (default) | 1 to 3 | O(n) expected | the kernel on the plane of directions with u · p = 1 |
+//! | [`by_lad`] (default) | 1 to 4 | O(n) expected | the kernel on the plane of directions with u · p = 1 |
 //! | [`by_slope_selection`] | 1 to 3 | O(n log² n) expected | the paper's search over separators (Theorem 5.2) |
-//! | [`by_lad_in_r4`] | 4 | O(n) a step, few steps | the kernel in three variables |
+//! | [`by_lad_in_r4`] | 4 | O(n) a step, few steps | the kernel in three variables; the default there |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
 //! | [`by_explicit_faces`] | 1 to 3 | Ω(n²) | every facet of the explicit body |
 //! | [`by_gjk`] | any D | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |

@@ -38,8 +38,8 @@ impl Prism {
     }
 }
 
-/// The answer for a body with `own` generators, from that for its prism.
-pub(super) fn lowered<const D: usize>(location: Location<3>, own: usize) -> Location<D> {
+/// The answer for a body of R^D with `own` generators, from that for its prism in R^E, or for itself if D = E.
+pub(super) fn lowered<const E: usize, const D: usize>(location: Location<E>, own: usize) -> Location<D> {
     let witness = |Witness { mut coefficients, mut basis }: Witness| {
         coefficients.truncate(own);
         basis.retain(|&generator| generator < own);

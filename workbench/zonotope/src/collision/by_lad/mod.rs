@@ -1,7 +1,7 @@
 //! Membership, intersection and gauge, by the kernel: minimise the support function over the plane of directions u with u · p = 1.
 //!
 //! # Statement
-//! Input: a [`Displacement`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
+//! Input: a [`Displacement`] p and generators of R^D, D ≤ 4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
 //! proof, and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and so is every
 //! member of a flat Z. Zero, parallel and coplanar generators and none at all are ordinary input; p = 0 has the gauge 0.
 //!
@@ -11,7 +11,7 @@
 //! beside the projection Q is not needed: no data are rotated, the plane may be any.
 //!
 //! # Method
-//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`).
+//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`); one of R^4 goes to [`by_lad_in_r4`](super::by_lad_in_r4).
 //! 2. The optimum of a sample with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all is likely
 //!    to be. Where that is all that is asked: does its centre separate? (`support`)
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
@@ -37,7 +37,7 @@
 //! None: the question was validated when it was made.
 //!
 //! # Panics
-//! Never. More than three dimensions do not compile.
+//! Never. More than four dimensions do not compile.
 //!
 //! # Checked by
 //! The rational twin on every family, the degenerate ones included; an independent check of every proof.
@@ -76,7 +76,7 @@ pub use facet::Facet;
 mod tests;
 
 use self::lift::{Prism, lowered};
-use super::{Displacement, Gauge, Location};
+use super::{Displacement, Gauge, Location, by_lad_in_r4};
 use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
@@ -86,8 +86,11 @@ pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
 
 /// [`locate`], counting its operations.
 pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> Location<D> {
-    const { assert!(D <= 3, "the kernel in the plane answers up to three dimensions") }
-    match question.in_space() {
+    const { assert!(D <= 4, "the kernel answers up to four dimensions") }
+    if let Some(question) = question.in_dimension::<4>() {
+        return lowered(by_lad_in_r4::locate_counted(&question, tally), question.len());
+    }
+    match question.in_dimension::<3>() {
         Some(question) => lowered(Facet::find(&question, true, tally).location(), question.len()),
         None => {
             let prism = Prism::over(question);
@@ -103,8 +106,12 @@ pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Gauge<D> {
 
 /// [`gauge`], counting its operations.
 pub fn gauge_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> Gauge<D> {
-    const { assert!(D <= 3, "the kernel in the plane answers up to three dimensions") }
-    let Gauge { value, error, location } = match question.in_space() {
+    const { assert!(D <= 4, "the kernel answers up to four dimensions") }
+    if let Some(question) = question.in_dimension::<4>() {
+        let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&question, tally);
+        return Gauge { value, error, location: lowered(location, question.len()) };
+    }
+    let Gauge { value, error, location } = match question.in_dimension::<3>() {
         Some(question) => Facet::find(&question, false, tally).gauge(),
         None => Facet::find(&Prism::over(question).question(), false, tally).gauge(),
     };
