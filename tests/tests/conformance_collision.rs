@@ -1,0 +1,220 @@
+//! Location and gauge by every method against the exact truth, on all families of questions in one to four dimensions.
+//!
+//! Every location, the truth's included, is proved by the library's independent check, its status too.
+
+use dashu_ratio::RBig;
+use proptest::prelude::*;
+use tests::body_families::{Asked, asked, families};
+use tests::runner::for_all;
+use zonotope::collision::by_linear_program::{self, Answer};
+use zonotope::collision::verify::verify;
+use zonotope::collision::{
+    Displacement, Gauge, Location, brute_force, by_explicit_faces, by_gjk, by_lad, by_lad_in_r4, by_slope_selection,
+};
+use zonotope::linear_program::{Clarabel, Engine, Microlp};
+use zonotope::numeric::dyadic::Dyadic;
+
+/// Questions for each of the thirteen families: 21,450 in all.
+const CASES: [u32; 4] = [150, 400, 850, 250];
+
+type Locate<const D: usize> = (&'static str, fn(&Displacement<'_, D>) -> Location<D>);
+type Measure<const D: usize> = (&'static str, fn(&Displacement<'_, D>) -> Gauge<D>);
+
+/// The exact methods of a dimension.
+struct Methods<const D: usize> {
+    locate: Vec<Locate<D>>,
+    gauge: Vec<Measure<D>>,
+}
+
+fn in_low_dimensions<const D: usize>() -> Methods<D> {
+    Methods {
+        locate: vec![
+            ("by_lad", by_lad::locate),
+            ("by_slope_selection", |question| by_slope_selection::locate(question, 1)),
+            ("by_explicit_faces", |question| by_explicit_faces::locate(question).expect("few directions")),
+        ],
+        gauge: vec![
+            ("by_lad", by_lad::gauge),
+            ("by_explicit_faces", |question| by_explicit_faces::gauge(question).expect("few directions")),
+            ("brute_force", brute_force::gauge),
+        ],
+    }
+}
+
+fn in_space_time() -> Methods<4> {
+    Methods {
+        locate: vec![("by_lad_in_r4", by_lad_in_r4::locate), ("by_lad", by_lad::locate)],
+        gauge: vec![("by_lad_in_r4", by_lad_in_r4::gauge), ("brute_force", brute_force::gauge)],
+    }
+}
+
+fn agrees<const D: usize>(asked: &Asked<D>, methods: &Methods<D>) -> Result<(), TestCaseError> {
+    let question = asked.displacement();
+    let truth = brute_force::locate(&question);
+    prop_assert_eq!(verify(&question, &truth), Ok(()), "{:?}", truth);
+    for (name, locate) in &methods.locate {
+        let location = locate(&question);
+        prop_assert_eq!(location.status(), truth.status(), "{}: {:?}", name, location);
+        prop_assert_eq!(verify(&question, &location), Ok(()), "{}: {:?}", name, location);
+    }
+    let exact = brute_force::exact_gauge(&question);
+    prop_assert_eq!(exact.as_ref().is_some_and(|gauge| *gauge <= RBig::ONE), truth.is_member());
+    for (name, gauge) in &methods.gauge {
+        let Gauge { value, error, location } = gauge(&question);
+        prop_assert_eq!(location.status(), truth.status(), "{}", name);
+        prop_assert_eq!(verify(&question, &location), Ok(()), "{}: {:?}", name, location);
+        match &exact {
+            None => prop_assert!(value == f64::INFINITY && error == 0.0, "{}: {} ± {}", name, value, error),
+            Some(exact) => {
+                prop_assert!(is_within(exact, value, error), "{}: {} ± {}, not {}", name, value, error, exact)
+            }
+        }
+    }
+    Ok(())
+}
+
+fn is_within(exact: &RBig, value: f64, error: f64) -> bool {
+    let rational = |v: f64| Dyadic::from_f64(v).to_rational();
+    if !value.is_finite() || error == f64::INFINITY {
+        return value.is_finite();
+    }
+    let difference = exact - rational(value);
+    difference <= rational(error) && -difference <= rational(error)
+}
+
+/// Every family of a dimension, with at most `most` generators.
+fn conform<const D: usize>(most: usize, methods: &Methods<D>) {
+    for (family, generators) in families::<D>(most) {
+        for_all(&asked(generators), CASES[D - 1], |asked| {
+            agrees(&asked, methods).map_err(|error| TestCaseError::fail(format!("{family}: {error}")))
+        });
+    }
+}
+
+#[test]
+fn in_one_dimension() {
+    conform::<1>(6, &in_low_dimensions());
+}
+
+#[test]
+fn in_the_plane() {
+    conform::<2>(9, &in_low_dimensions());
+}
+
+#[test]
+fn in_space() {
+    conform::<3>(8, &in_low_dimensions());
+}
+
+#[test]
+fn in_space_and_time() {
+    conform::<4>(7, &in_space_time());
+}
+
+/// The engines may leave a question undecided, but what they say is right.
+#[test]
+fn linear_programs_are_never_wrong() {
+    for (_, generators) in families::<3>(8) {
+        for_all(&asked(generators), 60, |asked| {
+            let question = asked.displacement();
+            let truth = brute_force::locate(&question);
+            let engines: [&dyn Engine; 2] = [&Clarabel, &Microlp];
+            for engine in engines {
+                let answer = by_linear_program::locate(&question, engine);
+                match &answer {
+                    Answer::Located(location) => {
+                        prop_assert_eq!(location.status(), truth.status(), "{}: {:?}", engine.name(), location);
+                        prop_assert_eq!(verify(&question, location), Ok(()));
+                    }
+                    Answer::Member(_) => prop_assert!(truth.is_member(), "{}", engine.name()),
+                    Answer::Undecided(_) => {}
+                }
+            }
+            Ok(())
+        });
+    }
+}
+
+/// In floating point without proof, but never with a panic or without end.
+#[test]
+fn gjk_always_ends() {
+    for (_, generators) in families::<3>(8) {
+        for_all(&asked(generators), 300, |asked| {
+            by_gjk::locate(&asked.displacement());
+            Ok(())
+        });
+    }
+}
+
+/// The same question in other words; of two that are paired, the second says what the first says.
+fn restated<const D: usize>(asked: &Asked<D>, exponent: i32) -> Vec<(&'static str, [Asked<D>; 2])> {
+    let Asked { from, to, generators } = asked.clone();
+    let with = |generators: Vec<[f64; D]>| Asked { generators, ..asked.clone() };
+    let times = |factor: f64| move |vector: [f64; D]| vector.map(|v| v * factor);
+    let scale = times(libm::ldexp(1.0, exponent));
+    let scaled =
+        Asked { from: scale(from), to: scale(to), generators: generators.iter().copied().map(scale).collect() };
+    let permuted = {
+        let (first, second) = generators.split_at(generators.len() / 2);
+        with(second.iter().chain(first.iter().rev()).copied().collect())
+    };
+    let negated = Asked { from: to, to: from, generators: generators.clone() };
+    let turned = with(generators.iter().copied().enumerate().map(|(i, g)| times([1.0, -1.0][i % 2])(g)).collect());
+    let split = with(generators.iter().flat_map(|&g| [times(0.5)(g), times(0.25)(g), times(-0.25)(g)]).collect());
+    let twice = with(generators.iter().flat_map(|&g| [g, times(-1.0)(g)]).collect());
+    let merged = with(generators.iter().copied().map(times(2.0)).collect());
+    let mut pairs = vec![
+        ("permuted", [asked.clone(), permuted]),
+        ("negated", [asked.clone(), negated]),
+        ("turned", [asked.clone(), turned]),
+        ("merged", [twice, merged]),
+    ];
+    let vectors = || generators.iter().chain([&from, &to]);
+    let is_exact = |factor: f64| vectors().flatten().all(|v| v * factor / factor == *v);
+    if is_exact(libm::ldexp(1.0, exponent)) {
+        pairs.push(("scaled", [asked.clone(), scaled]));
+    }
+    if is_exact(0.25) {
+        pairs.push(("split", [asked.clone(), split]));
+    }
+    let shift = |point: [f64; D]| {
+        let moved = point.map(|v| v + 0.5);
+        let is_exact = |(m, v): (&f64, &f64)| Dyadic::from_f64(*m) == Dyadic::from_f64(*v) + Dyadic::from_f64(0.5);
+        moved.iter().zip(&point).all(is_exact).then_some(moved)
+    };
+    if let (Some(from), Some(to)) = (shift(from), shift(to)) {
+        pairs.push(("translated", [asked.clone(), Asked { from, to, generators }]));
+    }
+    pairs
+}
+
+fn keeps_its_answers<const D: usize>(
+    asked: &Asked<D>,
+    exponent: i32,
+    methods: &Methods<D>,
+) -> Result<(), TestCaseError> {
+    for (name, [one, other]) in restated(asked, exponent) {
+        for (method, locate) in &methods.locate {
+            let [first, second] = [&one, &other].map(|asked| locate(&asked.displacement()).status());
+            prop_assert_eq!(first, second, "{} by {}", name, method);
+        }
+    }
+    Ok(())
+}
+
+fn stay<const D: usize>(methods: &Methods<D>) {
+    const WITHOUT_ROUNDING: [&str; 6] = ["random", "lattice", "parallel", "coplanar", "boxes", "nearly_parallel"];
+    for (family, generators) in families::<D>(12).into_iter().filter(|(name, _)| WITHOUT_ROUNDING.contains(name)) {
+        for_all(&(asked(generators), -300..=300i32), 200, |(asked, exponent)| {
+            let result = keeps_its_answers(&asked, exponent, methods);
+            result.map_err(|error| TestCaseError::fail(format!("{family}: {error}")))
+        });
+    }
+}
+
+#[test]
+fn answers_do_not_depend_on_the_wording() {
+    stay::<2>(&in_low_dimensions());
+    stay::<3>(&in_low_dimensions());
+    stay::<4>(&in_space_time());
+}
