@@ -19,6 +19,7 @@
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
 //! | [`zonotope::faces`] | the face lattice in space; vertices and facets in any dimension | 3 |
 //! | [`zonotope::combinatorics()`] | counts of faces, exact volume | 3 |
+//! | [`interop`] | zonotopes among the types of other libraries | |
 //!
 //! # Notation
 //!
@@ -41,6 +42,7 @@ pub mod arrangement;
 pub mod collision;
 pub mod enclosing;
 pub mod hull;
+pub mod interop;
 pub mod lad;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
