@@ -3,6 +3,7 @@
 //! - [`families`]: deterministic generators of point sets and line sets; [`data`]: real inputs, compiled in.
 //! - [`definition`]: what an experiment is; [`definitions`]: the experiments; [`catalog`]: their list.
 //! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]: stable seeds.
+//! - [`peers`]: the methods of other libraries beside ours, as a record and its tables.
 //! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
 //!
 //! `METHODOLOGY.md` in this crate's folder says how things are measured, and what the numbers cannot tell.
@@ -15,6 +16,7 @@ pub mod definitions;
 pub mod environment;
 pub mod families;
 pub mod fit;
+pub mod peers;
 pub mod record;
 pub mod runner;
 pub mod seed;

@@ -11,6 +11,7 @@ mod growth;
 mod html;
 mod manifest;
 mod pages;
+mod peers;
 mod values;
 
 use experiments::analysis::{self, FittedGrowth};

@@ -11,7 +11,7 @@ use super::figures::{DrawnFigure, gallery};
 use super::growth::growth_table;
 use super::html::{Escaped, badge, grouped, page, prose, table};
 use super::values::{time_table, value_table};
-use super::{Evidence, FittedGrowth};
+use super::{Evidence, FittedGrowth, peers};
 
 const PAPER: &str = "L. J. Guibas, A. Nguyen and L. Zhang, <cite>Zonotopes as Bounding Volumes</cite>, SODA 2003";
 
@@ -22,6 +22,7 @@ pub fn report(evidence: &Evidence) -> String {
     for chapter in CHAPTERS {
         body.push_str(&chapter_section(chapter, evidence));
     }
+    body.push_str(&peers::section());
     body.push_str(&remaining_section(evidence));
     body.push_str(&ledger_section(evidence));
     body.push_str(&reading_section(evidence));

@@ -1,0 +1,45 @@
+//! The methods that run side by side.
+//!
+//! What a method needs before it can be asked (its own form of the body) is prepared outside the measurement; that favours
+//! those that need much, the explicit polyhedra above all.
+
+mod linear_programs;
+mod ours;
+mod parry;
+
+use experiments::families::bodies::question::Question;
+
+/// A method, ready to be asked.
+pub struct Contender {
+    /// Stable name; [`experiments::peers::title`] has the name for people.
+    pub id: &'static str,
+    /// Larger bodies are not given to it.
+    pub largest: usize,
+    /// Makes its form of the question; none if it cannot take the body at all.
+    pub prepare: for<'a> fn(&'a Question) -> Option<Work<'a>>,
+}
+
+/// The work that is measured.
+pub type Work<'a> = Box<dyn FnMut() -> Answer + 'a>;
+
+/// What a method says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Whether the displacement lies in the body, that is, whether the two bodies meet.
+    Member(bool),
+    /// It gave up.
+    Failed,
+    /// It is no method: the pass that others are compared with.
+    Nothing,
+}
+
+/// Every contender; the pass comes first.
+pub static CONTENDERS: &[Contender] = &[
+    ours::PASS,
+    ours::LOCATE,
+    ours::GAUGE,
+    parry::GJK,
+    parry::POLYHEDRON,
+    linear_programs::CLARABEL,
+    linear_programs::MICROLP,
+];

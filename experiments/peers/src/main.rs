@@ -1,0 +1,74 @@
+//! Runs every contender and writes the record.
+
+use anyhow::Context;
+use clap::Parser;
+use experiments::environment::Environment;
+use experiments::families::bodies::BODY_FAMILIES;
+use experiments::families::bodies::question::PLACEMENTS;
+use experiments::peers::{PeersRecord, tables};
+use peers::line_fit;
+use peers::race::{self, Part, Plan};
+use std::path::PathBuf;
+
+/// The methods of other libraries beside ours, on the same questions.
+#[derive(Parser)]
+#[command(name = "peers")]
+struct Arguments {
+    /// Where the record goes.
+    #[arg(long, default_value = "peers.json")]
+    out: PathBuf,
+    /// The seed of the questions.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Sizes of at most this many generators and points.
+    #[arg(long, default_value_t = 1 << 20)]
+    largest: usize,
+    /// Timed samples of every contender on every question.
+    #[arg(long, default_value_t = 7)]
+    repetitions: usize,
+    /// Only these families of bodies; all of them if none is named.
+    #[arg(long)]
+    family: Vec<String>,
+}
+
+fn main() -> anyhow::Result<()> {
+    let arguments = Arguments::parse();
+    let plan = plan(&arguments);
+    let cells = race::run(&plan, |cell| eprintln!("{} {} n = {}", cell.family, cell.placement, cell.n))?;
+    let sizes = [1_000, 10_000, 100_000, 1_000_000].into_iter().filter(|&n| n <= arguments.largest);
+    let line_fits =
+        sizes.map(|n| line_fit::compare(n, arguments.repetitions, plan.seed)).collect::<anyhow::Result<_>>()?;
+    let record = PeersRecord { environment: Some(Environment::current()), seed: plan.seed, cells, line_fits };
+    let text = serde_json::to_string(&record)?.replace("},{\"family\"", "},\n{\"family\"") + "\n";
+    std::fs::write(&arguments.out, text).with_context(|| format!("cannot write {}", arguments.out.display()))?;
+    for table in tables(&record) {
+        println!("{}", table.markdown());
+    }
+    Ok(())
+}
+
+/// Many questions on small bodies, where wrong answers show; few on large ones, where time does.
+fn plan(arguments: &Arguments) -> Plan {
+    let families: Vec<&'static str> = BODY_FAMILIES
+        .iter()
+        .map(|family| family.id)
+        .filter(|id| arguments.family.is_empty() || arguments.family.iter().any(|wanted| wanted == id))
+        .collect();
+    let every: Vec<&'static str> = PLACEMENTS.iter().map(|placement| placement.id).collect();
+    let few = vec!["overlapping", "separated", "inside_1e-9", "outside_1e-9"];
+    let part = |sizes: &[usize], placements: &[&'static str], questions| Part {
+        families: families.clone(),
+        sizes: sizes.iter().copied().filter(|&n| n <= arguments.largest).collect(),
+        placements: placements.to_vec(),
+        questions,
+    };
+    Plan {
+        seed: arguments.seed,
+        parts: vec![
+            part(&[6, 16, 64, 256, 1 << 10], &every, 8),
+            part(&[1 << 12, 1 << 14, 1 << 16], &every, 2),
+            part(&[1 << 18, 1 << 20], &few, 1),
+        ],
+        repetitions: arguments.repetitions,
+    }
+}

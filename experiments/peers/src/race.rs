@@ -1,0 +1,132 @@
+//! The measurement: every contender on the same questions, turn by turn.
+
+use crate::contenders::{Answer, CONTENDERS, Contender, Work};
+use experiments::families::bodies::question::{Placement, Question};
+use experiments::families::bodies::{self, BodyFamily};
+use experiments::peers::{Cell, Entry};
+use experiments::seed;
+use std::collections::BTreeSet;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// A sample repeats short work until it has lasted this long, and divides: the clock's own cost stays below a percent.
+const SHORTEST_SAMPLE: Duration = Duration::from_micros(20);
+/// A contender that needs longer for one question sits out the larger sizes of the family.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// What is run.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The seed of everything random.
+    pub seed: u64,
+    /// Families, sizes, placements and questions of each.
+    pub parts: Vec<Part>,
+    /// Samples of every contender on every question.
+    pub repetitions: usize,
+}
+
+/// Sizes that share their placements and their number of questions.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The families.
+    pub families: Vec<&'static str>,
+    /// How many generators.
+    pub sizes: Vec<usize>,
+    /// The placements' ids.
+    pub placements: Vec<&'static str>,
+    /// Questions of every family, size and placement.
+    pub questions: u32,
+}
+
+/// Runs the plan; `progress` hears of every cell that is done.
+///
+/// # Errors
+/// An unknown family or placement.
+pub fn run(plan: &Plan, mut progress: impl FnMut(&Cell)) -> anyhow::Result<Vec<Cell>> {
+    let mut cells = Vec::new();
+    let mut retired = BTreeSet::new();
+    for part in &plan.parts {
+        for id in &part.families {
+            let family = bodies::find(id).ok_or_else(|| anyhow::anyhow!("no family of bodies is called {id}"))?;
+            for &n in &part.sizes {
+                for name in &part.placements {
+                    let placement =
+                        Placement::find(name).ok_or_else(|| anyhow::anyhow!("no placement is called {name}"))?;
+                    let cell = measure(plan, part, family, placement, n, &mut retired);
+                    progress(&cell);
+                    cells.push(cell);
+                }
+            }
+        }
+    }
+    Ok(cells)
+}
+
+fn measure(
+    plan: &Plan,
+    part: &Part,
+    family: &'static BodyFamily<3>,
+    placement: Placement,
+    n: usize,
+    retired: &mut BTreeSet<(&'static str, &'static str)>,
+) -> Cell {
+    let entrants: Vec<&Contender> =
+        CONTENDERS.iter().filter(|c| n <= c.largest && !retired.contains(&(family.id, c.id))).collect();
+    let mut cell = Cell {
+        family: family.id.to_owned(),
+        placement: placement.id.to_owned(),
+        n,
+        questions: 0,
+        entries: entrants.iter().map(|c| Entry::new(c.id)).collect(),
+    };
+    for instance in 0..part.questions {
+        let seed = seed::seed_of(plan.seed, &format!("{}/n={n}/{instance}", family.id));
+        let Some(question) = Question::about(family.generate(n, seed), placement, seed) else { continue };
+        cell.questions += 1;
+        let mut works: Vec<(&mut Entry, Work, usize)> = Vec::new();
+        for (entry, contender) in cell.entries.iter_mut().zip(&entrants) {
+            let Some(mut work) = (contender.prepare)(&question) else {
+                entry.samples_ns.push(Vec::new());
+                continue;
+            };
+            entry.asked += 1;
+            black_box(work());
+            let start = Instant::now();
+            let answer = work();
+            let once = start.elapsed();
+            match answer {
+                Answer::Nothing => {}
+                Answer::Failed => entry.failed += 1,
+                Answer::Member(member) => entry.wrong += u32::from(member != question.is_member()),
+            }
+            if once > PATIENCE {
+                retired.insert((family.id, contender.id));
+            }
+            let batch = (SHORTEST_SAMPLE.as_nanos() / once.as_nanos().max(1)) as usize + 1;
+            let first = if once > PATIENCE { vec![nanoseconds(once, 1)] } else { Vec::new() };
+            entry.samples_ns.push(first);
+            works.push((entry, work, batch));
+        }
+        for repetition in 0..plan.repetitions {
+            let count = works.len();
+            for turn in 0..count {
+                let (entry, work, batch) = &mut works[(turn + repetition) % count];
+                let samples = entry.samples_ns.last_mut().expect("every work that is run has its list");
+                if samples.first().is_some_and(|&ns| ns > PATIENCE.as_nanos() as f64) {
+                    continue;
+                }
+                let start = Instant::now();
+                for _ in 0..*batch {
+                    black_box(work());
+                }
+                samples.push(nanoseconds(start.elapsed(), *batch));
+            }
+        }
+    }
+    cell
+}
+
+/// Nanoseconds a call, in tenths.
+fn nanoseconds(elapsed: Duration, calls: usize) -> f64 {
+    (elapsed.as_nanos() as f64 / calls as f64 * 10.0).round() / 10.0
+}
