@@ -2,8 +2,8 @@
 
 use crate::definition::Experiment;
 use crate::definitions::{
-    area_ratio, hull_scaling, lad_race, lad_scaling, methods_agree, min_area_scaling, min_area_stages, pruning_passes,
-    slope_selection_scaling,
+    area_ratio, collision_scaling, faces_scaling, fallback_rate, gauge_passes, hull_scaling, lad_race, lad_scaling,
+    methods_agree, min_area_scaling, min_area_stages, pruning_passes, slope_selection_scaling, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -17,6 +17,11 @@ pub static EXPERIMENTS: &[Experiment] = &[
     hull_scaling::EXPERIMENT,
     methods_agree::EXPERIMENT,
     area_ratio::EXPERIMENT,
+    collision_scaling::EXPERIMENT,
+    gauge_passes::EXPERIMENT,
+    fallback_rate::EXPERIMENT,
+    faces_scaling::EXPERIMENT,
+    wrong_answers::EXPERIMENT,
 ];
 
 /// The experiment called `id`, if there is one.
@@ -49,7 +54,9 @@ mod tests {
     fn every_input_resolves() {
         for experiment in EXPERIMENTS {
             for id in experiment.families {
-                let found = families::find(id).is_some() || families::lines::find(id).is_some();
+                let found = families::find(id).is_some()
+                    || families::lines::find(id).is_some()
+                    || families::bodies::is_known(id);
                 assert!(found, "{}: {id}", experiment.id);
             }
             for name in experiment.real_inputs {

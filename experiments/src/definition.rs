@@ -150,7 +150,7 @@ pub struct Experiment {
     pub question: &'static str,
     /// Claims of the paper that it is evidence for.
     pub claims: &'static [&'static str],
-    /// Families (of points or of lines) that give instances of every size.
+    /// Families (of points, of lines or of bodies) that give instances of every size.
     pub families: &'static [&'static str],
     /// Real inputs (`airports`, or the name of an outline) that give one instance each, of their own size.
     pub real_inputs: &'static [&'static str],
@@ -215,6 +215,16 @@ impl Case {
             return Ok(family.generate(self.n, self.instance_seed));
         }
         data::points(self.family).map(<[_]>::to_vec).ok_or_else(|| format!("no points are called {}", self.family))
+    }
+
+    /// The family, when it is one of bodies in space.
+    pub fn body_family(&self) -> Result<&'static families::bodies::BodyFamily<3>, String> {
+        families::bodies::find(self.family).ok_or_else(|| format!("no bodies are called {}", self.family))
+    }
+
+    /// The generators of the instance, when the family is one of bodies in space.
+    pub fn body(&self) -> Result<Vec<[f64; 3]>, String> {
+        Ok(self.body_family()?.generate(self.n, self.instance_seed))
     }
 
     /// The instance, when the family is one of lines.

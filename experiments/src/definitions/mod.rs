@@ -1,6 +1,11 @@
 //! The experiments, one a file, and the families and sizes that several of them share.
 
 pub mod area_ratio;
+mod collision_methods;
+pub mod collision_scaling;
+pub mod faces_scaling;
+pub mod fallback_rate;
+pub mod gauge_passes;
 pub mod hull_scaling;
 mod kernel_methods;
 pub mod lad_race;
@@ -10,6 +15,7 @@ pub mod min_area_scaling;
 pub mod min_area_stages;
 pub mod pruning_passes;
 pub mod slope_selection_scaling;
+pub mod wrong_answers;
 
 use crate::definition::PerProfile;
 
@@ -51,3 +57,23 @@ pub const SCALING_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TW
 
 /// The same for the kernel alone, which is fast enough for 2^17 in the quick profile.
 pub const KERNEL_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(12).0, full: &POWERS_OF_TWO };
+
+/// Every family of bodies in space whose questions can be asked at every size.
+pub const BODY_FAMILIES: &[&str] = &[
+    "random_bodies",
+    "box_sums",
+    "polar_bodies",
+    "sorted_bodies",
+    "heavy_tailed_bodies",
+    "lattice_bodies",
+    "parallel_bodies",
+    "noisy_directions_bodies",
+    "near_plane_bodies",
+    "flat_bodies",
+];
+
+/// Powers of four from 2^4: to 2^12 in the quick profile, to 2^20 in the full one.
+pub const BODY_SIZES: PerProfile<&[usize]> = PerProfile {
+    quick: &[1 << 4, 1 << 6, 1 << 8, 1 << 10, 1 << 12],
+    full: &[1 << 4, 1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20],
+};

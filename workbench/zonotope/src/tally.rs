@@ -78,6 +78,13 @@ impl OperationCounts {
         self.0[operation as usize]
     }
 
+    /// Adds the counts of another run.
+    pub fn merge(&mut self, other: &Self) {
+        for (sum, count) in self.0.iter_mut().zip(other.0) {
+            *sum += count;
+        }
+    }
+
     /// Every operation with its count, in the order of [`Operation::ALL`].
     pub fn iter(&self) -> impl Iterator<Item = (Operation, u64)> + '_ {
         Operation::ALL.into_iter().map(|operation| (operation, self.get(operation)))

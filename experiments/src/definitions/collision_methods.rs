@@ -1,0 +1,103 @@
+//! The methods of collision by name, and the questions of a case, for every experiment on them.
+
+use crate::definition::{Case, Verdict};
+use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
+use crate::seed::Digest;
+use zonotope::collision::{Displacement, Gauge, Location, Separation, by_lad, verify};
+use zonotope::tally::Tally;
+
+/// Near contact on both sides, then clear cases, then exact contact: instance k takes entry k of this cycle.
+const CYCLE: [&str; 11] = [
+    "outside_1e-9",
+    "inside_1e-9",
+    "separated",
+    "overlapping",
+    "outside_1e-6",
+    "inside_1e-6",
+    "touching",
+    "outside_1e-12",
+    "inside_1e-12",
+    "outside_1e-3",
+    "inside_1e-3",
+];
+
+/// The question of a case: its instance chooses the placement; the next one that the body admits, if it does not admit that one.
+pub(super) fn question(case: &Case) -> Result<Question, String> {
+    let generators = case.body()?;
+    (0..CYCLE.len())
+        .filter_map(|later| Placement::find(CYCLE[(case.instance as usize + later) % CYCLE.len()]))
+        .find_map(|placement| Question::about(generators.clone(), placement, case.instance_seed))
+        .ok_or_else(|| format!("no question can be asked about {} with n = {}", case.family, case.n))
+}
+
+/// The placement that stands for an instance in experiments that go through all of them.
+pub(super) fn placement(instance: u32) -> Placement {
+    PLACEMENTS[instance as usize % PLACEMENTS.len()]
+}
+
+/// What a method says.
+pub(super) struct Reply {
+    /// Where the displacement lies, with the proof.
+    pub location: Location<3>,
+    /// The gauge, from methods that compute it.
+    pub gauge: Option<f64>,
+}
+
+/// Asks the method that a variant names.
+pub(super) fn ask(variant: &str, displacement: &Displacement<3>, tally: &mut impl Tally) -> Result<Reply, String> {
+    match variant {
+        "by_lad" => {
+            let Gauge { value, location, .. } = by_lad::gauge_counted(displacement, tally);
+            Ok(Reply { location, gauge: Some(value) })
+        }
+        "by_lad_location" => Ok(Reply { location: by_lad::locate_counted(displacement, tally), gauge: None }),
+        _ => Err(format!("no method of collision is called {variant}")),
+    }
+}
+
+impl Reply {
+    /// The status against the truth of the question, the proof against the independent check.
+    pub fn verdict(&self, question: &Question) -> Verdict {
+        let status = self.location.status();
+        if status != question.status {
+            return Verdict::Wrong(format!("{status}, but by its construction the point is {}", question.status));
+        }
+        let excess = self.gauge.map_or(0.0, |gauge| gauge - 1.0);
+        let [low, high] = question.excess;
+        let slack = 1e-14 * (1.0 + high.abs());
+        if self.gauge.is_some() && !(low - slack..=high + slack).contains(&excess) {
+            return Verdict::Wrong(format!("a gauge of 1 + {excess:e}, certified to lie in 1 + [{low:e}, {high:e}]"));
+        }
+        Verdict::of_check(
+            "construction and collision::verify",
+            verify::verify(&question.displacement(), &self.location),
+        )
+    }
+
+    /// A hash of the status, the gauge and a rounded direction or the coefficients.
+    pub fn digest(&self) -> u64 {
+        let digest = Digest::default().bytes(self.location.status().as_bytes()).floats(&self.gauge);
+        match &self.location {
+            Location::Inside(witness) | Location::Boundary(witness) => digest.floats(&witness.coefficients),
+            Location::Outside(Separation::Rounded(direction)) => digest.floats(direction),
+            Location::Outside(Separation::Exact(direction)) => {
+                direction.iter().fold(digest, |digest, c| digest.bytes(c.to_string().as_bytes()))
+            }
+        }
+        .finish()
+    }
+}
+
+/// Whether a method's answers are proven.
+pub(super) fn is_exact(variant: &str) -> bool {
+    !["by_gjk", "clarabel", "microlp"].contains(&variant)
+}
+
+/// Whether a method takes the displacement for a member, be the method exact or not; none if it gives up.
+pub(super) fn guess(
+    variant: &str,
+    displacement: &Displacement<3>,
+    tally: &mut impl Tally,
+) -> Result<Option<bool>, String> {
+    Ok(Some(ask(variant, displacement, tally)?.location.is_member()))
+}

@@ -1,0 +1,61 @@
+//! How often floating point cannot decide and exact arithmetic must.
+
+use super::{BODY_FAMILIES, collision_methods};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::families::bodies::question::Question;
+use crate::seed::{self, Digest};
+use zonotope::tally::{Operation, OperationCounts};
+
+/// Questions of each instance.
+const QUESTIONS: u32 = 25;
+
+/// How often floating point cannot decide and exact arithmetic must.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "fallback-rate",
+    title: "Collision: how often exact arithmetic is needed",
+    question: "Of the questions about random bodies fewer than one in a hundred need more exact signs than a vertex has lines; \
+               lattices and flat bodies need them often. Values: questions asked, questions with a sign that floating point did not \
+               decide (`fallbacks`), and the exact signs a question (`signs`).",
+    claims: &["theorem-5.2"],
+    families: BODY_FAMILIES,
+    real_inputs: &[],
+    sizes: PerProfile { quick: &[16, 256], full: &[16, 64, 256, 1 << 10, 1 << 12] },
+    instances: PerProfile { quick: 2, full: 4 },
+    variants: &[
+        Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_lad_location", title: "Kernel: location", largest: PerProfile::both(usize::MAX) },
+    ],
+    measure,
+    timing: None,
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let generators = case.body()?;
+    let mut total = OperationCounts::default();
+    let [mut asked, mut fallbacks] = [0_u32; 2];
+    let (mut digest, mut verdict) =
+        (Digest::default(), Verdict::Correct("construction and collision::verify".to_owned()));
+    for number in 0..QUESTIONS {
+        let seed = seed::seed_of(case.instance_seed, &number.to_string());
+        let placement = collision_methods::placement(number);
+        let Some(question) = Question::about(generators.clone(), placement, seed) else { continue };
+        let mut counts = OperationCounts::default();
+        let reply = collision_methods::ask(case.variant, &question.displacement(), &mut counts)?;
+        if let wrong @ Verdict::Wrong(_) = reply.verdict(&question) {
+            verdict = wrong;
+        }
+        asked += 1;
+        fallbacks += u32::from(counts.get(Operation::ExactFallback) > 0);
+        digest = digest.word(reply.digest());
+        total.merge(&counts);
+    }
+    if asked == 0 {
+        verdict = Verdict::Unchecked("no question can be asked about this body".to_owned());
+    }
+    let signs = total.get(Operation::ExactFallback) as f64 / f64::from(asked.max(1));
+    Ok(Measurement::new(&total, digest.finish(), verdict)
+        .with_value("asked", f64::from(asked))
+        .with_value("fallbacks", f64::from(fallbacks))
+        .with_value("signs", signs))
+}

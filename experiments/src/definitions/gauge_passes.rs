@@ -1,0 +1,41 @@
+//! How often the exact gauge reads its input.
+
+use super::{BODY_FAMILIES, collision_methods};
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant};
+use crate::fit::GrowthModel;
+use zonotope::tally::{Operation, OperationCounts};
+
+/// How often the exact gauge reads its input.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "gauge-passes",
+    title: "Exact gauge: passes over the generators",
+    question: "The number of passes (evaluations of generators divided by their number) does not grow with the number of generators, \
+               on any family. It counts readings, not time: the table of peers has times in passes.",
+    claims: &["theorem-5.2"],
+    families: BODY_FAMILIES,
+    real_inputs: &[],
+    sizes: PerProfile {
+        quick: &[1 << 10, 1 << 12, 1 << 14],
+        full: &[1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20],
+    },
+    instances: PerProfile { quick: 3, full: 4 },
+    variants: &[Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) }],
+    measure,
+    timing: None,
+    fits: &[FitPlan {
+        quantity: Quantity::Value("passes"),
+        variant: "by_lad",
+        families: BODY_FAMILIES,
+        smallest: 0,
+        models: GrowthModel::ALL,
+        bound: Some(GrowthModel::Constant),
+    }],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let question = collision_methods::question(case)?;
+    let mut counts = OperationCounts::default();
+    let reply = collision_methods::ask(case.variant, &question.displacement(), &mut counts)?;
+    let passes = counts.get(Operation::LineEvaluation) as f64 / case.n as f64;
+    Ok(Measurement::new(&counts, reply.digest(), reply.verdict(&question)).with_value("passes", passes))
+}

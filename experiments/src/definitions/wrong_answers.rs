@@ -1,0 +1,58 @@
+//! Wrong answers of methods that compute in floating point alone, beside those that decide exactly.
+
+use super::{BODY_FAMILIES, collision_methods};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::families::bodies::question::{PLACEMENTS, Question};
+use crate::seed::{self, Digest};
+use zonotope::tally::OperationCounts;
+
+/// Questions of each instance.
+const QUESTIONS: u32 = 10;
+
+/// Wrong answers of methods that compute in floating point alone, beside those that decide exactly.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "wrong-answers",
+    title: "Collision: wrong answers, method by method",
+    question: "The truth of every question is known from its construction. The exact methods are never wrong. What computes in \
+               floating point alone is right on clear cases and fails near contact, the more the closer: GJK, and the linear \
+               programs' engines when their answer is taken as it stands. Instance k asks about placement k: overlapping, separated, \
+               gaps of 1e-3, 1e-6, 1e-9 and 1e-12 inside and outside, touching.",
+    claims: &["theorem-5.2", "erratum-5.1-difference"],
+    families: BODY_FAMILIES,
+    real_inputs: &[],
+    sizes: PerProfile { quick: &[6, 32], full: &[6, 16, 32, 64, 256, 1 << 10] },
+    instances: PerProfile::both(PLACEMENTS.len() as u32),
+    variants: &[Variant { id: "by_lad", title: "Kernel: exact", largest: PerProfile::both(usize::MAX) }],
+    measure,
+    timing: None,
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let family = case.body_family()?;
+    let placement = collision_methods::placement(case.instance);
+    let mut counts = OperationCounts::default();
+    let [mut asked, mut wrong, mut failed] = [0_u32; 3];
+    let mut digest = Digest::default();
+    for number in 0..QUESTIONS {
+        let seed = seed::seed_of(case.instance_seed, &number.to_string());
+        let Some(question) = Question::about(family.generate(case.n, seed), placement, seed) else { continue };
+        asked += 1;
+        let member = collision_methods::guess(case.variant, &question.displacement(), &mut counts)?;
+        match member {
+            Some(member) => wrong += u32::from(member != question.is_member()),
+            None => failed += 1,
+        }
+        digest = digest.word(member.map_or(2, u64::from));
+    }
+    // Wrong answers are what is measured here; only an exact method may not have any.
+    let verdict = if wrong > 0 && collision_methods::is_exact(case.variant) {
+        Verdict::Wrong(format!("{wrong} of {asked} answers contradict the questions' construction"))
+    } else {
+        Verdict::Correct("wrong answers counted against the questions' construction".to_owned())
+    };
+    Ok(Measurement::new(&counts, digest.finish(), verdict)
+        .with_value("asked", f64::from(asked))
+        .with_value("wrong", f64::from(wrong))
+        .with_value("failed", f64::from(failed)))
+}
