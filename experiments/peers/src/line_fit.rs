@@ -1,4 +1,4 @@
-//! The L1 line fit: the kernel against the crate `palb`, the published exact solver, on the same points.
+//! The L1 line fit: the kernel (`lad::line_fit`) against the crate `palb`, the published exact solver, on the same points.
 
 use experiments::families::source::RandomSource;
 use experiments::peers::LineFit;
@@ -6,7 +6,7 @@ use experiments::seed;
 use palb::{Floating, PrimalPoint, l1line};
 use std::hint::black_box;
 use std::time::Instant;
-use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine};
+use zonotope::lad::line_fit::{self, FitPoint};
 
 /// Slope and intercept of a line.
 type Line = [f64; 2];
@@ -17,6 +17,7 @@ type Line = [f64; 2];
 /// Points that one of the two cannot fit a line to.
 pub fn compare(n: usize, repetitions: usize, seed: u64) -> anyhow::Result<LineFit> {
     let points = points(n, seed::seed_of(seed, &format!("line_fit/n={n}")));
+    let weighted: Vec<FitPoint> = points.iter().map(|&[x, y]| FitPoint::unweighted(x, y)).collect();
     let mut record = LineFit { n, palb_ns: Vec::new(), ours_ns: Vec::new(), pass_ns: Vec::new(), ..LineFit::default() };
     let (mut by_palb, mut by_kernel) = ([0.0; 2], [0.0; 2]);
     for _ in 0..repetitions {
@@ -29,8 +30,9 @@ pub fn compare(n: usize, repetitions: usize, seed: u64) -> anyhow::Result<LineFi
         by_palb = [line.slope().into_inner(), line.intercept().into_inner()];
 
         let start = Instant::now();
-        by_kernel = kernel(&points, seed)?;
+        let fit = line_fit::fit(&weighted)?;
         record.ours_ns.push(start.elapsed().as_nanos() as f64);
+        by_kernel = fit.rounded();
 
         let start = Instant::now();
         black_box(residuals(black_box(&points), black_box(by_kernel)));
@@ -50,15 +52,6 @@ fn points(n: usize, seed: u64) -> Vec<[f64; 2]> {
             [x, 3.0 * x - 1.0 + noise]
         })
         .collect()
-}
-
-fn kernel(points: &[[f64; 2]], seed: u64) -> anyhow::Result<Line> {
-    let lines: Vec<WeightedLine> = points.iter().map(|&[x, y]| WeightedLine::unweighted([x, 1.0], -y)).collect();
-    let problem = LadProblem::new(&lines, [0.0, 0.0])?;
-    match Method::Pruning.minimize(&problem, seed, &mut ()) {
-        LadOutcome::Optimal(optimum) => Ok(optimum.point(&problem)),
-        LadOutcome::Unbounded { .. } => Err(anyhow::anyhow!("a sum of absolute values has a minimum")),
-    }
 }
 
 fn residuals(points: &[[f64; 2]], [slope, intercept]: Line) -> f64 {

@@ -3,7 +3,12 @@
 use crate::definition::{Case, Verdict};
 use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
-use zonotope::collision::{Displacement, Gauge, Location, Separation, by_lad, verify};
+use zonotope::collision::by_gjk::{self, GjkAnswer};
+use zonotope::collision::by_linear_program;
+use zonotope::collision::{
+    Displacement, Gauge, Location, Separation, by_explicit_faces, by_lad, by_slope_selection, verify,
+};
+use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::tally::Tally;
 
 /// Near contact on both sides, then clear cases, then exact contact: instance k takes entry k of this cycle.
@@ -44,13 +49,26 @@ pub(super) struct Reply {
 }
 
 /// Asks the method that a variant names.
-pub(super) fn ask(variant: &str, displacement: &Displacement<3>, tally: &mut impl Tally) -> Result<Reply, String> {
+pub(super) fn ask(
+    variant: &str,
+    displacement: &Displacement<3>,
+    seed: u64,
+    tally: &mut impl Tally,
+) -> Result<Reply, String> {
     match variant {
         "by_lad" => {
             let Gauge { value, location, .. } = by_lad::gauge_counted(displacement, tally);
             Ok(Reply { location, gauge: Some(value) })
         }
         "by_lad_location" => Ok(Reply { location: by_lad::locate_counted(displacement, tally), gauge: None }),
+        "by_slope_selection" => {
+            Ok(Reply { location: by_slope_selection::locate_counted(displacement, seed, tally), gauge: None })
+        }
+        "by_explicit_faces" => {
+            let Gauge { value, location, .. } =
+                by_explicit_faces::gauge_counted(displacement, tally).map_err(|error| error.to_string())?;
+            Ok(Reply { location, gauge: Some(value) })
+        }
         _ => Err(format!("no method of collision is called {variant}")),
     }
 }
@@ -88,16 +106,27 @@ impl Reply {
     }
 }
 
-/// Whether a method's answers are proven.
+/// Whether a method's answers are proven, so that none may be wrong.
 pub(super) fn is_exact(variant: &str) -> bool {
-    !["by_gjk", "clarabel", "microlp"].contains(&variant)
+    variant != "by_gjk"
 }
 
 /// Whether a method takes the displacement for a member, be the method exact or not; none if it gives up.
 pub(super) fn guess(
     variant: &str,
     displacement: &Displacement<3>,
+    seed: u64,
     tally: &mut impl Tally,
 ) -> Result<Option<bool>, String> {
-    Ok(Some(ask(variant, displacement, tally)?.location.is_member()))
+    let proven = |engine: &dyn Engine| by_linear_program::locate(displacement, engine).is_member();
+    Ok(match variant {
+        "by_gjk" => match by_gjk::locate_counted(displacement, tally) {
+            GjkAnswer::Intersecting => Some(true),
+            GjkAnswer::Disjoint { .. } => Some(false),
+            GjkAnswer::GaveUp => None,
+        },
+        "clarabel" => proven(&Clarabel),
+        "microlp" => proven(&Microlp),
+        _ => Some(ask(variant, displacement, seed, tally)?.location.is_member()),
+    })
 }

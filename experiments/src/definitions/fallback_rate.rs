@@ -41,7 +41,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         let placement = collision_methods::placement(number);
         let Some(question) = Question::about(generators.clone(), placement, seed) else { continue };
         let mut counts = OperationCounts::default();
-        let reply = collision_methods::ask(case.variant, &question.displacement(), &mut counts)?;
+        let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut counts)?;
         if let wrong @ Verdict::Wrong(_) = reply.verdict(&question) {
             verdict = wrong;
         }

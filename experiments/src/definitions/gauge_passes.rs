@@ -35,7 +35,7 @@ pub const EXPERIMENT: Experiment = Experiment {
 fn measure(case: &Case) -> Result<Measurement, String> {
     let question = collision_methods::question(case)?;
     let mut counts = OperationCounts::default();
-    let reply = collision_methods::ask(case.variant, &question.displacement(), &mut counts)?;
+    let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut counts)?;
     let passes = counts.get(Operation::LineEvaluation) as f64 / case.n as f64;
     Ok(Measurement::new(&counts, reply.digest(), reply.verdict(&question)).with_value("passes", passes))
 }

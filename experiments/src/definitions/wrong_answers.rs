@@ -13,16 +13,23 @@ const QUESTIONS: u32 = 10;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "wrong-answers",
     title: "Collision: wrong answers, method by method",
-    question: "The truth of every question is known from its construction. The exact methods are never wrong. What computes in \
-               floating point alone is right on clear cases and fails near contact, the more the closer: GJK, and the linear \
-               programs' engines when their answer is taken as it stands. Instance k asks about placement k: overlapping, separated, \
+    question: "The truth of every question is known from its construction. The exact methods are never wrong. GJK, which computes \
+               in floating point alone, is right on clear cases and fails near contact, the more the closer. The linear programs' \
+               engines are only believed where an exact proof succeeds, so they fail openly instead. Instance k asks about placement k: overlapping, separated, \
                gaps of 1e-3, 1e-6, 1e-9 and 1e-12 inside and outside, touching.",
     claims: &["theorem-5.2", "erratum-5.1-difference"],
     families: BODY_FAMILIES,
     real_inputs: &[],
     sizes: PerProfile { quick: &[6, 32], full: &[6, 16, 32, 64, 256, 1 << 10] },
     instances: PerProfile::both(PLACEMENTS.len() as u32),
-    variants: &[Variant { id: "by_lad", title: "Kernel: exact", largest: PerProfile::both(usize::MAX) }],
+    variants: &[
+        Variant { id: "by_lad", title: "Kernel", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_slope_selection", title: "Theorem 5.2", largest: PerProfile::both(256) },
+        Variant { id: "by_explicit_faces", title: "Explicit faces", largest: PerProfile::both(64) },
+        Variant { id: "by_gjk", title: "GJK in floating point", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "clarabel", title: "Linear program, proof from clarabel's guess", largest: PerProfile::both(64) },
+        Variant { id: "microlp", title: "Linear program, proof from microlp's guess", largest: PerProfile::both(64) },
+    ],
     measure,
     timing: None,
     fits: &[],
@@ -38,7 +45,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         let seed = seed::seed_of(case.instance_seed, &number.to_string());
         let Some(question) = Question::about(family.generate(case.n, seed), placement, seed) else { continue };
         asked += 1;
-        let member = collision_methods::guess(case.variant, &question.displacement(), &mut counts)?;
+        let member = collision_methods::guess(case.variant, &question.displacement(), case.seed, &mut counts)?;
         match member {
             Some(member) => wrong += u32::from(member != question.is_member()),
             None => failed += 1,

@@ -4,8 +4,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::collision::{Separation, Witness};
 use crate::collision::verify::verify;
+use crate::collision::{Separation, Witness};
 use crate::numeric::Rational;
 
 type Vector = [Rational; 3];
