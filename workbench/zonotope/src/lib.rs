@@ -15,6 +15,9 @@
 //! | [`lad::in_space`] | the kernel in three variables | under 5.1 in R^4 |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
+//! | [`arrangement::tiling`] | the tiling of Q by the facets of the upper hull, dual to the arrangement | 3, Figure 1 |
+//! | [`arrangement::separator`] | the k-th separator of that tiling | 5.1 |
+//! | [`collision::upper_hull`] | the height of the upper hull over a point | 5.1 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
 //! | [`zonotope::faces`] | the face lattice in space; vertices and facets in any dimension | 3 |
@@ -33,6 +36,9 @@
 //! | P'_i | [`enclosing::centered_zonogon::BoundaryVertex`] with `reflected` |
 //! | f(O) | `area` of Z(O); up to a constant the objective of a [`lad::LadProblem`] |
 //! | 𝓐 | the arrangement of the lines of that problem |
+//! | Π, ℓ_i | [`arrangement::DualArrangement`] and its line with the index i |
+//! | 𝒯, T_ij | [`arrangement::tiling::Tiling`] and a tile of it |
+//! | L'_k | [`arrangement::separator::Separator`] |
 //!
 //! # Layers
 //!

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`slope_selection`] | the k-th leftmost vertex |
 //! | [`separator`] | the chain with k tiles of the dual tiling on its left |
+//! | [`tiling`] | the tiling that is dual to the arrangement of generators in space, with the isomorphism |
 //!
 //! [`DualArrangement`] is the arrangement that Section 3 attaches to the generators of a zonotope in space.
 
@@ -15,6 +16,7 @@ pub(crate) mod lines;
 mod rows;
 pub mod separator;
 pub mod slope_selection;
+pub mod tiling;
 
 pub use dual::{DualArrangement, GeneratorError};
 pub use line::{ExactLine, LineIndex};

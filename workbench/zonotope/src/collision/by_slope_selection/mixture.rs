@@ -2,9 +2,8 @@
 //!
 //! A vertex is Σ ± v, so in a mean of eight vertices the coefficient of a generator depends on its eight signs alone: there are
 //! few different ones, and one exact sum of generators for each. Coefficients that are not ±1 are rounded, and three
-//! independent generators among theirs make up for it exactly. Where that takes one of the three out of [−1, 1], the
-//! generators are settled one by one in exact arithmetic: each joins the basis, or moves until it or a member of the basis
-//! is at ±1 and stays there. What is left in the end is a basis with all others at ±1.
+//! independent generators among theirs make up for it exactly. Where that takes one of the three out of [−1, 1], the rational
+//! coefficients are moved along dependences of the generators until all but a basis are ±1.
 
 use super::chain::Chain;
 use crate::arrangement::DualArrangement;
@@ -12,9 +11,11 @@ use crate::arrangement::dual::Upward;
 use crate::collision::by_lad::basis::Basis;
 use crate::collision::by_lad::sums::signed_sum;
 use crate::collision::by_lad::witness::rounded;
+use crate::collision::settling::settle;
 use crate::collision::{Displacement, Witness};
+use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, difference, exact, is_zero, multiple, sum};
+use crate::numeric::vector::{ExactVector, difference, exact, multiple};
 
 /// Vertices with weights.
 #[derive(Debug)]
@@ -84,7 +85,7 @@ impl Mixture {
         let numerators = basis.numerators(&rest);
         let fits = |numerator: &Dyadic| numerator.clone().abs() <= *basis.determinant();
         if basis.misses(&rest) || !numerators.iter().all(fits) {
-            return settle_one_by_one(question, &loose, &total, coefficients);
+            return settled(question, &classes, &total);
         }
         for (&member, numerator) in basis.generators.iter().zip(&numerators) {
             coefficients[member] = rounded(numerator, basis.determinant());
@@ -133,68 +134,55 @@ fn spanning(question: &Displacement<'_, 3>, loose: &[&Class]) -> Basis {
     basis
 }
 
-/// The proof with ±1 off the basis. `coefficients` holds ±1 for all but the loose generators. O(n) pivots.
-fn settle_one_by_one(
-    question: &Displacement<'_, 3>,
-    loose: &[&Class],
-    total: &Dyadic,
-    mut coefficients: Vec<f64>,
-) -> Witness {
-    let of = |member: usize| question.generator(member);
-    let mut basis = Basis::new(Vec::new());
-    // total times what the basis has to make up for: p − Σ x v over all others
-    let mut rest = exact([0.0; 3]);
-    let members = loose.iter().flat_map(|class| class.members.iter().map(|&member| (&class.numerator, member)));
-    for (numerator, member) in members {
-        let v = exact(of(member));
-        if is_zero(&v) {
-            continue;
-        }
-        rest = sum(&rest, &multiple(numerator, &v));
-        if basis.misses(&v) {
-            basis = basis.with(member, of);
-            continue;
-        }
-        let leaving = pivot(&basis, &difference(&rest, &multiple(numerator, &v)), &v, &(total - numerator), total);
-        let (settled, side) = leaving.map_or((member, 1.0), |(position, side)| (basis.generators[position], side));
-        coefficients[settled] = side;
-        rest = difference(&rest, &multiple(total, &exact(of(settled).map(|c| side * c))));
-        if settled != member {
-            let kept = basis.generators.iter().filter(|&&b| b != settled).chain([&member]);
-            let mut kept: Vec<usize> = kept.copied().collect();
-            kept.sort_unstable();
-            basis = Basis::new(kept.into_iter().map(|b| (b, of(b))).collect());
+/// The proof with doubles off the basis that needs no room. O(n) eliminations.
+fn settled(question: &Displacement<'_, 3>, classes: &[Class], total: &Dyadic) -> Witness {
+    let mut coefficients = vec![Rational::ONE; question.len()];
+    for class in classes {
+        let value = class.numerator.to_rational() / total.to_rational();
+        for &member in &class.members {
+            coefficients[member] = value.clone();
         }
     }
-    let one = basis.determinant() * total;
-    for (&member, numerator) in basis.generators.iter().zip(&basis.numerators(&rest)) {
-        coefficients[member] = rounded(numerator, &one);
-    }
-    Witness { coefficients, basis: basis.generators }
+    settle(coefficients, |member| exact(question.generator(member)).iter().map(Dyadic::to_rational).collect())
 }
 
-/// Moves the coefficient of v, a vector of the span, towards 1, which is `room` / `total` away: the position in the basis of
-/// the first member that comes to ±1 before that, and where; none if v comes to 1 first.
-fn pivot(basis: &Basis, rest: &ExactVector, v: &ExactVector, room: &Dyadic, total: &Dyadic) -> Option<(usize, f64)> {
-    let one = basis.determinant() * total;
-    let (speeds, starts) = (basis.numerators(v), basis.numerators(rest));
-    // member b has coefficient (start − t · speed) / one at time t, where v has moved by t / total
-    let mut first: Option<(usize, f64, Dyadic, Dyadic)> = None;
-    for (position, (speed, start)) in speeds.iter().zip(&starts).enumerate() {
-        let side = match speed.sign() {
-            std::cmp::Ordering::Greater => -1.0,
-            std::cmp::Ordering::Less => 1.0,
-            std::cmp::Ordering::Equal => continue,
-        };
-        let bound = if side < 0.0 { -one.clone() } else { one.clone() };
-        let (way, speed) = ((start - &bound).abs(), speed.clone().abs());
-        let is_sooner = match &first {
-            Some((_, _, best_way, best_speed)) => &way * best_speed < best_way * &speed,
-            None => way < room * &speed,
-        };
-        if is_sooner {
-            first = Some((position, side, way, speed));
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::collision::Location;
+    use crate::collision::verify::verify;
+
+    proptest! {
+        #[test]
+        fn both_proofs_of_a_mean_hold(
+            generators in proptest::collection::vec([-3i32..4, -3..4, -3..4], 1..9),
+            weights in proptest::collection::vec(1i32..9, 1..9),
+            signs in proptest::collection::vec(any::<bool>(), 72),
+        ) {
+            let generators: Vec<[f64; 3]> = generators.iter().map(|v| v.map(f64::from)).collect();
+            let upward: Vec<Upward> =
+                (0..).zip(&generators).map(|(generator, &vector)| Upward { generator, reversed: false, vector }).collect();
+            let mut mixture = Mixture::new(generators.len());
+            let mut sum = [0.0; 3];
+            for (vertex, &weight) in weights.iter().enumerate() {
+                let sign = |i: usize| if signs[vertex * generators.len() + i] { 1i8 } else { -1 };
+                mixture.add(Dyadic::from_f64(weight.into()), upward.iter().enumerate().map(|(i, v)| (v, sign(i))), false);
+                for (i, v) in generators.iter().enumerate() {
+                    sum = [0, 1, 2].map(|axis| sum[axis] + f64::from(weight) * f64::from(sign(i)) * v[axis]);
+                }
+            }
+            // the mean, with every generator multiplied by the total so that it is a point of doubles
+            let total: i32 = weights.iter().sum();
+            let scaled: Vec<[f64; 3]> = generators.iter().map(|v| v.map(|c| c * f64::from(total))).collect();
+            let question = Displacement::new([0.0; 3], sum, &scaled).expect("finite");
+            let total = Dyadic::from_f64(total.into());
+            let proofs = [mixture.witness(&question, &question.exact()), settled(&question, &mixture.classes(&total), &total)];
+            for proof in proofs {
+                let fails = [Location::Inside(proof.clone()), Location::Boundary(proof)].map(|l| verify(&question, &l));
+                prop_assert!(fails.iter().any(Result::is_ok), "{:?}", fails);
+            }
         }
     }
-    first.map(|(position, side, ..)| (position, side))
 }

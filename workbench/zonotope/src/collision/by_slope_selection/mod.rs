@@ -47,7 +47,7 @@
 //! Never. More than three dimensions do not compile.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force), [`by_lad`], and [`verify`](super::verify) on every answer.
+//! [`brute_force`](super::brute_force), [`by_lad`](super::by_lad), and [`verify`](super::verify) on every answer.
 //!
 //! # Example
 //! ```

@@ -185,6 +185,43 @@ fn operations_grow_like_n_log_squared_n() {
     }
 }
 
+/// Concurrent, parallel and nearly parallel lines by the hundred: each vertical line still halves the tiles.
+#[test]
+fn structured_bodies_take_few_steps() {
+    use rand::RngExt;
+    const COUNT: usize = 400;
+    let mut random = Pcg64Mcg::seed_from_u64(5);
+    let mut vectors = |make: &mut dyn FnMut([f64; 3], usize) -> Vector| -> Vec<Vector> {
+        (0..COUNT).map(|i| make([0; 3].map(|_| random.random_range(-1.0..1.0)), i)).collect()
+    };
+    let directions = body(8);
+    let families = [
+        ("random", vectors(&mut |v, _| v)),
+        ("lattice", vectors(&mut |v, _| v.map(|c| (3.5 * c).round()))),
+        ("flat", vectors(&mut |[x, y, _], _| [x, y, x - 2.0 * y])),
+        ("level", vectors(&mut |[x, y, _], _| [x, y, 0.0])),
+        ("vertical plane", vectors(&mut |[x, _, z], _| [x, x, z])),
+        ("nearly flat", vectors(&mut |[x, y, z], i| [x, y, if i % 10 == 0 { z } else { 1e-9 * z }])),
+        ("eight directions", vectors(&mut |v, i| directions[i % 8].map(|c| c * v[0]))),
+        ("noisy directions", vectors(&mut |v, i| [0, 1, 2].map(|axis| directions[i % 8][axis] + 1e-9 * v[axis]))),
+        ("uneven lengths", vectors(&mut |v, i| v.map(|c| c * 2f64.powi(-(i as i32) / 4)))),
+    ];
+    for (name, generators) in families {
+        for t in [0.2, 0.9, 1.1] {
+            // t times the farthest point in a direction
+            let along = |v: &Vector| 0.3 * v[0] + 0.5 * v[1] + 0.8 * v[2];
+            let top = generators.iter().fold([0.0; 3], |p, v| [0, 1, 2].map(|i| p[i] + v[i] * along(v).signum()));
+            let question = Displacement::new([0.0; 3], top.map(|c| t * c), &generators).expect("finite");
+            let mut counts = OperationCounts::default();
+            let location = locate_counted(&question, 0, &mut counts);
+            assert_eq!(location.status(), by_lad::locate(&question).status(), "{name}, {t}");
+            assert_eq!(verify(&question, &location), Ok(()), "{name}, {t}");
+            println!("{name}, {t}: {}, {counts:?}", location.status());
+            assert!(counts.get(Operation::SearchStep) <= 2 * 3 * 18, "{name}, {t}: {counts:?}");
+        }
+    }
+}
+
 /// The farther from the middle, the nearer to the boundary: proofs on both sides of it, down to one unit in the last place.
 #[test]
 fn proofs_hold_close_to_the_boundary() {

@@ -1,0 +1,109 @@
+//! The isomorphism of Figure 1 on random and structured bodies; the separators; what is refused; what the walker sees.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::arrangement::DualArrangement;
+use crate::arrangement::separator::separator;
+
+type Vector = [f64; 3];
+
+fn check(generators: &[Vector]) -> Result<(), TestCaseError> {
+    let tiling = match tiling(generators) {
+        Ok(tiling) => tiling,
+        Err(TilingError::Coplanar { generators: found }) => {
+            let [a, b, c] = found.map(|i| generators[i].map(|c| Dyadic::from_f64(c).to_rational()));
+            let cross = [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]];
+            let determinant = &cross[0] * &c[0] + &cross[1] * &c[1] + &cross[2] * &c[2];
+            prop_assert_eq!(determinant, Rational::ZERO);
+            return Ok(());
+        }
+        Err(TilingError::Parallel { first, second }) => {
+            let [a, b] = [generators[first], generators[second]].map(|v| v.map(Dyadic::from_f64));
+            let cross = [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]];
+            prop_assert!(cross.iter().all(Dyadic::is_zero));
+            return Ok(());
+        }
+        Err(other) => return Err(TestCaseError::fail(other.to_string())),
+    };
+    prop_assert_eq!(verify::verify(&tiling, generators), Ok(()));
+    let dual = DualArrangement::new(generators).expect("finite");
+    prop_assert_eq!(dual.lines().vertex_count(), tiling.tiles.len() as u64);
+    for k in 0..=tiling.tiles.len() {
+        let chain = tiling.separator(k).expect("there are k tiles");
+        let points: Vec<[Dyadic; 2]> = chain
+            .iter()
+            .map(|&corner| {
+                let [x, y, _] = tiling.vertex(corner).exact_point.clone();
+                [x, y]
+            })
+            .collect();
+        let selected = separator(&dual, k as u64, 0).expect("the generators are in general position");
+        prop_assert_eq!(&selected.exact_points, &points, "k = {}", k);
+        prop_assert_eq!(Some(selected.generators), tiling.separator_generators(k), "k = {}", k);
+    }
+    prop_assert_eq!(tiling.separator(tiling.tiles.len() + 1), None);
+    Ok(())
+}
+
+fn generators(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Vec<Vector>> {
+    proptest::collection::vec([coordinate.clone(), coordinate.clone(), coordinate], 0..9)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn random_bodies(generators in generators(-1.0..1.0f64)) {
+        check(&generators)?;
+    }
+
+    #[test]
+    fn lattice_bodies(generators in generators((-4i32..5).prop_map(f64::from))) {
+        check(&generators)?;
+    }
+
+    #[test]
+    fn level_vertical_and_parallel_projections(
+        generators in generators(-1.0..1.0f64),
+        level in proptest::collection::vec((1..4i32, -90..90i32), 0..3),
+        vertical in -2i32..3,
+        heights in proptest::collection::vec(-1.0..1.0f64, 0..3),
+    ) {
+        let level = level.into_iter().map(|(x, z)| [f64::from(x), 0.0, f64::from(z)]);
+        let parallel = heights.into_iter().map(|z| [1.0, 2.0, z]);
+        let all: Vec<Vector> = generators.into_iter().chain(level).chain(parallel).chain([[0.0, 0.0, f64::from(vertical)]]).collect();
+        check(&all)?;
+    }
+}
+
+#[test]
+fn what_is_not_in_general_position_is_named() {
+    let parallel = [[1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [0.0, -2.0, -2.0]];
+    assert_eq!(tiling(&parallel), Err(TilingError::Parallel { first: 1, second: 2 }));
+    let coplanar = [[1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [5.0, 3.0, 9.0], [1.0, 1.0, 1.0]];
+    assert_eq!(tiling(&coplanar), Err(TilingError::Coplanar { generators: [0, 1, 3] }));
+    let error = tiling(&[[0.0, 0.0, f64::INFINITY]]).expect_err("not finite");
+    assert_eq!(error.to_string(), "generator 0, coordinate 2 is inf, not a finite number");
+}
+
+#[test]
+fn the_walker_sees_every_kind_of_fault() {
+    let generators = [[1.0, 0.5, 0.25], [-0.5, 1.0, 0.75], [0.25, -1.0, 0.5], [0.75, 0.25, -1.0]];
+    let right = tiling(&generators).expect("general position");
+    assert_eq!(verify::verify(&right, &generators), Ok(()));
+    let broken = |change: fn(&mut Tiling)| {
+        let mut tiling = right.clone();
+        change(&mut tiling);
+        verify::verify(&tiling, &generators).expect_err("the tiling was broken")
+    };
+    use verify::IsomorphismError as E;
+    assert!(matches!(broken(|t| t.tiles[0].exact_dual[1] += Rational::ONE), E::Tile { .. }));
+    assert!(matches!(broken(|t| t.tiles.swap(0, 1)), E::TileOrder));
+    assert!(matches!(broken(|t| t.edges[0].right = None), E::Edge { .. }));
+    assert!(matches!(broken(|t| t.edges[0].upper = t.edges[0].lower), E::Vertex { .. }));
+    assert!(matches!(broken(|t| t.vertices[0].exact_point[2] = Dyadic::zero()), E::Vertex { .. }));
+    assert!(matches!(broken(|t| t.vertices.push(t.vertices[0].clone())), E::VertexCount { .. }));
+    assert!(matches!(broken(|t| t.tiles[2].corners.swap(0, 1)), E::Shape { .. }));
+    assert!(matches!(broken(|t| t.left_side[1] = t.left_side[0]), E::Area));
+}
