@@ -3,6 +3,8 @@
 //! A pass decides nothing by itself. [`Extents`] are read off once a body; with them every later pass has a bound on its error, and
 //! only where that bound leaves a doubt is exact arithmetic needed.
 
+use super::Zonotope;
+use super::faces::Estimate;
 use crate::numeric::tolerance::UNIT;
 
 /// Partial sums kept side by side.
@@ -100,6 +102,20 @@ impl<const D: usize> Extents<D> {
     }
 }
 
+impl<const D: usize> Zonotope<D> {
+    /// The support function in a direction of finite coordinates by one pass in doubles, with a bound on its error; `extents` are those of the generators.
+    /// O(n). [`support`](Self::support) is exact.
+    pub fn support_estimate(&self, direction: &[f64; D], extents: &Extents<D>) -> Estimate {
+        let width = absolute_sum(self.generators(), direction);
+        let center = self.center();
+        let magnitude: f64 = center.iter().zip(direction).map(|(c, u)| (c * u).abs()).sum();
+        let value = dot(&center, direction) + width;
+        let of_center = UNIT * (D as f64 + 2.0) * magnitude + UNIT * width + f64::from_bits(1) * (D as f64 + 2.0);
+        let error = (extents.error(direction, width) + of_center) * (1.0 + 1.0 / 1_048_576.0);
+        Estimate { value, error: if value.is_finite() { finite_or_infinity(error) } else { f64::INFINITY } }
+    }
+}
+
 /// How many additions a term of a pass over `count` generators goes through, with room for products of their errors.
 fn additions(count: usize) -> f64 {
     count.div_ceil(LANES) as f64 + 5.0
@@ -170,6 +186,12 @@ mod tests {
             });
             let gained = point.iter().zip(direction).fold(Dyadic::zero(), |s, (a, b)| s + a * &exact(b));
             prop_assert!(error == f64::INFINITY || truth - gained <= exact(error));
+            for center in [[0.0; 3], [1e16, -3.0, 0.1], generators.first().copied().unwrap_or_default()] {
+                let body = Zonotope::new(center, generators.clone()).expect("finite");
+                let estimate = body.support_estimate(&direction, &extents);
+                let off = || (exact(estimate.value) - body.support(direction).exact_value).abs();
+                prop_assert!(estimate.error == f64::INFINITY || off() <= exact(estimate.error));
+            }
             let rounded = extreme_sum(&generators, &direction);
             for k in 0..3 {
                 prop_assert!((exact(rounded[k]) - point[k].clone()).abs() <= exact(extents.point_error()[k]));

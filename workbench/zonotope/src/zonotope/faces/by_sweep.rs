@@ -53,6 +53,7 @@ use super::FacesError;
 use super::circles::{Circles, NEW_PLACE};
 use super::lattice::FaceLattice;
 use super::slots::Slots;
+use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::directions::Directions;
 
@@ -71,13 +72,13 @@ pub(super) struct Crossings {
 }
 
 impl Crossings {
-    fn new(circles: &Circles) -> Self {
+    fn new(circles: &Circles, tally: &mut impl Tally) -> Self {
         let mut sequences = Vec::with_capacity(circles.len() * (circles.len() - 1));
         let mut zone_starts = vec![0];
         let (mut keys, mut crossings) = (Vec::new(), Vec::new());
         let (mut facets, mut incidences) = (0, 0);
         for rank in 0..circles.len() {
-            circles.crossings(rank, &mut keys, &mut crossings);
+            circles.crossings(rank, &mut keys, &mut crossings, tally);
             let mut places = 0;
             for crossing in &crossings {
                 places += crossing >> 31;
@@ -96,15 +97,20 @@ impl Crossings {
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub(super) fn face_lattice(body: &Zonotope<3>, directions: Directions<3>) -> Result<FaceLattice, FacesError> {
+pub(super) fn face_lattice(
+    body: &Zonotope<3>,
+    directions: Directions<3>,
+    tally: &mut impl Tally,
+) -> Result<FaceLattice, FacesError> {
     if directions.len() > MAX_DIRECTIONS {
         return Err(FacesError::TooManyDirections { directions: directions.len() });
     }
     let circles = Circles::new(directions.representatives());
-    let crossings = Crossings::new(&circles);
+    let crossings = Crossings::new(&circles, tally);
     let mut lattice = FaceLattice::with_room(body, directions, circles, &crossings);
     let mut slots = Slots::new(&crossings, &lattice);
     while let Some(crossing) = slots.next_crossing() {
+        tally.add(Operation::SearchStep, 1);
         slots.pass(crossing, &mut lattice);
     }
     let (last_cells, north) = slots.finish();

@@ -7,8 +7,9 @@
 
 use std::cmp::Ordering;
 
-use super::direction::{Direction, determinant_sign};
+use super::direction::{Direction, determinant_sign, determinant_sign_counted};
 use crate::numeric::dyadic::Dyadic;
+use crate::tally::{Operation, Tally};
 
 /// In a sequence of crossings: this one is not at the place of the one before.
 pub(super) const NEW_PLACE: u32 = 1 << 31;
@@ -61,21 +62,21 @@ impl Circles {
 
     /// The ranks of the circles that circle `rank` crosses in the half turn east of the first meridian, in this order; those that cross
     /// in one place in the order of their ranks, all but the first without [`NEW_PLACE`]. O(n log n).
-    pub(super) fn crossings(&self, rank: usize, keys: &mut Vec<u64>, crossings: &mut Vec<u32>) {
+    pub(super) fn crossings(&self, rank: usize, keys: &mut Vec<u64>, crossings: &mut Vec<u32>, tally: &mut impl Tally) {
         crossings.clear();
         self.guess_order(rank, keys);
         let low_bits = self.low_bits();
         crossings.extend(keys.iter().map(|key| (key & low_bits) as u32));
-        let certain = crossings.windows(2).all(|pair| self.order(rank, pair[0], pair[1]).is_lt());
+        let certain = crossings.windows(2).all(|pair| self.order(rank, pair[0], pair[1], tally).is_lt());
         if certain {
             crossings.iter_mut().for_each(|crossing| *crossing |= NEW_PLACE);
             return;
         }
-        crossings.sort_by(|&a, &b| self.order(rank, a, b).then(a.cmp(&b)));
+        crossings.sort_by(|&a, &b| self.order(rank, a, b, tally).then(a.cmp(&b)));
         let mut previous = None;
         for crossing in crossings {
             let other = *crossing;
-            if previous.is_none_or(|p| self.order(rank, p, other).is_ne()) {
+            if previous.is_none_or(|p| self.order(rank, p, other, tally).is_ne()) {
                 *crossing |= NEW_PLACE;
             }
             previous = Some(other);
@@ -84,10 +85,12 @@ impl Circles {
 
     /// Which of the circles `a` and `b` circle `rank` crosses first, exactly.
     #[inline]
-    fn order(&self, rank: usize, a: u32, b: u32) -> Ordering {
+    fn order(&self, rank: usize, a: u32, b: u32, tally: &mut impl Tally) -> Ordering {
+        tally.add(Operation::Comparison, 1);
         // the circle further north passes below the other: the crossing lies at the cross product of the northern by the southern one
         let swapped = (a as usize > rank) != (b as usize > rank);
-        let sign = determinant_sign(&self.directions[rank], &self.directions[a as usize], &self.directions[b as usize]);
+        let [circle, a, b] = [rank, a as usize, b as usize].map(|rank| &self.directions[rank]);
+        let sign = determinant_sign_counted(circle, a, b, tally);
         if swapped { sign } else { sign.reverse() }
     }
 

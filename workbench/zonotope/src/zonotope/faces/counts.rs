@@ -26,7 +26,7 @@ pub(in crate::zonotope) fn space_counts(body: &Zonotope<3>, with_volume: bool) -
     let mut counts = SpaceCounts { edges: 0, facet_sizes: BTreeMap::new(), volume: Dyadic::zero() };
     let (mut keys, mut crossings) = (Vec::new(), Vec::new());
     for rank in 0..circles.len() {
-        circles.crossings(rank, &mut keys, &mut crossings);
+        circles.crossings(rank, &mut keys, &mut crossings, &mut ());
         for place in crossings.chunk_by(|_, next| next & NEW_PLACE == 0) {
             counts.edges += 2;
             if (place[0] & !NEW_PLACE) as usize > rank {

@@ -9,6 +9,7 @@ use robust::{Coord3D, orient3d};
 
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+use crate::tally::{Operation, Tally};
 
 /// Bounds the error of a computed determinant relative to the sum of the magnitudes of its six products: each goes through five
 /// roundings; the rest pays for the roundings within the bound.
@@ -68,6 +69,17 @@ impl Direction {
 /// The sign of det(a, b, c) = a · (b × c), exactly.
 #[inline]
 pub(super) fn determinant_sign(a: &Direction, b: &Direction, c: &Direction) -> Ordering {
+    determinant_sign_counted(a, b, c, &mut ())
+}
+
+/// [`determinant_sign`], counting an [`Operation::ExactFallback`] if doubles do not decide it.
+#[inline]
+pub(super) fn determinant_sign_counted(
+    a: &Direction,
+    b: &Direction,
+    c: &Direction,
+    tally: &mut impl Tally,
+) -> Ordering {
     let [x, y, z] = a.scaled;
     let [d, e, f] = b.scaled;
     let [g, h, i] = c.scaled;
@@ -79,6 +91,7 @@ pub(super) fn determinant_sign(a: &Direction, b: &Direction, c: &Direction) -> O
     if determinant.abs() > RELATIVE * magnitude + UNDERFLOW {
         return if determinant > 0.0 { Ordering::Greater } else { Ordering::Less };
     }
+    tally.add(Operation::ExactFallback, 1);
     exact_sign(determinant, a, b, c)
 }
 

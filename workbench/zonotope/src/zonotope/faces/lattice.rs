@@ -235,7 +235,7 @@ impl FaceLattice {
             zone_starts: zone_starts.clone(),
             facet_starts,
             facet_vertices: Vec::with_capacity(4 * incidences),
-            facet_edges: Vec::with_capacity(4 * incidences),
+            facet_edges: vec![0; 4 * incidences],
             facets: 2 * facets,
         }
     }
@@ -271,9 +271,14 @@ impl FaceLattice {
         self.facet_vertices.push(vertex);
     }
 
+    /// Writes edge `side` of the facet begun last, and its opposite into the opposite facet: seen from outside, a reflection in the centre
+    /// turns the order around.
     #[inline]
-    pub(super) fn push_edge(&mut self, edge: u32) {
-        self.facet_edges.push(edge);
+    pub(super) fn set_edge(&mut self, facet: u32, side: usize, [edge, opposite]: [u32; 2]) {
+        let [start, end] = [0, 1].map(|next| self.facet_starts[facet as usize + next] as usize);
+        self.facet_edges[start + side] = edge;
+        let half = self.facet_edges.len() / 2;
+        self.facet_edges[half + end - 1 - side] = opposite;
     }
 
     #[inline]
@@ -312,10 +317,6 @@ impl FaceLattice {
             self.facet_vertices.push(reflect(self.facet_vertices[start]));
             for at in (start + 1..end).rev() {
                 self.facet_vertices.push(reflect(self.facet_vertices[at]));
-            }
-            for at in (start..end).rev() {
-                let edge = Edge(self.facet_edges[at]);
-                self.facet_edges.push(self.opposite_edge(edge).0);
             }
             self.facet_starts.push(half + end as u32);
         }

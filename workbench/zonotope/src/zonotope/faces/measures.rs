@@ -32,7 +32,7 @@ impl Zonotope<3> {
         let (mut keys, mut crossings) = (Vec::new(), Vec::new());
         let mut sum = Dyadic::zero();
         for rank in 0..circles.len() {
-            circles.crossings(rank, &mut keys, &mut crossings);
+            circles.crossings(rank, &mut keys, &mut crossings, &mut ());
             sum = sum + determinants_south_of(rank, &crossings, &half_edges);
         }
         sum.scaled(3)

@@ -31,6 +31,7 @@ pub use measures::Estimate;
 
 use super::Zonotope;
 use super::directions::Directions;
+use crate::tally::Tally;
 
 /// The faces of a zonotope, by the dimension of the body.
 #[derive(Debug, Clone)]
@@ -65,6 +66,15 @@ pub enum FacesError {
 /// # Errors
 /// [`FacesError::TooManyDirections`].
 pub fn faces(body: &Zonotope<3>) -> Result<Faces, FacesError> {
+    faces_counted(body, &mut ())
+}
+
+/// [`faces`], counting an [`Operation::Comparison`](crate::tally::Operation::Comparison) for each order of two crossings of a great circle, the exact fallbacks
+/// among them, and an [`Operation::SearchStep`](crate::tally::Operation::SearchStep) for each crossing that the sweep passes.
+///
+/// # Errors
+/// [`FacesError::TooManyDirections`].
+pub fn faces_counted(body: &Zonotope<3>, tally: &mut impl Tally) -> Result<Faces, FacesError> {
     let directions = Directions::new(body.generators());
     match directions.len() {
         0 => Ok(Faces::Point(body.center())),
@@ -73,7 +83,7 @@ pub fn faces(body: &Zonotope<3>) -> Result<Faces, FacesError> {
             Ok(Faces::Segment([body.support(sum.map(|c| -c)).point(), body.support(sum).point()]))
         }
         _ => {
-            let lattice = by_sweep::face_lattice(body, directions)?;
+            let lattice = by_sweep::face_lattice(body, directions, tally)?;
             Ok(if lattice.is_flat() { Faces::Flat(lattice) } else { Faces::Solid(lattice) })
         }
     }

@@ -91,11 +91,10 @@ impl<'a> Slots<'a> {
         for cell in (first_new..self.new_cell).rev() {
             lattice.push_vertex(cell);
         }
-        for &rank in &self.circles[slot..slot + size] {
-            lattice.push_edge(self.arc_before(rank));
-        }
-        for &rank in &self.circles[slot..slot + size] {
-            lattice.push_edge(self.arc_after(rank));
+        for (side, &rank) in self.circles[slot..slot + size].iter().enumerate() {
+            let [before, after] = self.arcs_at_next(rank);
+            lattice.set_edge(facet, side, before);
+            lattice.set_edge(facet, size + side, after);
         }
         self.circles[slot..slot + size].reverse();
         for inner in 1..size {
@@ -108,7 +107,7 @@ impl<'a> Slots<'a> {
         }
         for place in slot..slot + size {
             let rank = self.circles[place] as usize;
-            let arc = self.arc_after(rank as u32);
+            let arc = self.zone_starts[rank] + self.passed[rank];
             lattice.set_arc(arc, [self.cells[place + 1], self.cells[place]], facet);
             self.passed[rank] += 1;
             self.next[rank] = self.crossing_at(rank, self.next[rank].end);
@@ -123,18 +122,14 @@ impl<'a> Slots<'a> {
         }
     }
 
-    /// The arc of a circle that its next crossing ends.
-    fn arc_before(&self, rank: u32) -> u32 {
+    /// The arcs of a circle that its next crossing ends and begins, each with its opposite.
+    #[inline]
+    fn arcs_at_next(&self, rank: u32) -> [[u32; 2]; 2] {
         let [start, end] = [0, 1].map(|i| self.zone_starts[rank as usize + i]);
-        match self.passed[rank as usize] {
-            0 => end - 1,
-            passed => start + passed - 1,
-        }
-    }
-
-    /// The arc of a circle that its next crossing begins.
-    fn arc_after(&self, rank: u32) -> u32 {
-        self.zone_starts[rank as usize] + self.passed[rank as usize]
+        let (passed, half) = (self.passed[rank as usize], (end - start) / 2);
+        let after = start + passed;
+        let before = if passed > 0 { [after - 1, after - 1 + half] } else { [end - 1, start + half - 1] };
+        [before, [after, after + half]]
     }
 
     /// The crossing of a circle that begins at a place of its sequence.
