@@ -1,7 +1,8 @@
 //! A cone of directions, and which generators are orthogonal to none of them.
 
+use wide::f64x2;
+
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::UNIT;
 use crate::numeric::vector::{self, ExactVector};
 
@@ -9,16 +10,16 @@ use crate::numeric::vector::{self, ExactVector};
 const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// Generators read side by side.
-const LANES: usize = 4;
+const LANES: usize = 2;
 
 /// Generators read before their sums join the total.
 const BLOCK: usize = 256;
 
-/// All positive multiples of center + s sides_0 + t sides_1, |s| ≤ 1, |t| ≤ 1.
+/// All positive multiples of the directions in a box: those that differ from the centre by at most `reach` in each coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     pub(super) center: [f64; 3],
-    pub(super) sides: [[f64; 3]; 2],
+    pub(super) reach: [f64; 3],
 }
 
 /// Σ sign · v over generators whose sign is fixed throughout a cell, in doubles.
@@ -47,34 +48,33 @@ impl FixedSum {
 impl Cell {
     /// One pass: sums up the generators that are certainly orthogonal to no direction of the cell, and reports the others.
     ///
-    /// A dot product of doubles is off by at most 3 u |v|_1 max |u_k| and an underflow, so the sign of v · center is that throughout the
-    /// cell if |v · center| exceeds |v · sides_0| + |v · sides_1| by the bounds of the three.
+    /// The sign of v · center is that throughout the cell if |v · center| exceeds Σ |v_k| reach_k. Both sums of three products of
+    /// doubles are off by at most 3 u Σ |v_k| (|center_k| + reach_k) and an underflow, which a wider reach makes up for.
     pub(super) fn split(&self, generators: &[[f64; 3]], mut report: impl FnMut(usize)) -> FixedSum {
-        let largest = |u: &[f64; 3]| u.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-        let margin = 8.0 * UNIT * (largest(&self.center) + largest(&self.sides[0]) + largest(&self.sides[1]));
+        let wider = [0, 1, 2].map(|k| self.reach[k] + 8.0 * UNIT * (self.center[k].abs() + self.reach[k]));
+        let wide = WideCell { center: self.center.map(f64x2::splat), reach: wider.map(f64x2::splat) };
         let mut total = FixedSum::default();
         let mut crossing = [0u32; BLOCK + LANES];
         for (number, block) in generators.chunks(BLOCK).enumerate() {
             let mut lanes = Lanes::default();
             let mut count = 0;
             let (rows, rest) = block.as_chunks::<LANES>();
-            let mut read = |start: usize, vectors: &[[f64; 3]; LANES]| {
-                let fixed = lanes.read(self, margin, vectors);
-                for (lane, fixed) in fixed.into_iter().enumerate() {
-                    crossing[count] = (start + lane) as u32;
-                    count += usize::from(fixed == 0);
+            for (row, &[first, second]) in rows.iter().enumerate() {
+                let fixed = lanes.read(&wide, first, second);
+                if fixed != 0b11 {
+                    for lane in (0..LANES).filter(|lane| fixed & (1 << lane) == 0) {
+                        crossing[count] = (row * LANES + lane) as u32;
+                        count += 1;
+                    }
                 }
-            };
-            for (row, vectors) in rows.iter().enumerate() {
-                read(row * LANES, vectors);
             }
-            if !rest.is_empty() {
-                let mut vectors = [[0.0; 3]; LANES];
-                vectors[..rest.len()].copy_from_slice(rest);
-                read(rows.len() * LANES, &vectors);
+            if let &[last] = rest
+                && lanes.read(&wide, last, [0.0; 3]) & 1 == 0
+            {
+                crossing[count] = (rows.len() * LANES) as u32;
+                count += 1;
             }
-            let own = crossing[..count].iter().map(|&i| i as usize).filter(|&i| i < block.len());
-            own.for_each(|i| report(number * BLOCK + i));
+            crossing[..count].iter().for_each(|&i| report(number * BLOCK + i as usize));
             lanes.join(&mut total);
         }
         // a term goes through at most BLOCK / LANES + LANES additions in its block and one for each block
@@ -91,69 +91,57 @@ impl Cell {
         if x * u[0] + y * u[1] + z * u[2] < 0.0 { -1 } else { 1 }
     }
 
-    /// Whether a direction is certainly in the cell.
-    pub(super) fn contains(&self, u: &BoundedVector) -> bool {
-        let [center, first, second] = [self.center, self.sides[0], self.sides[1]].map(bounded::exact);
-        let determinant = bounded::dot(&center, &bounded::cross(&first, &second));
-        let Some(sign) = determinant.sign() else { return false };
-        let oriented = |value: Bounded| if sign < 0 { value.negated() } else { value };
-        let height = oriented(bounded::dot(u, &bounded::cross(&first, &second)));
-        let across = bounded::cross(u, &center);
-        height.is_positive()
-            && bounded::dot(&across, &second).is_within(height)
-            && bounded::dot(&across, &first).is_within(height)
+    /// Whether a direction u is certainly in the cell, when scaled such that u · p is center · p.
+    pub(super) fn contains(&self, u: &BoundedVector, p: &BoundedVector) -> bool {
+        let center = bounded::exact(self.center);
+        let (along, own) = (bounded::dot(u, p), bounded::dot(&center, p));
+        let is_near = |k: usize| (u[k] * own - center[k] * along).is_within(along * Bounded::exact(self.reach[k]));
+        along.is_positive() && own.is_positive() && (0..3).all(is_near)
     }
 
-    /// Whether a direction is in the cell.
-    pub(super) fn contains_exactly(&self, u: &ExactVector) -> bool {
-        let [center, first, second] = [self.center, self.sides[0], self.sides[1]].map(vector::exact);
-        let normal = vector::cross(&first, &second);
-        let sign = vector::dot(&center, &normal).sign();
-        let height = vector::dot(u, &normal);
-        let across = vector::cross(u, &center);
-        let reaches = |side: &ExactVector| vector::dot(&across, side).abs() <= height.clone().abs();
-        sign.is_ne() && height.sign() == sign && reaches(&first) && reaches(&second) && height != Dyadic::zero()
+    /// Whether a direction u with u · p > 0 is in the cell, when scaled such that u · p is center · p.
+    pub(super) fn contains_exactly(&self, u: &ExactVector, p: &ExactVector) -> bool {
+        let (center, reach) = (vector::exact(self.center), vector::exact(self.reach));
+        let (along, own) = (vector::dot(u, p), vector::dot(&center, p));
+        let is_near = |k: usize| (&u[k] * &own - &center[k] * &along).abs() <= &along * &reach[k];
+        along.sign().is_gt() && own.sign().is_gt() && (0..3).all(is_near)
     }
 }
 
+/// Sums side by side.
 #[derive(Default)]
 struct Lanes {
-    sums: [[f64; LANES]; 3],
-    magnitude: [f64; LANES],
+    sum: [f64x2; 3],
+    magnitude: f64x2,
 }
 
 impl Lanes {
-    /// Adds vectors side by side; returns 0 for those that may cross the cell.
+    /// Adds two vectors; returns a bit for each that certainly misses the cell.
     #[inline(always)]
-    fn read(&mut self, cell: &Cell, margin: f64, vectors: &[[f64; 3]; LANES]) -> [u64; LANES] {
-        const SIGN: u64 = 1 << 63;
-        let (mut x, mut y, mut z) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            [x[lane], y[lane], z[lane]] = vectors[lane];
+    fn read(&mut self, cell: &WideCell, first: [f64; 3], second: [f64; 3]) -> u32 {
+        let v = [0, 1, 2].map(|k| f64x2::new([first[k], second[k]]));
+        let [ax, ay, az] = v.map(f64x2::abs);
+        let value = v[0] * cell.center[0] + v[1] * cell.center[1] + v[2] * cell.center[2];
+        let reach = ax * cell.reach[0] + ay * cell.reach[1] + az * cell.reach[2] + f64x2::splat(TINY);
+        let fixed = value.abs().simd_gt(reach);
+        let negative = value & f64x2::splat(-0.0);
+        for (sum, c) in self.sum.iter_mut().zip(v) {
+            *sum += (c ^ negative) & fixed;
         }
-        let (mut negative, mut fixed) = ([0u64; LANES], [0u64; LANES]);
-        for lane in 0..LANES {
-            let along = |u: &[f64; 3]| x[lane] * u[0] + y[lane] * u[1] + z[lane] * u[2];
-            let size = x[lane].abs() + y[lane].abs() + z[lane].abs();
-            let value = along(&cell.center);
-            let reach = along(&cell.sides[0]).abs() + along(&cell.sides[1]).abs() + (margin * size + TINY);
-            negative[lane] = value.to_bits() & SIGN;
-            fixed[lane] = if value.abs() > reach { u64::MAX } else { 0 };
-            self.magnitude[lane] += size;
-        }
-        for lane in 0..LANES {
-            let signed = |c: f64| f64::from_bits((c.to_bits() ^ negative[lane]) & fixed[lane]);
-            self.sums[0][lane] += signed(x[lane]);
-            self.sums[1][lane] += signed(y[lane]);
-            self.sums[2][lane] += signed(z[lane]);
-        }
-        fixed
+        self.magnitude += ax + ay + az;
+        fixed.to_bitmask()
     }
 
     fn join(&self, total: &mut FixedSum) {
-        for (sum, lanes) in total.sum.iter_mut().zip(&self.sums) {
-            *sum += lanes.iter().sum::<f64>();
+        for (sum, lanes) in total.sum.iter_mut().zip(self.sum) {
+            *sum += lanes.reduce_add();
         }
-        total.magnitude += self.magnitude.iter().sum::<f64>();
+        total.magnitude += self.magnitude.reduce_add();
     }
+}
+
+/// A cell in each lane.
+struct WideCell {
+    center: [f64x2; 3],
+    reach: [f64x2; 3],
 }

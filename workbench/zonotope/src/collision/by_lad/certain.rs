@@ -38,8 +38,8 @@ impl Certain {
         let Some(sign) = dot(&product, p).sign() else { return End::Doubt };
         let reversed = sign < 0;
         let direction = if reversed { product.map(Bounded::negated) } else { product };
-        if !reduced.cells.iter().all(|cell| cell.contains(&direction)) {
-            return End::Astray(meeting(columns, first, second));
+        if !reduced.cells.iter().all(|cell| cell.contains(&direction, p)) {
+            return End::Astray(columns.meet(first, second));
         }
         let mut sum = reduced.fixed.bounded();
         let mut magnitude = reduced.fixed.magnitude;
@@ -70,10 +70,4 @@ impl Certain {
         let basis = [first, second].map(|i| reduced.indices[i] as usize);
         End::Certain(Box::new(Self { basis, vectors, reversed, direction, sum, reach, along, magnitude, overrides }))
     }
-}
-
-fn meeting(lines: &Columns, i: usize, j: usize) -> [f64; 2] {
-    let ([a, b, c], [d, e, f]) = ([lines.a[i], lines.b[i], lines.c[i]], [lines.a[j], lines.b[j], lines.c[j]]);
-    let determinant = a * e - b * d;
-    [(b * f - c * e) / determinant, (c * d - a * f) / determinant]
 }

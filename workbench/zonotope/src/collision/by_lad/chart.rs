@@ -3,6 +3,9 @@
 use super::cell::Cell;
 use super::smooth::Guess;
 
+/// The smallest reach of a cell, in terms of its centre.
+const LEAST_REACH: f64 = 1e-11;
+
 /// Coordinates (x, y) = (u_i, u_j) of the plane, k the axis along which p is longest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chart {
@@ -55,9 +58,13 @@ impl Chart {
         self.direction(point, 1.0)
     }
 
-    /// The cell of a guess, with its sides stretched.
+    /// The smallest box around the parallelogram of a guess, stretched.
     pub(super) fn cell(&self, guess: &Guess, stretch: f64) -> Cell {
-        let side = |v: [f64; 2]| self.direction(v.map(|c| c * stretch), 0.0);
-        Cell { center: self.point(guess.point), sides: guess.sides.map(side) }
+        let [first, second] = guess.sides.map(|side| self.direction(side, 0.0));
+        let center = self.point(guess.point);
+        // not so small that a vertex in which many lines meet is missed by rounding
+        let least = LEAST_REACH * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+        let reach = [0, 1, 2].map(|k| least.max(stretch * (first[k].abs() + second[k].abs())));
+        Cell { center, reach }
     }
 }

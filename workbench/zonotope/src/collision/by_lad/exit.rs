@@ -68,7 +68,7 @@ impl Exit {
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
         let own = plane.signs(&optimum.certificate.signs);
         let (last, own) = own.split_last()?;
-        let is_inside = *last == 1 && reduced.cells.iter().all(|cell| cell.contains_exactly(&direction));
+        let is_inside = *last == 1 && reduced.cells.iter().all(|cell| cell.contains_exactly(&direction, p));
         is_inside.then(|| {
             for (&index, &sign) in reduced.indices.iter().zip(own) {
                 signs[index as usize] = sign;

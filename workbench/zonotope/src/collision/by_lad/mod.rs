@@ -11,7 +11,7 @@
 //! beside the projection Q is not needed: no data are rotated, the plane may be any.
 //!
 //! # Method
-//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`); one of R^4 goes to [`by_lad_in_r4`](super::by_lad_in_r4).
+//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`); one of R^4 goes to [`by_lad_in_r4`](super::by_lad_in_r4). Of a few generators the shortest combination may prove it all (`small`).
 //! 2. The optimum of a sample with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all is likely
 //!    to be. Where that is all that is asked: does its centre separate? (`support`)
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
@@ -64,6 +64,7 @@ mod plane;
 mod reduced;
 mod search;
 pub(super) mod separation;
+mod small;
 mod smooth;
 pub(super) mod sums;
 mod support;
@@ -79,6 +80,9 @@ use self::lift::{Prism, lowered};
 use super::{Displacement, Gauge, Location, by_lad_in_r4};
 use crate::tally::Tally;
 
+/// With at most this many generators a proof is tried before the search.
+const AT_ONCE: usize = 32;
+
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
 pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
     locate_counted(question, &mut ())
@@ -91,12 +95,17 @@ pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mu
         return lowered(by_lad_in_r4::locate_counted(&question, tally), question.len());
     }
     match question.in_dimension::<3>() {
-        Some(question) => lowered(Facet::find(&question, true, tally).location(), question.len()),
+        Some(question) => lowered(locate_in_space(&question, tally), question.len()),
         None => {
             let prism = Prism::over(question);
             prism.lower(Facet::find(&prism.question(), true, tally).location())
         }
     }
+}
+
+fn locate_in_space(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Location<3> {
+    let at_once = if question.len() <= AT_ONCE { small::locate(question) } else { None };
+    at_once.unwrap_or_else(|| Facet::find(question, true, tally).location())
 }
 
 /// The gauge of a displacement and where it lies.

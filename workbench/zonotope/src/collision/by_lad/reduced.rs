@@ -29,9 +29,9 @@ pub(super) struct Reduced {
 pub(super) enum End {
     /// An optimum that bounds on all rounding errors prove.
     Certain(Box<Certain>),
-    /// A vertex near this point, too near to other lines or to a change of the basis for doubles; or none.
+    /// A vertex too near to other lines, or to a change of the basis, for doubles.
     Doubt,
-    /// A vertex that is perhaps outside the cells.
+    /// None, or a vertex that is perhaps outside the cells; a point to go on from.
     Astray([f64; 2]),
 }
 
@@ -99,7 +99,7 @@ impl Reduced {
     pub(super) fn solve(&self, columns: &Columns, chart: &Chart, p: &BoundedVector, start: [f64; 2]) -> End {
         match descend(columns, self.linear(chart), start) {
             Some(basis) => Certain::at(self, columns, p, basis),
-            None => End::Doubt,
+            None => End::Astray(start),
         }
     }
 }

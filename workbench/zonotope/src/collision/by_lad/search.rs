@@ -18,7 +18,10 @@ use crate::tally::{Operation, Tally};
 const SMALL: usize = 128;
 
 /// At most this many lines are searched without a smaller cell.
-const FEW: usize = 28;
+const FEW: usize = 40;
+
+/// At most this many lines are solved exactly rather than fewer.
+const FEW_EXACTLY: usize = 300;
 
 /// How many cells are tried around optima of samples.
 const ROUNDS: usize = 3;
@@ -101,28 +104,44 @@ pub(super) fn search(
 }
 
 /// Solves a reduced problem, or says where its optimum seems to be instead.
+///
+/// Smaller and smaller cells leave fewer and fewer lines. Where the vertex found seems to be outside the last cell, the lines of
+/// the one before it are searched.
 fn finish(reduced: Reduced, chart: &Chart, p: &BoundedVector, start: Option<&Guess>) -> Result<Found, [f64; 2]> {
-    let columns = reduced.columns(chart);
-    let start = if columns.len() <= FEW {
-        columns.least_squares().map_or([0.0; 2], |(point, _)| point)
-    } else {
-        let linear = reduced.linear(chart);
-        let aim = Aim { thickness: THICKNESS, population: columns.len(), deviations: BAND_DEVIATIONS };
-        let Some(guess) = columns.guess(linear, start, aim) else {
-            return Ok(exactly(reduced));
-        };
-        let few = reduced.split(chart.cell(&guess, 1.0));
-        match few.solve(&few.columns(chart), chart, p, guess.point) {
-            End::Certain(certain) => return Ok(Found::Certain(certain, reduced.cells.first().copied())),
-            End::Doubt => return Ok(exactly(few)),
-            End::Astray(point) => point,
+    let mut levels = vec![reduced];
+    let mut guess = start.copied();
+    let mut columns = levels[0].columns(chart);
+    while columns.len() > FEW {
+        let last = levels.last().expect("there is always the first");
+        let thickness = THICKNESS.max(columns.len().isqrt() as f64);
+        let aim = Aim { thickness, population: columns.len(), deviations: BAND_DEVIATIONS };
+        let Some(next) = columns.guess(last.linear(chart), guess.as_ref(), aim) else { break };
+        guess = Some(next);
+        let few = last.split(chart.cell(&next, 1.0));
+        if 4 * few.vectors.len() > 3 * last.vectors.len() {
+            break;
         }
-    };
-    match reduced.solve(&columns, chart, p, start) {
-        End::Certain(certain) => Ok(Found::Certain(certain, reduced.cells.first().copied())),
-        End::Doubt => Ok(exactly(reduced)),
-        End::Astray(point) => Err(point),
+        columns = few.columns(chart);
+        levels.push(few);
     }
+    let least_squares = |columns: &Columns| columns.least_squares().map_or([0.0; 2], |(point, _)| point);
+    let mut point = guess.map_or_else(|| least_squares(&columns), |guess| guess.point);
+    let cell = levels[0].cells.first().copied();
+    while let Some(level) = levels.pop() {
+        match level.solve(&columns, chart, p, point) {
+            End::Certain(certain) => return Ok(Found::Certain(certain, cell)),
+            End::Doubt => {
+                // the widest problem that is still small for exact arithmetic has the surest cell
+                let wider = levels.into_iter().find(|wider| wider.vectors.len() <= FEW_EXACTLY);
+                return Ok(exactly(wider.unwrap_or(level)));
+            }
+            End::Astray(vertex) => point = vertex,
+        }
+        if let Some(wider) = levels.last() {
+            columns = wider.columns(chart);
+        }
+    }
+    Err(point)
 }
 
 /// What exact arithmetic has to solve: the reduced problem, unless nothing is gained by it.

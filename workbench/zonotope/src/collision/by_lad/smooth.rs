@@ -4,6 +4,10 @@
 //! lines nearer than e shrinks as the steps get shorter, until it is a few lines thick. Nothing here is exact
 //! and nothing rests on it but speed.
 
+use wide::f64x2;
+
+use super::descend::descend;
+
 /// Lines a x + b y + c with the inverse length of their generators, as columns.
 #[derive(Debug, Default)]
 pub(super) struct Columns {
@@ -34,10 +38,16 @@ pub(super) struct Aim {
 }
 
 /// The most Newton steps.
-const STEPS: usize = 24;
+const STEPS: usize = 20;
 
-/// Lines read side by side.
-const LANES: usize = 4;
+/// The thinnest band, in terms of the first.
+const THINNEST: f64 = 1e-13;
+
+/// After so many steps that went too far the objective is not smooth enough for this.
+const MOST_SHORTENED: usize = 3;
+
+/// The band is thin enough with so many times the lines it must have.
+const ENOUGH: f64 = 3.0;
 
 /// A symmetric matrix [[xx, xy], [xy, yy]].
 type Symmetric = [f64; 3];
@@ -99,105 +109,171 @@ impl Columns {
 
     fn moments(&self, point: [f64; 2], band: f64) -> Moments {
         let mut lanes = Lanes::default();
-        let scale = 1.0 / band;
-        let ((a, a_rest), (b, b_rest)) = (self.a.as_chunks::<LANES>(), self.b.as_chunks::<LANES>());
-        let ((c, c_rest), (w, w_rest)) = (self.c.as_chunks::<LANES>(), self.weight.as_chunks::<LANES>());
+        let [x, y] = point.map(f64x2::splat);
+        let scale = f64x2::splat(1.0 / band);
+        let ((a, a_rest), (b, b_rest)) = (self.a.as_chunks::<2>(), self.b.as_chunks::<2>());
+        let ((c, c_rest), (w, w_rest)) = (self.c.as_chunks::<2>(), self.weight.as_chunks::<2>());
         for (((a, b), c), w) in a.iter().zip(b).zip(c).zip(w) {
-            lanes.read(a, b, c, w, point, scale);
+            lanes.read([*a, *b, *c, *w].map(f64x2::new), [x, y], scale);
         }
-        if !a_rest.is_empty() {
-            // the missing lines have no normal and are far from every point
-            let padded = |rest: &[f64], fill: f64| {
-                let mut lanes = [fill; LANES];
-                lanes[..rest.len()].copy_from_slice(rest);
-                lanes
-            };
-            let (a, b) = (padded(a_rest, 0.0), padded(b_rest, 0.0));
-            lanes.read(&a, &b, &padded(c_rest, 1.0), &padded(w_rest, f64::MAX), point, scale);
+        if let ([a], [b], [c], [w]) = (a_rest, b_rest, c_rest, w_rest) {
+            // beside a line without normal that is far from every point
+            lanes.read([[*a, 0.0], [*b, 0.0], [*c, 1.0], [*w, f64::MAX]].map(f64x2::new), [x, y], scale);
         }
         lanes.total()
     }
 
     /// A point near the minimum of linear · x + Σ |a x + b y + c|; searched from another guess, if there is one.
+    ///
+    /// Where a step ends far beyond the minimum along its way, it is shortened. The band gets thinner when the steps are shorter than
+    /// it; where it gets too thin the search goes back and thins it less, and where it follows the minimum steadily the
+    /// next one is extrapolated.
     pub(super) fn guess(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
-        let Aim { thickness, population, deviations } = aim;
+        self.by_newton(linear, start, aim).or_else(|| self.by_descent(linear, aim))
+    }
+
+    /// The guess from vertex to vertex, slower but sure: for lines in few bundles, where the rounded-off objective is still all edges.
+    fn by_descent(&self, linear: [f64; 2], aim: Aim) -> Option<Guess> {
+        let start = self.least_squares().map_or([0.0; 2], |(point, _)| point);
+        let [first, second] = descend(self, linear, start)?;
+        let point = self.meet(first, second);
+        let distance = |i: usize| (self.a[i] * point[0] + self.b[i] * point[1] + self.c[i]).abs() * self.weight[i];
+        let mut distances: Vec<f64> = (0..self.len()).map(distance).collect();
+        let place = (aim.thickness as usize).min(self.len() - 1);
+        let (_, &mut nearest, _) = distances.select_nth_unstable_by(place, f64::total_cmp);
+        let band = 2.0 * nearest;
+        self.around(&self.moments(point, band), band, point, aim)
+    }
+
+    /// Where two lines meet.
+    pub(super) fn meet(&self, i: usize, j: usize) -> [f64; 2] {
+        let ([a, b, c], [d, e, f]) = ([self.a[i], self.b[i], self.c[i]], [self.a[j], self.b[j], self.c[j]]);
+        let determinant = a * e - b * d;
+        [(b * f - c * e) / determinant, (c * d - a * f) / determinant]
+    }
+
+    fn by_newton(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
+        let thickness = aim.thickness;
         let (mut point, mut band) = match start {
             Some(guess) => (guess.point, guess.band),
             None => self.least_squares()?,
         };
-        let mut last: Option<(Moments, f64)> = None;
-        for _ in 0..STEPS {
+        let thinnest = band * THINNEST;
+        let mut best: Option<(Moments, f64, [f64; 2])> = None;
+        let mut pending: Option<Step> = None;
+        let mut anchor: Option<(f64, [f64; 2])> = None;
+        let mut shortened = 0;
+        let mut steps = 0;
+        loop {
+            steps += 1;
+            if steps > STEPS {
+                return None;
+            }
             let moments = self.moments(point, band);
             let gradient = [moments.gradient[0] + linear[0], moments.gradient[1] + linear[1]];
-            let step = if moments.count < thickness { None } else { solve(&moments.hessian, gradient) };
-            let Some(step) = step else {
-                if last.is_some() {
-                    break;
+            let newton = if moments.count < thickness { None } else { solve(&moments.hessian, gradient) };
+            let Some(newton) = newton else {
+                (pending, anchor) = (None, None);
+                match best {
+                    None if moments.count as usize == self.len() => return None,
+                    None => band *= 4.0,
+                    Some((wider, size, _)) if wider.count < ENOUGH * thickness || band > 0.7 * size => break,
+                    Some((_, size, from)) => (point, band) = (from, (band * size).sqrt()),
                 }
-                band *= 4.0;
                 continue;
             };
-            point = [point[0] - step[0], point[1] - step[1]];
-            last = Some((moments, band));
-            // the mean square of the change of t / e in the band, each length taken for the harmonic mean
-            let [xx, xy, yy] = moments.hessian;
-            let curvature = (xx * step[0] + 2.0 * xy * step[1]) * step[0] + yy * step[1] * step[1];
-            let change = curvature * moments.weight / (band * moments.count * moments.count);
-            if change < 0.25 {
-                if moments.count < 2.0 * thickness {
-                    break;
+            if let Some(shorter) = pending.take().and_then(|step| step.shortened(gradient)) {
+                shortened += 1;
+                if shortened > MOST_SHORTENED {
+                    return None;
                 }
-                band *= (1.5 * thickness / moments.count).max(0.125);
-            } else if change < 4.0 {
-                band *= 0.5;
+                point = shorter;
+                continue;
             }
+            let step = Step { origin: point, vector: newton.map(|c| -c), slope: -dot(gradient, newton) };
+            point = step.end();
+            // the mean square of the change of t / e in the band, each length taken for the harmonic mean
+            let change = -step.slope * moments.weight / (band * moments.count * moments.count);
+            if change >= 1.0 {
+                best = best.or(Some((moments, band, step.origin)));
+                pending = Some(step);
+                continue;
+            }
+            best = Some((moments, band, point));
+            if moments.count < ENOUGH * thickness || band < thinnest {
+                break;
+            }
+            let steady = change < 0.25;
+            let thinner = band * (1.5 * thickness / moments.count).max(if steady { 0.125 } else { 0.5 });
+            let before = anchor.replace((band, point)).filter(|(before, _)| steady && *before > 1.01 * band);
+            if let Some((before, from)) = before {
+                let ahead = (band - thinner) / (before - band);
+                point = [0, 1].map(|i| point[i] + ahead * (point[i] - from[i]));
+            }
+            band = thinner;
         }
-        let (moments, band) = last?;
-        let missing = 1.0 - self.len() as f64 / population as f64;
+        let (moments, band, point) = best?;
+        self.around(&moments, band, point, aim)
+    }
+
+    /// The guess at a point, given the moments of the band there.
+    fn around(&self, moments: &Moments, band: f64, point: [f64; 2], aim: Aim) -> Option<Guess> {
+        let missing = 1.0 - self.len() as f64 / aim.population as f64;
         let [first, second] = factor(&self.spread(point, band, missing))?;
-        let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * deviations));
+        let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * aim.deviations));
         let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
         let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();
         (finite(guess.point) && finite(guess.sides[0]) && finite(guess.sides[1])).then_some(guess)
     }
 }
 
+/// A Newton step, and the slope along it where it starts.
+#[derive(Debug, Clone, Copy)]
+struct Step {
+    origin: [f64; 2],
+    vector: [f64; 2],
+    slope: f64,
+}
+
+impl Step {
+    fn end(&self) -> [f64; 2] {
+        [self.origin[0] + self.vector[0], self.origin[1] + self.vector[1]]
+    }
+
+    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
+    fn shortened(&self, gradient: [f64; 2]) -> Option<[f64; 2]> {
+        let slope = dot(gradient, self.vector);
+        let part = (self.slope / (self.slope - slope)).max(0.05);
+        (slope > -0.3 * self.slope).then(|| [0, 1].map(|i| self.origin[i] + part * self.vector[i]))
+    }
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
 /// Sums side by side: the gradient, the Hessian, weight and count of the band.
 #[derive(Default)]
-struct Lanes([[f64; LANES]; 7]);
+struct Lanes([f64x2; 7]);
 
 impl Lanes {
     #[inline(always)]
-    fn read(
-        &mut self,
-        a: &[f64; LANES],
-        b: &[f64; LANES],
-        c: &[f64; LANES],
-        w: &[f64; LANES],
-        [x, y]: [f64; 2],
-        scale: f64,
-    ) {
-        for lane in 0..LANES {
-            let weight = w[lane] * scale;
-            let t = (a[lane] * x + b[lane] * y + c[lane]) * weight;
-            // the arguments in this order make a NaN a bound, and the compiler's minimum and maximum single instructions
-            let slope = if t < 1.0 { t } else { 1.0 };
-            let slope = if slope > -1.0 { slope } else { -1.0 };
-            let inside = t.abs() < 1.0;
-            let stiff = if inside { weight } else { 0.0 };
-            let (sa, sb) = (stiff * a[lane], stiff * b[lane]);
-            self.0[0][lane] += slope * a[lane];
-            self.0[1][lane] += slope * b[lane];
-            self.0[2][lane] += sa * a[lane];
-            self.0[3][lane] += sa * b[lane];
-            self.0[4][lane] += sb * b[lane];
-            self.0[5][lane] += stiff;
-            self.0[6][lane] += if inside { 1.0 } else { 0.0 };
+    fn read(&mut self, [a, b, c, w]: [f64x2; 4], [x, y]: [f64x2; 2], scale: f64x2) {
+        let one = f64x2::splat(1.0);
+        let weight = w * scale;
+        let t = (a * x + b * y + c) * weight;
+        let inside = t.abs().simd_lt(one);
+        let slope = t.fast_min(one).fast_max(-one);
+        let stiff = weight & inside;
+        let (sa, sb) = (stiff * a, stiff * b);
+        let terms = [slope * a, slope * b, sa * a, sa * b, sb * b, stiff, one & inside];
+        for (sum, term) in self.0.iter_mut().zip(terms) {
+            *sum += term;
         }
     }
 
     fn total(&self) -> Moments {
-        let [gx, gy, xx, xy, yy, weight, count] = self.0.map(|lanes| lanes.iter().sum());
+        let [gx, gy, xx, xy, yy, weight, count] = self.0.map(f64x2::reduce_add);
         Moments { gradient: [gx, gy], hessian: [xx, xy, yy], weight, count }
     }
 }
