@@ -1,7 +1,7 @@
 //! Whether a zonotope holds a displacement, by the algorithm of Gilbert, Johnson and Keerthi in floating point: may be wrong, may give up.
 //!
 //! # Statement
-//! Input: a displacement p and generators g_i of R^D, any D ≥ 1. Output: [`GjkAnswer`], a belief without proof. Touching, flat and
+//! Input: a displacement p and generators g_i of R^D, 1 ≤ D ≤ 7. Output: [`GjkAnswer`], a belief without proof. Touching, flat and
 //! narrowly missing questions are where it fails; the library's other methods are exact, this one is what they are measured against.
 //!
 //! # Source
@@ -27,7 +27,7 @@
 //! None: failures are answers.
 //!
 //! # Panics
-//! Never.
+//! Never. More than seven dimensions do not compile.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on questions that are far from touching; its failures elsewhere are counted, not hidden.

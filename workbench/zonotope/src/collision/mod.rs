@@ -14,7 +14,7 @@
 //! | [`by_lad_in_r4`] | 4 | O(n) a step, few steps | the kernel in three variables; the default there |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every facet normal |
 //! | [`by_explicit_faces`] | 1 to 3 | Ω(n²) | every facet of the explicit body |
-//! | [`by_gjk`] | any D | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
+//! | [`by_gjk`] | 1 to 7 | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of the plane.

@@ -10,7 +10,8 @@
 //! with one more variable.
 //!
 //! # Method
-//! 1. Start at a point, pinned down by three planes without weight.
+//! 1. Start at a point, pinned down by three planes without weight; among many planes, at the optimum of every eighth, found in
+//!    the same way.
 //! 2. At a vertex, try both ways along the three edges of its basis; if the objective falls along one, take the steepest and go to its
 //!    lowest vertex (`line_search`): a plane leaves the basis, another enters.
 //! 3. If no edge falls and only the basis passes through the vertex, it is optimal. So it is where the coefficients that the basis needs, with 0
@@ -60,6 +61,9 @@ use super::vertex::{Plane, Vertex};
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 
+/// From so many planes on, the search starts in the optimum of a sample.
+const SAMPLED: usize = 1024;
+
 /// A minimiser with its proof.
 pub fn minimize(problem: &SpaceLadProblem) -> SpaceOutcome {
     minimize_counted(problem, &mut ())
@@ -107,9 +111,11 @@ pub(crate) enum Descent {
 #[derive(Debug)]
 pub(crate) struct ProblemPlane(Plane);
 
-/// Descends from a point of the chart to an optimum.
+/// Descends from a point of the chart, or from where a sample has its optimum, to an optimum.
 pub(crate) fn descend(instance: &Instance, start: &Vector4, tally: &mut impl Tally) -> Descent {
-    Search { random: Pcg64Mcg::seed_from_u64(0), tally }.descend(instance, start)
+    let mut search = Search { random: Pcg64Mcg::seed_from_u64(0), tally };
+    let start = search.start(instance, start);
+    search.descend(instance, &start)
 }
 
 /// A direction and two planes on which it runs.
@@ -127,6 +133,23 @@ struct Search<'t, T> {
 }
 
 impl<T: Tally> Search<'_, T> {
+    /// The rounded optimum of a sample, itself found from a smaller one; the given point where there is none.
+    fn start(&mut self, instance: &Instance, given: &Vector4) -> Vector4 {
+        if instance.len() < SAMPLED {
+            return given.clone();
+        }
+        let sample = instance.sample();
+        let start = self.start(&sample, given);
+        match self.descend(&sample, &start) {
+            Descent::Optimal { point, .. } => {
+                let largest = point.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
+                let rounded = point.map(|v| Dyadic::from_f64(v.scaled(-largest).to_f64()));
+                if dot4(&instance.chart, &rounded).sign().is_gt() { rounded } else { given.clone() }
+            }
+            Descent::Unbounded { .. } => given.clone(),
+        }
+    }
+
     fn descend(&mut self, instance: &Instance, start: &Vector4) -> Descent {
         let mut vertex = Vertex::at(instance, start, self.tally);
         loop {

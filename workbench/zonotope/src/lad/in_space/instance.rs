@@ -5,7 +5,7 @@
 //! (0, 0, 0, 1); the gauge of a point p in R^4 has the chart p and the generators for forms.
 
 use super::vector4::{Vector4, cross4, dot4, is_zero4};
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::exact_sum::ExactSum;
 
 /// The forms, exactly.
@@ -27,12 +27,34 @@ impl Source<'_> {
 
     fn form(&self, i: usize) -> Vector4 {
         match self {
-            Self::Doubles([first, second]) => {
-                if i < first.len() { first[i] } else { second[i - first.len()] }.map(Dyadic::from_f64)
-            }
+            Self::Doubles(runs) => double(runs, i).map(Dyadic::from_f64),
             Self::Exact(forms) => forms[i].clone(),
         }
     }
+
+    /// The binary exponents of a form's coordinates.
+    fn exponents(&self, i: usize) -> [Option<i64>; 4] {
+        match self {
+            Self::Doubles(runs) => double(runs, i).map(|v| binary_exponent(v).map(i64::from)),
+            Self::Exact(forms) => forms[i].each_ref().map(Dyadic::binary_exponent),
+        }
+    }
+
+    /// A form with each coordinate scaled down and rounded.
+    fn rounded(&self, i: usize, scales: &[i64; 4]) -> [f64; 4] {
+        match self {
+            Self::Doubles(runs) => {
+                let form = double(runs, i);
+                std::array::from_fn(|k| scale_by_power_of_two(form[k], -scales[k]))
+            }
+            Self::Exact(forms) => std::array::from_fn(|k| forms[i][k].clone().scaled(-scales[k]).to_f64()),
+        }
+    }
+}
+
+fn double(runs: &[&[[f64; 4]]; 2], i: usize) -> [f64; 4] {
+    let [first, second] = runs;
+    if i < first.len() { first[i] } else { second[i - first.len()] }
 }
 
 /// A problem in homogeneous coordinates. The four coordinates of forms are scaled by powers of two of their own in `rounded`, those
@@ -76,21 +98,26 @@ impl<'a> Instance<'a> {
     pub(crate) fn new(chart: Vector4, linear: Vector4, source: Source<'a>) -> Self {
         let mut scales = [i64::MIN; 4];
         for i in 0..source.len() {
-            for (scale, v) in scales.iter_mut().zip(source.form(i)) {
-                *scale = v.binary_exponent().map_or(*scale, |e| e.max(*scale));
+            for (scale, exponent) in scales.iter_mut().zip(source.exponents(i)) {
+                *scale = exponent.map_or(*scale, |e| e.max(*scale));
             }
         }
         let scales = scales.map(|scale| if scale == i64::MIN { 0 } else { scale });
         let mut extents = [0.0; 4];
         let mut rounded = Vec::with_capacity(source.len());
         for i in 0..source.len() {
-            let form = source.form(i);
-            let form: [f64; 4] = std::array::from_fn(|k| form[k].clone().scaled(-scales[k]).to_f64());
+            let form = source.rounded(i, &scales);
             extents.iter_mut().zip(form).for_each(|(sum, v)| *sum += v.abs());
             rounded.push(form);
         }
         let growth = 1.0 + 4.0 * (rounded.len() as f64 + 4.0) * f64::EPSILON;
         Self { chart, linear, source, rounded, scales, extents: extents.map(|sum| sum * growth) }
+    }
+
+    /// Every eighth form, with an eighth of the linear term.
+    pub(super) fn sample(&self) -> Instance<'static> {
+        let forms = (0..self.len()).step_by(8).map(|i| self.form(i)).collect();
+        Instance::new(self.chart.clone(), self.linear.clone().map(|v| v.scaled(-3)), Source::Exact(forms))
     }
 
     pub(super) fn len(&self) -> usize {
