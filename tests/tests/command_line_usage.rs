@@ -35,7 +35,7 @@ fn a_command_line_that_makes_no_sense_ends_with_status_2() {
 fn help_and_version_are_results() {
     assert!(standard_output(zonobench().arg("--help")).contains("reproduce"));
     assert!(standard_output(zonobench().arg("--version")).starts_with("zonobench "));
-    for command in ["reproduce", "list", "enclose", "solve", "verify"] {
+    for command in ["reproduce", "list", "enclose", "intersect", "inspect", "solve", "verify"] {
         let help = standard_output(zonobench().args([command, "--help"]));
         assert!(help.contains("Usage"), "{command}");
     }

@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{enclose, intersect, list, reproduce, solve, verify};
+use crate::commands::{enclose, inspect, intersect, list, reproduce, solve, verify};
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
 #[derive(Debug, Parser)]
@@ -24,6 +24,8 @@ pub enum Command {
     Enclose(enclose::Options),
     /// Tell whether two zonotopes have a point in common, with the proof.
     Intersect(intersect::Options),
+    /// Tell what kind of body a zonotope is: faces, volume, size.
+    Inspect(inspect::Options),
     /// Answer questions, one line of JSON each.
     Solve(solve::Options),
     /// Check answers against their questions, exactly.

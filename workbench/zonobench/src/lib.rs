@@ -1,4 +1,4 @@
-//! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `solve`, `verify`.
+//! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `inspect`, `solve`, `verify`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
@@ -57,6 +57,7 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Intersect(options) => commands::intersect::run(options),
+        Command::Inspect(options) => commands::inspect::run(options),
         Command::Solve(options) => commands::solve::run(options),
         Command::Verify(options) => commands::verify::run(options),
     }

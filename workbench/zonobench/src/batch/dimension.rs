@@ -15,14 +15,14 @@ macro_rules! in_dimension {
             4 => $function::<4>($($argument),*),
             5 => $function::<5>($($argument),*),
             6 => $function::<6>($($argument),*),
-            other => Err($crate::batch::dimension::refused($name, other)),
+            other => Err($crate::batch::dimension::refused($name, other, $crate::batch::MAX_DIMENSION)),
         }
     };
 }
 pub(super) use in_dimension;
 
 /// The refusal of a vector that has too many coordinates, or none.
-pub(super) fn refused(name: &str, dimension: usize) -> Refusal {
-    let message = format!("{name} has {dimension} coordinates; 1 to {MAX_DIMENSION} are taken");
+pub(super) fn refused(name: &str, dimension: usize, most: usize) -> Refusal {
+    let message = format!("{name} has {dimension} coordinates; 1 to {most} are taken");
     Refusal::new(Code::DimensionMismatch, message)
 }

@@ -64,10 +64,21 @@ impl<'a> Fields<'a> {
         (0..).zip(rows).map(|(index, row)| vector_at(row, &place, index)).collect()
     }
 
+    /// The whole number under `name`.
+    pub(super) fn count(&self, name: &str) -> Result<u64, Refusal> {
+        whole(self.value(name), &self.place.field(name), 0)
+    }
+
+    /// The number of coordinates of the first vector under `name`, if there is any.
+    pub(super) fn dimension_of_first(&self, name: &str) -> Result<Option<usize>, Refusal> {
+        let first = self.list(name)?.first();
+        first.map(|row| list(row, &self.place.field(name).element(0)).map(<[Tree]>::len)).transpose()
+    }
+
     /// The whole numbers under `name`, which count from 1.
     pub(super) fn ranks(&self, name: &str) -> Result<Vec<u64>, Refusal> {
         let place = self.place.field(name);
-        (0..).zip(self.limited(name)?).map(|(index, value)| rank(value, &place.element(index))).collect()
+        (0..).zip(self.limited(name)?).map(|(index, value)| whole(value, &place.element(index), 1)).collect()
     }
 
     /// The list under `name`, if it is not too long.
@@ -126,13 +137,13 @@ fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], 
     Ok(vector)
 }
 
-fn rank(value: &Tree, place: &Place) -> Result<u64, Refusal> {
-    let whole = value.index().filter(|&rank| rank > 0);
-    whole.map(|rank| rank as u64).ok_or_else(|| {
+fn whole(value: &Tree, place: &Place, least: u64) -> Result<u64, Refusal> {
+    let whole = value.index().map(|index| index as u64).filter(|&index| index >= least);
+    whole.ok_or_else(|| {
         let found = match value {
             Tree::Number(number) => format!("{number:?}"),
             other => other.describe().to_owned(),
         };
-        Refusal::bad_input(format!("{place} is {found}, not a whole number from 1"))
+        Refusal::bad_input(format!("{place} is {found}, not a whole number from {least}"))
     })
 }

@@ -23,6 +23,18 @@ pub enum Code {
 }
 
 impl Code {
+    /// All of them.
+    pub const ALL: [Self; 8] = [
+        Self::NonFinite,
+        Self::DimensionMismatch,
+        Self::Empty,
+        Self::TooLarge,
+        Self::UnknownKind,
+        Self::UnknownMethod,
+        Self::BadInput,
+        Self::BadJson,
+    ];
+
     /// The name in the format.
     pub fn name(self) -> &'static str {
         match self {

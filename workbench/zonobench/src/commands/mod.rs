@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 pub mod enclose;
+pub mod inspect;
 pub mod intersect;
 pub mod list;
 mod page;

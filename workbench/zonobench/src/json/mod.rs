@@ -6,5 +6,5 @@ mod number;
 mod tree;
 
 pub use lines::{Line, Lines};
-pub use number::{NonFinite, to_json, vector_to_json};
+pub use number::{NonFinite, rows_to_json, to_json, vector_to_json};
 pub use tree::{MAX_VALUES, ReadError, Tree, read};

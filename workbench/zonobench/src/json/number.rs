@@ -60,3 +60,8 @@ pub fn to_json(number: f64) -> Value {
 pub fn vector_to_json(vector: &[f64]) -> Value {
     vector.iter().map(|&component| to_json(component)).collect()
 }
+
+/// Vectors as a JSON list of lists.
+pub fn rows_to_json(vectors: &[Vec<f64>]) -> Value {
+    vectors.iter().map(|vector| vector_to_json(vector)).collect()
+}

@@ -218,19 +218,46 @@ fn normal(p: &Vector, generators: &[Vector], facet: &[usize]) -> Option<Vector> 
 
 /// The gauge as the largest of u · p / Σ |u · g_i| over all facets, if they are few enough.
 fn searched(p: &Vector, generators: &[Vector]) -> Option<Proportion> {
-    let dimension = p.len();
-    if count_subsets(generators.len(), dimension - 1).saturating_mul(generators.len() as u64) > MOST_TRIALS {
-        return None;
-    }
-    let mut largest: Option<Proportion> = None;
-    for facet in subsets(generators.len(), dimension - 1) {
-        let Some(u) = normal(p, generators, &facet) else { continue };
-        let bound = Proportion::new(dot(&u, p), reach(generators, &u), 0);
-        if largest.as_ref().is_none_or(|largest| bound.compare(largest) == Ordering::Greater) {
-            largest = Some(bound);
+    Some(Facets::of(p.len(), generators)?.gauge(p))
+}
+
+/// The normals of all facets of a body with an interior, one for each pair of opposite facets.
+pub(super) struct Facets {
+    /// Each normal u with Σ |u · g_i|.
+    normals: Vec<(Vector, IBig)>,
+}
+
+impl Facets {
+    /// All facets, unless they are too many.
+    pub(super) fn of(dimension: usize, generators: &[Vector]) -> Option<Self> {
+        if count_subsets(generators.len(), dimension - 1).saturating_mul(generators.len() as u64) > MOST_TRIALS {
+            return None;
         }
+        let normals = subsets(generators.len(), dimension - 1).filter_map(|facet| {
+            let span = Echelon::spanned(dimension, facet.iter().map(|&index| &generators[index]));
+            let [u] = <[Vector; 1]>::try_from(span.complement(dimension)).ok()?;
+            let reach = reach(generators, &u);
+            Some((u, reach))
+        });
+        Some(Self { normals: normals.collect() })
     }
-    largest
+
+    /// How many normals there are.
+    pub(super) fn count(&self) -> usize {
+        self.normals.len()
+    }
+
+    /// The largest of |u · p| / Σ |u · g_i|.
+    pub(super) fn gauge(&self, p: &Vector) -> Proportion {
+        let mut largest = (IBig::ZERO, IBig::ONE);
+        for (u, reach) in &self.normals {
+            let along = dot(u, p).abs();
+            if &along * &largest.1 > &largest.0 * reach {
+                largest = (along, reach.clone());
+            }
+        }
+        Proportion::new(largest.0, largest.1, 0)
+    }
 }
 
 #[cfg(test)]

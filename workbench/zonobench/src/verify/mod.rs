@@ -10,21 +10,27 @@ mod gauge;
 mod grid;
 mod linear;
 mod location;
+mod member_batch;
 mod min_area;
 mod polygon;
 mod proportion;
+mod separator;
 mod slope_selection;
 mod subsets;
 mod support;
 mod transcript;
+mod upper_hull;
 
 pub use combinatorics::{CombinatoricsAnswer, CombinatoricsProof, check_combinatorics};
 pub use gauge::{GaugeAnswer, GaugeProof, check_gauge};
 pub use location::{Displaced, LocationAnswer, LocationCertificate, check_location};
+pub use member_batch::check_member_batch;
 pub use min_area::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+pub use separator::check_separator;
 pub use slope_selection::{Fraction, check_slope_selection};
 pub use support::{SupportAnswer, check_support};
 pub use transcript::{Verdict, check};
+pub use upper_hull::check_upper_hull;
 
 /// The largest relative difference that is accepted between a figure of an answer and its exact value.
 pub const RELATIVE_ERROR: f64 = 1e-12;

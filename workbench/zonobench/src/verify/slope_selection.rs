@@ -93,7 +93,7 @@ fn pairs(count: usize) -> u64 {
 }
 
 /// Sorts stably and counts the pairs whose order changes.
-fn sort_counting(items: &mut [usize], compare: &impl Fn(&usize, &usize) -> Ordering) -> u64 {
+pub(super) fn sort_counting(items: &mut [usize], compare: &impl Fn(&usize, &usize) -> Ordering) -> u64 {
     if items.len() < 2 {
         return 0;
     }

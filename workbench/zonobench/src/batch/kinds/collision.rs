@@ -1,11 +1,12 @@
 //! What the kinds about a body and a displacement share: the choice of a method, zonotopes in the input, proofs in the answer.
 
-use std::ops::RangeInclusive;
-
 use serde_json::{Value, json};
-use zonotope::collision::{Displacement, Gauge, Location, Separation, brute_force, by_lad};
+use zonotope::collision::{
+    Displacement, Gauge, Location, Separation, brute_force, by_explicit_faces, by_lad, by_lad_in_r4, by_linear_program,
+    by_slope_selection,
+};
+use zonotope::linear_program::Clarabel;
 
-use crate::batch::MAX_DIMENSION;
 use crate::batch::refusal::{Code, Refusal};
 use crate::json::vector_to_json;
 
@@ -13,111 +14,167 @@ use crate::json::vector_to_json;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Method {
     ByLad,
+    BySlopeSelection,
+    ByExplicitFaces,
+    ByLinearProgram,
     BruteForce,
 }
 
-impl Method {
-    /// All of them, better ones first.
-    const ALL: [Self; 2] = [Self::ByLad, Self::BruteForce];
+/// The methods of `member` and `intersect`, better ones first.
+pub(super) const LOCATING: &[Method] =
+    &[Method::ByLad, Method::BySlopeSelection, Method::ByExplicitFaces, Method::ByLinearProgram, Method::BruteForce];
 
+/// The methods that also know the gauge, better ones first.
+pub(super) const GAUGING: &[Method] = &[Method::ByLad, Method::ByExplicitFaces, Method::BruteForce];
+
+/// The names of methods.
+pub(super) fn names(methods: &[Method]) -> Vec<&'static str> {
+    methods.iter().map(|method| method.name()).collect()
+}
+
+impl Method {
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::ByLad => "by_lad",
+            Self::BySlopeSelection => "by_slope_selection",
+            Self::ByExplicitFaces => "by_explicit_faces",
+            Self::ByLinearProgram => "by_linear_program",
             Self::BruteForce => "brute_force",
         }
     }
 
-    /// The names of all methods, better ones first.
-    pub(super) fn names() -> Vec<&'static str> {
-        Self::ALL.into_iter().map(Self::name).collect()
-    }
-
-    /// The dimensions in which it works.
-    fn dimensions(self) -> RangeInclusive<usize> {
+    /// Whether it works in a dimension.
+    fn works<const D: usize>(self) -> bool
+    where
+        Dimension: Methods<D>,
+    {
         match self {
-            Self::ByLad => 1..=3,
-            Self::BruteForce => 1..=MAX_DIMENSION,
+            Self::ByLad => Dimension::KERNEL.is_some(),
+            Self::BySlopeSelection => Dimension::SEARCH.is_some(),
+            Self::ByExplicitFaces => Dimension::EXPLICIT.is_some(),
+            Self::ByLinearProgram | Self::BruteForce => true,
         }
     }
 
     /// The most generators that it takes in a dimension, where its cost is no small power of their number.
     fn most_generators(self, dimension: usize) -> Option<usize> {
         match self {
-            Self::ByLad => None,
+            Self::ByLad | Self::BySlopeSelection => None,
+            Self::ByExplicitFaces => Some(2000),
+            Self::ByLinearProgram => Some(100_000),
             Self::BruteForce => Some([2000, 400, 60, 26, 18, 14][dimension - 1]),
         }
     }
 
     /// The method that was asked for, or the best one of the dimension.
-    pub(super) fn chosen(asked: Option<&'static str>, dimension: usize, generators: usize) -> Result<Self, Refusal> {
-        let fits = |method: &Self| method.dimensions().contains(&dimension);
+    pub(super) fn chosen<const D: usize>(
+        methods: &[Self],
+        asked: Option<&'static str>,
+        generators: usize,
+    ) -> Result<Self, Refusal>
+    where
+        Dimension: Methods<D>,
+    {
+        let mut working = methods.iter().copied().filter(|method| method.works::<D>());
         let chosen = match asked {
-            Some(name) => Self::ALL.into_iter().find(|method| method.name() == name),
-            None => Self::ALL.into_iter().find(fits),
+            Some(name) => methods.iter().copied().find(|method| method.name() == name),
+            None => working.clone().next(),
         };
         let chosen = chosen.expect("brute force works in every dimension, and the kinds list these names");
-        if !fits(&chosen) {
-            let known: Vec<_> = Self::ALL.into_iter().filter(fits).map(Self::name).collect();
-            let message =
-                format!("`{}` does not answer in {dimension} dimensions; {} would", chosen.name(), known.join(", "));
+        let name = chosen.name();
+        if !working.any(|method| method == chosen) {
+            let others: Vec<_> =
+                methods.iter().filter(|method| method.works::<D>()).map(|method| method.name()).collect();
+            let message = format!("`{name}` does not answer in {D} dimensions; {} would", others.join(", "));
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
-        match chosen.most_generators(dimension) {
+        chosen.refuse_many::<D>(generators)?;
+        Ok(chosen)
+    }
+
+    fn refuse_many<const D: usize>(self, generators: usize) -> Result<(), Refusal> {
+        match self.most_generators(D) {
             Some(most) if generators > most => {
-                let name = chosen.name();
+                let name = self.name();
                 let message =
-                    format!("{generators} generators, at most {most} are taken by `{name}` in {dimension} dimensions");
+                    format!("{generators} generators, at most {most} are taken by `{name}` in {D} dimensions");
                 Err(Refusal::new(Code::TooLarge, message))
             }
-            _ => Ok(chosen),
+            _ => Ok(()),
         }
     }
 
-    pub(super) fn locate<const D: usize>(self, question: &Displacement<'_, D>) -> Location<D>
+    /// Where the displacement lies, and the method that proved it: what a linear program leaves open is decided by another one.
+    pub(super) fn locate<const D: usize>(
+        self,
+        question: &Displacement<'_, D>,
+        seed: u64,
+    ) -> Result<(Self, Location<D>), Refusal>
     where
-        Dimension: Kernel<D>,
+        Dimension: Methods<D>,
     {
-        match self {
-            Self::ByLad => Dimension::locate(question),
-            Self::BruteForce => brute_force::locate(question),
+        let location = match self {
+            Self::ByLad => Dimension::KERNEL.map(|kernel| (kernel.locate)(question)),
+            Self::BySlopeSelection => Dimension::SEARCH.map(|search| search(question, seed)),
+            Self::ByExplicitFaces => Dimension::EXPLICIT.map(|faces| faces(question).location),
+            Self::ByLinearProgram => by_linear_program::locate(question, &Clarabel).location().cloned(),
+            Self::BruteForce => Some(brute_force::locate(question)),
+        };
+        match location {
+            Some(location) => Ok((self, location)),
+            None => {
+                let other = Self::chosen::<D>(&[Self::ByLad, Self::BruteForce], None, question.len())?;
+                other.locate(question, seed)
+            }
         }
     }
 
     pub(super) fn gauge<const D: usize>(self, question: &Displacement<'_, D>) -> Gauge<D>
     where
-        Dimension: Kernel<D>,
+        Dimension: Methods<D>,
     {
-        match self {
-            Self::ByLad => Dimension::gauge(question),
-            Self::BruteForce => brute_force::gauge(question),
-        }
+        let gauge = match self {
+            Self::ByLad => Dimension::KERNEL.map(|kernel| (kernel.gauge)(question)),
+            Self::ByExplicitFaces => Dimension::EXPLICIT.map(|faces| faces(question)),
+            Self::BySlopeSelection | Self::ByLinearProgram | Self::BruteForce => None,
+        };
+        gauge.unwrap_or_else(|| brute_force::gauge(question))
     }
 }
 
-/// The dimensions, as the owner of their methods.
+/// The dimensions, as owners of the methods that do not work in all of them.
 pub(super) struct Dimension;
 
-/// The kernel, or the truth where there is no kernel.
-pub(super) trait Kernel<const D: usize> {
-    fn locate(question: &Displacement<'_, D>) -> Location<D>;
-    fn gauge(question: &Displacement<'_, D>) -> Gauge<D>;
+pub(super) trait Methods<const D: usize> {
+    const KERNEL: Option<Kernel<D>> = None;
+    const SEARCH: Option<fn(&Displacement<'_, D>, u64) -> Location<D>> = None;
+    const EXPLICIT: Option<fn(&Displacement<'_, D>) -> Gauge<D>> = None;
 }
 
-macro_rules! kernel {
-    ($method:ident: $($dimension:literal),*) => {$(
-        impl Kernel<$dimension> for Dimension {
-            fn locate(question: &Displacement<'_, $dimension>) -> Location<$dimension> {
-                $method::locate(question)
-            }
+/// The two sides of the kernel.
+pub(super) struct Kernel<const D: usize> {
+    locate: fn(&Displacement<'_, D>) -> Location<D>,
+    gauge: fn(&Displacement<'_, D>) -> Gauge<D>,
+}
 
-            fn gauge(question: &Displacement<'_, $dimension>) -> Gauge<$dimension> {
-                $method::gauge(question)
-            }
+macro_rules! up_to_space {
+    ($($dimension:literal),*) => {$(
+        impl Methods<$dimension> for Dimension {
+            const KERNEL: Option<Kernel<$dimension>> = Some(Kernel { locate: by_lad::locate, gauge: by_lad::gauge });
+            const SEARCH: Option<fn(&Displacement<'_, $dimension>, u64) -> Location<$dimension>> =
+                Some(by_slope_selection::locate);
+            const EXPLICIT: Option<fn(&Displacement<'_, $dimension>) -> Gauge<$dimension>> = Some(|question| {
+                by_explicit_faces::gauge(question).expect("the number of generators was checked")
+            });
         }
     )*};
 }
-kernel!(by_lad: 1, 2, 3);
-kernel!(brute_force: 4, 5, 6);
+up_to_space!(1, 2, 3);
+impl Methods<4> for Dimension {
+    const KERNEL: Option<Kernel<4>> = Some(Kernel { locate: by_lad_in_r4::locate, gauge: by_lad_in_r4::gauge });
+}
+impl Methods<5> for Dimension {}
+impl Methods<6> for Dimension {}
 
 /// The status and the proof of a location.
 pub(super) fn certificate<const D: usize>(location: &Location<D>) -> Value {

@@ -3,7 +3,7 @@
 use serde_json::json;
 use zonotope::collision::Displacement;
 
-use super::collision::{Dimension, Kernel, Method, certificate};
+use super::collision::{Dimension, GAUGING, Method, Methods, certificate, names};
 use super::{Kind, Solution};
 use crate::batch::dimension::in_dimension;
 use crate::batch::fields::Fields;
@@ -14,7 +14,7 @@ pub(super) const KIND: Kind = Kind {
     name: "gauge",
     summary: "how many times a zonotope around the origin must be taken to hold the way from p to q",
     fields: &["p", "q", "generators"],
-    methods: Method::names,
+    methods: || names(GAUGING),
     solve,
 };
 
@@ -24,11 +24,11 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
 
 fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal>
 where
-    Dimension: Kernel<D>,
+    Dimension: Methods<D>,
 {
     let [p, q] = [fields.vector::<D>("p")?, fields.vector::<D>("q")?];
     let generators = fields.vectors::<D>("generators")?;
-    let method = Method::chosen(method, D, generators.len())?;
+    let method = Method::chosen::<D>(GAUGING, method, generators.len())?;
     let question = Displacement::new(p, q, &generators).expect("the numbers of a question are finite");
     let gauge = method.gauge(&question);
     let result = json!({

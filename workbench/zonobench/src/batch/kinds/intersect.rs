@@ -4,7 +4,7 @@ use serde_json::json;
 use zonotope::collision::Displacement;
 
 use super::body::zonotope;
-use super::collision::{Dimension, Kernel, Method, certificate};
+use super::collision::{Dimension, LOCATING, Method, Methods, certificate, names};
 use super::{Kind, Solution};
 use crate::batch::dimension::in_dimension;
 use crate::batch::fields::Fields;
@@ -14,26 +14,30 @@ pub(super) const KIND: Kind = Kind {
     name: "intersect",
     summary: "whether two zonotopes overlap, only touch or are disjoint",
     fields: &["a", "b"],
-    methods: Method::names,
+    methods: || names(LOCATING),
     solve,
 };
 
 /// The fields of a zonotope.
 const BODY: [&str; 2] = ["center", "generators"];
 
-fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let bodies = [fields.object("a", &BODY)?, fields.object("b", &BODY)?];
-    in_dimension!(bodies[0].dimension("center")?, "the center of a", in_space(&bodies, method))
+    in_dimension!(bodies[0].dimension("center")?, "the center of a", in_space(&bodies, method, seed))
 }
 
-fn in_space<const D: usize>(bodies: &[Fields<'_>; 2], method: Option<&'static str>) -> Result<Solution, Refusal>
+fn in_space<const D: usize>(
+    bodies: &[Fields<'_>; 2],
+    method: Option<&'static str>,
+    seed: u64,
+) -> Result<Solution, Refusal>
 where
-    Dimension: Kernel<D>,
+    Dimension: Methods<D>,
 {
     let [a, b] = [zonotope::<D>(&bodies[0])?, zonotope::<D>(&bodies[1])?];
     let question = Displacement::between(&a, &b);
-    let method = Method::chosen(method, D, question.len())?;
-    let location = method.locate(&question);
+    let method = Method::chosen::<D>(LOCATING, method, question.len())?;
+    let (method, location) = method.locate(&question, seed)?;
     let result = json!({
         "intersects": location.is_member(),
         "status": location.status(),

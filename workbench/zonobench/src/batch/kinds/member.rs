@@ -4,7 +4,7 @@ use serde_json::json;
 use zonotope::collision::Displacement;
 
 use super::body::zonotope;
-use super::collision::{Dimension, Kernel, Method, certificate};
+use super::collision::{Dimension, LOCATING, Method, Methods, certificate, names};
 use super::{Kind, Solution};
 use crate::batch::dimension::in_dimension;
 use crate::batch::fields::Fields;
@@ -14,23 +14,23 @@ pub(super) const KIND: Kind = Kind {
     name: "member",
     summary: "whether a point lies inside a zonotope, on its boundary or outside",
     fields: &["point", "center", "generators"],
-    methods: Method::names,
+    methods: || names(LOCATING),
     solve,
 };
 
-fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
-    in_dimension!(fields.dimension("point")?, "point", in_space(fields, method))
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
+    in_dimension!(fields.dimension("point")?, "point", in_space(fields, method, seed))
 }
 
-fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal>
+fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal>
 where
-    Dimension: Kernel<D>,
+    Dimension: Methods<D>,
 {
     let point = fields.vector::<D>("point")?;
     let body = zonotope::<D>(fields)?;
-    let method = Method::chosen(method, D, body.generators().len())?;
+    let method = Method::chosen::<D>(LOCATING, method, body.generators().len())?;
     let question = Displacement::of_point(point, &body).expect("the numbers of a question are finite");
-    let location = method.locate(&question);
+    let (method, location) = method.locate(&question, seed)?;
     let result = json!({
         "member": location.is_member(),
         "status": location.status(),

@@ -2,12 +2,17 @@
 
 mod body;
 mod collision;
+mod combinatorics;
+
 mod gauge;
 mod intersect;
 mod member;
+mod member_batch;
 mod min_area;
+mod separator;
 mod slope_selection;
 mod support;
+mod upper_hull;
 
 use serde_json::Value;
 
@@ -30,8 +35,18 @@ pub struct Kind {
 }
 
 /// Every kind that is answered.
-pub static KINDS: &[Kind] =
-    &[member::KIND, intersect::KIND, gauge::KIND, support::KIND, slope_selection::KIND, min_area::KIND];
+pub static KINDS: &[Kind] = &[
+    member::KIND,
+    intersect::KIND,
+    gauge::KIND,
+    member_batch::KIND,
+    support::KIND,
+    combinatorics::KIND,
+    slope_selection::KIND,
+    separator::KIND,
+    upper_hull::KIND,
+    min_area::KIND,
+];
 
 /// An answer's content.
 #[derive(Debug, Clone, PartialEq)]

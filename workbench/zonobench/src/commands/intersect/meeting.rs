@@ -7,7 +7,7 @@ use zonotope::numeric::dyadic::Dyadic;
 
 use crate::batch;
 use crate::input::Body;
-use crate::json::{self, Line, MAX_VALUES, NonFinite, vector_to_json};
+use crate::json::{self, Line, MAX_VALUES, NonFinite, rows_to_json, vector_to_json};
 use crate::verify::{Verdict, check};
 
 /// Two bodies, the question about them and its answer.
@@ -48,7 +48,7 @@ impl Meeting {
     pub(super) fn of(name: &str, bodies: [Body; 2]) -> anyhow::Result<Self> {
         let [a, b] = bodies
             .each_ref()
-            .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows(&body.generators)}));
+            .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)}));
         let generators = [a["generators"].clone(), b["generators"].clone()].into_iter();
         let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
         let distance = json!({"p": a["center"], "q": b["center"], "generators": generators});
@@ -92,10 +92,6 @@ impl Meeting {
         let exact = |x: &f64| Dyadic::from_f64(*x);
         length(&b.center.iter().zip(&a.center).map(|(b, a)| exact(b) - exact(a)).collect::<Vec<_>>()).1
     }
-}
-
-fn rows(vectors: &[Vec<f64>]) -> Vec<Value> {
-    vectors.iter().map(|vector| vector_to_json(vector)).collect()
 }
 
 fn answered(question: &Value) -> anyhow::Result<Value> {

@@ -1,9 +1,11 @@
 //! Points and zonotopes relative to zonotopes.
 
+use super::Verdict;
 use super::reading::{boolean, direction, float, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use crate::verify::{
     Displaced, GaugeAnswer, GaugeProof, LocationAnswer, LocationCertificate, check_gauge, check_location,
+    check_member_batch,
 };
 
 pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<String, String> {
@@ -50,6 +52,24 @@ pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<String, String> {
         GaugeProof::Bounded => "agrees with its certificate, which bounds the gauge on one side",
     };
     Ok(format!("gauge {:?} {proof}", answer.gauge))
+}
+
+pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let center = vector(member(input, "center")?, "center")?;
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let points = vectors(member(input, "points")?, "points")?;
+    let list = |name| member(result, name)?.list().ok_or_else(|| format!("`{name}` is not a list"));
+    let (statuses, gauges) = (list("status")?, list("gauge")?);
+    if statuses.len() != gauges.len() {
+        return Err("`status` and `gauge` have different lengths".to_owned());
+    }
+    let pairs = statuses.iter().zip(gauges).map(|(status, gauge)| Some((status.text()?, gauge.float()?)));
+    let answers: Vec<(&str, f64)> = pairs.collect::<Option<_>>().ok_or("`status` or `gauge` holds something else")?;
+    Ok(if check_member_batch(&center, &generators, &points, &answers)? {
+        Verdict::Right(format!("{} points, each held against every facet", points.len()))
+    } else {
+        Verdict::Unchecked("too many facets to hold points without certificates against".to_owned())
+    })
 }
 
 /// A proof of either form.

@@ -69,9 +69,12 @@ pub(super) fn fraction(text: &str) -> Option<(IBig, IBig)> {
 }
 
 pub(super) fn fractions(object: &Tree, name: &str) -> Result<Vec<(IBig, IBig)>, String> {
-    let list = member(object, name)?.list().ok_or_else(|| format!("`{name}` is not a list"))?;
-    let exact = list.iter().map(|value| value.text().and_then(fraction)).collect::<Option<_>>();
-    exact.ok_or_else(|| format!("`{name}` holds something else than exact numbers"))
+    exact_numbers(member(object, name)?).ok_or_else(|| format!("`{name}` is not a list of exact numbers"))
+}
+
+/// A list of exact numbers.
+pub(super) fn exact_numbers(value: &Tree) -> Option<Vec<(IBig, IBig)>> {
+    value.list()?.iter().map(|value| value.text().and_then(fraction)).collect()
 }
 
 /// A direction as whole numbers: its length says nothing. Components are finite floats, or all of them exact numbers.

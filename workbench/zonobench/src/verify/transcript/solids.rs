@@ -1,8 +1,14 @@
 //! Zonotopes as bodies of their own: how far they reach, how many faces they have.
 
-use super::reading::{float, fraction, fractions, index, indices, member, text, vector, vectors};
+use super::Verdict;
+use super::reading::{
+    boolean, exact_numbers, float, fraction, fractions, index, indices, member, text, vector, vectors,
+};
 use crate::json::Tree;
-use crate::verify::{CombinatoricsAnswer, SupportAnswer, check_combinatorics, check_slope_selection, check_support};
+use crate::verify::{
+    CombinatoricsAnswer, SupportAnswer, check_combinatorics, check_separator, check_slope_selection, check_support,
+    check_upper_hull,
+};
 
 pub(super) fn support(input: &Tree, result: &Tree) -> Result<String, String> {
     let direction = vector(member(input, "direction")?, "direction")?;
@@ -42,4 +48,29 @@ pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<String, Strin
     let counts = if proof.counted { "faces counted one by one" } else { "counts satisfy Euler's relation" };
     let measure = if proof.measured { "the measure is exact" } else { "the measure was not computed" };
     Ok(format!("{counts}; {measure}"))
+}
+
+pub(super) fn separator(input: &Tree, result: &Tree) -> Result<String, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let chain = member(result, "chain")?.list().ok_or("`chain` is not a list")?;
+    let point = |point: &Tree| <[_; 2]>::try_from(exact_numbers(point)?).ok();
+    let chain: Vec<_> =
+        chain.iter().map(point).collect::<Option<_>>().ok_or("`chain` holds something else than exact points")?;
+    let k = index(input, "k")? as u64;
+    check_separator(&generators, k, &chain)?;
+    Ok(format!("a chain of the tiling with {k} tiles on its left"))
+}
+
+pub(super) fn upper_hull(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let p0 = <[f64; 2]>::try_from(vector(member(input, "p0")?, "p0")?).map_err(|_| "p0 is not a point of the plane")?;
+    let z = match member(result, "z")? {
+        Tree::Null => None,
+        value => Some(value.text().and_then(fraction).ok_or("`z` is neither an exact number nor null")?),
+    };
+    Ok(if check_upper_hull(&generators, p0, boolean(result, "above_q")?, z.as_ref())? {
+        Verdict::Right("the lowest of the bounds of all vertices".to_owned())
+    } else {
+        Verdict::Unchecked("too many vertices to go through".to_owned())
+    })
 }

@@ -1,0 +1,197 @@
+//! Whatever the line, there is one answer to it: no panic, no refusal without a code, and what is accepted verifies.
+
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use zonobench::batch::{Code, KINDS, answer};
+use zonobench::json::{Line, MAX_VALUES, Tree, read};
+use zonobench::verify::{Verdict, check};
+
+/// The answer to one line, which must be one in form.
+fn answered(line: &[u8]) -> Value {
+    let answer = answer(1, &Line::Content(line.to_vec()), 0);
+    let content = answer.content;
+    assert_eq!(answer.refused, content.get("error").is_some(), "{content}");
+    assert_ne!(content.get("result").is_some(), content.get("error").is_some(), "{content}");
+    if let Some(error) = content.get("error") {
+        let code = error["code"].as_str().expect("a refusal has a code");
+        assert!(Code::ALL.iter().any(|known| known.name() == code), "{code}");
+        let message = error["message"].as_str().expect("a refusal has a message");
+        assert!(!message.is_empty() && !message.contains('\n'), "{message:?}");
+    }
+    let written = content.to_string();
+    assert!(!written.contains('\n'));
+    content
+}
+
+fn tree(value: &Value) -> Tree {
+    read(value.to_string().as_bytes(), MAX_VALUES).expect("an answer is JSON")
+}
+
+/// A double of any bits, the awkward ones often.
+fn double() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => any::<u64>().prop_map(f64::from_bits),
+        3 => (-3i32..4).prop_map(f64::from),
+        2 => -1.0..1.0f64,
+        1 => prop_oneof![
+            Just(f64::MAX), Just(-f64::MAX), Just(f64::MIN_POSITIVE), Just(f64::from_bits(1)), Just(-0.0),
+            Just(1e16), Just(1.0 + f64::EPSILON), Just(1e-300), Just(1e300),
+        ],
+    ]
+}
+
+/// As [`double`], but always a number.
+fn finite() -> impl Strategy<Value = f64> {
+    double().prop_map(|x| if x.is_finite() { x } else { 1.0 })
+}
+
+fn spelled(x: f64) -> Value {
+    if x.is_nan() {
+        "NaN".into()
+    } else if x.is_infinite() {
+        if x > 0.0 { "Infinity".into() } else { "-Infinity".into() }
+    } else {
+        x.into()
+    }
+}
+
+fn vector(numbers: &mut impl Iterator<Item = f64>, dimension: usize) -> Value {
+    numbers.take(dimension).map(spelled).collect()
+}
+
+fn vectors(numbers: &mut impl Iterator<Item = f64>, dimension: usize, count: usize) -> Value {
+    (0..count).map(|_| vector(numbers, dimension)).collect()
+}
+
+/// An input of a kind with the given numbers, in a dimension that the kind takes; all kinds must be here.
+fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
+    let mut numbers = numbers.iter().copied().cycle();
+    let n = &mut numbers;
+    let planar = 2;
+    let space = 3;
+    match kind {
+        "member" => {
+            json!({"point": vector(n, dimension), "center": vector(n, dimension), "generators": vectors(n, dimension, count)})
+        }
+        "intersect" => {
+            let mut body = |count| json!({"center": vector(n, dimension), "generators": vectors(n, dimension, count)});
+            json!({"a": body(count / 2), "b": body(count - count / 2)})
+        }
+        "gauge" => {
+            json!({"p": vector(n, dimension), "q": vector(n, dimension), "generators": vectors(n, dimension, count)})
+        }
+        "member_batch" => {
+            let dimension = dimension.min(space);
+            json!({"center": vector(n, dimension), "generators": vectors(n, dimension, count), "points": vectors(n, dimension, 3)})
+        }
+        "support" => {
+            json!({"direction": vector(n, dimension), "center": vector(n, dimension), "generators": vectors(n, dimension, count)})
+        }
+        "combinatorics" => json!({"generators": vectors(n, dimension, count)}),
+        "slope_selection" => json!({"generators": vectors(n, space, count), "k": [1]}),
+        "separator" => json!({"generators": vectors(n, space, count), "k": 1}),
+        "upper_hull" => json!({"generators": vectors(n, space, count), "p0": vector(n, planar)}),
+        "min_area" => json!({"points": vectors(n, planar, count)}),
+        other => panic!("no input is made for the kind `{other}`"),
+    }
+}
+
+fn question(kind: &str, input: &Value) -> Value {
+    json!({"id": "q", "kind": kind, "input": input})
+}
+
+/// Whether a number of the input is spelled as NaN or an infinity.
+fn holds_text(value: &Value) -> bool {
+    match value {
+        Value::String(_) => true,
+        Value::Array(elements) => elements.iter().any(holds_text),
+        Value::Object(fields) => fields.values().any(holds_text),
+        _ => false,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn numbers_that_are_not_finite_come_first(
+        numbers in prop::collection::vec(double(), 1..24), dimension in 1usize..5, count in 0usize..6
+    ) {
+        for kind in KINDS {
+            let input = input(kind.name, dimension, count, &numbers);
+            let bad = holds_text(&input);
+            let question = question(kind.name, &input);
+            let answer = answered(question.to_string().as_bytes());
+            prop_assert_eq!(bad, answer["error"]["code"] == "non_finite", "{} to {}", answer, question);
+        }
+    }
+
+    #[test]
+    fn answers_to_any_numbers_verify(
+        numbers in prop::collection::vec(finite(), 1..24), dimension in 1usize..5, count in 0usize..6
+    ) {
+        for kind in KINDS {
+            let question = question(kind.name, &input(kind.name, dimension, count, &numbers));
+            let answer = answered(question.to_string().as_bytes());
+            match check(&tree(&question), &tree(&answer)) {
+                Verdict::Wrong(reason) => prop_assert!(false, "{}: {} to {}", reason, answer, question),
+                Verdict::Unchecked(_) => prop_assert!(answer.get("error").is_some(), "{} to {}", answer, question),
+                Verdict::Right(_) => {}
+            }
+        }
+    }
+
+    #[test]
+    fn arbitrary_bytes_are_answered(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+        let answer = answered(&bytes);
+        prop_assert!(answer.get("error").is_some());
+    }
+
+    #[test]
+    fn damaged_questions_are_answered(
+        numbers in prop::collection::vec(double(), 1..12),
+        kind in 0..KINDS.len(),
+        place in any::<prop::sample::Index>(),
+        byte in any::<u8>(),
+        cut in any::<bool>(),
+    ) {
+        let mut line = question(KINDS[kind].name, &input(KINDS[kind].name, 3, 3, &numbers)).to_string().into_bytes();
+        let place = place.index(line.len());
+        if cut {
+            line.truncate(place);
+        } else {
+            line[place] = byte;
+        }
+        answered(&line);
+    }
+
+    #[test]
+    fn fields_of_any_shape_are_answered(kind in 0..KINDS.len(), values in prop::collection::vec(shape(), 4)) {
+        let kind = &KINDS[kind];
+        let fields = kind.fields.iter().zip(values.iter().cycle());
+        let input: Value = Value::Object(fields.map(|(name, value)| ((*name).to_owned(), value.clone())).collect());
+        let question = question(kind.name, &input);
+        let answer = answered(question.to_string().as_bytes());
+        if let Verdict::Wrong(reason) = check(&tree(&question), &tree(&answer)) {
+            prop_assert!(false, "{}: {} to {}", reason, answer, question);
+        }
+    }
+}
+
+/// A small JSON value of any shape.
+fn shape() -> impl Strategy<Value = Value> {
+    let leaf = prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::from),
+        finite().prop_map(Value::from),
+        (0u64..5).prop_map(Value::from),
+        "[a-z]{0,4}".prop_map(Value::from),
+    ];
+    leaf.prop_recursive(3, 24, 4, |inner| {
+        prop_oneof![
+            prop::collection::vec(inner.clone(), 0..4).prop_map(Value::from),
+            (inner.clone(), prop::collection::vec(inner, 0..3))
+                .prop_map(|(center, generators)| json!({"center": center, "generators": generators})),
+        ]
+    })
+}

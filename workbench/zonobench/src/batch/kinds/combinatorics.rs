@@ -1,0 +1,50 @@
+//! `combinatorics`: how many faces a zonotope has, and its volume.
+
+use serde_json::{Map, Value, json};
+use zonotope::zonotope::{Zonotope, combinatorics};
+
+use super::{Kind, Solution};
+use crate::batch::dimension::in_dimension;
+use crate::batch::fields::Fields;
+use crate::batch::refusal::{Code, Refusal};
+
+pub(super) const KIND: Kind = Kind {
+    name: "combinatorics",
+    summary: "how many vertices, edges and facets a zonotope has, and its exact volume",
+    fields: &["generators"],
+    methods: || vec![BY_COUNTING],
+    solve,
+};
+
+const BY_COUNTING: &str = "by_counting";
+
+/// The most generators that are taken in 1, 2, … dimensions.
+const MOST_GENERATORS: [usize; 6] = [2_000_000, 2_000_000, 4000, 40, 16, 12];
+
+fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    // No generators are a point, in any space.
+    let dimension = fields.dimension_of_first("generators")?.unwrap_or(3);
+    let result = in_dimension!(dimension, "generator 1", in_space(fields))?;
+    Ok(Solution { method: BY_COUNTING, result })
+}
+
+fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
+    let generators = fields.vectors::<D>("generators")?;
+    let most = MOST_GENERATORS[D - 1];
+    if generators.len() > most {
+        let message = format!("{} generators, at most {most} are taken in {D} dimensions", generators.len());
+        return Err(Refusal::new(Code::TooLarge, message));
+    }
+    let body = Zonotope::new([0.0; D], generators).expect("the numbers of a question are finite");
+    let counts = combinatorics(&body);
+    let sizes: Map<String, Value> =
+        counts.facet_sizes.iter().map(|(size, count)| (size.to_string(), (*count).into())).collect();
+    Ok(json!({
+        "affine_dim": counts.affine_dimension,
+        "vertices": counts.vertices,
+        "edges": counts.edges,
+        "facets": counts.facets,
+        "facet_sizes": sizes,
+        "measure": counts.measure.to_string(),
+    }))
+}

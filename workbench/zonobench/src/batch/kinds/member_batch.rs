@@ -1,0 +1,62 @@
+//! `member_batch`: where many points lie relative to one zonotope.
+
+use serde_json::{Value, json};
+use zonotope::collision::{Displacement, Gauge, by_lad, by_lad_in_r4};
+use zonotope::tally::OperationCounts;
+
+use super::body::zonotope;
+use super::{Kind, Solution};
+use crate::batch::dimension::refused;
+use crate::batch::fields::Fields;
+use crate::batch::refusal::{Code, Refusal};
+use crate::json::to_json;
+
+pub(super) const KIND: Kind = Kind {
+    name: "member_batch",
+    summary: "status and gauge of many points relative to one zonotope",
+    fields: &["center", "generators", "points"],
+    methods: || vec![BY_LAD],
+    solve,
+};
+
+const BY_LAD: &str = "by_lad";
+
+/// So many pairs of a point and a generator are taken.
+const MOST_PAIRS: usize = 1_000_000_000;
+
+fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    match fields.dimension("center")? {
+        1 => in_space::<1>(fields, by_lad::gauge_counted),
+        2 => in_space::<2>(fields, by_lad::gauge_counted),
+        3 => in_space::<3>(fields, by_lad::gauge_counted),
+        4 => in_space::<4>(fields, by_lad_in_r4::gauge_counted),
+        other => Err(refused("center", other, 4)),
+    }
+}
+
+fn in_space<const D: usize>(
+    fields: &Fields<'_>,
+    gauge: impl Fn(&Displacement<'_, D>, &mut OperationCounts) -> Gauge<D>,
+) -> Result<Solution, Refusal> {
+    let body = zonotope::<D>(fields)?;
+    let points = fields.vectors::<D>("points")?;
+    let generators = body.generators().len();
+    if points.len().saturating_mul(generators) > MOST_PAIRS {
+        let message = format!(
+            "{} points and {generators} generators make more than the {MOST_PAIRS} pairs that are taken",
+            points.len()
+        );
+        return Err(Refusal::new(Code::TooLarge, message));
+    }
+    let mut counts = OperationCounts::default();
+    let (mut statuses, mut gauges): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
+    for point in points {
+        let question = Displacement::of_point(point, &body).expect("the numbers of a question are finite");
+        let found = gauge(&question, &mut counts);
+        statuses.push(found.location.status().into());
+        gauges.push(to_json(found.value));
+    }
+    let query: u64 = counts.iter().map(|(_, count)| count).sum();
+    // Nothing is prepared: each point is a question of its own.
+    Ok(Solution { method: BY_LAD, result: json!({"status": statuses, "gauge": gauges, "build": 0, "query": query}) })
+}

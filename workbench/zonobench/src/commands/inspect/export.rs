@@ -1,0 +1,26 @@
+//! The body as a mesh.
+
+use anyhow::{Context, bail};
+use zonotope::zonotope::Zonotope;
+use zonotope::zonotope::faces::{FaceLattice, Faces, faces};
+
+use crate::input::Body;
+
+/// Bodies with more generators have too many facets for a mesh: n (n − 1) of them.
+const MOST_GENERATORS: usize = 4000;
+
+/// The faces of a body of space that has facets.
+pub(super) fn mesh(name: &str, body: &Body) -> anyhow::Result<FaceLattice> {
+    let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
+    let (Some(center), Some(generators)) = (space(&body.center), body.generators.iter().map(space).collect()) else {
+        bail!("{name}: only a body with three coordinates is written as a mesh");
+    };
+    if body.generators.len() > MOST_GENERATORS {
+        bail!("{name}: {} generators, at most {MOST_GENERATORS} are written as a mesh", body.generators.len());
+    }
+    let body = Zonotope::new(center, generators)?;
+    match faces(&body).with_context(|| name.to_owned())? {
+        Faces::Flat(lattice) | Faces::Solid(lattice) => Ok(lattice),
+        Faces::Point(_) | Faces::Segment(_) => bail!("{name}: a point or a segment has no facets to be written"),
+    }
+}

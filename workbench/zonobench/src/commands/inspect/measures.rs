@@ -1,0 +1,53 @@
+//! What of a body is quickly measured.
+
+use zonotope::numeric::dyadic::Dyadic;
+use zonotope::zonotope::{Directions, Zonotope};
+
+use crate::input::Body;
+
+/// More generators than this have too many pairs for the surface area.
+const MOST_PAIRED: usize = 20_000;
+
+/// Sizes of a body, rounded.
+pub(super) struct Measures {
+    /// The ends of the bounding box along each axis.
+    pub(super) bounds: Vec<[f64; 2]>,
+    /// How many generators are zero, and how many directions the others have.
+    pub(super) zeros: usize,
+    pub(super) directions: usize,
+    /// Σ of the generators' lengths.
+    pub(super) total_length: f64,
+    /// The area of the boundary, in space.
+    pub(super) surface_area: Option<f64>,
+}
+
+impl Measures {
+    /// Measures a body whose vectors have D coordinates.
+    pub(super) fn of<const D: usize>(body: &Body) -> Self {
+        let fixed = |v: &Vec<f64>| -> [f64; D] { std::array::from_fn(|axis| v[axis]) };
+        let generators: Vec<[f64; D]> = body.generators.iter().map(fixed).collect();
+        let zeros = generators.iter().filter(|generator| **generator == [0.0; D]).count();
+        let directions = Directions::new(&generators).len();
+        let bounds = (0..D).map(|axis| {
+            let sum = |sum: Dyadic, generator: &[f64; D]| sum + Dyadic::from_f64(generator[axis]).abs();
+            let reach = generators.iter().fold(Dyadic::zero(), sum);
+            let center = Dyadic::from_f64(body.center[axis]);
+            [(&center - &reach).to_f64(), (&center + &reach).to_f64()]
+        });
+        let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
+        let in_space: Option<Vec<[f64; 3]>> =
+            if generators.len() <= MOST_PAIRED { body.generators.iter().map(space).collect() } else { None };
+        let surface_area = in_space
+            .filter(|_| D == 3)
+            .and_then(|generators| Zonotope::new([0.0; 3], generators).ok())
+            .map(|body| body.surface_area().value);
+        let total_length = generators.iter().map(|generator| length(generator)).sum();
+        Self { bounds: bounds.collect(), zeros, directions, total_length, surface_area }
+    }
+}
+
+/// The length of a vector, whose squares neither overflow nor vanish.
+fn length(v: &[f64]) -> f64 {
+    let largest = v.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
+    if largest == 0.0 { 0.0 } else { largest * v.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt() }
+}

@@ -1,0 +1,106 @@
+//! `zonobench inspect`: what kind of body a zonotope is.
+
+mod drawing;
+mod export;
+mod measures;
+mod summary;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use anyhow::bail;
+use clap::Args;
+use serde_json::json;
+use zonotope::zonotope::faces::FaceLattice;
+
+use self::measures::Measures;
+use super::Ending;
+use super::verify::question_name;
+use crate::batch::{self, MAX_DIMENSION};
+use crate::input::{BodySource, Format};
+use crate::json::{self, Line, MAX_VALUES, rows_to_json};
+use crate::output::{Existing, check_free, write_whole};
+use crate::verify::{Verdict, check};
+
+/// Options of `inspect`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is standard
+    /// input.
+    file: PathBuf,
+    /// The format, where the extension does not tell it.
+    #[arg(long)]
+    format: Option<Format>,
+    /// Write a picture of the body.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// Write a body of space as a mesh, Wavefront OBJ.
+    #[arg(long, value_name = "FILE")]
+    obj: Option<PathBuf>,
+    /// Write a body of space as a mesh, PLY in text form.
+    #[arg(long, value_name = "FILE")]
+    ply: Option<PathBuf>,
+    /// Write a body of space as a mesh of triangles, binary STL.
+    #[arg(long, value_name = "FILE")]
+    stl: Option<PathBuf>,
+    /// Write the counts of faces, in the format of `solve`.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the question in the format of `solve`: `verify` checks the answer against it.
+    #[arg(long, value_name = "FILE")]
+    question: Option<PathBuf>,
+    /// Replace files that exist.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Reads, counts, measures, checks, and prints a summary.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let existing = Existing::from_force(options.force);
+    let meshes = [&options.obj, &options.ply, &options.stl];
+    for file in [&options.svg, &options.json, &options.question].into_iter().chain(meshes).flatten() {
+        check_free(file, existing)?;
+    }
+    let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
+    let measures = match body.center.len() {
+        1 => Measures::of::<1>(&body),
+        2 => Measures::of::<2>(&body),
+        3 => Measures::of::<3>(&body),
+        4 => Measures::of::<4>(&body),
+        5 => Measures::of::<5>(&body),
+        6 => Measures::of::<6>(&body),
+        other => bail!("{}: {other} dimensions; 1 to {MAX_DIMENSION} are taken", options.file.display()),
+    };
+
+    let name = question_name(&options.file);
+    let wanted = meshes.iter().any(|file| file.is_some());
+    let lattice = wanted.then(|| export::mesh(&name, &body)).transpose()?;
+    let question =
+        json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&body.generators)}});
+    let answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), 0);
+    if let Some(file) = &options.svg {
+        write_whole(file, drawing::draw(&name, &body).as_bytes(), existing)?;
+    }
+    if let Some(lattice) = lattice {
+        let formats: [fn(&FaceLattice) -> Vec<u8>; 3] =
+            [|mesh| mesh.to_obj().into_bytes(), |mesh| mesh.to_ply().into_bytes(), FaceLattice::to_stl];
+        for (file, content) in meshes.into_iter().zip(formats) {
+            if let Some(file) = file {
+                write_whole(file, &content(&lattice), existing)?;
+            }
+        }
+    }
+    for (file, content) in [(&options.question, &question), (&options.json, &answer.content)] {
+        if let Some(file) = file {
+            write_whole(file, format!("{content}\n").as_bytes(), existing)?;
+        }
+    }
+    let tree = |value: &serde_json::Value| json::read(value.to_string().as_bytes(), MAX_VALUES);
+    let verdict = match (tree(&question), tree(&answer.content)) {
+        (Ok(question), Ok(answer)) => check(&question, &answer),
+        _ => Verdict::Wrong("the answer cannot be read".to_owned()),
+    };
+    let text = summary::summary(options, &body, &measures, &answer.content, &verdict);
+    io::stdout().lock().write_all(text.as_bytes())?;
+    Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
+}

@@ -1,0 +1,92 @@
+//! What a person reads of a body.
+
+use serde_json::Value;
+use zonotope::numeric::Rational;
+use zonotope::numeric::dyadic::Dyadic;
+
+use super::Options;
+use super::measures::Measures;
+use crate::commands::table::{Table, counted, figure, tuple};
+use crate::input::Body;
+use crate::verify::Verdict;
+
+/// Exact numbers longer than this are rounded.
+const LONGEST_EXACT: usize = 40;
+
+/// Counts and sizes in a few lines.
+pub(super) fn summary(
+    options: &Options,
+    body: &Body,
+    measures: &Measures,
+    answer: &Value,
+    verdict: &Verdict,
+) -> String {
+    let mut table = Table::default();
+    let dimension = body.center.len();
+    table.row(
+        "body",
+        format!("{} in {}", counted(body.generators.len(), "generator", "generators"), options.file.display()),
+    );
+    let mut zones = counted(measures.directions, "direction", "directions");
+    let parallel = body.generators.len() - measures.zeros - measures.directions;
+    if parallel > 0 {
+        zones.push_str(&format!(", {parallel} parallel to others"));
+    }
+    if measures.zeros > 0 {
+        zones.push_str(&format!(", {} zero", measures.zeros));
+    }
+    table.row("generators", zones);
+    table.row("centre", tuple(&body.center));
+    let bounds = measures.bounds.iter().map(|[low, high]| format!("[{}, {}]", figure(*low), figure(*high)));
+    table.row("bounding box", bounds.collect::<Vec<_>>().join(" × "));
+    table.row("total length", format!("{}, the sum of the half-lengths", figure(measures.total_length)));
+
+    let result = &answer["result"];
+    if let Some(rank) = result["affine_dim"].as_u64() {
+        let kind = match (rank, dimension as u64) {
+            (rank, full) if rank == full => String::new(),
+            (0, _) => ": a point".to_owned(),
+            (1, _) => ": a segment".to_owned(),
+            (2, _) => ": a flat zonogon".to_owned(),
+            _ => ": flat".to_owned(),
+        };
+        table.row("dimension", format!("{rank} in {dimension}{kind}"));
+        let number = |name: &str| result[name].as_u64().unwrap_or_default();
+        table.row(
+            "faces",
+            format!("{} vertices, {} edges, {} facets", number("vertices"), number("edges"), number("facets")),
+        );
+        let sizes = result["facet_sizes"].as_object().into_iter().flatten();
+        let sizes: Vec<String> = sizes.map(|(size, count)| format!("{count} with {size} vertices")).collect();
+        if rank > 2 {
+            table.row("facets", sizes.join(", "));
+        }
+        let name = ["length", "area", "volume"].get(dimension - 1).copied().unwrap_or("measure");
+        table.row(name, measure(result["measure"].as_str().unwrap_or_default()));
+    } else {
+        let reason = answer["error"]["message"].as_str().unwrap_or_default();
+        table.row("faces", format!("not counted: {reason}"));
+    }
+    if let Some(area) = measures.surface_area {
+        table.row("surface", format!("{}, rounded", figure(area)));
+    }
+    table.row(
+        "check",
+        match verdict {
+            Verdict::Right(proved) => proved.clone(),
+            Verdict::Unchecked(_) => "no faces, nothing to check".to_owned(),
+            Verdict::Wrong(reason) => format!("WRONG: {reason}"),
+        },
+    );
+    table.text()
+}
+
+/// An exact number, as it stands if it is short.
+fn measure(exact: &str) -> String {
+    let Ok(number) = exact.parse::<Rational>() else {
+        return exact.to_owned();
+    };
+    let (numerator, denominator) = number.into_parts();
+    let rounded = figure(Dyadic::new(numerator, 0).ratio(&Dyadic::new(denominator.into(), 0)));
+    if exact.len() <= LONGEST_EXACT { format!("{exact} = {rounded}") } else { format!("{rounded}, rounded") }
+}
