@@ -11,7 +11,7 @@
 //! beside the projection Q is not needed: no data are rotated, the plane may be any.
 //!
 //! # Method
-//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`); one of R^4 goes to [`by_lad_in_r4`](super::by_lad_in_r4). Of a few generators the shortest combination may prove it all (`small`).
+//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`); one of R^4 goes to [`by_lad_in_r4`]. Of a few generators the shortest combination may prove it all (`small`).
 //! 2. The optimum of a sample with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all is likely
 //!    to be. Where that is all that is asked: does its centre separate? (`support`)
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
