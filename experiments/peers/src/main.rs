@@ -5,7 +5,7 @@ use clap::Parser;
 use experiments::environment::Environment;
 use experiments::families::bodies::BODY_FAMILIES;
 use experiments::families::bodies::question::PLACEMENTS;
-use experiments::peers::{PeersRecord, tables};
+use experiments::peers::{Cell, PeersRecord, tables};
 use peers::line_fit;
 use peers::race::{self, Part, Plan};
 use std::path::PathBuf;
@@ -29,16 +29,36 @@ struct Arguments {
     /// Only these families of bodies; all of them if none is named.
     #[arg(long)]
     family: Vec<String>,
+    /// Only these methods beside the pass; all of them if none is named.
+    #[arg(long)]
+    method: Vec<String>,
+    /// Keep the cells of the record that is there and add those of this run, in place of ones on the same questions.
+    #[arg(long)]
+    add: bool,
+    /// Sizes of at least this many generators.
+    #[arg(long, default_value_t = 0)]
+    smallest: usize,
 }
 
 fn main() -> anyhow::Result<()> {
     let arguments = Arguments::parse();
     let plan = plan(&arguments);
-    let cells = race::run(&plan, |cell| eprintln!("{} {} n = {}", cell.family, cell.placement, cell.n))?;
-    let sizes = [1_000, 10_000, 100_000, 1_000_000].into_iter().filter(|&n| n <= arguments.largest);
-    let line_fits =
+    let mut cells = race::run(&plan, |cell| eprintln!("{} {} n = {}", cell.family, cell.placement, cell.n))?;
+    let mut record =
+        PeersRecord { environment: Some(Environment::current()), seed: plan.seed, ..PeersRecord::default() };
+    if arguments.add {
+        let text = std::fs::read_to_string(&arguments.out)
+            .with_context(|| format!("cannot read {}", arguments.out.display()))?;
+        record.cells = serde_json::from_str::<PeersRecord>(&text)?.cells;
+        let again = |old: &Cell| cells.iter().any(|new| new.is_about_the_same(old));
+        record.cells.retain(|old| !again(old));
+    }
+    record.cells.append(&mut cells);
+    let sizes = [1_000, 10_000, 100_000, 1_000_000]
+        .into_iter()
+        .filter(|n| (arguments.smallest..=arguments.largest).contains(n));
+    record.line_fits =
         sizes.map(|n| line_fit::compare(n, arguments.repetitions, plan.seed)).collect::<anyhow::Result<_>>()?;
-    let record = PeersRecord { environment: Some(Environment::current()), seed: plan.seed, cells, line_fits };
     let text = serde_json::to_string(&record)?.replace("},{\"family\"", "},\n{\"family\"") + "\n";
     std::fs::write(&arguments.out, text).with_context(|| format!("cannot write {}", arguments.out.display()))?;
     for table in tables(&record) {
@@ -58,7 +78,7 @@ fn plan(arguments: &Arguments) -> Plan {
     let few = vec!["overlapping", "separated", "inside_1e-9", "outside_1e-9"];
     let part = |sizes: &[usize], placements: &[&'static str], questions| Part {
         families: families.clone(),
-        sizes: sizes.iter().copied().filter(|&n| n <= arguments.largest).collect(),
+        sizes: sizes.iter().copied().filter(|n| (arguments.smallest..=arguments.largest).contains(n)).collect(),
         placements: placements.to_vec(),
         questions,
     };
@@ -71,5 +91,6 @@ fn plan(arguments: &Arguments) -> Plan {
             part(&[1 << 18, 1 << 20], &few, 1),
         ],
         repetitions: arguments.repetitions,
+        methods: arguments.method.clone(),
     }
 }

@@ -25,6 +25,8 @@ pub struct Plan {
     pub parts: Vec<Part>,
     /// Samples of every contender on every question.
     pub repetitions: usize,
+    /// Contenders that run beside the pass; all of them if none is named.
+    pub methods: Vec<String>,
 }
 
 /// Sizes that share their placements and their number of questions.
@@ -38,6 +40,12 @@ pub struct Part {
     pub placements: Vec<&'static str>,
     /// Questions of every family, size and placement.
     pub questions: u32,
+}
+
+impl Plan {
+    fn includes(&self, method: &str) -> bool {
+        method == "pass" || self.methods.is_empty() || self.methods.iter().any(|wanted| wanted == method)
+    }
 }
 
 /// Runs the plan; `progress` hears of every cell that is done.
@@ -72,8 +80,11 @@ fn measure(
     n: usize,
     retired: &mut BTreeSet<(&'static str, &'static str)>,
 ) -> Cell {
-    let entrants: Vec<&Contender> =
-        CONTENDERS.iter().filter(|c| n <= c.largest && !retired.contains(&(family.id, c.id))).collect();
+    let entrants: Vec<&Contender> = CONTENDERS
+        .iter()
+        .filter(|c| plan.includes(c.id))
+        .filter(|c| n <= c.largest && !retired.contains(&(family.id, c.id)))
+        .collect();
     let mut cell = Cell {
         family: family.id.to_owned(),
         placement: placement.id.to_owned(),

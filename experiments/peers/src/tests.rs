@@ -23,7 +23,8 @@ fn every_contender_is_right_where_the_case_is_clear() {
 fn a_run_asks_times_and_tabulates() {
     let part =
         Part { families: vec!["random_bodies"], sizes: vec![1024], placements: vec!["inside_1e-9"], questions: 1 };
-    let cells = race::run(&Plan { seed: 1, parts: vec![part], repetitions: 3 }, |_| {}).expect("the ids exist");
+    let cells = race::run(&Plan { seed: 1, parts: vec![part], repetitions: 3, methods: Vec::new() }, |_| {})
+        .expect("the ids exist");
     let ours = cells[0].entry("by_lad").expect("no size is too large for it");
     assert_eq!((ours.asked, ours.wrong, ours.failed, ours.samples_ns[0].len()), (1, 0, 0, 3));
     let record = PeersRecord { environment: None, seed: 1, cells, line_fits: Vec::new() };

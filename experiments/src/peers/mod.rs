@@ -78,6 +78,11 @@ impl Entry {
 }
 
 impl Cell {
+    /// Whether another cell has the same family, placement and size.
+    pub fn is_about_the_same(&self, other: &Self) -> bool {
+        (&self.family, &self.placement, self.n) == (&other.family, &other.placement, other.n)
+    }
+
     /// The entry of a contender.
     pub fn entry(&self, method: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.method == method)
