@@ -6,8 +6,9 @@ use std::collections::BTreeSet;
 use proptest::prelude::*;
 
 use super::brute_force::{SignVector, faces_by_dimension};
-use super::{Edge, FaceLattice, Faces, Facet, Vertex, Zone, faces};
+use super::{Edge, FaceLattice, Faces, Facet, Vertex, Zone, faces, faces_counted};
 use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::tally::{Operation, OperationCounts};
 use crate::zonotope::Zonotope;
 
 fn lattice_of(center: [f64; 3], generators: &[[f64; 3]]) -> Option<FaceLattice> {
@@ -74,6 +75,25 @@ fn check_incidences(lattice: &FaceLattice) {
     }
 }
 
+/// What is found around vertices is what edges and facets say of their vertices.
+fn check_stars(lattice: &FaceLattice) {
+    let stars = lattice.stars();
+    let mut corners = 0;
+    for vertex in vertices(lattice) {
+        let around: Vec<Edge> = stars.edges(vertex).collect();
+        assert!(around.iter().all(|&edge| lattice.edge_ends(edge).contains(&vertex)));
+        assert_eq!(around.iter().collect::<BTreeSet<_>>().len(), around.len());
+        let facets: Vec<Facet> = stars.facets(vertex).collect();
+        for (k, &facet) in facets.iter().enumerate() {
+            let sides: BTreeSet<Edge> = lattice.facet_edges(facet).collect();
+            assert!(sides.contains(&around[k]) && sides.contains(&around[(k + 1) % around.len()]));
+            assert!(lattice.facet_vertices(facet).any(|v| v == vertex));
+        }
+        corners += around.len();
+    }
+    assert_eq!(corners, 2 * lattice.edge_count());
+}
+
 fn check_against_twin(center: [f64; 3], generators: &[[f64; 3]]) {
     let truth = faces_by_dimension(generators);
     let Some(lattice) = lattice_of(center, generators) else {
@@ -81,6 +101,7 @@ fn check_against_twin(center: [f64; 3], generators: &[[f64; 3]]) {
         return;
     };
     check_incidences(&lattice);
+    check_stars(&lattice);
     let collect = |signs: &mut dyn Iterator<Item = SignVector>| {
         let signs: Vec<SignVector> = signs.collect();
         let count = signs.len();
@@ -156,6 +177,19 @@ fn named_counts_by_hand() {
     assert_eq!(counts(&roots), [24, 36, 14]);
     let all = [&axes[..], &roots].concat();
     assert_eq!(counts(&all), [48, 72, 26]);
+}
+
+#[test]
+fn counts_tell_what_the_sweep_did() {
+    let generators: Vec<[f64; 3]> = (1..40).map(f64::from).map(|k| [k, 0.1 * k * k, 9.7 - k * k * k]).collect();
+    let body = Zonotope::new([0.0; 3], generators).expect("finite");
+    let mut counts = OperationCounts::default();
+    let found = faces_counted(&body, &mut counts).expect("few directions");
+    let Faces::Solid(lattice) = found else { unreachable!("the moment curve is not flat") };
+    check_stars(&lattice);
+    assert_eq!(2 * counts.get(Operation::SearchStep), lattice.facet_count() as u64);
+    assert!(counts.get(Operation::Comparison) >= 39 * 37);
+    assert!(100 * counts.get(Operation::ExactFallback) < counts.get(Operation::Comparison));
 }
 
 #[test]
