@@ -172,10 +172,15 @@ fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally
     Ok(best.expect("a solid body has facets, and the one with the largest certain bound is among those tried"))
 }
 
-fn exact_normal(lattice: &FaceLattice, facet: Facet) -> ExactVector {
+/// Two generators that span a facet.
+fn edges(lattice: &FaceLattice, facet: Facet) -> [usize; 2] {
     let generator = |zone| lattice.zone_generators(zone).next().expect("a zone has a generator").generator;
-    let mut zones = lattice.facet_zones(facet).map(generator).map(|g| exact(lattice.body().generators()[g]));
-    let [a, b] = [(); 2].map(|()| zones.next().expect("two zones meet in a facet"));
+    let mut zones = lattice.facet_zones(facet).map(generator);
+    [(); 2].map(|()| zones.next().expect("two zones meet in a facet"))
+}
+
+fn exact_normal(lattice: &FaceLattice, facet: Facet) -> ExactVector {
+    let [a, b] = edges(lattice, facet).map(|g| exact(lattice.body().generators()[g]));
     cross(&a, &b)
 }
 
@@ -183,30 +188,45 @@ fn exact_normal(lattice: &FaceLattice, facet: Facet) -> ExactVector {
 struct Probe {
     /// A multiple of the point.
     direction: [f64; 3],
+    /// The generators, scaled to magnitude at most 2.
+    generators: Vec<[f64; 3]>,
     vertex_error: [f64; 3],
 }
 
 impl Probe {
     fn new(lattice: &FaceLattice, point: &ExactVector) -> Self {
-        Self { direction: rounded_direction(point), vertex_error: lattice.coordinate_error() }
+        let generators = lattice.body().generators();
+        let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let scale = -binary_exponent(largest).map_or(0, i64::from);
+        Self {
+            direction: rounded_direction(point),
+            generators: generators.iter().map(|g| g.map(|v| scale_by_power_of_two(v, scale))).collect(),
+            vertex_error: lattice.coordinate_error(),
+        }
     }
 
     /// Bounds of |u · direction| / (u · v) for a facet's normal u and vertex v.
     fn bounds(&self, lattice: &FaceLattice, facet: Facet) -> [f64; 2] {
-        let normal = rounded_direction(&exact_normal(lattice, facet));
+        let [a, b] = edges(lattice, facet).map(|g| self.generators[g]);
+        let minors: [[f64; 2]; 3] = [[1, 2], [2, 0], [0, 1]].map(|[i, j]| [a[i] * b[j], a[j] * b[i]]);
+        let normal = minors.map(|[plus, minus]| plus - minus);
+        // Three roundings, each at most half of this; and underflow.
+        let normal_error =
+            minors.map(|[plus, minus]| 2.0 * f64::EPSILON * (plus.abs() + minus.abs()) + f64::MIN_POSITIVE);
         let vertex = lattice.facet_vertices(facet).next().map_or([0.0; 3], |vertex| lattice.point(vertex));
         let product = |a: &[f64; 3]| {
             let terms: [f64; 3] = std::array::from_fn(|k| normal[k] * a[k]);
             let size: f64 = terms.iter().map(|t| t.abs()).sum();
-            ((terms[0] + terms[1] + terms[2]).abs(), PRODUCT_ERROR * size + 4.0 * f64::MIN_POSITIVE)
+            let from_normal: f64 = (0..3).map(|k| 1.01 * normal_error[k] * a[k].abs()).sum();
+            let error = PRODUCT_ERROR * size + from_normal + 4.0 * f64::MIN_POSITIVE;
+            ((terms[0] + terms[1] + terms[2]).abs(), error)
         };
         let (along, error) = product(&self.direction);
         let (support, support_error) = product(&vertex);
-        let from_vertex: f64 = (0..3).map(|k| 1.01 * normal[k].abs() * self.vertex_error[k]).sum();
+        let from_vertex: f64 = (0..3).map(|k| 1.01 * (normal[k].abs() + normal_error[k]) * self.vertex_error[k]).sum();
         let (least, most) = (support - support_error - from_vertex, support + support_error + from_vertex);
-        let ratio = |numerator: f64, denominator: f64| numerator / denominator * (1.0 + 4.0 * f64::EPSILON);
         let low = ((along - error) / most * (1.0 - 4.0 * f64::EPSILON)).max(0.0);
-        let high = if least > 0.0 { ratio(along + error, least) } else { f64::INFINITY };
+        let high = if least > 0.0 { (along + error) / least * (1.0 + 4.0 * f64::EPSILON) } else { f64::INFINITY };
         // A NaN says nothing, and so does an infinite lower bound.
         [if low.is_finite() { low } else { 0.0 }, if high.is_nan() { f64::INFINITY } else { high }]
     }
