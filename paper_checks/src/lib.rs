@@ -17,6 +17,7 @@
 //! assert!(matches!(verdict, Verdict::Holds(_)));
 //! ```
 
+pub mod bodies;
 pub mod catalog;
 mod claim;
 mod claims;
@@ -24,8 +25,10 @@ pub mod instances;
 mod ledger;
 mod library;
 pub mod plane;
+mod proofs;
 mod ratio;
 mod runs;
+pub mod space;
 mod subdifferential;
 
 pub use claim::{Check, CheckContext, Claim, ClaimKind, Measurement, Place, Verdict};

@@ -1,6 +1,6 @@
 //! Section 1, fourth paragraph.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use crate::claim::{Check, Claim, ClaimKind, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +8,6 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "1", label: "fourth paragraph" },
     kind: ClaimKind::Statement,
     statement: "A zonotope in R^d has O(n^(d-1)) faces and can be built in that time; a zonohedron may have of order n^2 faces",
+    check: Check::Restates("face-count"),
     ..Claim::LISTED
 };

@@ -1,6 +1,10 @@
-//! Section 1, second paragraph.
+//! In space, central symmetry is not enough.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use std::collections::BTreeSet;
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::ratio::{fraction, integer};
+use crate::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +12,37 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "1", label: "second paragraph" },
     kind: ClaimKind::Statement,
     statement: "In three and more dimensions there are centrally symmetric convex polytopes that are not zonotopes",
+    code: &["zonotope::zonotope"],
+    check: Check::Run(check),
     ..Claim::LISTED
 };
+
+/// The octahedron. An edge of a sum of segments is a translate of the parallel segments, so a zonotope is the sum of its edges, one of
+/// each direction: for the octahedron that sum is another body.
+fn check(_context: &CheckContext) -> Verdict {
+    let corners: Vec<Vector> =
+        [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]].map(Vector::at).to_vec();
+    let symmetric = corners.iter().all(|corner| corners.contains(&Vector::at([0; 3]).plus(&integer(-1), corner)));
+    let mut edges: BTreeSet<Vector> = BTreeSet::new();
+    for (index, a) in corners.iter().enumerate() {
+        for b in &corners[..index] {
+            let opposite = Vector::at([0; 3]).plus(&integer(-1), a) == *b;
+            if !opposite {
+                edges.insert(a.to(b).line());
+            }
+        }
+    }
+    let half_edges = edges.iter().map(|edge| Vector::at([0; 3]).plus(&fraction(1, 2), edge)).collect();
+    let sum = Body { center: Vector::at([0; 3]), generators: half_edges };
+    let vertices = sum.vertices();
+    if !symmetric || vertices.iter().all(|vertex| corners.contains(vertex)) {
+        return Verdict::Refuted("the octahedron is the sum of its edges".to_owned());
+    }
+    Verdict::Holds(format!(
+        "the octahedron is centrally symmetric, and the sum of its {} edge directions at the edges' length is a body of {} vertices and \
+         not the octahedron of {}",
+        edges.len(),
+        vertices.len(),
+        corners.len()
+    ))
+}

@@ -1,6 +1,6 @@
-//! Section 5, first paragraph.
+//! The size of the explicit boundary.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use crate::claim::{Check, Claim, ClaimKind, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +8,6 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "5", label: "first paragraph" },
     kind: ClaimKind::Statement,
     statement: "The explicit boundary of a zonotope of R^3 with n generators has of order n^2 faces, so explicit methods are inefficient",
+    check: Check::Restates("complexity-bound"),
     ..Claim::LISTED
 };
