@@ -15,4 +15,5 @@ pub mod gallery;
 pub mod growth_plot;
 pub mod min_area;
 pub mod scene;
+pub mod solid;
 pub mod style;

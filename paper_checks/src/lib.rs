@@ -30,6 +30,7 @@ mod ratio;
 mod runs;
 pub mod space;
 mod subdifferential;
+mod upper_hull;
 
 pub use claim::{Check, CheckContext, Claim, ClaimKind, Measurement, Place, Verdict};
 pub use ledger::{ClaimResult, markdown, run, text};

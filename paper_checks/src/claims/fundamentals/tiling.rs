@@ -7,7 +7,7 @@ use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::instances::generator;
 use crate::plane::{Point, convex_hull, signed_area, turn};
 use crate::ratio::{fraction, integer};
-use crate::space::Vector;
+use crate::upper_hull::project;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -67,10 +67,6 @@ fn check(context: &CheckContext) -> Verdict {
         "{tilings} bodies in general position: {tiles} facets look up, one for each pair of generators and with the pair's area, the areas add \
          up to that of Q, and {points} points lie in a tile just when they lie in Q, in the interior of at most one"
     ))
-}
-
-fn project(vector: &Vector) -> Point {
-    Point::new(vector.0[0].clone(), vector.0[1].clone())
 }
 
 fn pairs(count: usize) -> impl Iterator<Item = (usize, usize)> {

@@ -1,6 +1,11 @@
-//! Section 5.1, separators.
+//! The order of the tiles.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use dashu_ratio::RBig;
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::instances::generator;
+use crate::plane::Point;
+use crate::upper_hull::tilings;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +13,54 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "5.1", label: "separators" },
     kind: ClaimKind::Statement,
     statement: "Numbering the tiles by the x order of the dual vertices is consistent with the right-to relation of the tiling",
+    remedy: Some(
+        "where dual vertices share an x, tiles of equal x are not to the right of each other unless a line is vertical: then by y",
+    ),
+    code: &["zonotope::arrangement::tiling"],
+    figures: &["paper-figure-1", "separators"],
+    check: Check::Run(check),
     ..Claim::LISTED
 };
+
+/// Of two tiles with a common edge that is not horizontal, the one on its right has the larger dual x.
+fn check(context: &CheckContext) -> Verdict {
+    let mut random = generator(context.seed, 44);
+    let mut edges = 0;
+    let instances = tilings(&mut random, 35);
+    for (instance, _, facets) in &instances {
+        for right in facets {
+            for (from, to) in rising_edges(&right.tile, -1) {
+                let left =
+                    facets.iter().find(|facet| rising_edges(&facet.tile, 1).contains(&(from.clone(), to.clone())));
+                if let Some(left) = left {
+                    if left.crossing.x >= right.crossing.x {
+                        return Verdict::Refuted(format!(
+                            "{}: tiles {:?} and {:?}",
+                            instance.name, left.pair, right.pair
+                        ));
+                    }
+                    edges += 1;
+                }
+            }
+        }
+    }
+    Verdict::Holds(format!(
+        "{} tilings: across each of {edges} edges that are not horizontal the tile on the right has the dual vertex with the larger x, and so \
+         the order of x extends the right-to relation",
+        instances.len()
+    ))
+}
+
+/// The sides of a tile, lower end first, that have it on their left (`side` 1: counter-clockwise they rise) or right (−1: they fall).
+fn rising_edges(tile: &[Point], side: i64) -> Vec<(Point, Point)> {
+    let edges = (0..tile.len()).map(|k| (tile[k].clone(), tile[(k + 1) % tile.len()].clone()));
+    edges
+        .filter_map(|(from, to)| {
+            let rise = &to.y - &from.y;
+            if rise == RBig::ZERO || (rise > RBig::ZERO) != (side > 0) {
+                return None;
+            }
+            Some(if side > 0 { (from, to) } else { (to, from) })
+        })
+        .collect()
+}
