@@ -2,12 +2,16 @@
 
 use crate::figure::Figure;
 use crate::gallery::{
-    arrangement_and_level_sets, country_outlines, paper_figure_2, polygon_and_reflection, scaling_kernel_operations,
-    scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times, search_of_theorem_4_5,
+    arrangement_and_level_sets, country_outlines, duality_family, paper_figure_1, paper_figure_2,
+    polygon_and_reflection, scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations,
+    scaling_min_area_times, search_of_theorem_4_5, separators,
 };
 
 /// Every figure, in the order of reports.
 pub static FIGURES: &[Figure] = &[
+    paper_figure_1::FIGURE,
+    duality_family::FIGURE,
+    separators::FIGURE,
     paper_figure_2::FIGURE,
     polygon_and_reflection::FIGURE,
     arrangement_and_level_sets::FIGURE,

@@ -10,6 +10,7 @@
 
 pub mod axes;
 pub mod catalog;
+mod duality;
 pub mod figure;
 pub mod gallery;
 pub mod growth_plot;

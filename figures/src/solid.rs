@@ -79,7 +79,7 @@ pub fn draw(
 
 fn sides_of<'a>(camera: &'a Camera, face: &'a Face) -> impl Iterator<Item = ([f64; 2], [f64; 2], usize)> + 'a {
     let count = face.corners.len();
-    let place = |k: usize| camera.project(face.corners[k % count]);
+    let place = move |k: usize| camera.project(face.corners[k % count]);
     face.sides.iter().enumerate().map(move |(k, &generator)| (place(k), place(k + 1), generator))
 }
 

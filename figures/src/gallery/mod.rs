@@ -2,6 +2,8 @@
 
 pub mod arrangement_and_level_sets;
 pub mod country_outlines;
+pub mod duality_family;
+pub mod paper_figure_1;
 pub mod paper_figure_2;
 pub mod polygon_and_reflection;
 pub mod scaling_kernel_operations;
@@ -9,3 +11,4 @@ pub mod scaling_kernel_times;
 pub mod scaling_min_area_operations;
 pub mod scaling_min_area_times;
 pub mod search_of_theorem_4_5;
+pub mod separators;

@@ -1,0 +1,113 @@
+//! The two pictures of a [`DualPair`], in matching colours and with matching numbers.
+
+use super::DualPair;
+use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
+use crate::scene::text::{Anchor, TextStyle};
+use crate::scene::{Panel, Scene};
+use crate::style::{Color, FOCUS, GREY, INK, Marker, PAPER, Paint, SERIES, Shape, Stroke, text_size, weight};
+
+/// The colours of the generators.
+pub(crate) const GENERATORS: [Color; 8] = [
+    SERIES[0],
+    SERIES[1],
+    SERIES[2],
+    SERIES[3],
+    SERIES[4],
+    SERIES[5],
+    Color::new(0x4b, 0x4b, 0x9e),
+    Color::new(0x99, 0x4f, 0x4f),
+];
+
+const SEPARATOR: Stroke = Stroke::new(INK, weight::STRONG);
+const SEPARATOR_CHAIN: Stroke = Stroke::new(INK, 6.0);
+const LEFT_TILE: Paint = Paint::fill(FOCUS, 0.3);
+const RIGHT_TILE: Paint = Paint::fill(PAPER, 1.0);
+const LEFT_CROSSING: Marker = Marker::new(Shape::Disc, 9.0, FOCUS.mixed(PAPER, 110));
+const RIGHT_CROSSING: Marker = Marker::new(Shape::Ring, 9.0, GREY);
+/// With more crossings than this, signs and numbers are three quarters as large.
+const ROOMY: usize = 15;
+
+/// The separator of a picture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Separator {
+    /// How many tiles it has on its left.
+    pub(crate) k: usize,
+    /// Whether its name stands at its upper end.
+    pub(crate) named: bool,
+}
+
+/// Draws the lines with their crossings numbered from left to right and the vertical line L_k, in a window of the page.
+pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
+    let around = WorldBox::around(pair.crossings.iter().map(|crossing| &crossing.place)).grown(0.16);
+    let width = around.max[0] - around.min[0];
+    let height = around.max[1] - around.min[1];
+    let stretch = window.width() / width / (window.height() / height);
+    let mut panel = Panel::new(scene, Frame::fit_stretched(&around, window, stretch));
+    for (index, &[a, b, c]) in pair.generators.iter().enumerate() {
+        let color = GENERATORS[index];
+        let ends = panel.line([0.0, -c / b], [b, -a], &window, &generator_stroke(index));
+        if let Some((_, end)) = ends {
+            let style = TextStyle::new(text_size::LABEL, color).bold();
+            panel.scene().label(end, [-0.6, -0.8], &style, &format!("$ℓ_{}$", index + 1));
+        }
+    }
+    let left = separator.map_or(0, |separator| separator.k);
+    if let Some(Separator { k, named }) = separator {
+        let x = panel.place([pair.separator_x(k), 0.0]).x;
+        let top = PagePoint::new(x, window.min.y - 6.0);
+        panel.scene().segment(top, PagePoint::new(x, window.max.y), &SEPARATOR);
+        if named {
+            let style = TextStyle::new(text_size::LABEL, INK);
+            panel.scene().text(top.moved(0.0, -6.0), Anchor::Middle, &style, &format!("$L_{k}$"));
+        }
+    }
+    let size = if pair.crossings.len() > ROOMY { 0.75 } else { 1.0 };
+    for (index, crossing) in pair.crossings.iter().enumerate() {
+        let marker = if index < left { LEFT_CROSSING } else { RIGHT_CROSSING };
+        panel.marker(crossing.place, &Marker { radius: marker.radius * size, ..marker });
+        let place = panel.place(crossing.place);
+        write_number(panel.scene(), place, index, size);
+    }
+}
+
+/// Draws the tiles with the numbers of their crossings and the chain L'_k.
+pub(crate) fn draw_tiling(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
+    let left = separator.map_or(0, |separator| separator.k);
+    let outline = pair.outline();
+    let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&outline), window));
+    for (index, crossing) in pair.crossings.iter().enumerate() {
+        panel.polygon(&pair.tile(crossing), if index < left { &LEFT_TILE } else { &RIGHT_TILE });
+    }
+    if let Some(Separator { k, named }) = separator {
+        let chain = pair.chain(k);
+        panel.polyline(&chain, &SEPARATOR_CHAIN);
+        if named {
+            let top = panel.place(chain[0]);
+            let style = TextStyle::new(text_size::LABEL, INK);
+            panel.scene().text(top.moved(0.0, -8.0), Anchor::Middle, &style, &format!("$L'_{k}$"));
+        }
+    }
+    for face in pair.crossings.iter().map(|crossing| pair.upper_face(crossing)) {
+        let corner = |side: usize| {
+            let [x, y, _] = face.corners[side % 4];
+            [x, y]
+        };
+        for (side, &generator) in face.sides.iter().enumerate() {
+            panel.segment(corner(side), corner(side + 1), &generator_stroke(generator));
+        }
+    }
+    for (index, crossing) in pair.crossings.iter().enumerate() {
+        let place = panel.place(crossing.middle);
+        write_number(panel.scene(), place, index, 1.0);
+    }
+}
+
+/// The line and the edges of a generator.
+pub(crate) fn generator_stroke(generator: usize) -> Stroke {
+    Stroke::new(GENERATORS[generator], weight::MEDIUM + 0.4)
+}
+
+fn write_number(scene: &mut Scene, place: PagePoint, index: usize, size: f64) {
+    let style = TextStyle::new(11.0 * size, INK);
+    scene.text(place.moved(0.0, 4.0 * size), Anchor::Middle, &style, &(index + 1).to_string());
+}
