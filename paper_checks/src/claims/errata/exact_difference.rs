@@ -1,6 +1,10 @@
-//! Section 5.1, Lemma 5.1.
+//! The difference of two centres.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use zonotope::collision::{Displacement, by_lad};
+use zonotope::zonotope::Zonotope;
+
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -9,5 +13,27 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "q - p may be formed like any other number",
     remedy: Some("it must be exact: centres 1e16 and -1 turn from disjoint to touching by rounding"),
+    code: &["zonotope::collision"],
+    check: Check::Run(check),
     ..Claim::LISTED
 };
+
+/// Two segments on the x axis whose centres are 1e16 + 1 apart and whose half-lengths sum to 1e16.
+fn check(_context: &CheckContext) -> Verdict {
+    let (p, q, half) = (-1.0, 1e16, 1e16);
+    let segment = |center: f64, half: f64| {
+        Zonotope::new([center, 0.0, 0.0], vec![[half, 0.0, 0.0]]).expect("the coordinates are finite")
+    };
+    let answer = by_lad::locate(&Displacement::between(&segment(p, half), &segment(q, 0.0)));
+    let sum = Body { center: Vector::exactly([p, 0.0, 0.0]), generators: vec![Vector::exactly([half, 0.0, 0.0])] };
+    let truth = sum.holds(&Vector::exactly([q, 0.0, 0.0]));
+    let rounded = q - p <= half;
+    if truth || answer.is_member() || !rounded {
+        return Verdict::Holds(format!("exactly {truth}, rounded {rounded}, the library: {}", answer.status()));
+    }
+    Verdict::Refuted(
+        "the segment of half-length 1e16 about -1 ends at 1e16 - 1 and misses the point 1e16, but the rounded difference of the centres \
+         is 1e16, on the boundary; with the exact difference the library finds them disjoint"
+            .to_owned(),
+    )
+}

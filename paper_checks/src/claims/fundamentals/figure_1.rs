@@ -1,6 +1,6 @@
 //! Section 3, Figure 1.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use crate::claim::{Check, Claim, ClaimKind, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -8,5 +8,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "3", label: "Figure 1" },
     kind: ClaimKind::Figure,
     statement: "The arrangement of the lines, the tiling dual to it, a vertical line and its pseudo-vertical counterpart",
+    figures: &["paper-figure-1"],
+    check: Check::Restates("separators"),
     ..Claim::LISTED
 };
