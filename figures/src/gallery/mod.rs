@@ -1,6 +1,7 @@
 //! The figures, one a file.
 
 pub mod arrangement_and_level_sets;
+pub mod certificates_of_intersection;
 pub mod country_outlines;
 pub mod duality_family;
 pub mod paper_figure_1;
