@@ -9,7 +9,6 @@ use crate::style::{
 };
 use zonotope::collision::{Displacement, Location, Separation, Witness, by_lad};
 use zonotope::zonotope::Zonotope;
-use zonotope::zonotope::zonogon;
 
 /// The proofs of three answers.
 pub const FIGURE: Figure = Figure {
@@ -29,7 +28,7 @@ const FIRST: [[f64; 2]; 4] = [[4.0, 1.0], [2.0, 3.0], [-1.0, 3.0], [-3.0, 2.0]];
 const SECOND: [[f64; 2]; 3] = [[5.0, -1.0], [3.0, 2.0], [-1.0, 3.0]];
 /// The second body's centre, and what to say.
 const PAIRS: [([f64; 2], &str); 3] =
-    [([9.0, 6.0], "the interiors meet"), ([19.0, 3.0], "they touch"), ([19.0, 11.0], "they are disjoint")];
+    [([9.0, 6.0], "the interiors meet"), ([17.0, 3.0], "they touch"), ([19.0, 11.0], "they are disjoint")];
 const CELL: [f64; 2] = [290.0, 280.0];
 const FIRST_PAINT: Paint = Paint::fill(INPUT, 0.14).with_outline(Stroke::new(INPUT, weight::MEDIUM));
 const SECOND_PAINT: Paint = Paint::fill(REFLECTED, 0.14).with_outline(Stroke::new(REFLECTED, weight::MEDIUM));
@@ -37,7 +36,7 @@ const COMMON: Marker = Marker::new(Shape::Star, 8.0, OPTIMUM);
 const SEPARATING: Stroke = Stroke::new(ENCLOSING, weight::STRONG).dashed(Dash::Dashed);
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
-    let mut scene = Scene::new(CELL[0] * 3.0, CELL[1] + 40.0, FIGURE.title, FIGURE.caption);
+    let mut scene = Scene::new(CELL[0] * 3.0, CELL[1] + 50.0, FIGURE.title, FIGURE.caption);
     for (column, (center, words)) in PAIRS.into_iter().enumerate() {
         let left = CELL[0] * column as f64;
         scene.heading(PagePoint::new(left + CELL[0] / 2.0, 24.0), words);
@@ -49,7 +48,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         LegendEntry::new(Sample::Point(COMMON), "common point"),
         LegendEntry::new(Sample::Line(SEPARATING), "separating line, across $u$"),
     ];
-    scene.legend(PagePoint::new(0.0, CELL[1] + 4.0), CELL[0] * 3.0, &entries);
+    scene.legend(PagePoint::new(0.0, CELL[1] + 14.0), CELL[0] * 3.0, &entries);
     Ok(scene.finish())
 }
 
@@ -58,7 +57,7 @@ fn draw_pair(scene: &mut Scene, window: PageBox, second_center: [f64; 2]) {
         Zonotope::new(center, generators.to_vec()).expect("the coordinates are small integers")
     };
     let (first, second) = (body([0.0, 0.0], &FIRST), body(second_center, &SECOND));
-    let corners = [zonogon::vertices(&first), zonogon::vertices(&second)];
+    let corners = [first.vertices(), second.vertices()];
     let world = WorldBox::around(corners.iter().flatten()).grown(0.04);
     let mut panel = Panel::new(scene, Frame::fit(&world, window));
     panel.polygon(&corners[0], &FIRST_PAINT);
@@ -107,7 +106,7 @@ fn draw_separation(panel: &mut Panel<'_>, first: &Zonotope<2>, second: &Zonotope
     panel.arrow(middle, ahead, &Stroke::new(ENCLOSING, weight::STRONG));
     panel.label(ahead, [x, y], &TextStyle::new(text_size::LABEL, ENCLOSING), "$u$");
     let style = TextStyle::new(text_size::NOTE, GREY);
-    let place = PagePoint::new(window.center().x, window.max.y + 8.0);
+    let place = PagePoint::new(window.center().x, window.max.y + 16.0);
     let text = format!("ends at {:.2}, begins at {:.2} along $u$", end.value() / length, -begin.value() / length);
     panel.scene().text(place, Anchor::Middle, &style, &text);
 }

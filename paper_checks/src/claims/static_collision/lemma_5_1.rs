@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Lemma,
     statement: "Two zonotopes intersect iff the difference of their centres lies in the centred zonotope of all their generators",
     code: &["zonotope::collision", "zonotope::collision::by_lad"],
+    figures: &["certificates-of-intersection"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
