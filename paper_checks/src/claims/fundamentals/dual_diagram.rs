@@ -17,7 +17,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "3", label: "second paragraph" },
     kind: ClaimKind::Statement,
     statement: "The dual diagram of the tiling is isomorphic to the arrangement of the lines P_i with z = 1: tiles to vertices, tiling edges to edges, tiling vertices to faces",
-    code: &["zonotope::arrangement::tiling"],
+    code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
     ..Claim::LISTED

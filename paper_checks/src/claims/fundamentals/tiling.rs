@@ -16,7 +16,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "In R^3 the upper hull projects to a tiling of a convex polygon Q by translates of the parallelograms of the projected generators, one for each pair",
     remedy: Some("in general position: parallel projections have no tile, coplanar generators share one"),
-    code: &["zonotope::arrangement::tiling"],
+    code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
     ..Claim::LISTED

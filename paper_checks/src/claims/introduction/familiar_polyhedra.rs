@@ -12,7 +12,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "1", label: "second paragraph" },
     kind: ClaimKind::Statement,
     statement: "Cubes, parallelepipeds, the truncated octahedron and the rhombic dodecahedron are zonotopes",
-    code: &["zonotope::zonotope::named"],
+    code: &["zonotope::zonotope"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

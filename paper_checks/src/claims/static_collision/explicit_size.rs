@@ -8,6 +8,6 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "5", label: "first paragraph" },
     kind: ClaimKind::Statement,
     statement: "The explicit boundary of a zonotope of R^3 with n generators has of order n^2 faces, so explicit methods are inefficient",
-    check: Check::Restates("complexity-bound"),
+    check: Check::Restates("face-count"),
     ..Claim::LISTED
 };

@@ -16,7 +16,7 @@ pub static CLAIM: Claim = Claim {
     remedy: Some(
         "where dual vertices share an x, tiles of equal x are not to the right of each other unless a line is vertical: then by y",
     ),
-    code: &["zonotope::arrangement::tiling"],
+    code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "separators"],
     check: Check::Run(check),
     ..Claim::LISTED
