@@ -12,4 +12,5 @@ pub mod scaling_kernel_times;
 pub mod scaling_min_area_operations;
 pub mod scaling_min_area_times;
 pub mod search_of_theorem_4_5;
+pub mod search_of_theorem_5_2;
 pub mod separators;
