@@ -2,13 +2,14 @@
 
 use crate::figure::Figure;
 use crate::gallery::{
-    arrangement_and_level_sets, certificates_of_intersection, country_outlines, duality_family, paper_figure_1,
-    paper_figure_2, polygon_and_reflection, scaling_kernel_operations, scaling_kernel_times,
+    arrangement_and_level_sets, certificates_of_intersection, country_outlines, duality_family, named_zonohedra,
+    paper_figure_1, paper_figure_2, polygon_and_reflection, scaling_kernel_operations, scaling_kernel_times,
     scaling_min_area_operations, scaling_min_area_times, search_of_theorem_4_5, search_of_theorem_5_2, separators,
 };
 
 /// Every figure, in the order of reports.
 pub static FIGURES: &[Figure] = &[
+    named_zonohedra::FIGURE,
     paper_figure_1::FIGURE,
     duality_family::FIGURE,
     separators::FIGURE,

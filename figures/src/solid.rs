@@ -2,6 +2,8 @@
 
 use crate::scene::Panel;
 use crate::style::{Dash, GREY, Paint, Stroke, weight};
+use zonotope::zonotope::Zonotope;
+use zonotope::zonotope::faces::{Faces, Facet, faces};
 
 /// A face of a convex body.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +14,22 @@ pub struct Face {
     pub normal: [f64; 3],
     /// For each side, from its corner to the next, the generator that it is parallel to.
     pub sides: Vec<usize>,
+}
+
+/// The faces of a body of full dimension; a side is named by its zone.
+pub fn faces_of(body: &Zonotope<3>) -> Vec<Face> {
+    let Ok(Faces::Solid(lattice)) = faces(body) else {
+        return Vec::new();
+    };
+    (0..lattice.facet_count() as u32)
+        .map(|facet| {
+            let corners: Vec<[f64; 3]> = lattice.facet_vertices(Facet(facet)).map(|v| lattice.point(v)).collect();
+            let step = |k: usize| std::array::from_fn(|i| corners[k + 1][i] - corners[k][i]);
+            let normal = cross(step(0), step(1));
+            let sides = lattice.facet_edges(Facet(facet)).map(|edge| lattice.edge_zone(edge).0 as usize).collect();
+            Face { corners, normal, sides }
+        })
+        .collect()
 }
 
 /// Where a body is looked at from: parallel rays, z upright on the page.

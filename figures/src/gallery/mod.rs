@@ -4,6 +4,7 @@ pub mod arrangement_and_level_sets;
 pub mod certificates_of_intersection;
 pub mod country_outlines;
 pub mod duality_family;
+pub mod named_zonohedra;
 pub mod paper_figure_1;
 pub mod paper_figure_2;
 pub mod polygon_and_reflection;

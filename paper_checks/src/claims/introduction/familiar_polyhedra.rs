@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "Cubes, parallelepipeds, the truncated octahedron and the rhombic dodecahedron are zonotopes",
     code: &["zonotope::zonotope"],
+    figures: &["named-zonohedra"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

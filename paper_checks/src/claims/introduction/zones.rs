@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "In R^3 the facets that share a generator form a band around the zonotope",
     code: &["zonotope::zonotope::faces"],
+    figures: &["named-zonohedra"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
