@@ -3,8 +3,9 @@
 use crate::figure::Figure;
 use crate::gallery::{
     arrangement_and_level_sets, certificates_of_intersection, country_outlines, duality_family, named_zonohedra,
-    paper_figure_1, paper_figure_2, polygon_and_reflection, scaling_kernel_operations, scaling_kernel_times,
-    scaling_min_area_operations, scaling_min_area_times, search_of_theorem_4_5, search_of_theorem_5_2, separators,
+    paper_figure_1, paper_figure_2, polygon_and_reflection, scaling_collision_operations, scaling_collision_times,
+    scaling_face_counts, scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations,
+    scaling_min_area_times, search_of_theorem_4_5, search_of_theorem_5_2, separators,
 };
 
 /// Every figure, in the order of reports.
@@ -24,6 +25,9 @@ pub static FIGURES: &[Figure] = &[
     scaling_min_area_times::FIGURE,
     scaling_kernel_operations::FIGURE,
     scaling_kernel_times::FIGURE,
+    scaling_face_counts::FIGURE,
+    scaling_collision_operations::FIGURE,
+    scaling_collision_times::FIGURE,
 ];
 
 /// The figure called `id`, if there is one.

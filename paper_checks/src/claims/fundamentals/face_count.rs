@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "In R^d a zonotope with n generators has complexity O(n^(d-1)), and the topology of its boundary is that of an arrangement",
     code: &["zonotope::zonotope::faces"],
+    figures: &["scaling-face-counts"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

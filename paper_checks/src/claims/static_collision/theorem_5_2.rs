@@ -20,7 +20,12 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Theorem,
     statement: "Whether two zonotopes of R^3 with n generators in total intersect can be decided in O(n log^2 n) time",
     code: &["zonotope::collision::by_slope_selection", "zonotope::collision::by_lad"],
-    figures: &["certificates-of-intersection", "search-of-theorem-5-2"],
+    figures: &[
+        "certificates-of-intersection",
+        "scaling-collision-operations",
+        "scaling-collision-times",
+        "search-of-theorem-5-2",
+    ],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -25,5 +25,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "erratum-5.1-separators",
     ],
     experiments: &[],
-    commands: &[("zonobench solve separators.jsonl", "answers questions of the kinds separator, upper_hull and slope_selection")],
+    commands: &[(
+        "zonobench solve separators.jsonl",
+        "answers questions of the kinds separator, upper_hull and slope_selection",
+    )],
 };

@@ -34,6 +34,6 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "face-count",
         "erratum-3-independent-generators",
     ],
-    experiments: &[],
+    experiments: &["faces-scaling"],
     commands: &[("zonobench inspect body.json --svg body.svg", "counts, measures and draws the body of a file")],
 };

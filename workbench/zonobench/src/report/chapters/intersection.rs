@@ -21,8 +21,16 @@ pub(super) static CHAPTER: Chapter = Chapter {
          told from bodies that do not, at any scale.",
     ],
     bound: "The paper: O(n log² n). Here: expected O(n), in about two readings of the generators when there are many.",
-    claims: &["minkowski-closure", "lemma-5.1", "between-the-hulls", "theorem-5.2", "explicit-size", "erratum-5.1-difference"],
-    experiments: &[],
+    claims: &[
+        "minkowski-closure",
+        "lemma-5.1",
+        "between-the-hulls",
+        "theorem-5.2",
+        "open-4d-intersection",
+        "explicit-size",
+        "erratum-5.1-difference",
+    ],
+    experiments: &["collision-scaling", "gauge-passes", "fallback-rate", "wrong-answers"],
     commands: &[
         ("zonobench intersect first.json second.json --svg meeting.svg", "decides for two bodies, and draws the proof"),
         ("zonobench solve questions.jsonl", "answers many questions of the kinds member, intersect and gauge"),

@@ -7,7 +7,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     title: "The lowest point of a sum of hinges",
     place: "Section 4.1, Lemmas 4.2 and 4.3, Corollary 4.4",
     statement: "Given lines aᵢ·x + bᵢ = 0 with weights wᵢ, find the point x of the plane that minimises \
-        c·x + Σ wᵢ |aᵢ·x + bᵢ|. The same problem decides later whether a point lies in a zonotope of space.",
+        c·x + Σ wᵢ |aᵢ·x + bᵢ|. The same problem decides whether a point lies in a zonotope of space.",
     method: &[
         "The paper's search keeps a vertical slab that holds the optimum. Slope selection finds the median crossing inside the \
          slab; on the vertical line through it the minimum is a problem with one variable; the slopes there tell on which side \

@@ -1,12 +1,16 @@
 //! The chapters, one file each.
 
+mod duality;
+mod faces;
+mod intersection;
 mod kernel;
 mod min_area_zonogon;
 
 use super::chapter::Chapter;
 
 /// Every chapter, in the order of the report.
-pub static CHAPTERS: &[&Chapter] = &[&min_area_zonogon::CHAPTER, &kernel::CHAPTER];
+pub static CHAPTERS: &[&Chapter] =
+    &[&min_area_zonogon::CHAPTER, &kernel::CHAPTER, &faces::CHAPTER, &duality::CHAPTER, &intersection::CHAPTER];
 
 #[cfg(test)]
 mod tests {

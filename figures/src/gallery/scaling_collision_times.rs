@@ -1,0 +1,33 @@
+//! Time of the collision methods against the number of generators.
+
+use crate::figure::{Figure, FigureError, FigureInput};
+use crate::growth_plot::GrowthPlot;
+use experiments::definition::Quantity;
+use experiments::definitions::collision_scaling;
+
+/// Times of the collision methods.
+pub const FIGURE: Figure = Figure {
+    id: "scaling-collision-times",
+    title: "Time of the collision methods",
+    caption: "Time of each method for one question about a random body of n generators: medians of several runs on this machine. The distance \
+              between the kernel and the paper's search is the factor by which one is ahead of the other; explicit faces and the \
+              search cross where their curves do.",
+    claims: &["theorem-5.2"],
+    experiments: &[collision_scaling::EXPERIMENT.id],
+    deterministic: false,
+    draw,
+};
+
+const PLOT: GrowthPlot = GrowthPlot {
+    experiment: &collision_scaling::EXPERIMENT,
+    quantity: Quantity::Time("total"),
+    families: &[("random_bodies", None)],
+    shows: |_variant, _family| true,
+    x_name: "generators n",
+    y_name: "time (s)",
+    y_unit: 1e9,
+};
+
+fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
+    PLOT.draw(&FIGURE, input)
+}
