@@ -54,18 +54,17 @@ impl Cell {
         let wider = [0, 1, 2].map(|k| self.reach[k] + 8.0 * UNIT * (self.center[k].abs() + self.reach[k]));
         let wide = WideCell { center: self.center.map(f64x2::splat), reach: wider.map(f64x2::splat) };
         let mut total = FixedSum::default();
-        let mut crossing = [0u32; BLOCK + LANES];
+        let mut crossing = [0u32; 2 * BLOCK];
         for (number, block) in generators.chunks(BLOCK).enumerate() {
             let mut lanes = Lanes::default();
             let mut count = 0;
             let (rows, rest) = block.as_chunks::<LANES>();
             for (row, &[first, second]) in rows.iter().enumerate() {
-                let fixed = lanes.read(&wide, first, second);
-                if fixed != 0b11 {
-                    for lane in (0..LANES).filter(|lane| fixed & (1 << lane) == 0) {
-                        crossing[count] = (row * LANES + lane) as u32;
-                        count += 1;
-                    }
+                // written always and counted if it crosses: no branch to be guessed wrong
+                let missing = !lanes.read(&wide, first, second) as usize;
+                for lane in 0..LANES {
+                    crossing[count % crossing.len()] = (row * LANES + lane) as u32;
+                    count += missing >> lane & 1;
                 }
             }
             if let &[last] = rest

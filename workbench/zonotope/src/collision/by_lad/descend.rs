@@ -6,7 +6,7 @@
 use super::smooth::Columns;
 
 /// The most line searches.
-const SEARCHES: usize = 60;
+const SEARCHES: usize = 40;
 
 /// A crossing of the searched line: where, and half of what the slope gains there.
 #[derive(Debug, Clone, Copy)]
@@ -16,13 +16,22 @@ struct Crossing {
     line: usize,
 }
 
+/// Why a search ends without a vertex.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// There is no line, or none that crosses the one that is searched.
+    NoVertex,
+    /// Many lines meet near a vertex, and rounding does not tell which to follow.
+    Undecided,
+}
+
 /// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it.
-pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
-    let mut line = nearest(lines, start)?;
+pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Result<[usize; 2], Stop> {
+    let mut line = nearest(lines, start).ok_or(Stop::NoVertex)?;
     let mut point = start;
     let mut ahead = Vec::with_capacity(lines.len());
     for _ in 0..SEARCHES {
-        let (other, vertex) = search(lines, linear, line, point, &mut ahead)?;
+        let (other, vertex) = search(lines, linear, line, point, &mut ahead).ok_or(Stop::NoVertex)?;
         point = vertex;
         // the slope along the other line at the vertex, without the two lines through it
         let [mut gx, mut gy] = linear;
@@ -35,11 +44,11 @@ pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Opt
         let (dx, dy) = (-lines.b[other], lines.a[other]);
         let turn = (lines.a[line] * dx + lines.b[line] * dy).abs();
         if (gx * dx + gy * dy).abs() <= turn {
-            return Some([line, other]);
+            return Ok([line, other]);
         }
         line = other;
     }
-    None
+    Err(Stop::Undecided)
 }
 
 fn nearest(lines: &Columns, [x, y]: [f64; 2]) -> Option<usize> {

@@ -6,7 +6,7 @@
 use super::cell::{Cell, FixedSum};
 use super::certain::Certain;
 use super::chart::Chart;
-use super::descend::descend;
+use super::descend::{Stop, descend};
 use super::smooth::Columns;
 use crate::collision::Displacement;
 use crate::numeric::bounded::BoundedVector;
@@ -98,8 +98,9 @@ impl Reduced {
     /// Descends from a point and checks what it ends in.
     pub(super) fn solve(&self, columns: &Columns, chart: &Chart, p: &BoundedVector, start: [f64; 2]) -> End {
         match descend(columns, self.linear(chart), start) {
-            Some(basis) => Certain::at(self, columns, p, basis),
-            None => End::Astray(start),
+            Ok(basis) => Certain::at(self, columns, p, basis),
+            Err(Stop::NoVertex) => End::Astray(start),
+            Err(Stop::Undecided) => End::Doubt,
         }
     }
 }

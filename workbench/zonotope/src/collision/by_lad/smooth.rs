@@ -95,13 +95,15 @@ impl Columns {
         Some((point, (rest.max(0.0) / lengths).sqrt()))
     }
 
-    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all of them.
+    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others.
     fn spread(&self, [x, y]: [f64; 2], band: f64, share: f64) -> Symmetric {
         let mut sum = [0.0; 3];
         for i in 0..self.len() {
             let (a, b) = (self.a[i], self.b[i]);
-            let near = (a * x + b * y + self.c[i]).abs() * self.weight[i] < band;
-            let part = if near { 1.0 } else { share };
+            let off = (a * x + b * y + self.c[i]).abs() * self.weight[i] - band;
+            // 1 within the band: its sign bit, without a branch
+            let within = (off.to_bits() >> 63) as f64;
+            let part = share + (1.0 - share) * within;
             sum = [sum[0] + part * a * a, sum[1] + part * a * b, sum[2] + part * b * b];
         }
         sum
@@ -135,7 +137,7 @@ impl Columns {
     /// The guess from vertex to vertex, slower but sure: for lines in few bundles, where the rounded-off objective is still all edges.
     fn by_descent(&self, linear: [f64; 2], aim: Aim) -> Option<Guess> {
         let start = self.least_squares().map_or([0.0; 2], |(point, _)| point);
-        let [first, second] = descend(self, linear, start)?;
+        let [first, second] = descend(self, linear, start).ok()?;
         let point = self.meet(first, second);
         let distance = |i: usize| (self.a[i] * point[0] + self.b[i] * point[1] + self.c[i]).abs() * self.weight[i];
         let mut distances: Vec<f64> = (0..self.len()).map(distance).collect();
