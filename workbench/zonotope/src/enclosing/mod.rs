@@ -5,8 +5,10 @@
 //! | [`centered_zonogon`] | the smallest zonogon with a given centre around points of the plane (4.1) |
 //! | [`bisectors`] | the lines ℓ_t at which its combinatorial description changes (4.1) |
 //! | [`min_area_zonogon`] | the zonogon of least area around points of the plane (4.1) |
+//! | [`fixed_directions`] | the smallest zonotope along given directions around points of any dimension (4.2) |
 
 pub mod bisectors;
 pub mod centered_zonogon;
+pub mod fixed_directions;
 pub mod min_area_zonogon;
 mod outward;

@@ -1,0 +1,111 @@
+//! The answer: a zonotope along the directions with what proves it small, or the proof that there is none.
+
+use super::problem::FixedDirections;
+use crate::enclosing::outward::rounded_towards;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::Zonotope;
+
+/// What came of it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Enclosure<const D: usize> {
+    /// A zonotope that contains every point exactly.
+    Optimal(DirectedZonotope<D>),
+    /// No zonotope along the directions contains the points.
+    Infeasible(OffSpan<D>),
+}
+
+/// The zonotope { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } around the points, the products c_i v_i taken exactly.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DirectedZonotope<const D: usize> {
+    /// The centre p.
+    pub center: [f64; D],
+    /// The coefficients c_i ≥ 0, one for each direction of the problem.
+    pub coefficients: Vec<f64>,
+    /// Σ w_i c_i, rounded up.
+    pub value: f64,
+    /// A number that Σ w_i c_i is not below for any zonotope along the directions that contains the points.
+    pub lower_bound: f64,
+    /// What proves the lower bound.
+    pub forces: Vec<Force<D>>,
+    /// What it took.
+    pub effort: Effort,
+}
+
+/// A vector λ_j that pulls at a point j. Forces with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for each direction prove Σ w_i c_i ≥ Σ λ_j · p_j.
+///
+/// For if p_j = p + Σ b_ij v_i with |b_ij| ≤ c_i, then Σ λ_j · p_j = Σ_ij b_ij λ_j · v_i ≤ Σ_i c_i Σ_j |λ_j · v_i|.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Force<const D: usize> {
+    /// The point, from 0.
+    pub point: usize,
+    /// The vector, exactly.
+    pub vector: [Rational; D],
+}
+
+/// What a method took.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Rows of the last linear program: normals, or equations and bounds.
+    pub rows: usize,
+    /// How often a linear program was solved.
+    pub rounds: usize,
+    /// Passes over all points.
+    pub passes: usize,
+    /// Whether rational arithmetic had to find the optimum.
+    pub exact: bool,
+}
+
+/// The proof that two points differ by a vector outside the span of the directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OffSpan<const D: usize> {
+    /// The two points, from 0.
+    pub points: [usize; 2],
+    /// A vector orthogonal to every direction, but not to the difference of the two points.
+    pub functional: [Rational; D],
+}
+
+impl<const D: usize> Enclosure<D> {
+    /// The zonotope, if there is one.
+    pub fn optimal(&self) -> Option<&DirectedZonotope<D>> {
+        match self {
+            Self::Optimal(zonotope) => Some(zonotope),
+            Self::Infeasible(_) => None,
+        }
+    }
+}
+
+impl<const D: usize> DirectedZonotope<D> {
+    /// How far the value may exceed the least possible one, relative to the lower bound; zero when both are zero.
+    pub fn relative_gap(&self) -> f64 {
+        if self.value == self.lower_bound { 0.0 } else { (self.value - self.lower_bound) / self.lower_bound }
+    }
+
+    /// A zonotope with generators in doubles that contains this one: the products c_i v_i rounded, and up to D generators along the axes for
+    /// what rounding may have lost. O(k D).
+    ///
+    /// `None` where a product leaves the range of doubles.
+    pub fn zonotope(&self, problem: &FixedDirections<'_, D>) -> Option<Zonotope<D>> {
+        let mut generators = Vec::new();
+        let mut lost: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
+        for (v, &c) in problem.directions().iter().zip(&self.coefficients) {
+            let exact = v.map(|v| &Dyadic::from_f64(v) * &Dyadic::from_f64(c));
+            let rounded = exact.clone().map(|e| e.to_f64());
+            if rounded.iter().any(|r| !r.is_finite()) {
+                return None;
+            }
+            for ((lost, exact), &rounded) in lost.iter_mut().zip(&exact).zip(&rounded) {
+                *lost = &*lost + &(exact - &Dyadic::from_f64(rounded)).abs();
+            }
+            if rounded.iter().any(|r| *r != 0.0) {
+                generators.push(rounded);
+            }
+        }
+        for (axis, lost) in lost.iter().enumerate().filter(|(_, lost)| !lost.is_zero()) {
+            let mut generator = [0.0; D];
+            generator[axis] = rounded_towards(lost, f64::INFINITY);
+            generators.push(generator);
+        }
+        Zonotope::new(self.center, generators).ok()
+    }
+}

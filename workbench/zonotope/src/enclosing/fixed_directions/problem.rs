@@ -1,0 +1,123 @@
+//! The question: points, directions and what a unit along each direction costs.
+
+use thiserror::Error;
+
+/// Points of R^D, directions and the weight of each: a problem that exists is valid, at least one point and no number but finite ones,
+/// no weight negative. Directions may be zero, parallel, repeated, and fewer than D; weights may be zero.
+#[derive(Debug, Clone, Copy)]
+pub struct FixedDirections<'a, const D: usize> {
+    points: &'a [[f64; D]],
+    directions: &'a [[f64; D]],
+    weights: &'a [f64],
+}
+
+/// Why points, directions and weights are refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FixedDirectionsError {
+    /// There are no points.
+    #[error("there are no points")]
+    Empty,
+    /// A coordinate of a point is NaN or infinite.
+    #[error("point {point}, coordinate {coordinate} is {value}, not a finite number")]
+    NonFinitePoint {
+        /// The point, from 0.
+        point: usize,
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A coordinate of a direction is NaN or infinite.
+    #[error("direction {direction}, coordinate {coordinate} is {value}, not a finite number")]
+    NonFiniteDirection {
+        /// The direction, from 0.
+        direction: usize,
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A weight is NaN or infinite.
+    #[error("weight {direction} is {weight}, not a finite number")]
+    NonFiniteWeight {
+        /// The direction, from 0.
+        direction: usize,
+        /// Its weight.
+        weight: f64,
+    },
+    /// There are not as many weights as directions.
+    #[error("{weights} weights for {directions} directions")]
+    WeightCount {
+        /// How many directions.
+        directions: usize,
+        /// How many weights.
+        weights: usize,
+    },
+    /// A weight is below zero.
+    #[error("weight {direction} is {weight}, which is negative")]
+    NegativeWeight {
+        /// The direction, from 0.
+        direction: usize,
+        /// Its weight.
+        weight: f64,
+    },
+    /// The answer needs a coefficient or a value above the largest double.
+    #[error("a coefficient leaves the range of doubles")]
+    OutOfRange,
+    /// An engine found no optimum of the linear program, and the rows it gave up with were no help.
+    #[error("the engine found no optimum")]
+    Engine,
+}
+
+impl<'a, const D: usize> FixedDirections<'a, D> {
+    /// A problem from its parts. O(n + k).
+    ///
+    /// # Errors
+    /// What is wrong with them: a number that is not finite before anything else.
+    pub fn new(
+        points: &'a [[f64; D]],
+        directions: &'a [[f64; D]],
+        weights: &'a [f64],
+    ) -> Result<Self, FixedDirectionsError> {
+        if let Some((point, coordinate, value)) = first_non_finite(points) {
+            return Err(FixedDirectionsError::NonFinitePoint { point, coordinate, value });
+        }
+        if let Some((direction, coordinate, value)) = first_non_finite(directions) {
+            return Err(FixedDirectionsError::NonFiniteDirection { direction, coordinate, value });
+        }
+        if let Some(direction) = weights.iter().position(|w| !w.is_finite()) {
+            return Err(FixedDirectionsError::NonFiniteWeight { direction, weight: weights[direction] });
+        }
+        if weights.len() != directions.len() {
+            return Err(FixedDirectionsError::WeightCount { directions: directions.len(), weights: weights.len() });
+        }
+        if let Some(direction) = weights.iter().position(|w| *w < 0.0) {
+            return Err(FixedDirectionsError::NegativeWeight { direction, weight: weights[direction] });
+        }
+        if points.is_empty() {
+            return Err(FixedDirectionsError::Empty);
+        }
+        Ok(Self { points, directions, weights })
+    }
+
+    /// The points.
+    pub fn points(&self) -> &'a [[f64; D]] {
+        self.points
+    }
+
+    /// The directions.
+    pub fn directions(&self) -> &'a [[f64; D]] {
+        self.directions
+    }
+
+    /// The weights, one for each direction.
+    pub fn weights(&self) -> &'a [f64] {
+        self.weights
+    }
+}
+
+/// Where the first coordinate that is not finite stands, and what it is.
+pub(crate) fn first_non_finite<const D: usize>(vectors: &[[f64; D]]) -> Option<(usize, usize, f64)> {
+    vectors.iter().enumerate().find_map(|(i, v)| v.iter().position(|c| !c.is_finite()).map(|c| (i, c, v[c])))
+}

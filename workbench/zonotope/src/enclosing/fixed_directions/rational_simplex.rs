@@ -1,0 +1,156 @@
+//! The simplex method in rationals: for small programs, the exact optimum.
+//!
+//! Maximise Σ gain_j y_j over y ≥ 0 with inequalities · y ≤ bounds (no bound negative) and equalities · y = 0. The point y = 0 is feasible,
+//! so there is no first phase; Bland's rule keeps the method from cycling, however many rows are tight at once.
+
+use crate::numeric::Rational;
+
+/// One unknown y_j: its entries in the inequalities, in the equalities, and what a unit of it gains.
+pub(crate) struct Column {
+    pub(crate) inequalities: Vec<Rational>,
+    pub(crate) equalities: Vec<Rational>,
+    pub(crate) gain: Rational,
+}
+
+/// An optimum with the prices that prove it.
+pub(crate) struct Optimum {
+    pub(crate) value: Rational,
+    /// One for each unknown.
+    pub(crate) solution: Vec<Rational>,
+    /// One for each inequality, none negative.
+    pub(crate) inequality_prices: Vec<Rational>,
+    /// One for each equality.
+    pub(crate) equality_prices: Vec<Rational>,
+}
+
+/// The tableau: each row holds the unknowns, one slack for each inequality and one artificial unknown for each equality, then the right-hand side.
+/// The last row holds the reduced gains with their signs turned, and the value.
+struct Tableau {
+    rows: Vec<Vec<Rational>>,
+    basis: Vec<usize>,
+}
+
+impl Tableau {
+    fn pivot(&mut self, row: usize, column: usize) {
+        let inverse = Rational::ONE / &self.rows[row][column];
+        for entry in &mut self.rows[row] {
+            if !entry.is_zero() {
+                *entry *= &inverse;
+            }
+        }
+        let pivot_row = std::mem::take(&mut self.rows[row]);
+        for other in self.rows.iter_mut().filter(|other| !other.is_empty()) {
+            let factor = other[column].clone();
+            if factor.is_zero() {
+                continue;
+            }
+            for (entry, pivot) in other.iter_mut().zip(&pivot_row) {
+                if !pivot.is_zero() {
+                    *entry -= &factor * pivot;
+                }
+            }
+        }
+        self.rows[row] = pivot_row;
+        self.basis[row] = column;
+    }
+}
+
+/// The optimum; `None` when the gain has no bound.
+pub(crate) fn maximize(columns: &[Column], bounds: &[Rational], equalities: usize) -> Option<Optimum> {
+    let (inequalities, unknowns) = (bounds.len(), columns.len());
+    let height = inequalities + equalities;
+    let width = unknowns + height + 1;
+    let mut rows: Vec<Vec<Rational>> = (0..height)
+        .map(|row| {
+            let mut entries: Vec<Rational> = columns
+                .iter()
+                .map(|c| {
+                    if row < inequalities { &c.inequalities[row] } else { &c.equalities[row - inequalities] }.clone()
+                })
+                .collect();
+            entries.resize(width, Rational::ZERO);
+            entries[unknowns + row] = Rational::ONE;
+            if row < inequalities {
+                entries[width - 1] = bounds[row].clone();
+            }
+            entries
+        })
+        .collect();
+    let mut objective: Vec<Rational> = columns.iter().map(|c| -c.gain.clone()).collect();
+    objective.resize(width, Rational::ZERO);
+    rows.push(objective);
+    let mut tableau = Tableau { rows, basis: (unknowns..unknowns + height).collect() };
+    for row in inequalities..height {
+        // The right-hand side is zero, so any entry will do, whatever its sign; without one the row says nothing.
+        if let Some(column) = (0..unknowns).find(|&c| !tableau.rows[row][c].is_zero()) {
+            tableau.pivot(row, column);
+        }
+    }
+    let may_enter = unknowns + inequalities;
+    while let Some(entering) = (0..may_enter).find(|&c| tableau.rows[height][c] < Rational::ZERO) {
+        let candidates = (0..height).filter(|&row| tableau.rows[row][entering] > Rational::ZERO);
+        let ratio = |row: usize| &tableau.rows[row][width - 1] / &tableau.rows[row][entering];
+        let leaving = candidates
+            .min_by(|&a, &b| ratio(a).cmp(&ratio(b)).then_with(|| tableau.basis[a].cmp(&tableau.basis[b])))?;
+        tableau.pivot(leaving, entering);
+    }
+    let mut solution = vec![Rational::ZERO; unknowns];
+    for (row, &column) in tableau.basis.iter().enumerate() {
+        if column < unknowns {
+            solution[column] = tableau.rows[row][width - 1].clone();
+        }
+    }
+    let mut last = tableau.rows.pop().expect("the objective is the last row");
+    let value = last.pop().expect("the value is the last entry");
+    let equality_prices = last.split_off(may_enter);
+    let inequality_prices = last.split_off(unknowns);
+    Some(Optimum { value, solution, inequality_prices, equality_prices })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(values: &[i32]) -> Vec<Rational> {
+        values.iter().map(|&v| Rational::from(v)).collect()
+    }
+
+    fn column(inequalities: &[i32], equalities: &[i32], gain: i32) -> Column {
+        Column { inequalities: numbers(inequalities), equalities: numbers(equalities), gain: Rational::from(gain) }
+    }
+
+    #[test]
+    fn a_program_by_hand() {
+        // maximise 3a + 2b with a + b ≤ 4, a + 3b ≤ 6, a ≤ 3: a = 3, b = 1
+        let columns = [column(&[1, 1, 1], &[], 3), column(&[1, 3, 0], &[], 2)];
+        let optimum = maximize(&columns, &numbers(&[4, 6, 3]), 0).expect("bounded");
+        assert_eq!(optimum.value, Rational::from(11));
+        assert_eq!(optimum.solution, numbers(&[3, 1]));
+        assert_eq!(optimum.inequality_prices, numbers(&[2, 0, 1]));
+    }
+
+    #[test]
+    fn equalities_have_prices_and_a_gain_may_have_no_bound() {
+        // maximise a − b with a = b, a ≤ 5
+        let columns = [column(&[1], &[1], 3), column(&[0], &[-1], -1)];
+        let optimum = maximize(&columns, &numbers(&[5]), 1).expect("bounded");
+        assert_eq!(
+            (optimum.value, optimum.inequality_prices, optimum.equality_prices),
+            (10.into(), numbers(&[2]), numbers(&[1]))
+        );
+        assert!(maximize(&[column(&[0], &[0], 1)], &numbers(&[1]), 1).is_none());
+    }
+
+    /// Beale's example, on which the largest-coefficient rule cycles.
+    #[test]
+    fn ties_do_not_make_it_cycle() {
+        let q = |a: i32, b: u32| Rational::from(a) / Rational::from(b);
+        let columns = [
+            Column { inequalities: vec![q(1, 4), q(1, 2), q(0, 1)], equalities: vec![], gain: q(3, 4) },
+            Column { inequalities: vec![q(-60, 1), q(-90, 1), q(0, 1)], equalities: vec![], gain: q(-150, 1) },
+            Column { inequalities: vec![q(-1, 25), q(-1, 50), q(1, 1)], equalities: vec![], gain: q(1, 50) },
+            Column { inequalities: vec![q(9, 1), q(3, 1), q(0, 1)], equalities: vec![], gain: q(-6, 1) },
+        ];
+        assert_eq!(maximize(&columns, &numbers(&[0, 0, 1]), 0).expect("bounded").value, q(1, 20));
+    }
+}

@@ -1,0 +1,403 @@
+//! Makes a guess for centre and coefficients contain every point, exactly.
+//!
+//! The centre is rounded to doubles first and stays. For each point coefficients δ with Σ δ_i c_i v_i ≈ point − p come from the facet that its ray meets.
+//! A point clearly inside needs no more than an error bound: what the sum misses, expressed in a basis of directions, fits between δ and 1.
+//! For a point near the boundary what is missing is computed exactly, and the coefficients of the basis are enlarged by the most that any point misses.
+
+use super::facet_descent::{FacetDescent, dot, inverse};
+use super::problem::{FixedDirections, FixedDirectionsError};
+use super::rational_simplex::{Column, maximize};
+use super::scaled::Scaled;
+use super::span::{Span, rational};
+use crate::enclosing::outward::rounded_towards;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+
+/// A centre and coefficients in units of the input.
+pub(crate) struct Repaired<const D: usize> {
+    pub(crate) center: [f64; D],
+    /// One for each direction of the problem.
+    pub(crate) coefficients: Vec<f64>,
+    /// The point that was missed by most.
+    pub(crate) worst: Option<usize>,
+}
+
+/// A point nearer to the boundary than this, relatively, is looked at exactly.
+const NEAR: f64 = 1e-9;
+
+/// Programs of at most this many directions are solved in rationals when floating point finds no coefficients.
+const FEW: usize = 12;
+
+struct Repair<'a, const D: usize> {
+    problem: &'a FixedDirections<'a, D>,
+    scaled: &'a Scaled<D>,
+    center: [f64; D],
+    /// In units of the input, one for each kept direction.
+    coefficients: Vec<f64>,
+    generators: Vec<[f64; D]>,
+    basis: Vec<usize>,
+    basis_inverse: [[f64; D]; D],
+    exact_inverse: Vec<Vec<Rational>>,
+}
+
+/// The nearest doubles to the guess, enlarged until every point is inside.
+pub(crate) fn contain_exactly<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    scaled: &Scaled<D>,
+    center: [f64; D],
+    coefficients: &[f64],
+) -> Result<Repaired<D>, FixedDirectionsError> {
+    let mut all = vec![0.0; problem.directions().len()];
+    if scaled.rank == 0 {
+        return Ok(Repaired { center, coefficients: all, worst: None });
+    }
+    let units: Vec<i64> = scaled.directions.iter().map(|d| scaled.exponent - d.exponent).collect();
+    let in_units = |c: &f64, unit: &i64| scale_by_power_of_two(c.max(0.0), *unit);
+    let coefficients: Vec<f64> = coefficients.iter().zip(&units).map(|(c, u)| in_units(c, u)).collect();
+    if coefficients.iter().any(|c| !c.is_finite()) {
+        return Err(FixedDirectionsError::OutOfRange);
+    }
+    let repair = Repair::new(problem, scaled, center, coefficients);
+    let (enlarge, worst) = repair.enlargements();
+    let mut coefficients = repair.coefficients;
+    for (&b, more) in repair.basis.iter().zip(enlarge) {
+        if !more.is_zero() {
+            let exact = Dyadic::from_f64(coefficients[b]).to_rational() + more;
+            coefficients[b] = above(&exact);
+        }
+    }
+    for (direction, c) in scaled.directions.iter().zip(&coefficients) {
+        if !c.is_finite() {
+            return Err(FixedDirectionsError::OutOfRange);
+        }
+        all[direction.index] = *c;
+    }
+    Ok(Repaired { center, coefficients: all, worst })
+}
+
+/// A double not below a rational that is not negative.
+pub(crate) fn above(exact: &Rational) -> f64 {
+    if exact.is_zero() {
+        return 0.0;
+    }
+    let mut value = exact.to_f64_fast().max(f64::from_bits(1));
+    while value.is_finite() && rational(value) < *exact {
+        value = value.next_up();
+    }
+    value
+}
+
+/// A double not above a rational that is not negative.
+pub(crate) fn below(exact: &Rational) -> f64 {
+    let mut value = exact.to_f64_fast().clamp(0.0, f64::MAX);
+    while value > 0.0 && rational(value) > *exact {
+        value = value.next_down();
+    }
+    value
+}
+
+impl<'a, const D: usize> Repair<'a, D> {
+    fn new(
+        problem: &'a FixedDirections<'a, D>,
+        scaled: &'a Scaled<D>,
+        center: [f64; D],
+        coefficients: Vec<f64>,
+    ) -> Self {
+        let short = scaled.directions.iter().zip(&coefficients);
+        let generators: Vec<[f64; D]> = short
+            .map(|(d, &c)| {
+                let c = scale_by_power_of_two(c, d.exponent - scaled.exponent);
+                d.vector.map(|v| v * c)
+            })
+            .collect();
+        let basis = long_basis(problem, scaled, &generators);
+        let exact_inverse = exact_inverse(problem, scaled, &basis);
+        let mut columns = [[0.0; D]; D];
+        for (i, &b) in basis.iter().enumerate() {
+            for c in 0..scaled.rank {
+                columns[c][i] = scaled.directions[b].vector[c];
+            }
+        }
+        // Used only where the exact inverse is near it.
+        let basis_inverse = inverse(scaled.rank, &columns).unwrap_or([[f64::INFINITY; D]; D]);
+        Self { problem, scaled, center, coefficients, generators, basis, basis_inverse, exact_inverse }
+    }
+
+    /// For each direction of the basis how much longer its coefficient must be, and the point that needs most.
+    fn enlargements(&self) -> (Vec<Rational>, Option<usize>) {
+        let rank = self.scaled.rank;
+        let mut enlarge = vec![Rational::ZERO; rank];
+        let mut worst = None;
+        let mut descent = FacetDescent::new(rank, &self.generators);
+        let extents: [f64; D] = std::array::from_fn(|c| self.generators.iter().map(|g| g[c].abs()).sum());
+        let factor = [1 - self.scaled.exponent, 0];
+        for (j, point) in self.problem.points().iter().enumerate() {
+            let q: [f64; D] = std::array::from_fn(|i| {
+                self.scaled
+                    .coordinates
+                    .get(i)
+                    .map_or(0.0, |&c| scale_by_power_of_two(point[c] / 2.0 - self.center[c] / 2.0, factor[0]))
+            });
+            let facet = descent.facet(&q);
+            let (gauge, mut deltas) = match facet {
+                Some(facet) => (facet.gauge, facet.coefficients),
+                None => (0.0, vec![0.0; self.generators.len()]),
+            };
+            if gauge > 1.0 {
+                for delta in &mut deltas {
+                    *delta /= gauge;
+                }
+                if gauge > 1.0 + NEAR && self.is_clear(&q, &deltas, &extents) {
+                    continue;
+                }
+            } else if gauge == 0.0 && q != [0.0; D] && self.generators.len() <= FEW {
+                deltas = self.exact_deltas(point);
+            }
+            let missing = self.missing(point, &mut deltas);
+            for (more, need) in enlarge.iter_mut().zip(missing) {
+                if need > *more {
+                    *more = need;
+                    worst = Some(j);
+                }
+            }
+        }
+        (enlarge, worst)
+    }
+
+    /// Whether what Σ δ_i c_i v_i misses of the point, with all rounding errors, fits between δ and 1 in the basis.
+    fn is_clear(&self, q: &[f64; D], deltas: &[f64], extents: &[f64; D]) -> bool {
+        let rank = self.scaled.rank;
+        let count = self.generators.len() as f64;
+        let mut sums = [0.0; D];
+        for (g, &delta) in self.generators.iter().zip(deltas) {
+            for c in 0..rank {
+                sums[c] += delta * g[c];
+            }
+        }
+        let bound: [f64; D] = std::array::from_fn(|c| {
+            (sums[c] - q[c]).abs()
+                + (count + 8.0) * UNIT * extents[c]
+                + 8.0 * UNIT * q[c].abs()
+                + (count + 8.0) * UNDERFLOW
+        });
+        self.basis.iter().enumerate().all(|(i, &b)| {
+            let reach: f64 = (0..rank).map(|c| self.basis_inverse[i][c].abs() * bound[c]).sum();
+            let coefficient =
+                scale_by_power_of_two(self.coefficients[b], self.scaled.directions[b].exponent - self.scaled.exponent);
+            1.0625 * reach <= coefficient * (1.0 - deltas[b].abs()) * (1.0 - 1e-6)
+        }) && self.inverse_is_good()
+    }
+
+    /// Whether inverse · basis differs from the identity by little.
+    fn inverse_is_good(&self) -> bool {
+        let rank = self.scaled.rank;
+        (0..rank).all(|i| {
+            let row = &self.basis_inverse[i];
+            let off = |k: usize| {
+                let column = &self.scaled.directions[self.basis[k]].vector;
+                (dot(row, column) - f64::from(u8::from(i == k))).abs()
+            };
+            (0..rank).all(|k| off(k) <= 1e-3)
+        })
+    }
+
+    /// What Σ δ_i c_i v_i misses of a point, in the basis, exactly; the coefficients are improved first.
+    fn missing(&self, point: &[f64; D], deltas: &mut [f64]) -> Vec<Rational> {
+        let rank = self.scaled.rank;
+        let mut best = self.residual(point, deltas);
+        for _ in 0..2 {
+            let rounded: [f64; D] = std::array::from_fn(|i| {
+                if i < rank { best[i].clone().scaled(-self.scaled.exponent).to_f64() } else { 0.0 }
+            });
+            if rounded == [0.0; D] {
+                break;
+            }
+            let mut improved = deltas.to_vec();
+            if !self.improve(&rounded, &mut improved) {
+                break;
+            }
+            let residual = self.residual(point, &improved);
+            let size = |r: &[Dyadic]| r.iter().fold(Dyadic::zero(), |max, c| max.max(c.clone().abs()));
+            if size(&residual) >= size(&best) {
+                break;
+            }
+            deltas.copy_from_slice(&improved);
+            best = residual;
+        }
+        let best: Vec<Rational> = best.iter().map(Dyadic::to_rational).collect();
+        let row = |row: &Vec<Rational>| row.iter().zip(&best).fold(Rational::ZERO, |sum, (m, r)| sum + m * r);
+        self.exact_inverse
+            .iter()
+            .map(|r| {
+                let x = row(r);
+                if x < Rational::ZERO { -x } else { x }
+            })
+            .collect()
+    }
+
+    /// Adds to the coefficients of independent generators with room what makes up for a residual, as far as the room goes.
+    fn improve(&self, residual: &[f64; D], deltas: &mut [f64]) -> bool {
+        let rank = self.scaled.rank;
+        let roomy: Vec<[f64; D]> = self
+            .generators
+            .iter()
+            .zip(&*deltas)
+            .map(|(g, delta)| {
+                let room = 1.0 - delta.abs();
+                g.map(|c| c * room)
+            })
+            .collect();
+        let basis = independent(rank, &roomy);
+        let mut columns = [[0.0; D]; D];
+        for (i, &b) in basis.iter().enumerate() {
+            for c in 0..rank {
+                columns[c][i] = self.generators[b][c];
+            }
+        }
+        let Some(rows) = (basis.len() == rank).then(|| inverse(rank, &columns)).flatten() else { return false };
+        for (row, &b) in rows.iter().zip(&basis) {
+            deltas[b] = (deltas[b] + dot(row, residual)).clamp(-1.0, 1.0);
+        }
+        true
+    }
+
+    /// point − p − Σ δ_i c_i v_i in the coordinates of the span, exactly.
+    fn residual(&self, point: &[f64; D], deltas: &[f64]) -> Vec<Dyadic> {
+        let coordinates = &self.scaled.coordinates;
+        let mut rest: Vec<Dyadic> =
+            coordinates.iter().map(|&c| Dyadic::from_f64(point[c]) - Dyadic::from_f64(self.center[c])).collect();
+        for ((direction, &c), &delta) in self.scaled.directions.iter().zip(&self.coefficients).zip(deltas) {
+            if c == 0.0 || delta == 0.0 {
+                continue;
+            }
+            let factor = &Dyadic::from_f64(c) * &Dyadic::from_f64(delta);
+            let v = &self.problem.directions()[direction.index];
+            for (rest, &a) in rest.iter_mut().zip(coordinates) {
+                *rest = &*rest - &(&factor * &Dyadic::from_f64(v[a]));
+            }
+        }
+        rest
+    }
+
+    /// Coefficients from the rational program: maximise t with Σ δ_i c_i v_i = t (point − p); those of t = 1 if it is reached.
+    fn exact_deltas(&self, point: &[f64; D]) -> Vec<f64> {
+        let coordinates = &self.scaled.coordinates;
+        let count = self.generators.len();
+        let mut columns = Vec::with_capacity(2 * count + 1);
+        for (i, (direction, &c)) in self.scaled.directions.iter().zip(&self.coefficients).enumerate() {
+            let v = &self.problem.directions()[direction.index];
+            let generator: Vec<Rational> = coordinates.iter().map(|&a| rational(c) * rational(v[a])).collect();
+            for sign in [Rational::ONE, -Rational::ONE] {
+                let mut inequalities = vec![Rational::ZERO; count];
+                inequalities[i] = Rational::ONE;
+                let equalities = generator.iter().map(|g| g * &sign).collect();
+                columns.push(Column { inequalities, equalities, gain: Rational::ZERO });
+            }
+        }
+        let back = coordinates.iter().map(|&a| rational(self.center[a]) - rational(point[a])).collect();
+        columns.push(Column { inequalities: vec![Rational::ZERO; count], equalities: back, gain: Rational::ONE });
+        let Some(optimum) = maximize(&columns, &vec![Rational::ONE; count], coordinates.len()) else {
+            return vec![0.0; count];
+        };
+        let reach = optimum.value.max(Rational::ONE);
+        let pairs = optimum.solution.chunks_exact(2).take(count);
+        pairs.map(|pair| ((&pair[0] - &pair[1]) / &reach).to_f64_fast().clamp(-1.0, 1.0)).collect()
+    }
+}
+
+/// Independent vectors, long ones first: indices, as many as the first `rank` coordinates allow.
+fn independent<const D: usize>(rank: usize, vectors: &[[f64; D]]) -> Vec<usize> {
+    let mut rest = vectors.to_vec();
+    let mut chosen = Vec::with_capacity(rank);
+    for _ in 0..rank {
+        let Some(best) = (0..rest.len()).max_by(|&a, &b| dot(&rest[a], &rest[a]).total_cmp(&dot(&rest[b], &rest[b])))
+        else {
+            break;
+        };
+        let length = dot(&rest[best], &rest[best]).sqrt();
+        if length.is_nan() || length <= 0.0 {
+            break;
+        }
+        let unit = rest[best].map(|c| c / length);
+        for v in &mut rest {
+            let along = dot(v, &unit);
+            *v = std::array::from_fn(|c| v[c] - along * unit[c]);
+        }
+        rest[best] = [0.0; D];
+        chosen.push(best);
+    }
+    chosen
+}
+
+/// A basis of directions with long generators, independent beyond doubt; by exact elimination where floating point leaves any.
+fn long_basis<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    scaled: &Scaled<D>,
+    generators: &[[f64; D]],
+) -> Vec<usize> {
+    let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt().max(f64::MIN_POSITIVE);
+    let lengthened: Vec<[f64; D]> = generators
+        .iter()
+        .zip(&scaled.directions)
+        .map(|(g, d)| std::array::from_fn(|c| g[c] / longest + 1e-3 * d.vector[c]))
+        .collect();
+    let basis = independent(scaled.rank, &lengthened);
+    let exactly = |basis: &[usize]| {
+        let vectors: Vec<[f64; D]> = basis.iter().map(|&b| problem.directions()[scaled.directions[b].index]).collect();
+        Span::of(&vectors).dimension()
+    };
+    if basis.len() == scaled.rank && exactly(&basis) == scaled.rank {
+        return basis;
+    }
+    let mut basis = Vec::with_capacity(scaled.rank);
+    for candidate in 0..scaled.directions.len() {
+        basis.push(candidate);
+        if exactly(&basis) < basis.len() {
+            basis.pop();
+        }
+    }
+    basis
+}
+
+/// The inverse of the matrix with the basis for columns, row by row, in units of the input.
+fn exact_inverse<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    scaled: &Scaled<D>,
+    basis: &[usize],
+) -> Vec<Vec<Rational>> {
+    let rank = basis.len();
+    let mut rows: Vec<Vec<Rational>> = scaled
+        .coordinates
+        .iter()
+        .enumerate()
+        .map(|(r, &c)| {
+            let left = basis.iter().map(|&b| rational(problem.directions()[scaled.directions[b].index][c]));
+            left.chain((0..rank).map(|k| if k == r { Rational::ONE } else { Rational::ZERO })).collect()
+        })
+        .collect();
+    for column in 0..rank {
+        let Some(pivot) = (column..rank).find(|&row| !rows[row][column].is_zero()) else { continue };
+        rows.swap(column, pivot);
+        let head = rows[column][column].clone();
+        let pivot_row: Vec<Rational> = rows[column].iter().map(|v| v / &head).collect();
+        for row in rows.iter_mut() {
+            let factor = row[column].clone();
+            if !factor.is_zero() {
+                for (v, p) in row.iter_mut().zip(&pivot_row) {
+                    *v -= &factor * p;
+                }
+            }
+        }
+        rows[column] = pivot_row;
+    }
+    rows.into_iter().map(|row| row[rank..].to_vec()).collect()
+}
+
+/// Σ w_i c_i, rounded up; infinite above the largest double.
+pub(crate) fn value_above(weights: &[f64], coefficients: &[f64]) -> f64 {
+    let sum = weights.iter().zip(coefficients).fold(Dyadic::zero(), |sum, (&w, &c)| {
+        if w == 0.0 || c == 0.0 { sum } else { sum + &Dyadic::from_f64(w) * &Dyadic::from_f64(c) }
+    });
+    rounded_towards(&sum, f64::INFINITY)
+}

@@ -1,0 +1,144 @@
+//! The problem as the floating-point methods see it: in coordinates of the span, points and directions of ordinary size, one direction for each line.
+//!
+//! Every factor is a power of two, so scaling is exact but where a number underflows; what the methods return is a guess, proved or widened
+//! in the units of the input. Of parallel directions the cheapest serves for all: c_i v_i is what counts, and it costs w_i c_i.
+
+use std::cmp::Ordering;
+
+use super::problem::FixedDirections;
+use super::span::Span;
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+
+/// A direction that is kept: v = `vector` · 2^`exponent` in the coordinates of the span.
+pub(crate) struct KeptDirection<const D: usize> {
+    /// Its index in the problem.
+    pub(crate) index: usize,
+    /// Scaled so that its largest coordinate lies in [1, 2).
+    pub(crate) vector: [f64; D],
+    pub(crate) exponent: i64,
+    /// The weight of a unit of `vector`, of ordinary size.
+    pub(crate) weight: f64,
+}
+
+/// Points, directions and weights for the methods; the first `rank` coordinates count, the others are zero.
+pub(crate) struct Scaled<const D: usize> {
+    pub(crate) rank: usize,
+    /// The coordinates of the problem that the first `rank` ones here stand for.
+    pub(crate) coordinates: Vec<usize>,
+    /// (point − first point) / 2^`exponent`, rounded.
+    pub(crate) points: Vec<[f64; D]>,
+    pub(crate) exponent: i64,
+    pub(crate) directions: Vec<KeptDirection<D>>,
+    /// Weights here are those of the problem, for unit vectors here, over 2^`weight_exponent`.
+    pub(crate) weight_exponent: i64,
+}
+
+impl<const D: usize> Scaled<D> {
+    pub(crate) fn new(problem: &FixedDirections<'_, D>, span: &Span<D>) -> Self {
+        let coordinates = span.pivots().to_vec();
+        let inside = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| coordinates.get(i).map_or(0.0, |&c| v[c])) };
+        let first = inside(&problem.points()[0]);
+        // Halved, a difference of two doubles never overflows.
+        let halves = |p: &[f64; D]| -> [f64; D] {
+            let p = inside(p);
+            std::array::from_fn(|i| p[i] / 2.0 - first[i] / 2.0)
+        };
+        let largest = problem.points().iter().flat_map(halves).fold(0.0, |max: f64, c| max.max(c.abs()));
+        let exponent = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1);
+        let factor = Factor::new(1 - exponent);
+        let points = problem.points().iter().map(|p| halves(p).map(|c| factor.apply(c))).collect();
+        let directions = cheapest_of_each_line(problem, &inside);
+        let costs = || directions.iter().map(|d| (problem.weights()[d.index], d.exponent)).filter(|(w, _)| *w > 0.0);
+        let magnitude = |(w, e): (f64, i64)| i64::from(binary_exponent(w).expect("a positive weight")) - e;
+        let weight_exponent = costs().map(magnitude).min().unwrap_or(0);
+        let weighted = |d: KeptDirection<D>| {
+            let weight = scale_by_power_of_two(problem.weights()[d.index], -d.exponent - weight_exponent).min(HEAVIEST);
+            KeptDirection { weight, ..d }
+        };
+        let directions = directions.into_iter().map(weighted).collect();
+        Self { rank: coordinates.len(), coordinates, points, exponent, directions, weight_exponent }
+    }
+
+    /// Whether a direction costs nothing: what it costs to be too long cannot be told in floating point then.
+    pub(crate) fn has_free_directions(&self) -> bool {
+        self.directions.iter().any(|d| d.weight == 0.0)
+    }
+}
+
+/// Directions so much dearer than the cheapest one are taken for no dearer than this; the proof of the answer uses the true weights.
+const HEAVIEST: f64 = 1e100;
+
+/// A multiplication by a power of two in two steps, neither of which overflows on its own.
+struct Factor([f64; 2]);
+
+impl Factor {
+    fn new(exponent: i64) -> Self {
+        let half = exponent / 2;
+        Self([scale_by_power_of_two(1.0, half), scale_by_power_of_two(1.0, exponent - half)])
+    }
+
+    fn apply(&self, value: f64) -> f64 {
+        value * self.0[0] * self.0[1]
+    }
+}
+
+fn cheapest_of_each_line<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    inside: &impl Fn(&[f64; D]) -> [f64; D],
+) -> Vec<KeptDirection<D>> {
+    let mut kept: Vec<KeptDirection<D>> = Vec::new();
+    for (index, v) in problem.directions().iter().enumerate() {
+        let v = inside(v);
+        let largest = v.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
+        let Some(exponent) = binary_exponent(largest).map(i64::from) else { continue };
+        let vector = v.map(|c| scale_by_power_of_two(c, -exponent));
+        let candidate = KeptDirection { index, vector, exponent, weight: 0.0 };
+        let same_line = kept.iter_mut().find(|k| {
+            nearly_parallel(&k.vector, &vector)
+                && parallel(&problem.directions()[k.index], &problem.directions()[index])
+        });
+        match same_line {
+            None => kept.push(candidate),
+            Some(other) if is_cheaper(problem, index, other.index) => *other = candidate,
+            Some(_) => {}
+        }
+    }
+    kept
+}
+
+/// Whether a filter leaves it open that two vectors are parallel: the largest coordinates of both lie in [1, 2).
+fn nearly_parallel<const D: usize>(a: &[f64; D], b: &[f64; D]) -> bool {
+    let [aa, ab, bb] = [(a, a), (a, b), (b, b)].map(|(x, y)| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>());
+    ab * ab >= (1.0 - 1e-10) * aa * bb
+}
+
+fn parallel<const D: usize>(a: &[f64; D], b: &[f64; D]) -> bool {
+    let (a, b) = (a.map(Dyadic::from_f64), b.map(Dyadic::from_f64));
+    (0..D).all(|i| (0..i).all(|j| &a[i] * &b[j] == &a[j] * &b[i]))
+}
+
+/// Whether direction `a` costs less for its length than `b`, which is parallel to it.
+fn is_cheaper<const D: usize>(problem: &FixedDirections<'_, D>, a: usize, b: usize) -> bool {
+    let (v, w) = (problem.directions()[a], problem.directions()[b]);
+    let Some(axis) = (0..D).find(|&c| v[c] != 0.0) else { return false };
+    let cost = |weight: f64, other: f64| &Dyadic::from_f64(weight) * &Dyadic::from_f64(other.abs());
+    cost(problem.weights()[a], w[axis]).cmp(&cost(problem.weights()[b], v[axis])) == Ordering::Less
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parallel_directions_leave_the_cheapest() {
+        let directions = [[1.0, 2.0], [0.0, 0.0], [-2.0, -4.0], [1.0, 0.0], [0.5, 1.0]];
+        let problem =
+            FixedDirections::new(&[[0.0, 0.0], [8.0, 1.0]], &directions, &[1.0, 1.0, 1.0, 3.0, 1.0]).expect("valid");
+        let scaled = Scaled::new(&problem, &Span::of(&directions));
+        let kept: Vec<usize> = scaled.directions.iter().map(|d| d.index).collect();
+        assert_eq!(kept, [2, 3]);
+        assert_eq!((scaled.points[1], scaled.exponent), ([1.0, 0.125], 3));
+        assert_eq!((scaled.directions[0].vector, scaled.directions[0].exponent), ([-0.5, -1.0], 2));
+        assert_eq!(scaled.directions.iter().map(|d| d.weight).collect::<Vec<_>>(), [1.0, 12.0]);
+    }
+}

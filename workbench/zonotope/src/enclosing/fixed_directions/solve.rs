@@ -1,0 +1,163 @@
+//! From a program over normals to a proven answer: what all methods share.
+
+use super::answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
+use super::brute_force;
+use super::center::double_center;
+use super::generation::Generation;
+use super::lower_bound::proven_bound;
+use super::problem::{FixedDirections, FixedDirectionsError};
+use super::repair::{below, contain_exactly, value_above};
+use super::scaled::Scaled;
+use super::span::{Span, rational};
+use crate::enclosing::outward::rounded_towards;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use crate::tally::Tally;
+
+/// A relative gap with which floating point is left alone.
+const TIGHT: f64 = 1e-13;
+
+/// Rational programs with more normals than this are not tried.
+const MOST_NORMALS: usize = 130;
+
+/// Rational programs with more points than this are not tried.
+const MOST_POINTS: usize = 80;
+
+/// Begins with some normals, finds the others as they are needed, and proves the answer. `seed` adds what a method knows beforehand.
+pub(crate) fn solve_with<const D: usize, T: Tally>(
+    problem: &FixedDirections<'_, D>,
+    tally: &mut T,
+    seed: impl FnOnce(&Scaled<D>, &mut Generation<'_, D>, &mut T) -> Result<usize, FixedDirectionsError>,
+) -> Result<Enclosure<D>, FixedDirectionsError> {
+    let span = Span::of(problem.directions());
+    if let Some(departure) = span.first_departure(problem.points()) {
+        return Ok(Enclosure::Infeasible(OffSpan { points: [0, departure.point], functional: departure.functional }));
+    }
+    let scaled = Scaled::new(problem, &span);
+    if scaled.rank == 0 {
+        return Ok(Enclosure::Optimal(DirectedZonotope {
+            center: problem.points()[0],
+            coefficients: vec![0.0; problem.directions().len()],
+            value: 0.0,
+            lower_bound: 0.0,
+            forces: Vec::new(),
+            effort: Effort::default(),
+        }));
+    }
+    let vectors = scaled.directions.iter().map(|d| d.vector).collect();
+    let weights = scaled.directions.iter().map(|d| d.weight).collect();
+    let mut generation = Generation::new(scaled.rank, &scaled.points, vectors, weights, tally);
+    let given_rows = seed(&scaled, &mut generation, tally)?;
+    // Where it gets stuck, what it has is repaired all the same, and the bounds tell how good that is.
+    let _ = generation.run(tally);
+    let mut answer = Proof { problem, scaled: &scaled, span: &span }.of(&generation)?;
+    answer.effort.rows = answer.effort.rows.max(given_rows);
+    Ok(Enclosure::Optimal(answer))
+}
+
+struct Proof<'a, const D: usize> {
+    problem: &'a FixedDirections<'a, D>,
+    scaled: &'a Scaled<D>,
+    span: &'a Span<D>,
+}
+
+impl<const D: usize> Proof<'_, D> {
+    fn of(&self, generation: &Generation<'_, D>) -> Result<DirectedZonotope<D>, FixedDirectionsError> {
+        let program = &generation.program;
+        let pulls: Vec<(usize, [f64; D])> =
+            program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
+        let (bound, forces) = proven_bound(self.problem, self.scaled, &pulls);
+        let lower_bound = rounded_towards(&bound, f64::NEG_INFINITY);
+        let effort =
+            Effort { rows: program.rows().len(), rounds: generation.rounds, passes: generation.passes, exact: false };
+        let (mut answer, _) = self.around(program.center(), program.coefficients())?;
+        (answer.lower_bound, answer.forces, answer.effort) = (lower_bound, forces, effort);
+        let is_tight = answer.value - answer.lower_bound <= TIGHT * answer.lower_bound;
+        if !is_tight || answer.lower_bound == 0.0 && answer.value > 0.0 {
+            self.improve_exactly(generation, &mut answer)?;
+        }
+        if answer.value == f64::INFINITY { Err(FixedDirectionsError::OutOfRange) } else { Ok(answer) }
+    }
+
+    /// The zonotope with the nearest doubles that contains all points, and the point that was missed by most.
+    fn around(
+        &self,
+        center: [f64; D],
+        coefficients: &[f64],
+    ) -> Result<(DirectedZonotope<D>, Option<usize>), FixedDirectionsError> {
+        let center = double_center(self.problem, self.scaled, self.span, &center);
+        let repaired = contain_exactly(self.problem, self.scaled, center, coefficients)?;
+        let value = value_above(self.problem.weights(), &repaired.coefficients);
+        let (center, coefficients) = (repaired.center, repaired.coefficients);
+        let (forces, effort) = (Vec::new(), Effort::default());
+        Ok((DirectedZonotope { center, coefficients, value, lower_bound: 0.0, forces, effort }, repaired.worst))
+    }
+
+    /// Small programs in rationals: the optimum of the points that matter, then of those that it leaves outside.
+    fn improve_exactly(
+        &self,
+        generation: &Generation<'_, D>,
+        answer: &mut DirectedZonotope<D>,
+    ) -> Result<(), FixedDirectionsError> {
+        let kept = &self.scaled.directions;
+        if normal_count(kept.len(), self.scaled.rank) > MOST_NORMALS {
+            return Ok(());
+        }
+        let directions: Vec<[f64; D]> = kept.iter().map(|d| self.problem.directions()[d.index]).collect();
+        let weights: Vec<f64> = kept.iter().map(|d| self.problem.weights()[d.index]).collect();
+        let mut active: Vec<usize> = generation.program.rows().iter().map(|row| row.point).collect();
+        active.push(0);
+        loop {
+            active.sort_unstable();
+            active.dedup();
+            if active.len() > MOST_POINTS {
+                return Ok(());
+            }
+            let points: Vec<[f64; D]> = active.iter().map(|&j| self.problem.points()[j]).collect();
+            let part = FixedDirections::new(&points, &directions, &weights)?;
+            let Some(optimum) = brute_force::least_length(&part) else { return Ok(()) };
+            let lower_bound = below(&optimum.value);
+            let scaled = |exact: &Rational, exponent: i64| {
+                let two = Dyadic::new(1.into(), -exponent).to_rational();
+                (exact * two).to_f64_fast()
+            };
+            let first = self.problem.points()[0];
+            let center = std::array::from_fn(|i| {
+                self.scaled
+                    .coordinates
+                    .get(i)
+                    .map_or(0.0, |&c| scaled(&(&optimum.center[c] - rational(first[c])), self.scaled.exponent))
+            });
+            let coefficients: Vec<f64> = kept
+                .iter()
+                .zip(&optimum.coefficients)
+                .map(|(d, c)| scaled(c, self.scaled.exponent - d.exponent))
+                .collect();
+            let (candidate, worst) = self.around(center, &coefficients)?;
+            answer.effort.exact = true;
+            if lower_bound >= answer.lower_bound {
+                answer.lower_bound = lower_bound;
+                let forces = optimum.forces.into_iter();
+                answer.forces = forces.map(|(point, vector)| Force { point: active[point], vector }).collect();
+            }
+            if candidate.value < answer.value {
+                (answer.center, answer.coefficients, answer.value) =
+                    (candidate.center, candidate.coefficients, candidate.value);
+            }
+            let is_tight = candidate.value - lower_bound <= TIGHT * lower_bound;
+            match worst {
+                Some(point) if !is_tight && !active.contains(&point) => active.push(point),
+                _ => return Ok(()),
+            }
+        }
+    }
+}
+
+/// C(k, rank − 1), or a larger number than anyone counts to.
+pub(crate) fn normal_count(k: usize, rank: usize) -> usize {
+    let size = rank.saturating_sub(1);
+    if size > k {
+        return 0;
+    }
+    (0..size).fold(1, |count: usize, i| count.saturating_mul(k - i) / (i + 1))
+}
