@@ -18,6 +18,10 @@
 //! - Below the upper and above the lower hull p may still lie on the boundary: on a vertical facet, where p_0 is on the boundary of Q.
 //! - The answer comes with a proof, of which the paper does not speak.
 //!
+//! In the dual this is the search of Theorem 4.5 ([`lad::by_slope_selection`](crate::lad::by_slope_selection)) for the least
+//! h(x, y, 1) − (x, y) · p_0: the edge at the height of p_0 is the minimum on a vertical line, the side of p_0 that of the descent.
+//! Both select and cut with the same code.
+//!
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space. The lines of the generators are sorted by slope.
 //! 2. Compare p_0 with the sides of Q (`shadow`). Outside, the normal of a side separates.
