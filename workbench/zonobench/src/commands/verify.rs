@@ -15,9 +15,10 @@ use crate::verify::{Verdict, check};
 /// Options of `verify`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The questions, one line of JSON each; or the data file that `enclose` was given.
+    /// The questions, one line of JSON each, as `solve` reads or `--question` writes them; or the data file that `enclose` was
+    /// given.
     questions: PathBuf,
-    /// The answers, in the order of the questions; or the file that `enclose --json` wrote.
+    /// The answers, in the order of the questions; or the file that `--json` wrote.
     answers: PathBuf,
     /// The columns of a data file, as `enclose` was given them.
     #[arg(long, value_name = "X,Y")]
@@ -74,6 +75,13 @@ fn questions(options: &Options) -> anyhow::Result<Vec<Option<Tree>>> {
     let format = options.format.or_else(|| Format::of_extension(file));
     if format.is_none() {
         return lines(file);
+    }
+    if options.format.is_none() && format == Some(Format::Json) {
+        // What the name does not tell, the content does: data have no kind.
+        let questions = lines(file)?;
+        if questions.first().is_some_and(|first| first.as_ref().is_some_and(|first| first.field("kind").is_some())) {
+            return Ok(questions);
+        }
     }
     let source = PointSource { file: file.clone(), format, columns: options.columns.clone() };
     let points = source.read()?;

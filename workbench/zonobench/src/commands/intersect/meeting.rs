@@ -17,8 +17,8 @@ pub(super) struct Meeting {
     pub(super) question: Value,
     pub(super) answer: Value,
     pub(super) status: String,
-    /// How many times both bodies must be taken about their centres to touch.
-    pub(super) gauge: f64,
+    /// How many times both bodies must be taken about their centres to touch, unless they are too large for it to be found.
+    pub(super) gauge: Option<f64>,
     pub(super) proof: Proof,
 }
 
@@ -54,7 +54,7 @@ impl Meeting {
         let distance = json!({"p": a["center"], "q": b["center"], "generators": generators});
         let question = json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}});
         let answer = answered(&question)?;
-        let gauge = answered(&json!({"id": name, "kind": "gauge", "input": distance}))?;
+        let gauge = answered(&json!({"id": name, "kind": "gauge", "input": distance})).ok();
 
         let result = &answer["result"];
         let certificate = &result["certificate"];
@@ -68,7 +68,7 @@ impl Meeting {
             }
         };
         let status = result["status"].as_str().unwrap_or_default().to_owned();
-        let gauge = float(&gauge["result"]["gauge"]);
+        let gauge = gauge.map(|answer| float(&answer["result"]["gauge"]));
         Ok(Self { bodies, question, answer, status, gauge, proof })
     }
 

@@ -46,7 +46,9 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
             table.row("in b", combination("b", -1.0, &meeting.bodies[1], &coefficients[split..]));
         }
     }
-    table.row("gauge", gauge(meeting));
+    if let Some(value) = meeting.gauge {
+        table.row("gauge", gauge(meeting, value));
+    }
     table.row(
         "certificate",
         match verdict {
@@ -81,8 +83,7 @@ fn combination(name: &str, sign: f64, body: &Body, coefficients: &[f64]) -> Stri
     text
 }
 
-fn gauge(meeting: &Meeting) -> String {
-    let gauge = meeting.gauge;
+fn gauge(meeting: &Meeting, gauge: f64) -> String {
     let meaning = if gauge == f64::INFINITY {
         "no growth about the centres makes them meet".to_owned()
     } else if gauge == 0.0 {
