@@ -9,7 +9,7 @@ use zonotope::tally::{Operation, OperationCounts};
 pub const EXPERIMENT: Experiment = Experiment {
     id: "gauge-passes",
     title: "Exact gauge: passes over the generators",
-    question: "The number of passes (evaluations of generators divided by their number) does not grow with the number of generators, \
+    question: "The number of passes (generators read, and lines evaluated once few are left, divided by their number) does not grow with the number of generators, \
                on any family. It counts readings, not time: the table of peers has times in passes.",
     claims: &["theorem-5.2"],
     families: BODY_FAMILIES,
@@ -36,6 +36,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let question = collision_methods::question(case)?;
     let mut counts = OperationCounts::default();
     let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut counts)?;
-    let passes = counts.get(Operation::LineEvaluation) as f64 / case.n as f64;
+    let read = counts.get(Operation::GeneratorRead) + counts.get(Operation::LineEvaluation);
+    let passes = read as f64 / case.n as f64;
     Ok(Measurement::new(&counts, reply.digest(), reply.verdict(&question)).with_value("passes", passes))
 }
