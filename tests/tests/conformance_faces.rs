@@ -1,0 +1,105 @@
+//! The face lattice, the counts and the vertices and facets by recursion against the twin, on all families of bodies.
+
+use std::collections::BTreeSet;
+
+use experiments::families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES};
+use zonotope::zonotope::faces::brute_force::{SignVector, faces_by_dimension};
+use zonotope::zonotope::faces::by_recursion::vertices_and_facets;
+use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Vertex, faces};
+use zonotope::zonotope::{Zonotope, combinatorics};
+
+/// Seeds for each random family and each number of generators up to [`MOST`].
+const SEEDS: u64 = 265;
+const MOST: usize = 7;
+
+fn set(faces: impl Iterator<Item = SignVector>) -> BTreeSet<SignVector> {
+    let faces: Vec<SignVector> = faces.collect();
+    let distinct: BTreeSet<SignVector> = faces.iter().cloned().collect();
+    assert_eq!(distinct.len(), faces.len(), "a face is listed twice");
+    distinct
+}
+
+fn check_lattice(lattice: &FaceLattice, truth: &[BTreeSet<SignVector>]) {
+    assert_eq!(set((0..lattice.vertex_count() as u32).map(|v| lattice.vertex_signs(Vertex(v)))), truth[0]);
+    assert_eq!(set((0..lattice.edge_count() as u32).map(|e| lattice.edge_signs(Edge(e)))), truth[1]);
+    if lattice.is_flat() {
+        assert_eq!((truth.len(), lattice.facet_count()), (3, 2));
+    } else {
+        assert_eq!(set((0..lattice.facet_count() as u32).map(|f| lattice.facet_signs(Facet(f)))), truth[2]);
+    }
+    for facet in (0..lattice.facet_count() as u32).map(Facet) {
+        let corners = set(lattice.facet_vertices(facet).map(|v| lattice.vertex_signs(v)));
+        let signs = lattice.facet_signs(facet);
+        let on_facet = |v: &&SignVector| signs.iter().zip(*v).all(|(f, v)| f.is_eq() || f == v);
+        assert!(truth[0].iter().filter(on_facet).eq(&corners));
+    }
+}
+
+fn check_counts<const D: usize>(generators: &[[f64; D]], truth: &[BTreeSet<SignVector>]) {
+    let body = Zonotope::new([0.0; D], generators.to_vec()).expect("families are finite");
+    let counts = combinatorics(&body);
+    let rank = truth.len() - 1;
+    assert_eq!(counts.affine_dimension, rank);
+    assert_eq!(counts.vertices, truth[0].len() as u64);
+    let found = vertices_and_facets(generators);
+    assert!(found.vertices.iter().eq(&truth[0]));
+    if rank > 0 {
+        assert_eq!([counts.edges, counts.facets], [truth[1].len() as u64, truth[rank - 1].len() as u64]);
+        assert!(found.facets.iter().eq(&truth[rank - 1]));
+    }
+}
+
+#[test]
+fn faces_in_space_are_those_of_the_twin() {
+    let mut cases = 0;
+    for family in BODY_FAMILIES {
+        for count in 1..=MOST {
+            for seed in 0..if family.is_random { SEEDS } else { 1 } {
+                let generators = family.generate(count, seed);
+                let truth = faces_by_dimension(&generators);
+                let body = Zonotope::new([0.0; 3], generators.clone()).expect("families are finite");
+                match faces(&body).expect("few directions") {
+                    Faces::Flat(lattice) | Faces::Solid(lattice) => check_lattice(&lattice, &truth),
+                    Faces::Segment(_) => assert_eq!(truth.len(), 2),
+                    Faces::Point(_) => assert_eq!(truth.len(), 1),
+                }
+                if seed % 4 == 0 {
+                    check_counts(&generators, &truth);
+                }
+                cases += 1;
+            }
+        }
+    }
+    assert!(cases > 16_000, "{cases} cases are few");
+}
+
+#[test]
+fn faces_in_space_time_are_those_of_the_twin() {
+    for family in SPACE_TIME_FAMILIES {
+        for count in 1..=MOST {
+            for seed in 0..8 {
+                let generators = family.generate(count, seed);
+                check_counts(&generators, &faces_by_dimension(&generators));
+            }
+        }
+    }
+}
+
+#[test]
+fn many_generators_keep_the_laws_of_polytopes() {
+    for family in BODY_FAMILIES {
+        let body = Zonotope::new([0.0; 3], family.generate(150, 1)).expect("families are finite");
+        let (Faces::Flat(lattice) | Faces::Solid(lattice)) = faces(&body).expect("few directions") else {
+            unreachable!("150 generators of a family have more than one direction")
+        };
+        assert_eq!(lattice.vertex_count() + lattice.facet_count(), lattice.edge_count() + 2, "{}", family.id);
+        let mut sides = vec![0; lattice.edge_count()];
+        for facet in (0..lattice.facet_count() as u32).map(Facet) {
+            lattice.facet_edges(facet).for_each(|edge| sides[edge.0 as usize] += 1);
+        }
+        assert!(sides.iter().all(|&count| count == 2), "{}", family.id);
+        let counts = combinatorics(&body);
+        assert_eq!(counts.vertices as usize, lattice.vertex_count(), "{}", family.id);
+        assert_eq!(counts.edges as usize, lattice.edge_count(), "{}", family.id);
+    }
+}
