@@ -17,7 +17,11 @@ pub(super) fn support(input: &Tree, result: &Tree) -> Result<String, String> {
     if center.len() != direction.len() || generators.iter().any(|generator| generator.len() != direction.len()) {
         return Err("answered a question whose dimensions do not agree".to_owned());
     }
-    let answer = SupportAnswer { value: float(result, "value")?, point: vector(member(result, "point")?, "point")? };
+    // A coordinate beyond the range of doubles is an infinity.
+    let point = member(result, "point")?.list().ok_or("`point` is not a list")?;
+    let point: Option<Vec<f64>> = point.iter().map(|x| x.float().filter(|x| !x.is_nan())).collect();
+    let point = point.ok_or("`point` holds something else than numbers")?;
+    let answer = SupportAnswer { value: float(result, "value")?, point };
     check_support(&direction, &center, &generators, &answer)?;
     Ok(format!("value {:?} and point agree with the exact sums", answer.value))
 }

@@ -33,7 +33,8 @@ pub(super) struct Kernel<'a, 'h> {
 impl Kernel<'_, '_> {
     fn rounded_center(&self) -> [f64; 2] {
         let [x, y, w] = self.center;
-        [x.rounded_ratio(w), y.rounded_ratio(w)]
+        // The centre lies between doubles, but rounding may take it beyond the largest one.
+        [x.rounded_ratio(w), y.rounded_ratio(w)].map(|coordinate| coordinate.clamp(-f64::MAX, f64::MAX))
     }
 }
 
