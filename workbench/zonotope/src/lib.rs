@@ -9,6 +9,8 @@
 //! | module | problem | in the paper |
 //! |---|---|---|
 //! | [`enclosing::min_area_zonogon`] | the zonogon of least area around points of the plane | 4.1, Theorem 4.5 |
+//! | [`enclosing::fixed_directions`] | the smallest zonotope along given directions around points of R^d | 4.2, Theorem 4.6 |
+//! | [`enclosing::min_total_length`] | the zonotope of least total length around points of R^d | 4.3, Theorem 4.7 |
 //! | [`enclosing::centered_zonogon`] | the smallest zonogon with a given centre | 4.1, Z(O) |
 //! | [`collision`] | membership, intersection and gauge, with proofs | 5.1, Theorem 5.2 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |

@@ -6,9 +6,11 @@
 //! | [`bisectors`] | the lines ℓ_t at which its combinatorial description changes (4.1) |
 //! | [`min_area_zonogon`] | the zonogon of least area around points of the plane (4.1) |
 //! | [`fixed_directions`] | the smallest zonotope along given directions around points of any dimension (4.2) |
+//! | [`min_total_length`] | the zonotope of least total length around points of any dimension (4.3) |
 
 pub mod bisectors;
 pub mod centered_zonogon;
 pub mod fixed_directions;
 pub mod min_area_zonogon;
+pub mod min_total_length;
 mod outward;

@@ -25,6 +25,8 @@ pub(crate) struct Facet<const D: usize> {
 pub(crate) struct FacetDescent<const D: usize> {
     rank: usize,
     columns: Vec<Vec<f64>>,
+    /// One over the length of each generator, zero for one that is none.
+    per_length: Vec<f64>,
     inverse_moments: [[f64; D]; D],
     signs: Vec<f64>,
     heights: Vec<f64>,
@@ -40,14 +42,18 @@ impl<const D: usize> FacetDescent<D> {
     /// Room for the search among generators that span the first `rank` coordinates.
     pub(crate) fn new(rank: usize, generators: &[[f64; D]]) -> Self {
         let columns = (0..rank).map(|c| generators.iter().map(|g| g[c]).collect()).collect();
+        let per_length: Vec<f64> = generators
+            .iter()
+            .map(|g| {
+                let length = dot(g, g).sqrt();
+                if length > 0.0 { 1.0 / length } else { 0.0 }
+            })
+            .collect();
         let mut moments = [[0.0; D]; D];
-        for g in generators {
-            let length = dot(g, g).sqrt();
-            if length > 0.0 {
-                for i in 0..rank {
-                    for j in 0..rank {
-                        moments[i][j] += g[i] * g[j] / length;
-                    }
+        for (g, per_length) in generators.iter().zip(&per_length) {
+            for i in 0..rank {
+                for j in 0..rank {
+                    moments[i][j] += g[i] * g[j] * per_length;
                 }
             }
         }
@@ -56,6 +62,7 @@ impl<const D: usize> FacetDescent<D> {
         Self {
             rank,
             columns,
+            per_length,
             inverse_moments,
             signs: vec![0.0; count],
             heights: vec![0.0; count],
@@ -144,9 +151,11 @@ impl<const D: usize> FacetDescent<D> {
         self.crossings.retain(|(_, i)| !basis.contains(i));
         let mut left = descent;
         let mut rest = &mut self.crossings[..];
+        // Rounding may keep the slope below zero past the last crossing: then the last one is where it is zero.
+        let mut last = None;
         loop {
             if rest.is_empty() {
-                return None;
+                return last;
             }
             let middle = rest.len() / 2;
             rest.select_nth_unstable_by(middle, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -166,6 +175,7 @@ impl<const D: usize> FacetDescent<D> {
             }
             self.signs[entering] = -self.signs[entering];
             left -= before + at;
+            last = Some(entering);
             rest = &mut rest[middle + 1..];
         }
     }
@@ -183,14 +193,12 @@ impl<const D: usize> FacetDescent<D> {
         reduced.push(point.map(|c| c / length));
         for slot in basis.iter_mut().take(self.rank - 1) {
             let mut best: Option<(f64, usize, [f64; D])> = None;
-            for i in 0..self.heights.len() {
-                let g = self.generator(i);
-                let length = dot(&g, &g).sqrt();
-                let key = self.heights[i].abs() / length;
-                if length == 0.0 || best.as_ref().is_some_and(|b| b.0 <= key) {
+            for (i, (height, per_length)) in self.heights.iter().zip(&self.per_length).enumerate() {
+                let key = height.abs() * per_length;
+                if best.as_ref().is_some_and(|b| b.0 <= key) {
                     continue;
                 }
-                let mut rest = g.map(|c| c / length);
+                let mut rest = self.generator(i).map(|c| c * per_length);
                 for unit in &reduced {
                     let along = dot(unit, &rest);
                     rest = std::array::from_fn(|c| rest[c] - along * unit[c]);

@@ -17,6 +17,8 @@ pub(crate) struct Generation<'a, const D: usize> {
     is_working: Vec<bool>,
     /// The facets whose normals are there, with the point that was farthest.
     seen: BTreeSet<([usize; D], bool, usize)>,
+    /// A point outside by less than this, relatively, is inside.
+    precision: f64,
     pub(crate) rounds: usize,
     pub(crate) passes: usize,
 }
@@ -59,6 +61,7 @@ impl<'a, const D: usize> Generation<'a, D> {
             working: Vec::new(),
             is_working: vec![false; points.len()],
             seen: BTreeSet::new(),
+            precision: 1e-14,
             rounds: 0,
             passes: 1,
         };
@@ -79,6 +82,7 @@ impl<'a, const D: usize> Generation<'a, D> {
     }
 
     /// Adds a normal with the farthest of all points along it.
+    #[cfg(feature = "linear-programming")]
     pub(crate) fn add_normal(&mut self, normal: [f64; D], tally: &mut impl Tally) {
         let length = dot(&normal, &normal).sqrt();
         if length > 0.0 && length.is_finite() {
@@ -90,16 +94,28 @@ impl<'a, const D: usize> Generation<'a, D> {
         }
     }
 
-    /// Adds a direction. The facets that were seen among the others stay what they are.
-    pub(crate) fn add_direction(&mut self, direction: [f64; D], weight: f64) {
-        self.directions.push(direction);
-        self.program.add_direction(direction, weight);
+    /// How precisely the programs are solved from now on, relatively; finest at first.
+    pub(crate) fn set_precision(&mut self, precision: f64) {
+        self.precision = precision;
+        self.program.precision = precision;
     }
 
-    /// Forgets normals far from being tight, to be found again if they matter.
-    pub(crate) fn forget_loose_normals(&mut self, loose: f64) {
-        self.program.forget_rows(|_, slack| slack <= loose);
+    /// Begins again with other directions, of weight 1, and those normals that are nearly tight now.
+    pub(crate) fn restart(&mut self, directions: Vec<[f64; D]>, slack: f64) {
+        let rows = self.program.nearly_tight(slack);
+        let axes = self.program.rows()[..self.rank].to_vec();
+        let weights = vec![1.0; directions.len()];
+        self.program = NormalProgram::new(self.rank, axes, directions.clone(), weights);
+        for row in rows {
+            self.program.add_row(row);
+        }
+        self.directions = directions;
         self.seen.clear();
+        self.set_precision(self.precision);
+    }
+
+    pub(crate) fn directions(&self) -> &[[f64; D]] {
+        &self.directions
     }
 
     /// Solves until no point is outside by more than rounding.
@@ -132,7 +148,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let least = if longest > 0.0 { NOTHING * longest } else { NOTHING };
         let generators: Vec<[f64; D]> =
             self.directions.iter().zip(coefficients).map(|(v, c)| v.map(|v| v * c.max(least))).collect();
-        let rounding = 1e-14 * (1.0 + generators.iter().map(|g| dot(g, g).sqrt()).sum::<f64>());
+        let rounding = self.precision * (1.0 + generators.iter().map(|g| dot(g, g).sqrt()).sum::<f64>());
         let mut descent = FacetDescent::new(self.rank, &generators);
         let mut found: Vec<Outside<D>> = Vec::new();
         tally.add(Operation::PointRead, among.len() as u64);

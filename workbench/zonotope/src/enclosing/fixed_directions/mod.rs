@@ -7,28 +7,44 @@
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | rational pivots over C(k, d − 1) normals | the truth |
+//! | [`papers_program`] | O(n k^{d−1}), then the engine on k n' + k + d unknowns | Section 4.2 as printed |
+//! | [`support_form`] | O(n k^{d−1}), then the engine on k + d unknowns, 2 C(k, d − 1) rows | all normals at once |
 //! | [`by_row_generation`] | a few passes over the points, pivots of O((k + d)²) | normals as they are needed; the default |
 //!
-//! n points, k directions, d dimensions. Every answer but the truth's contains the points exactly and proves its lower bound;
+//! n points, k directions, d dimensions, n' extreme points; the two in the middle need an engine for
+//! [linear programs](crate::linear_program), whose answer is only where they begin to prove their own. Every answer but the truth's contains the points exactly and proves its lower bound;
 //! [`verify`] checks both on its own.
 
 mod answer;
 pub mod brute_force;
 pub mod by_row_generation;
 mod center;
+#[cfg(feature = "linear-programming")]
+mod extreme_points;
 mod facet_descent;
 mod generation;
 mod lower_bound;
 mod normal_program;
+#[cfg(feature = "linear-programming")]
+mod normals;
+#[cfg(feature = "linear-programming")]
+pub mod papers_program;
 mod problem;
 mod rational_simplex;
 mod repair;
 mod scaled;
 mod solve;
 mod span;
+#[cfg(feature = "linear-programming")]
+pub mod support_form;
 pub mod verify;
 
 pub use answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
+pub(crate) use facet_descent::{FacetDescent, dot};
+pub(crate) use generation::Generation;
+pub(crate) use lower_bound::balanced;
+pub(crate) use problem::first_non_finite;
+
 pub use by_row_generation::{least_enclosing, least_enclosing_counted};
 pub use problem::{FixedDirections, FixedDirectionsError};
 

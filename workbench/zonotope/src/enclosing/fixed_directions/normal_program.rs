@@ -1,8 +1,8 @@
-//! The program over normals in floating point: a revised simplex method on its dual, whose rows and columns may grow.
+//! The program over normals in floating point: a revised simplex method on its dual, to which normals may be added.
 //!
 //! Minimise Σ w_i c_i with Σ c_i |u · v_i| + u · p ≥ h(u) for the normals u seen so far. The dual, maximise Σ y_u h(u) with Σ y_u u = 0 and
 //! Σ y_u |u · v_i| ≤ w_i, has as many rows as there are coordinates and directions, however many normals there are; its prices are p and c. A new
-//! normal is a new column that may enter the basis, a new direction a new row whose slack may have to leave it. The weights are nudged apart
+//! normal is a new column that may enter the basis. The weights are nudged apart
 //! until the last rounds, so that ties do not stall the method. All of it is a guess: its users prove or repair what it says.
 
 use super::facet_descent::dot;
@@ -45,11 +45,19 @@ pub(crate) struct NormalProgram<const D: usize> {
     prices: Vec<f64>,
     fresh: usize,
     /// Pivots so far.
-    pub(crate) pivots: u64,
+    pivots: u64,
+    /// A reduced gain below this, relatively, is rounding.
+    pub(crate) precision: f64,
 }
+
+/// The least precision that makes sense.
+const FINEST: f64 = 1e-14;
 
 /// Pivots after which the inverse is computed anew.
 const STALE: usize = 120;
+
+/// Turns of dual and primal pivots with a new inverse.
+const MOST_TURNS: usize = 12;
 
 /// Columns that are priced between two looks at all of them.
 const CANDIDATES: usize = 24;
@@ -76,6 +84,7 @@ impl<const D: usize> NormalProgram<D> {
             entries: Vec::new(),
             fresh: 0,
             pivots: 0,
+            precision: FINEST,
         };
         for axis in axes {
             program.add_row(axis);
@@ -101,6 +110,12 @@ impl<const D: usize> NormalProgram<D> {
         &self.rows
     }
 
+    /// The normals that are tight at the optimum or nearly so.
+    pub(crate) fn nearly_tight(&self, slack: f64) -> Vec<NormalRow<D>> {
+        let rows = self.rows.iter().zip(&self.entries);
+        rows.filter(|(row, e)| product(e, &self.prices) - row.height <= slack).map(|(row, _)| row.clone()).collect()
+    }
+
     /// The normals that count at the optimum, with their multipliers y_u.
     pub(crate) fn multipliers(&self) -> impl Iterator<Item = (&NormalRow<D>, f64)> {
         self.basis.iter().zip(&self.values).filter_map(|(basic, &y)| match basic {
@@ -115,57 +130,6 @@ impl<const D: usize> NormalProgram<D> {
         self.entries.push(coordinates.chain(self.directions.iter().map(|v| dot(&row.normal, v).abs())).collect());
         self.rows.push(row);
         self.normal_is_basic.push(false);
-    }
-
-    /// Adds a direction; the basis stays a basis, with the new slack in it.
-    pub(crate) fn add_direction(&mut self, direction: [f64; D], weight: f64) {
-        for (row, entries) in self.rows.iter().zip(&mut self.entries) {
-            entries.push(dot(&row.normal, &direction).abs());
-        }
-        self.directions.push(direction);
-        self.weights.push(weight);
-        let size = self.size();
-        let mut last = vec![0.0; size + 1];
-        for (basic, inverse) in self.basis.iter().zip(&mut self.inverse) {
-            inverse.push(0.0);
-            if let Basic::Normal(j) = basic {
-                let entry = self.entries[*j][size];
-                for (sum, v) in last.iter_mut().zip(inverse.iter()) {
-                    *sum -= entry * v;
-                }
-            }
-        }
-        last[size] = 1.0;
-        self.inverse.push(last);
-        self.basis.push(Basic::Slack(self.directions.len() - 1));
-        self.slack_is_basic.push(true);
-        self.prices.push(0.0);
-        self.values = self.solve_values();
-    }
-
-    /// Forgets normals that are not in the basis, except those of `kept`.
-    pub(crate) fn forget_rows(&mut self, kept: impl Fn(&NormalRow<D>, f64) -> bool) {
-        let slacks: Vec<f64> =
-            self.entries.iter().zip(&self.rows).map(|(e, r)| product(e, &self.prices) - r.height).collect();
-        let stays: Vec<bool> = (0..self.rows.len())
-            .map(|j| j < self.rank || self.normal_is_basic[j] || kept(&self.rows[j], slacks[j]))
-            .collect();
-        let mut position = 0;
-        let moved: Vec<usize> = stays
-            .iter()
-            .map(|&s| {
-                position += usize::from(s);
-                position.wrapping_sub(1)
-            })
-            .collect();
-        for basic in &mut self.basis {
-            if let Basic::Normal(j) = basic {
-                *j = moved[*j];
-            }
-        }
-        retain(&mut self.rows, &stays);
-        retain(&mut self.entries, &stays);
-        retain(&mut self.normal_is_basic, &stays);
     }
 
     /// The true weights from now on; whether they had been nudged.
@@ -188,28 +152,23 @@ impl<const D: usize> NormalProgram<D> {
         self.inverse.iter().map(|row| product(row, &bounds)).collect()
     }
 
-    fn gain(&self, basic: Basic) -> f64 {
-        match basic {
-            Basic::Normal(j) => self.rows[j].height,
-            Basic::Slack(_) => 0.0,
-        }
-    }
-
     /// The optimum for the normals and directions seen so far.
     pub(crate) fn optimize(&mut self) -> Result<(), Stuck> {
-        let most = 50 * (self.size() + self.rows.len()) as u64 + 5000;
+        let most = 12 * (self.size() + self.rows.len()) as u64 + 2000;
         let end = self.pivots + most;
         if self.fresh >= STALE {
             self.refactor()?;
         }
-        loop {
+        // Rounding may undo one step with the other: what is left after some turns is within it.
+        for _ in 0..MOST_TURNS {
             self.make_feasible(end)?;
             self.improve(end)?;
             if self.fresh == 0 {
-                return Ok(());
+                break;
             }
             self.refactor()?;
         }
+        Ok(())
     }
 
     /// Primal pivots: while a normal or slack has a positive reduced gain, it enters.
@@ -243,7 +202,7 @@ impl<const D: usize> NormalProgram<D> {
         loop {
             let scale = self.values.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
             let worst = (0..self.size()).min_by(|&a, &b| self.values[a].total_cmp(&self.values[b])).ok_or(Stuck)?;
-            if self.values[worst] >= -1e-13 * scale {
+            if self.values[worst] >= -10.0 * self.precision * scale {
                 return Ok(());
             }
             let row = &self.inverse[worst];
@@ -282,7 +241,7 @@ impl<const D: usize> NormalProgram<D> {
         let (gain, doubt) = match basic {
             Basic::Slack(i) => {
                 let price = self.prices[self.rank + i];
-                (-price, 1e-15)
+                (-price, 0.1 * self.precision)
             }
             Basic::Normal(j) => {
                 let entries = &self.entries[j];
@@ -290,7 +249,7 @@ impl<const D: usize> NormalProgram<D> {
                     .iter()
                     .zip(&self.prices)
                     .fold((0.0, 0.0), |(sum, size): (f64, f64), (e, p)| (sum + e * p, size + (e * p).abs()));
-                (self.rows[j].height - sum, 1e-14 * size + 1e-16)
+                (self.rows[j].height - sum, self.precision * (size + 0.01))
             }
         };
         (gain > doubt).then_some(gain)
@@ -407,11 +366,18 @@ impl<const D: usize> NormalProgram<D> {
         }
         self.inverse = inverse;
         self.values = self.solve_values();
+        // One step of refinement each: what the tight directions and the tight normals still miss.
+        let missing: Vec<f64> = tight
+            .iter()
+            .map(|&t| self.bound(t) - normals.iter().map(|&(at, j)| self.values[at] * self.entries[j][t]).sum::<f64>())
+            .collect();
+        for (&(at, _), row) in normals.iter().zip(&block) {
+            self.values[at] += product(row, &missing);
+        }
         let mut prices = vec![0.0; size];
         for &(at, j) in &normals {
             add_multiple(&mut prices, self.rows[j].height, &self.inverse[at]);
         }
-        // One step of refinement: what the tight normals still miss.
         let missing: Vec<f64> =
             normals.iter().map(|&(_, j)| self.rows[j].height - product(&self.entries[j], &prices)).collect();
         for (&(at, _), miss) in normals.iter().zip(missing) {
@@ -427,11 +393,6 @@ fn add_multiple(sum: &mut [f64], factor: f64, vector: &[f64]) {
     for (s, v) in sum.iter_mut().zip(vector) {
         *s += factor * v;
     }
-}
-
-fn retain<T>(values: &mut Vec<T>, stays: &[bool]) {
-    let mut stays = stays.iter();
-    values.retain(|_| *stays.next().expect("as long as the values"));
 }
 
 /// The sum of products, in four partial sums.

@@ -65,9 +65,6 @@ pub enum FixedDirectionsError {
     /// The answer needs a coefficient or a value above the largest double.
     #[error("a coefficient leaves the range of doubles")]
     OutOfRange,
-    /// An engine found no optimum of the linear program, and the rows it gave up with were no help.
-    #[error("the engine found no optimum")]
-    Engine,
 }
 
 impl<'a, const D: usize> FixedDirections<'a, D> {

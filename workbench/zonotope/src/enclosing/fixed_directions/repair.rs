@@ -26,6 +26,9 @@ pub(crate) struct Repaired<const D: usize> {
 /// A point nearer to the boundary than this, relatively, is looked at exactly.
 const NEAR: f64 = 1e-9;
 
+/// A generator shorter than this, beside the longest, is left out: what it would have reached others do.
+const NOISE: f64 = 1e-14;
+
 /// Programs of at most this many directions are solved in rationals when floating point finds no coefficients.
 const FEW: usize = 12;
 
@@ -58,6 +61,16 @@ pub(crate) fn contain_exactly<const D: usize>(
     if coefficients.iter().any(|c| !c.is_finite()) {
         return Err(FixedDirectionsError::OutOfRange);
     }
+    // Beside the others these are noise, and would be noise in every search for a facet.
+    let lengths = || {
+        scaled
+            .directions
+            .iter()
+            .map(|d| dot(&d.vector, &d.vector).sqrt() * scale_by_power_of_two(1.0, d.exponent - scaled.exponent))
+    };
+    let longest = lengths().zip(&coefficients).fold(0.0, |max: f64, (l, c)| max.max(l * c));
+    let coefficients =
+        lengths().zip(coefficients).map(|(l, c)| if l * c < NOISE * longest { 0.0 } else { c }).collect();
     let repair = Repair::new(problem, scaled, center, coefficients);
     let (enlarge, worst) = repair.enlargements();
     let mut coefficients = repair.coefficients;

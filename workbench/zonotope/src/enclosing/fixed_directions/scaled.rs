@@ -58,11 +58,6 @@ impl<const D: usize> Scaled<D> {
         let directions = directions.into_iter().map(weighted).collect();
         Self { rank: coordinates.len(), coordinates, points, exponent, directions, weight_exponent }
     }
-
-    /// Whether a direction costs nothing: what it costs to be too long cannot be told in floating point then.
-    pub(crate) fn has_free_directions(&self) -> bool {
-        self.directions.iter().any(|d| d.weight == 0.0)
-    }
 }
 
 /// Directions so much dearer than the cheapest one are taken for no dearer than this; the proof of the answer uses the true weights.

@@ -154,7 +154,7 @@ impl<const D: usize> Proof<'_, D> {
 }
 
 /// C(k, rank − 1), or a larger number than anyone counts to.
-pub(crate) fn normal_count(k: usize, rank: usize) -> usize {
+fn normal_count(k: usize, rank: usize) -> usize {
     let size = rank.saturating_sub(1);
     if size > k {
         return 0;

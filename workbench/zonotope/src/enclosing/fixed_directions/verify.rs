@@ -48,7 +48,8 @@ pub fn verify<const D: usize>(
         Enclosure::Infeasible(proof) => verify_off_span(problem, proof),
         Enclosure::Optimal(zonotope) => {
             verify_bounds(problem, zonotope)?;
-            let outside = (0..problem.points().len()).find(|&j| !contains(problem, zonotope, j));
+            let inside = |j: usize| contains(problem, zonotope.center, &zonotope.coefficients, j);
+            let outside = (0..problem.points().len()).find(|&j| !inside(j));
             outside.map_or(Ok(()), |point| Err(FixedDirectionsDefect::Outside(point)))
         }
     }
@@ -102,17 +103,22 @@ fn verify_off_span<const D: usize>(
     if vanishes && a.is_some() && b.is_some() && a != b { Ok(()) } else { Err(FixedDirectionsDefect::OffSpan) }
 }
 
-/// Whether a point of the problem lies in the zonotope, exactly.
-fn contains<const D: usize>(problem: &FixedDirections<'_, D>, zonotope: &DirectedZonotope<D>, point: usize) -> bool {
+/// Whether a point of the problem lies in the zonotope { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 }, exactly.
+pub fn contains<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    center: [f64; D],
+    coefficients: &[f64],
+    point: usize,
+) -> bool {
     let point = problem.points()[point].map(rational);
-    let center = zonotope.center.map(rational);
+    let center = center.map(rational);
     if point == center {
         return true;
     }
     let used: Vec<[Rational; D]> = problem
         .directions()
         .iter()
-        .zip(&zonotope.coefficients)
+        .zip(coefficients)
         .filter(|(_, c)| **c > 0.0)
         .map(|(v, &c)| v.map(|v| rational(v) * rational(c)))
         .collect();

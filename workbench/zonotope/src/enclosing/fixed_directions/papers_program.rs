@@ -1,0 +1,106 @@
+//! Smallest zonotope along given directions, by the linear program of Section 4.2 as it is printed.
+//!
+//! # Statement
+//! As [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
+//!
+//! # Source
+//! Section 4.2, Theorem 4.6: minimise Σ c_i subject to p_j = p + Σ b_ij v_i and −c_i ≤ b_ij ≤ c_i for the points extreme along a facet normal. Departures:
+//! weights w_i; coordinates of the span, without which too few points would be found extreme.
+//!
+//! # Method
+//! 1. The extreme points by the scan over all facet normals.
+//! 2. The program in the unknowns p, c and b, by the given engine: a guess.
+//! 3. The facets that the extreme points nearly touch at the guess begin the method by row generation, which ends on an exact footing.
+//!
+//! # Complexity
+//! n points, k directions: O(n k^{d−1}) for n' = O(k^{d−1}) extreme points, then a program of (k + 1) n' + d unknowns; the paper's bound is O(k^{O(d)}).
+//!
+//! # Shapes
+//! As [`by_row_generation`](super::by_row_generation).
+//!
+//! # Numerics
+//! The engine's answer is used only to choose normals; an engine that fails costs time, not correctness.
+//!
+//! # Errors
+//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force); [`verify`](super::verify) on every answer.
+//!
+//! # Example
+//! ```
+//! use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program};
+//! use zonotope::linear_program::Clarabel;
+//! let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 4.0]];
+//! let problem = FixedDirections::new(&triangle, &[[1.0, 0.0], [0.0, 1.0]], &[1.0, 1.0])?;
+//! let answer = papers_program::least_enclosing(&problem, &Clarabel)?;
+//! // half the width and half the height
+//! assert!((answer.optimal().expect("feasible").value - 3.0).abs() < 1e-12);
+//! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
+//! ```
+
+use super::answer::Enclosure;
+use super::extreme_points::extreme_points;
+use super::facet_descent::FacetDescent;
+use super::problem::{FixedDirections, FixedDirectionsError};
+use super::solve::solve_with;
+use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
+
+/// A point whose ray leaves the zonotope at less than this multiple may touch it at the optimum.
+const NEARLY_TOUCHES: f64 = 1.0 + 1e-6;
+
+/// The smallest zonotope along the directions around the points, by way of the given engine.
+///
+/// # Errors
+/// When a coefficient of the answer is no double.
+pub fn least_enclosing<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    engine: &dyn Engine,
+) -> Result<Enclosure<D>, FixedDirectionsError> {
+    solve_with(problem, &mut (), |scaled, generation, tally| {
+        let (rank, count) = (scaled.rank, scaled.directions.len());
+        let directions: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
+        let extreme = extreme_points(rank, &scaled.points, &directions, tally);
+        let center = (0..rank).map(|_| BoundedVariable::free(0.0));
+        let lengths = scaled.directions.iter().map(|d| BoundedVariable::non_negative(d.weight));
+        let shares = (0..extreme.len() * count).map(|_| BoundedVariable::free(0.0));
+        let mut program =
+            LinearProgram::new(center.chain(lengths).chain(shares).collect()).expect("weights are finite");
+        let length = |i: usize| rank + i;
+        let share = |i: usize, j: usize| rank + count + j * count + i;
+        let mut add = |terms: Vec<(usize, f64)>, relation, right| {
+            let terms = terms.into_iter().filter(|t| t.1 != 0.0).collect();
+            program.add_row(Row { terms, relation, right }).expect("coordinates are finite");
+        };
+        for (j, &point) in extreme.iter().enumerate() {
+            for c in 0..rank {
+                let sum = directions.iter().enumerate().map(|(i, v)| (share(i, j), v[c]));
+                add([(c, 1.0)].into_iter().chain(sum).collect(), Relation::Equal, scaled.points[point][c]);
+            }
+            for i in 0..count {
+                add(vec![(share(i, j), 1.0), (length(i), -1.0)], Relation::AtMost, 0.0);
+                add(vec![(share(i, j), -1.0), (length(i), -1.0)], Relation::AtMost, 0.0);
+            }
+        }
+        let rows = program.rows().len();
+        if let Guess::Optimal { primal, .. } = engine.solve(&program) {
+            let longest = (0..count).map(|i| primal[length(i)]).fold(f64::MIN_POSITIVE, f64::max);
+            let generators: Vec<[f64; D]> = directions
+                .iter()
+                .enumerate()
+                .map(|(i, v)| v.map(|v| v * primal[length(i)].max(1e-9 * longest)))
+                .collect();
+            let mut descent = FacetDescent::new(rank, &generators);
+            for &j in &extreme {
+                let ray = std::array::from_fn(|c| if c < rank { scaled.points[j][c] - primal[c] } else { 0.0 });
+                if let Some(facet) = descent.facet(&ray).filter(|facet| facet.gauge < NEARLY_TOUCHES) {
+                    generation.add_normal(facet.normal, tally);
+                }
+            }
+        }
+        Ok(rows)
+    })
+}

@@ -1,0 +1,93 @@
+//! Smallest zonotope along given directions, by one linear program in k + d unknowns over all facet normals.
+//!
+//! # Statement
+//! As [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
+//!
+//! # Source
+//! Section 4.2, in the unknowns p and c alone: Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for every normal u of d − 1 directions, both ways.
+//!
+//! # Method
+//! 1. Enumerate the normals, in coordinates of the span; for each the farthest point both ways.
+//! 2. One linear program with all rows, by the given engine: a guess.
+//! 3. The rows that are nearly tight at the guess begin the method by row generation, which ends on an exact footing.
+//!
+//! # Complexity
+//! n points, k directions: O(n k^{d−1}) for the rows, 2 C(k, d − 1) rows of k + d entries, then what the engine takes; space O(k^d).
+//!
+//! # Shapes
+//! As [`by_row_generation`](super::by_row_generation).
+//!
+//! # Numerics
+//! The engine's answer is used only to choose rows; an engine that fails costs time, not correctness.
+//!
+//! # Errors
+//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force); [`verify`](super::verify) on every answer.
+//!
+//! # Example
+//! ```
+//! use zonotope::enclosing::fixed_directions::{FixedDirections, support_form};
+//! use zonotope::linear_program::Clarabel;
+//! let diamond = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+//! let problem = FixedDirections::new(&diamond, &[[1.0, 1.0], [1.0, -1.0]], &[1.0, 1.0])?;
+//! let answer = support_form::least_enclosing(&problem, &Clarabel)?;
+//! // the diamond itself: both coefficients are a half
+//! assert!((answer.optimal().expect("feasible").value - 1.0).abs() < 1e-12);
+//! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
+//! ```
+
+use super::answer::Enclosure;
+use super::facet_descent::dot;
+use super::normals::facet_normals;
+use super::problem::{FixedDirections, FixedDirectionsError};
+use super::solve::solve_with;
+use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
+
+/// A row whose two sides differ by less than this, in coordinates of size 1, may be tight at the optimum.
+const NEARLY_TIGHT: f64 = 1e-6;
+
+/// The smallest zonotope along the directions around the points, by way of the given engine.
+///
+/// # Errors
+/// When a coefficient of the answer is no double.
+pub fn least_enclosing<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    engine: &dyn Engine,
+) -> Result<Enclosure<D>, FixedDirectionsError> {
+    solve_with(problem, &mut (), |scaled, generation, tally| {
+        let (rank, count) = (scaled.rank, scaled.directions.len());
+        let directions: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
+        let half = facet_normals(rank, &directions);
+        let normals: Vec<[f64; D]> = half.iter().flat_map(|u| [*u, u.map(|c| -c)]).collect();
+        let center = (0..rank).map(|_| BoundedVariable::free(0.0));
+        let variables =
+            center.chain(scaled.directions.iter().map(|d| BoundedVariable::non_negative(d.weight))).collect();
+        let mut program = LinearProgram::new(variables).expect("weights are finite");
+        for normal in &normals {
+            let terms = (0..rank).map(|c| (c, normal[c]));
+            let terms = terms.chain(directions.iter().enumerate().map(|(i, v)| (rank + i, dot(normal, v).abs())));
+            let right = scaled.points.iter().map(|p| dot(normal, p)).fold(f64::NEG_INFINITY, f64::max);
+            let row = Row { terms: terms.filter(|t| t.1 != 0.0).collect(), relation: Relation::AtLeast, right };
+            program.add_row(row).expect("normals and heights are finite");
+        }
+        if let Guess::Optimal { primal, .. } = engine.solve(&program) {
+            let mut slacks: Vec<(f64, usize)> = Vec::new();
+            for (j, row) in program.rows().iter().enumerate() {
+                let slack = row.terms.iter().map(|&(i, a)| a * primal[i]).sum::<f64>() - row.right;
+                if slack < NEARLY_TIGHT {
+                    slacks.push((slack, j));
+                }
+            }
+            slacks.sort_by(|a, b| a.0.total_cmp(&b.0));
+            for (_, j) in slacks.into_iter().take(4 * (rank + count)) {
+                generation.add_normal(normals[j], tally);
+            }
+        }
+        Ok(normals.len())
+    })
+}

@@ -1,0 +1,63 @@
+//! The answer: a zonotope around the points with a proven ratio to the best one.
+
+use thiserror::Error;
+
+use crate::zonotope::Zonotope;
+
+/// Why points or a precision are refused.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum MinLengthError {
+    /// A coordinate of a point is NaN or infinite.
+    #[error("point {point}, coordinate {coordinate} is {value}, not a finite number")]
+    NonFinite {
+        /// The point, from 0.
+        point: usize,
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// There are no points.
+    #[error("there are no points")]
+    Empty,
+    /// The precision is not between 0 and 1.
+    #[error("epsilon is {0}, not between 0 and 1")]
+    BadEpsilon(f64),
+    /// The net would have more directions than are tried.
+    #[error("a net this fine has {0} directions")]
+    TooManyDirections(usize),
+    /// The length of the answer exceeds the largest double.
+    #[error("the length leaves the range of doubles")]
+    OutOfRange,
+}
+
+/// A zonotope that contains every point exactly, its total length within a stated ratio of the least possible.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MinLengthZonotope<const D: usize> {
+    /// The zonotope.
+    pub zonotope: Zonotope<D>,
+    /// An upper bound of Σ |g_i|, the half-lengths of its generators.
+    pub length: f64,
+    /// A number that the total length of no zonotope around the points is below.
+    pub lower_bound: f64,
+    /// `length` / `lower_bound`, rounded up; 1 when both are zero.
+    pub ratio: f64,
+    /// What proves the lower bound.
+    pub forces: Vec<LengthForce<D>>,
+    /// The length of the best zonotope and the lower bound after each round.
+    pub progress: Vec<[f64; 2]>,
+    /// How many directions were tried.
+    pub directions: usize,
+}
+
+/// A vector λ_j that pulls at a point j: if Σ λ_j = 0 and Σ_j |λ_j · v| ≤ 1 for every unit vector v, no zonotope around the points has
+/// a total length below Σ λ_j · p_j. The condition says that no vertex Σ ± λ_j is farther than 1 from the origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LengthForce<const D: usize> {
+    /// The point, from 0.
+    pub point: usize,
+    /// The vector, times the largest coordinate difference of the points rounded to a power of two: only directions and proportions count, as
+    /// the bound is Σ λ_j · p_j over the farthest vertex.
+    pub vector: [f64; D],
+}

@@ -1,0 +1,89 @@
+//! The plane, where the total length is a quarter of the perimeter: the optimum without linear programs.
+//!
+//! With the centre O fixed the smallest zonogon is conv(P ∪ P'), P' the points reflected in O, and no convex set around it has a smaller
+//! perimeter. The perimeter is a convex function of O; two nested searches by the golden section find its minimum.
+
+/// The least total length of a zonogon around points, to about a relative 1e-12. O(n log n) for each of some thousand centres.
+///
+/// # Panics
+/// If there are no points or a coordinate is not finite.
+pub fn least_length(points: &[[f64; 2]]) -> f64 {
+    assert!(!points.is_empty() && points.iter().flatten().all(|c| c.is_finite()), "finite points, at least one");
+    perimeter(points, best_center(points)) / 4.0
+}
+
+/// The directions of the edges of the best zonogon, unit vectors, within rounding of its centre.
+pub(super) fn edge_directions(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let hull = symmetric_hull(points, best_center(points));
+    let edges = hull.iter().zip(hull.iter().cycle().skip(1)).take(hull.len().div_ceil(2));
+    let edges = edges.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|e| *e != [0.0, 0.0]);
+    edges.map(|e| e.map(|c| c / (e[0] * e[0] + e[1] * e[1]).sqrt())).collect()
+}
+
+fn best_center(points: &[[f64; 2]]) -> [f64; 2] {
+    let range = |axis: usize| {
+        let values = points.iter().map(|p| p[axis]);
+        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+    };
+    let hull = convex_hull(points.to_vec());
+    let along = |x: f64| least(range(1), |y| perimeter(&hull, [x, y]));
+    let x = least(range(0), |x| along(x).1).0;
+    [x, along(x).0]
+}
+
+/// Where a convex function on an interval is least, and its value there, by the golden section.
+fn least((mut low, mut high): (f64, f64), f: impl Fn(f64) -> f64) -> (f64, f64) {
+    const SECTION: f64 = 0.618_033_988_749_894_9;
+    let mut best = (low, f(low));
+    let mut inner = [high - SECTION * (high - low), low + SECTION * (high - low)];
+    let mut values = inner.map(&f);
+    for _ in 0..58 {
+        let better = usize::from(values[1] < values[0]);
+        if values[better] < best.1 {
+            best = (inner[better], values[better]);
+        }
+        if better == 0 {
+            high = inner[1];
+            inner = [high - SECTION * (high - low), inner[0]];
+            values = [f(inner[0]), values[0]];
+        } else {
+            low = inner[0];
+            inner = [inner[1], low + SECTION * (high - low)];
+            values = [values[1], f(inner[1])];
+        }
+    }
+    best
+}
+
+fn symmetric_hull(points: &[[f64; 2]], center: [f64; 2]) -> Vec<[f64; 2]> {
+    let reflected = points.iter().map(|p| [2.0 * center[0] - p[0], 2.0 * center[1] - p[1]]);
+    convex_hull(points.iter().copied().chain(reflected).collect())
+}
+
+fn perimeter(points: &[[f64; 2]], center: [f64; 2]) -> f64 {
+    let hull = symmetric_hull(points, center);
+    let next = hull.iter().cycle().skip(1);
+    hull.iter().zip(next).map(|(a, b)| ((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])).sqrt()).sum()
+}
+
+/// Andrew's monotone chain in floating point: what it misjudges is within rounding of the hull.
+fn convex_hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut hull: Vec<[f64; 2]> = Vec::new();
+    let backward = points.iter().rev().copied().collect::<Vec<_>>();
+    for chain in [points, backward] {
+        let start = hull.len();
+        for p in chain {
+            while hull.len() >= start + 2 {
+                let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
+                if (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0 {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+    }
+    hull
+}

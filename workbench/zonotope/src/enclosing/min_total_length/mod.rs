@@ -1,0 +1,29 @@
+//! Problem: the zonotope of least total length around a set of points, over all directions of generators.
+//!
+//! The total length is the sum of the half-lengths of the generators; it is monotone under inclusion, and in the plane a quarter of the perimeter. A
+//! zonotope along finitely many directions comes near the optimum; forces at the points prove how near.
+//!
+//! | method | time | notes |
+//! |---|---|---|
+//! | [`in_the_plane`] | about 10^4 convex hulls | D = 2: the truth, in floating point |
+//! | [`by_direction_net`] | fixed directions, O(ε^{−(d−1)}) or O(ε^{−(d−1)/2}) of them | Theorem 4.7, and a better net |
+//! | [`by_column_generation`] | fixed directions, some ten times | directions as they are needed; the default |
+//!
+//! Every answer contains the points exactly and proves its ratio. [`direction_net`] holds the nets.
+
+mod answer;
+pub mod by_column_generation;
+pub mod by_direction_net;
+mod containment;
+pub mod direction_net;
+mod dual_zonotope;
+mod frame;
+pub mod in_the_plane;
+mod search;
+
+pub use answer::{LengthForce, MinLengthError, MinLengthZonotope};
+pub use by_column_generation::{min_length_enclosing, min_length_enclosing_counted};
+pub use by_direction_net::Net;
+
+#[cfg(test)]
+mod tests;

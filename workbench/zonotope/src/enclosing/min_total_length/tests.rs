@@ -1,0 +1,109 @@
+//! The proven ratios, and the optimum where another way to it exists.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::enclosing::fixed_directions::{FixedDirections, verify};
+
+fn contains<const D: usize>(answer: &MinLengthZonotope<D>, points: &[[f64; D]]) -> bool {
+    let generators = answer.zonotope.generators();
+    let ones = vec![1.0; generators.len()];
+    let problem = FixedDirections::new(points, generators, &ones).expect("finite");
+    (0..points.len()).all(|j| verify::contains(&problem, answer.zonotope.center(), &ones, j))
+}
+
+fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
+    let answer = min_length_enclosing(points, epsilon).expect("finite points");
+    // A search that ends early says so by its ratio; it never ends far from the optimum.
+    prop_assert!(answer.ratio <= 1.02, "{} of {} {:?}", answer.ratio, epsilon, answer.progress);
+    prop_assert!(answer.length <= answer.ratio * answer.lower_bound || answer.length == 0.0);
+    prop_assert!(answer.lower_bound <= answer.length);
+    if points.len() * answer.zonotope.generators().len() <= 60 {
+        prop_assert!(contains(&answer, points), "{:?}", answer);
+    }
+    Ok(answer)
+}
+
+fn real<const D: usize>(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[f64; D]>> {
+    proptest::collection::vec(proptest::array::uniform(-1.0..1.0f64), count)
+}
+
+fn lattice<const D: usize>(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[f64; D]>> {
+    proptest::collection::vec(proptest::array::uniform((-2i8..3).prop_map(f64::from)), count)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn in_the_plane_the_optimum_is_a_quarter_of_a_perimeter(points in real::<2>(1..12)) {
+        let answer = check(&points, 1e-9)?;
+        let truth = in_the_plane::least_length(&points);
+        prop_assert!((answer.length - truth).abs() <= 1e-8 * truth + 1e-12, "{} {truth}", answer.length);
+    }
+
+    #[test]
+    fn lattices_of_the_plane(points in lattice::<2>(1..9)) {
+        let answer = check(&points, 1e-9)?;
+        let truth = in_the_plane::least_length(&points);
+        prop_assert!((answer.length - truth).abs() <= 1e-8 * truth + 1e-12, "{} {truth}", answer.length);
+    }
+
+    #[test]
+    fn space(points in real::<3>(1..7)) {
+        check(&points, 1e-4)?;
+    }
+
+    #[test]
+    fn lattices_of_space(points in lattice::<3>(1..7)) {
+        check(&points, 1e-3)?;
+    }
+
+    #[test]
+    fn nets_keep_their_ratio(points in real::<2>(1..12)) {
+        let truth = in_the_plane::least_length(&points);
+        for net in [Net::Paper, Net::Cells] {
+            for epsilon in [0.5, 0.1, 0.03] {
+                let answer = by_direction_net::least_enclosing(&points, epsilon, net).expect("finite points");
+                prop_assert!(answer.length <= (1.0 + epsilon) * truth + 1e-12);
+                prop_assert!(answer.lower_bound <= truth * (1.0 + 1e-11));
+            }
+        }
+    }
+
+    #[test]
+    fn the_vertices_of_a_box_give_the_box(half in [0.1..1.0f64, 0.1..1.0, 0.1..1.0]) {
+        let corner = |i: usize| -> [f64; 3] { std::array::from_fn(|c| if i >> c & 1 == 0 { half[c] } else { -half[c] }) };
+        let corners: Vec<[f64; 3]> = (0..8).map(corner).collect();
+        let answer = check(&corners, 1e-7)?;
+        let truth: f64 = half.iter().sum();
+        prop_assert!((answer.length - truth).abs() <= 1e-7 * truth);
+    }
+
+    #[test]
+    fn scales(points in real::<3>(2..5), s in prop_oneof![Just(1e-200), Just(1e200), Just(1e-30)]) {
+        let points: Vec<[f64; 3]> = points.iter().map(|p| p.map(|c| c * s)).collect();
+        check(&points, 1e-4)?;
+    }
+}
+
+#[test]
+fn four_dimensions_and_flat_sets() {
+    let simplex: Vec<[f64; 4]> = (0..4).map(|i| std::array::from_fn(|c| f64::from(u8::from(i == c)))).collect();
+    check(&simplex, 1e-3).expect("a flat simplex");
+    let with_origin: Vec<[f64; 4]> = simplex.iter().copied().chain([[0.0; 4]]).collect();
+    check(&with_origin, 1e-2).expect("a simplex");
+    let segment = check(&[[0.0; 3], [3.0, 4.0, 0.0]], 1e-9).expect("a segment");
+    assert!((segment.length - 2.5).abs() < 1e-14);
+    let point = check(&[[0.5, 0.25]; 3], 1e-9).expect("a point");
+    assert_eq!((point.length, point.ratio, point.zonotope.center()), (0.0, 1.0, [0.5, 0.25]));
+}
+
+#[test]
+fn what_is_refused() {
+    assert_eq!(min_length_enclosing::<2>(&[], 0.1), Err(MinLengthError::Empty));
+    assert_eq!(min_length_enclosing(&[[0.0]], 1.0), Err(MinLengthError::BadEpsilon(1.0)));
+    assert!(matches!(min_length_enclosing(&[[f64::NAN]], 0.1), Err(MinLengthError::NonFinite { .. })));
+    let far = by_direction_net::least_enclosing(&[[0.0; 3], [1.0; 3]], 1e-3, Net::Paper);
+    assert!(matches!(far, Err(MinLengthError::TooManyDirections(_))));
+}
