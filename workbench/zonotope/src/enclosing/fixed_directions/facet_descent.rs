@@ -57,7 +57,7 @@ impl<const D: usize> FacetDescent<D> {
                 }
             }
         }
-        let inverse_moments = inverse(rank, &moments).unwrap_or_else(|| identity());
+        let inverse_moments = inverse(rank, &moments).unwrap_or_else(identity);
         let count = generators.len();
         Self {
             rank,

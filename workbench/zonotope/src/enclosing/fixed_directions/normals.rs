@@ -11,10 +11,10 @@ pub(crate) fn facet_normals<const D: usize>(rank: usize, directions: &[[f64; D]]
         let rows: Vec<&[f64; D]> = subset.iter().map(|&i| &directions[i]).collect();
         let columns: Vec<usize> = (0..rank).collect();
         let mut normal = [0.0; D];
-        for c in 0..rank {
+        for (c, component) in normal.iter_mut().enumerate().take(rank) {
             let others: Vec<usize> = columns.iter().copied().filter(|&other| other != c).collect();
             let minor = determinant(&rows, &others);
-            normal[c] = if c % 2 == 0 { minor } else { -minor };
+            *component = if c % 2 == 0 { minor } else { -minor };
         }
         let length = dot(&normal, &normal).sqrt();
         if length > 0.0 {

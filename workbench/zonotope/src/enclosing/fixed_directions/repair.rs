@@ -128,8 +128,8 @@ impl<'a, const D: usize> Repair<'a, D> {
         let exact_inverse = exact_inverse(problem, scaled, &basis);
         let mut columns = [[0.0; D]; D];
         for (i, &b) in basis.iter().enumerate() {
-            for c in 0..scaled.rank {
-                columns[c][i] = scaled.directions[b].vector[c];
+            for (row, &v) in columns.iter_mut().zip(&scaled.directions[b].vector) {
+                row[i] = v;
             }
         }
         // Used only where the exact inverse is near it.
@@ -264,8 +264,8 @@ impl<'a, const D: usize> Repair<'a, D> {
         let basis = independent(rank, &roomy);
         let mut columns = [[0.0; D]; D];
         for (i, &b) in basis.iter().enumerate() {
-            for c in 0..rank {
-                columns[c][i] = self.generators[b][c];
+            for (row, &g) in columns.iter_mut().zip(&self.generators[b]) {
+                row[i] = g;
             }
         }
         let Some(rows) = (basis.len() == rank).then(|| inverse(rank, &columns)).flatten() else { return false };
