@@ -114,7 +114,11 @@ impl Frame {
 
     /// Whether scaling a point loses nothing to underflow.
     fn scales_exactly(&self, point: [f64; 2]) -> bool {
-        self.scaled(point).map(|v| v / self.factors[1] / self.factors[0]) == point
+        let scaled = self.scaled(point);
+        let is_exact = |i: usize| {
+            scaled[i].abs() >= f64::MIN_POSITIVE || scaled[i] / self.factors[1] / self.factors[0] == point[i]
+        };
+        is_exact(0) && is_exact(1)
     }
 
     /// A length in the frame.

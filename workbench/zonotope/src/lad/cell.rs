@@ -5,12 +5,19 @@ use super::sides::read_sides;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
 
+/// A cell around an expected point has this share of the larger cell's radius at least, and this much more of it times the square of
+/// the distance, in radii, of the point: the lines are not spread evenly.
+const UNEVENNESS: [f64; 2] = [0.05, 0.5];
+
+/// The lines that cross a cell around an expected point can make up for so many standard deviations of the gradient there.
+const DEVIATIONS: f64 = 3.0;
+
 /// The parallelogram { center + frame · z : |z_x|, |z_y| ≤ radius } with a lower triangular frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cell {
     pub(crate) center: [f64; 2],
     pub(crate) radius: f64,
-    frame: Frame,
+    pub(crate) frame: Frame,
 }
 
 /// A lower triangular matrix [[xx, 0], [yx, yy]] that makes the normals of a set of lines about equally long in all
@@ -22,6 +29,19 @@ pub(crate) struct Frame {
     yy: f64,
 }
 
+/// What the lines that cross a cell say about the objective in it, in the coordinates of the frame.
+#[derive(Debug, Default, Clone, Copy)]
+pub(crate) struct Bend {
+    /// Σ sign · normal at the centre.
+    gradient: [f64; 2],
+    /// xx, xy, yy of Σ normal normalᵀ / reach.
+    hessian: [f64; 3],
+    /// Σ reach.
+    reach: f64,
+    /// Σ reach².
+    squares: f64,
+}
+
 /// What a pass over the lines at a cell yields.
 pub(crate) struct Split {
     /// The lines that may cross the cell.
@@ -31,6 +51,26 @@ pub(crate) struct Split {
     /// Σ sign · normal over the others, and how far each coordinate may be off.
     pub(crate) sum: [f64; 2],
     pub(crate) sum_error: f64,
+    /// How the crossing lines bend the objective.
+    pub(crate) bend: Bend,
+}
+
+impl Bend {
+    /// Adds a line with this value at the centre.
+    pub(crate) fn add(&mut self, frame: Frame, [x, y]: [f64; 2], value: f64) {
+        let [u, v] = frame.turned(x, y);
+        let reach = u.abs() + v.abs();
+        if reach > 0.0 {
+            let sign = if value == 0.0 { 0.0 } else { value.signum() };
+            self.gradient[0] += sign * u;
+            self.gradient[1] += sign * v;
+            self.hessian[0] += u * u / reach;
+            self.hessian[1] += u * v / reach;
+            self.hessian[2] += v * v / reach;
+            self.reach += reach;
+            self.squares += reach * reach;
+        }
+    }
 }
 
 impl Frame {
@@ -49,13 +89,24 @@ impl Frame {
 
     /// How far the value of a line with this normal changes over a cell of radius 1.
     pub(crate) fn reach(&self, x: f64, y: f64) -> f64 {
-        (self.xx * x + self.yx * y).abs() + (self.yy * y).abs()
+        let [u, v] = self.turned(x, y);
+        u.abs() + v.abs()
+    }
+
+    /// The gradient of a linear function in the coordinates of the frame.
+    fn turned(&self, x: f64, y: f64) -> [f64; 2] {
+        [self.xx * x + self.yx * y, self.yy * y]
     }
 }
 
 impl Cell {
     pub(crate) fn new(center: [f64; 2], radius: f64, frame: Frame) -> Self {
         Self { center, radius, frame }
+    }
+
+    /// The rectangle of given half-widths.
+    pub(crate) fn upright(center: [f64; 2], [xx, yy]: [f64; 2]) -> Self {
+        Self { center, radius: 1.0, frame: Frame { xx, yx: 0.0, yy } }
     }
 
     /// Whether a point, given within a relative 8 UNIT, certainly lies in the interior.
@@ -77,12 +128,31 @@ impl Cell {
         [ex, (dy + self.frame.yx.abs() * (ex + 16.0 * UNIT * x)) / self.frame.yy]
     }
 
-    /// The cell around the point nearest to `target` in the doubled cell, grown by a factor.
-    pub(crate) fn moved_towards(&self, target: [f64; 2], growth: f64) -> Self {
-        let [x, y] = self.coordinates(target).map(|v| v.clamp(-2.0 * self.radius, 2.0 * self.radius));
+    /// The cell of another size around another point.
+    pub(crate) fn moved(&self, center: [f64; 2], radius: f64) -> Self {
+        Self { center, radius, ..*self }
+    }
+
+    /// A cell around the point where the gradient is expected to vanish, and the distance of that point in radii of this cell.
+    ///
+    /// `rest` is the gradient of all that does not cross the cell. Spread evenly, a crossing line bends the objective by
+    /// normal normalᵀ / (reach · radius) on average: that gives a Newton step from the centre. The gradient where it ends is off by the
+    /// lines that luck put between the centre and there, a share of all that grows with the distance.
+    pub(crate) fn expected(&self, rest: [f64; 2], bend: &Bend) -> Option<(Self, f64)> {
+        let [u, v] = self.frame.turned(rest[0], rest[1]);
+        let [u, v] = [u + bend.gradient[0], v + bend.gradient[1]];
+        let [xx, xy, yy] = bend.hessian;
+        let determinant = xx * yy - xy * xy;
+        let step = [(xy * v - yy * u) / determinant, (xy * u - xx * v) / determinant];
+        let distance = step[0].abs().max(step[1].abs());
+        let deviation = (bend.squares * distance.clamp(0.125, 1.0)).sqrt();
+        let share = DEVIATIONS * deviation / bend.reach + UNEVENNESS[0] + UNEVENNESS[1] * distance * distance;
+        let [x, y] = step.map(|v| self.radius * v.clamp(-3.0, 3.0));
         let Frame { xx, yx, yy } = self.frame;
         let center = [self.center[0] + xx * x, self.center[1] + yx * x + yy * y];
-        Self { center, radius: growth * self.radius, frame: self.frame }
+        let radius = self.radius * share.min(2.0);
+        let is_usable = distance.is_finite() && center.iter().all(|v| v.is_finite()) && radius > 0.0;
+        is_usable.then(|| (self.moved(center, radius), distance))
     }
 
     /// Separates the lines that certainly miss the cell from the others. One pass.
@@ -101,7 +171,7 @@ impl Cell {
         let eb = instance.error.offset_relative + 8.0 * UNIT;
         let floor = UNDERFLOW * (1.0 + cx.abs() + cy.abs() + wx + wy);
         let radius = self.radius;
-        let (mut crossing, mut signs) = (Vec::new(), Vec::new());
+        let (mut crossing, mut signs, mut bend) = (Vec::new(), Vec::new(), Bend::default());
         let sides = read_sides(
             columns,
             &mut signs,
@@ -109,8 +179,12 @@ impl Cell {
                 let reach = radius * ((xx * x + yx * y).abs() + (yy * y).abs());
                 (x * cx + y * cy + b, reach + x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
             },
-            |line| crossing.push(line as u32),
+            |line| {
+                crossing.push(line as u32);
+                let normal = [columns.normal_x[line], columns.normal_y[line]];
+                bend.add(self.frame, normal, normal[0] * cx + normal[1] * cy + columns.offset[line]);
+            },
         );
-        Split { crossing, signs, sum: sides.sum, sum_error: sides.sum_error }
+        Split { crossing, signs, sum: sides.sum, sum_error: sides.sum_error, bend }
     }
 }

@@ -6,6 +6,7 @@
 //! same pass tells exactly which crossings lie on the better side, and the search goes on among those: correct for every
 //! input, and with one pass whenever floating point was right.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use super::instance::{Instance, Surroundings};
@@ -18,7 +19,8 @@ use crate::tally::{Operation, Tally};
 /// A line to search along: any line of the plane, and its index if it is one of the instance.
 #[derive(Debug, Clone)]
 pub(crate) struct SearchLine {
-    pub(crate) exact: ExactLine,
+    /// Made when a decision needs it.
+    exact: OnceCell<ExactLine>,
     pub(crate) index: Option<u32>,
     normal: [f64; 2],
     offset: f64,
@@ -52,7 +54,7 @@ impl SearchLine {
     pub(crate) fn of(instance: &Instance, line: u32) -> Self {
         let normal = instance.normal(line);
         let offset = instance.columns.offset[line as usize];
-        Self { exact: instance.exact_line(line), index: Some(line), normal, offset }
+        Self { exact: OnceCell::new(), index: Some(line), normal, offset }
     }
 
     /// A line that need not be one of the instance, scaled to a normal of magnitude about 1.
@@ -60,7 +62,13 @@ impl SearchLine {
         let exact = exact.normalized();
         let normal = [exact.normal[0].to_f64(), exact.normal[1].to_f64()];
         let offset = exact.offset.to_f64();
-        Self { exact, index: None, normal, offset }
+        Self { exact: OnceCell::from(exact), index: None, normal, offset }
+    }
+
+    /// The line, exactly; it was made for this instance.
+    pub(crate) fn exact(&self, instance: &Instance) -> &ExactLine {
+        let of_instance = || instance.exact_line(self.index.expect("a free line is exact from the start"));
+        self.exact.get_or_init(of_instance)
     }
 
     fn direction(&self) -> [f64; 2] {
@@ -95,7 +103,7 @@ impl SearchLine {
     }
 
     fn exact_slope(&self, instance: &Instance, around: &Surroundings, forward: bool) -> Dyadic {
-        let direction = self.exact.direction();
+        let direction = self.exact(instance).direction();
         let slope = |g: &[Dyadic; 2]| &g[0] * &direction[0] + &g[1] * &direction[1];
         let along = slope(&instance.exact_gradient(&around.signs));
         let along = if forward { along } else { -along };
@@ -124,8 +132,13 @@ impl SearchLine {
         };
         loop {
             tally.add(Operation::Comparison, 2 * candidates.len() as u64);
-            let pivot = weighted_select(candidates, slope_to_gain, forward);
-            let vertex = Vertex::new(&self.exact, &instance.exact_line(pivot.line), [self.index, Some(pivot.line)]);
+            let order = |a: &Crossing, b: &Crossing| {
+                let order = a.position.total_cmp(&b.position).then(a.line.cmp(&b.line));
+                if forward { order } else { order.reverse() }
+            };
+            let pivot = *weighted_select(candidates, slope_to_gain, order, |c| c.weight);
+            let vertex =
+                Vertex::new(self.exact(instance), &instance.exact_line(pivot.line), [self.index, Some(pivot.line)]);
             instance.read_at(&vertex, around, tally);
             forward = if self.slope_sign(instance, around, true).is_lt() {
                 true
@@ -161,7 +174,7 @@ impl SearchLine {
     }
 
     fn minimum_without_crossings(&self, instance: &Instance) -> LineMinimum {
-        let [dx, dy] = self.exact.direction();
+        let [dx, dy] = self.exact(instance).direction();
         let [cx, cy] = instance.exact_linear();
         match (cx * &dx + cy * &dy).sign() {
             Ordering::Less => LineMinimum::Unbounded { forward: true },
@@ -209,24 +222,25 @@ impl SearchLine {
         }
         tally.add(Operation::ExactFallback, 1);
         let [a, b] = instance.exact_line(line).normal;
-        let [dx, dy] = self.exact.direction();
+        let [dx, dy] = self.exact(instance).direction();
         (a * dx + b * dy).sign() as i8
     }
 }
 
-/// The crossing at which the weights, added up in the order of positions (backward: in the reverse order), reach
-/// `target`; the last one if they never do. Expected O(n); the order of `crossings` is left changed.
-fn weighted_select(crossings: &mut [Crossing], target: f64, forward: bool) -> Crossing {
-    let order = |a: &Crossing, b: &Crossing| {
-        let order = a.position.total_cmp(&b.position).then(a.line.cmp(&b.line));
-        if forward { order } else { order.reverse() }
-    };
-    let mut range = &mut crossings[..];
+/// The item at which the weights, added up in the given order, reach `target`; the last one if they never do. Of at least one item;
+/// expected O(n); the order of `items` is left changed.
+pub(crate) fn weighted_select<T>(
+    items: &mut [T],
+    target: f64,
+    order: impl Fn(&T, &T) -> Ordering,
+    weight: impl Fn(&T) -> f64,
+) -> &T {
+    let mut range = items;
     let mut missing = target;
     while range.len() > 1 {
         let middle = (range.len() - 1) / 2;
-        range.select_nth_unstable_by(middle, order);
-        let below: f64 = range[..=middle].iter().map(|c| c.weight).sum();
+        range.select_nth_unstable_by(middle, &order);
+        let below: f64 = range[..=middle].iter().map(&weight).sum();
         if below >= missing {
             range = &mut range[..=middle];
         } else {
@@ -234,7 +248,7 @@ fn weighted_select(crossings: &mut [Crossing], target: f64, forward: bool) -> Cr
             range = &mut range[middle + 1..];
         }
     }
-    range[0]
+    &range[0]
 }
 
 /// Moves the crossings that satisfy a predicate to the front; returns how many they are.

@@ -91,6 +91,14 @@ impl LadOutcome {
             Self::Unbounded { .. } => None,
         }
     }
+
+    /// The optimum, if there is one, without the outcome.
+    pub fn into_optimum(self) -> Option<LadOptimum> {
+        match self {
+            Self::Optimal(optimum) => Some(optimum),
+            Self::Unbounded { .. } => None,
+        }
+    }
 }
 
 impl LadOptimum {

@@ -2,12 +2,13 @@
 
 use thiserror::Error;
 
+use super::cell::Cell;
 use super::exact_lines::{ExactLines, Rows};
 use super::instance::{Instance, Surroundings};
 use super::vertex::Vertex;
 use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
 /// One term weight · |normal · x + offset| of the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -179,6 +180,18 @@ impl<'a> LadProblem<'a> {
         let mut around = Surroundings::default();
         Instance::whole(self).read_at(&Vertex::at(point.clone()), &mut around, &mut ());
         around.signs
+    }
+
+    /// The lines that may pass between given points of the scaled frame, with W = 1, and the side of every other line on which all
+    /// of them lie; 0 for those lines. One pass, however many points.
+    pub(crate) fn sides_around(&self, points: &[[Dyadic; 3]]) -> (Vec<u32>, Vec<i8>) {
+        let center = [0, 1].map(|axis| points[0][axis].to_f64());
+        let widest = |axis: usize| {
+            let distance = |point: &[Dyadic; 3]| (&point[axis] - &Dyadic::from_f64(center[axis])).abs().to_f64();
+            points.iter().map(distance).fold(UNDERFLOW, f64::max) * (1.0 + 8.0 * UNIT)
+        };
+        let split = Cell::upright(center, [widest(0), widest(1)]).split(&Instance::whole(self), &mut ());
+        (split.crossing, split.signs)
     }
 
     /// W times the value of a line at a point of the scaled frame given in homogeneous coordinates.

@@ -49,7 +49,7 @@ pub(crate) fn descend(instance: &Instance, first: SearchLine, seed: u64, tally: 
             },
             LineMinimum::Unbounded { forward } => {
                 let along = line.index.map(|index| (index, forward));
-                return Solution::Unbounded { direction: oriented(line.exact.direction(), forward), along };
+                return Solution::Unbounded { direction: oriented(line.exact(instance).direction(), forward), along };
             }
             LineMinimum::Flat => unreachable!("where two lines cross, no line is parallel to both"),
         }
@@ -105,7 +105,7 @@ fn without_lines(instance: &Instance) -> Solution {
 
 fn with_parallel_lines(instance: &Instance, line: u32, seed: u64, tally: &mut impl Tally) -> Solution {
     let along = SearchLine::of(instance, line);
-    let [dx, dy] = along.exact.direction();
+    let [dx, dy] = along.exact(instance).direction();
     let [cx, cy] = instance.exact_linear();
     let slope = (cx * &dx + cy * &dy).sign();
     if slope != Ordering::Equal {
@@ -123,7 +123,7 @@ fn with_parallel_lines(instance: &Instance, line: u32, seed: u64, tally: &mut im
             Decision::Descend { .. } => unreachable!("the objective is constant along parallel lines"),
         },
         LineMinimum::Unbounded { forward } => {
-            Solution::Unbounded { direction: oriented(across.exact.direction(), forward), along: None }
+            Solution::Unbounded { direction: oriented(across.exact(instance).direction(), forward), along: None }
         }
         LineMinimum::Flat => unreachable!("the line across meets every line"),
     }

@@ -57,7 +57,7 @@ use crate::enclosing::bisectors::Bisectors;
 use crate::enclosing::outward::{round_outward, rounded_towards};
 use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
 use crate::hull::{ConvexHull, convex_hull_counted};
-use crate::lad::Method;
+use crate::lad::{LadOptimum, Method};
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
@@ -88,19 +88,21 @@ pub fn min_area_enclosing_zonogon_with(
     let bisectors = Bisectors::new(&hull, &farthest);
     let problem = bisectors.kernel_problem();
     let outcome = method.minimize(&problem, seed, tally);
-    let optimum = outcome.optimum().expect("an area is never negative, so the objective is bounded");
+    let optimum = outcome.into_optimum().expect("an area is never negative, so the objective is bounded");
     let optimal_center = bisectors.frame.center_of(&optimum.homogeneous_point(&problem));
     let kernel =
         Kernel { bisectors: &bisectors, problem: &problem, certificate: &optimum.certificate, center: &optimal_center };
     let mut rounded = Rounded::around(&RoundedCenter::nearest(&kernel), &bisectors, &hull, &farthest);
-    if rounded.is_loose() {
-        let nearby = Rounded::around(&RoundedCenter::best_nearby(&kernel), &bisectors, &hull, &farthest);
+    if rounded.is_loose()
+        && let Some(center) = RoundedCenter::best_nearby(&kernel)
+    {
+        let nearby = Rounded::around(&center, &bisectors, &hull, &farthest);
         if nearby.lower_bound >= rounded.lower_bound && nearby.area <= rounded.area {
             rounded = nearby;
         }
     }
     let Rounded { zonogon, area, lower_bound } = rounded;
-    let (face_dimension, certificate) = (optimum.face_dimension, optimum.certificate.clone());
+    let LadOptimum { face_dimension, certificate, .. } = optimum;
     drop(problem);
     Ok(MinAreaZonogon { zonogon, area, lower_bound, optimal_center, face_dimension, hull, farthest, certificate })
 }

@@ -36,49 +36,81 @@ impl Kernel<'_, '_> {
         // The centre lies between doubles, but rounding may take it beyond the largest one.
         [x.rounded_ratio(w), y.rounded_ratio(w)].map(|coordinate| coordinate.clamp(-f64::MAX, f64::MAX))
     }
+
+    /// A sum of values of lines, in the square of the unit of the input.
+    fn unscaled(&self, gap: Dyadic) -> Dyadic {
+        gap.scaled(2 * self.bisectors.frame.scale)
+    }
 }
 
 /// How many doubles on either side of the nearest one are looked at in each coordinate.
 const NEIGHBOURS: usize = 2;
 
+/// Up to this many lines between the candidates are evaluated exactly at each.
+const MOST_NEARBY: usize = 1 << 12;
+
 impl RoundedCenter {
     /// The doubles nearest to the optimal centre.
     pub(super) fn nearest(kernel: &Kernel) -> Self {
-        Self::at(kernel.rounded_center(), kernel, &[])
+        let point = kernel.rounded_center();
+        let kernel_point = kernel.bisectors.kernel_point(&homogeneous(point));
+        let sides = kernel.problem.signs_at(&kernel_point);
+        let unlike = unlike_certificate(&sides, kernel.certificate);
+        let gap = unlike
+            .filter(|&line| sides[line] != 0)
+            .fold(Dyadic::zero(), |gap, line| gap + kernel.problem.exact_scaled_value(line, &kernel_point).abs());
+        Self { point, sides, gap: kernel.unscaled(gap) }
     }
 
-    /// The best of the nearest doubles and their neighbours. O(h) exact operations for h edges.
-    pub(super) fn best_nearby(kernel: &Kernel) -> Self {
-        let basis = kernel.certificate.basis_fractions(kernel.problem);
+    /// The best of the nearest doubles and their neighbours; `None` where too many lines pass between them to be worth it. O(h).
+    pub(super) fn best_nearby(kernel: &Kernel) -> Option<Self> {
+        let Kernel { bisectors, problem, certificate, .. } = kernel;
         let [x, y] = kernel.rounded_center().map(neighbours);
-        let candidates = x.iter().flat_map(|&x| y.iter().map(move |&y| [x, y]));
-        let centers = candidates.map(|point| Self::at(point, kernel, &basis));
-        centers.min_by(|a, b| a.gap.cmp(&b.gap)).expect("the nearest doubles are among the candidates")
+        let points: Vec<[f64; 2]> = x.iter().flat_map(|&x| y.iter().map(move |&y| [x, y])).collect();
+        let kernel_points: Vec<[Dyadic; 3]> =
+            points.iter().map(|&point| bisectors.kernel_point(&homogeneous(point))).collect();
+        let (near, mut sides) = problem.sides_around(&kernel_points);
+        if near.len() > MOST_NEARBY {
+            return None;
+        }
+        let basis = certificate.basis_fractions(problem);
+        let mut lines: Vec<usize> = near.iter().map(|&line| line as usize).collect();
+        // the sides of the lines nearby are still zero
+        lines.extend(unlike_certificate(&sides, certificate).filter(|&line| sides[line] != 0));
+        let gap_at = |kernel_point: &[Dyadic; 3]| {
+            lines.iter().fold(Dyadic::zero(), |gap, &line| {
+                let value = problem.exact_scaled_value(line, kernel_point);
+                let side = value.sign() as i8;
+                let coefficient =
+                    certificate.basis.iter().position(|l| l.position() == line).and_then(|k| basis.get(k));
+                match coefficient {
+                    _ if side == 0 || side == certificate.signs[line] => gap,
+                    Some(delta) => gap + basis_term(&value, delta),
+                    None => gap + value.abs(),
+                }
+            })
+        };
+        let gaps = kernel_points.iter().map(gap_at).enumerate();
+        let (best, gap) = gaps.min_by(|a, b| a.1.cmp(&b.1)).expect("the nearest doubles are among the candidates");
+        for &line in &near {
+            sides[line as usize] = problem.exact_scaled_value(line as usize, &kernel_points[best]).sign() as i8;
+        }
+        Some(Self { point: points[best], sides, gap: kernel.unscaled(gap) })
     }
 
     /// Z(O) at the centre.
     pub(super) fn boundary<'h>(&self, hull: &'h ConvexHull, farthest: &[FarthestVertex]) -> CenteredZonogon<'h> {
         CenteredZonogon::from_sides(hull, farthest, self.point, &homogeneous(self.point), &self.sides)
     }
+}
 
-    /// A centre with its gap, sharply if the coefficients of the basis are given.
-    fn at(point: [f64; 2], kernel: &Kernel, basis: &[[Dyadic; 2]]) -> Self {
-        let Kernel { bisectors, problem, certificate, .. } = kernel;
-        let kernel_point = bisectors.kernel_point(&homogeneous(point));
-        let sides = problem.signs_at(&kernel_point);
-        let mut gap = Dyadic::zero();
-        let blocks = sides.chunks(BLOCK).zip(certificate.signs.chunks(BLOCK)).enumerate();
-        for (block, (sides, signs)) in blocks.filter(|(_, (sides, signs))| sides != signs) {
-            for i in (0..sides.len()).filter(|&i| sides[i] != 0 && sides[i] != signs[i]) {
-                let line = block * BLOCK + i;
-                let value = problem.exact_scaled_value(line, &kernel_point);
-                let coefficient =
-                    certificate.basis.iter().position(|l| l.position() == line).and_then(|k| basis.get(k));
-                gap = gap + coefficient.map_or_else(|| value.clone().abs(), |delta| basis_term(&value, delta));
-            }
-        }
-        Self { point, sides, gap: gap.scaled(2 * bisectors.frame.scale) }
-    }
+/// The lines whose side is not their sign in the certificate.
+fn unlike_certificate<'a>(sides: &'a [i8], certificate: &'a LadCertificate) -> impl Iterator<Item = usize> + 'a {
+    let blocks = sides.chunks(BLOCK).zip(certificate.signs.chunks(BLOCK)).enumerate();
+    blocks.filter(|(_, (sides, signs))| sides != signs).flat_map(|(block, (sides, signs))| {
+        let unlike = (0..sides.len()).filter(|&i| sides[i] != signs[i]);
+        unlike.map(move |i| block * BLOCK + i)
+    })
 }
 
 /// Edges whose signs are compared at once.
