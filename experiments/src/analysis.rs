@@ -44,12 +44,11 @@ impl FittedGrowth {
     }
 }
 
-/// All fits of one experiment.
+/// All fits of one experiment: each plan on each of its families, over all sizes and over the last doublings.
 pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
     let one = |plan: &FitPlan, family| {
-        let (mut samples, left_out) = samples(experiment.id, family, plan.variant, plan.quantity, records);
-        samples.retain(|&(n, _)| n >= plan.smallest as f64);
-        FittedGrowth {
+        let (samples, left_out) = samples(experiment.id, family, plan.variant, plan.quantity, records);
+        let of = |samples: Vec<(f64, f64)>| FittedGrowth {
             experiment: experiment.id,
             family,
             variant: plan.variant,
@@ -58,9 +57,17 @@ pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
             growth: fit::fit_growth(&samples, plan.models),
             samples,
             left_out,
-        }
+        };
+        let last = fit::last_doublings(&samples).to_vec();
+        (of(samples), of(last))
     };
-    experiment.fits.iter().flat_map(|plan| plan.families.iter().map(move |&family| one(plan, family))).collect()
+    let of_plan = |plan: &'static FitPlan| {
+        let (whole, last): (Vec<_>, Vec<_>) = plan.families.iter().map(|&family| one(plan, family)).unzip();
+        let shorter = last.into_iter().zip(&whole).filter(|(last, whole)| last.samples.len() < whole.samples.len());
+        let shorter: Vec<FittedGrowth> = shorter.map(|(last, _)| last).collect();
+        [whole, shorter].concat()
+    };
+    experiment.fits.iter().flat_map(of_plan).collect()
 }
 
 /// The samples (n, y) of a quantity by increasing size, and the number of rows that are no evidence.

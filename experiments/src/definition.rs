@@ -84,7 +84,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// A growth law that an experiment looks for: one fit for every family.
+/// A growth law that an experiment looks for: for every family one fit over all sizes, and one over the last doublings.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPlan {
     /// What is fitted.
@@ -93,8 +93,6 @@ pub struct FitPlan {
     pub variant: &'static str,
     /// On which families, one fit each.
     pub families: &'static [&'static str],
-    /// Smaller sizes are left out; 0 for the whole range. A plan that leaves some out stands beside one that does not.
-    pub smallest: usize,
     /// What it is compared with.
     pub models: &'static [GrowthModel],
     /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth contradicts it.
@@ -109,13 +107,7 @@ impl FitPlan {
         bound: Option<GrowthModel>,
     ) -> Self {
         let models = GrowthModel::RUNNING_TIMES;
-        Self { quantity: Quantity::AllCounts, variant, families, smallest: 0, models, bound }
-    }
-
-    /// The same with sizes below `smallest` left out.
-    #[must_use]
-    pub const fn from_size(self, smallest: usize) -> Self {
-        Self { smallest, ..self }
+        Self { quantity: Quantity::AllCounts, variant, families, models, bound }
     }
 
     /// The same on another quantity.

@@ -62,25 +62,16 @@ impl GrowthPlot {
         if samples.is_empty() {
             return None;
         }
-        let smallest = self.smallest_fitted(variant.id, family);
-        let fitted: Vec<(f64, f64)> = samples.iter().copied().filter(|&(n, _)| n >= smallest).collect();
         let mut curve = Curve {
             name: variant.title.to_owned(),
             notes: family_name.map(|name| format!("on {name}")).into_iter().collect(),
             points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
             fit: Vec::new(),
         };
-        if let Ok(growth) = fit::fit_growth(&fitted, GrowthModel::RUNNING_TIMES) {
+        if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), GrowthModel::RUNNING_TIMES) {
             self.add_fit(&mut curve, &growth);
         }
         Some(curve)
-    }
-
-    /// The size from which the experiment expects the variant's growth law to show.
-    fn smallest_fitted(&self, variant: &str, family: &str) -> f64 {
-        let plans = self.experiment.fits.iter();
-        let of_this = plans.filter(|plan| plan.variant == variant && plan.families.contains(&family));
-        of_this.map(|plan| plan.smallest).max().unwrap_or(0) as f64
     }
 
     /// The best model if the samples are consistent with it, else the power law.

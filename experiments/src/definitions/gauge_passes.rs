@@ -26,7 +26,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         quantity: Quantity::Value("passes"),
         variant: "by_lad",
         families: BODY_FAMILIES,
-        smallest: 0,
         models: GrowthModel::ALL,
         bound: Some(GrowthModel::Constant),
     }],

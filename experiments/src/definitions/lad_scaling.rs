@@ -9,23 +9,18 @@ use zonotope::tally::{Operation, OperationCounts};
 /// Random lines, and the lines of 4.1 for points that are (nearly) all on their hull.
 const FAMILIES: &[&str] = &["random_lines", "circle", "ellipse", "random_convex", "regular_polygon"];
 
-/// Pruning hands at most 400 lines to the line searches, and solves a sample and a remainder of about n^(2/3) lines each. Line searches
-/// were counted to take about a dozen passes at these sizes: 24 n^(2/3) evaluations, fewer than the n of the pass over all
-/// lines only from 24^3 on, about 2^14. This start was set after those counts had been seen; the fit over all sizes stands beside it.
-const PRUNING_REGIME: usize = 1 << 14;
-
 /// Operations and time of each kernel method against the number of lines.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "lad-scaling",
     title: "Least absolute deviations kernel: growth with the number of lines",
     question: "The paper's search by slope selection grows like n log^2 n, and slower when all lines meet in one point (regular \
-               polygons). Pruning grows no faster than n; over these sizes it grows slower, since the passes over a sample and a \
-               remainder of about n^(2/3) lines are still a large part, and n comes into its own from 2^14 on. A line search costs \
+               polygons). Pruning reads every line about once, and besides a sample and a remainder of about n^(2/3) lines, which \
+               small inputs feel: over all sizes it grows slower than n, over the last doublings nearly like n. A line search costs \
                O(n), and the number of searches grows like log n.",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
     real_inputs: &[],
-    sizes: super::KERNEL_SIZES,
+    sizes: super::PRUNING_SIZES,
     instances: PerProfile { quick: 3, full: 5 },
     variants: &[
         Variant {
@@ -33,7 +28,11 @@ pub const EXPERIMENT: Experiment = Experiment {
             title: "Slope selection (the paper's search)",
             largest: PerProfile { quick: 1 << 14, full: 1 << 16 },
         },
-        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
+        Variant {
+            id: "by_line_search",
+            title: "Line searches",
+            largest: PerProfile { quick: 1 << 17, full: usize::MAX },
+        },
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
@@ -42,7 +41,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),
         FitPlan::of_operations("by_line_search", FAMILIES, None),
         FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)),
-        FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)).from_size(PRUNING_REGIME),
     ],
 };
 

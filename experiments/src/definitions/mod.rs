@@ -55,7 +55,10 @@ const POWERS_OF_TWO: [usize; 15] = {
 /// Powers of two from 2^6: to 2^14 in the quick profile, to 2^20 in the full one.
 pub const SCALING_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(9).0, full: &POWERS_OF_TWO };
 
-/// The same for the kernel alone, which is fast enough for 2^17 in the quick profile.
+/// Powers of two from 2^6 to 2^20, for the operation counts of pruning, which are quickly had.
+pub const PRUNING_SIZES: PerProfile<&[usize]> = PerProfile::both(&POWERS_OF_TWO);
+
+/// The same for the kernel's other methods and for times: to 2^17 in the quick profile.
 pub const KERNEL_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(12).0, full: &POWERS_OF_TWO };
 
 /// Every family of bodies in space whose questions can be asked at every size.

@@ -1,6 +1,6 @@
 //! How often pruning reads its input.
 
-use super::{KERNEL_SIZES, lad_scaling};
+use super::{PRUNING_SIZES, lad_scaling};
 use crate::definition::{Experiment, FitPlan, PerProfile, Quantity, Variant};
 use crate::fit::GrowthModel;
 
@@ -16,7 +16,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     claims: &["theorem-4.5"],
     families: FAMILIES,
     real_inputs: &[],
-    sizes: KERNEL_SIZES,
+    sizes: PRUNING_SIZES,
     instances: PerProfile { quick: 3, full: 5 },
     variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
     measure: lad_scaling::measure,
@@ -25,7 +25,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         quantity: Quantity::Value("passes"),
         variant: "by_pruning",
         families: FAMILIES,
-        smallest: 0,
         models: GrowthModel::ALL,
         bound: Some(GrowthModel::Constant),
     }],

@@ -39,6 +39,9 @@ use serde::Serialize;
 /// 0.11 at 2^13, the geometric middle of 2^6 .. 2^20, and 0.14 at 2^10. Less than half of the smaller one is 0.05.
 pub const EXPONENT_SLACK: f64 = 0.05;
 
+/// The second fit of every growth law is over this many doublings of the size, up to the largest.
+pub const LAST_DOUBLINGS: i32 = 4;
+
 /// With fewer samples an interval says nothing.
 pub const FEWEST_SAMPLES: usize = 4;
 
@@ -174,6 +177,13 @@ pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Grow
         aicc: aicc(samples.len(), power.residual_squares, 3),
         models,
     })
+}
+
+/// The samples, by increasing size, that are at most [`LAST_DOUBLINGS`] doublings smaller than the largest.
+pub fn last_doublings(samples: &[(f64, f64)]) -> &[(f64, f64)] {
+    let largest = samples.last().map_or(0.0, |&(n, _)| n);
+    let smallest = libm::ldexp(largest, -LAST_DOUBLINGS);
+    &samples[samples.partition_point(|&(n, _)| n < smallest)..]
 }
 
 fn fit_model(samples: &[(f64, f64)], model: GrowthModel) -> ModelFit {

@@ -77,6 +77,20 @@ fn quantiles_agree_with_tables_beyond_the_table() {
 }
 
 #[test]
+fn the_last_doublings_see_past_a_lower_order_term() {
+    // n + n^(2/3) is n times 1.25 at 2^6, 1.04 at 2^14 and 1.02 at 2^18.
+    let samples = synthetic(|n| n + libm::cbrt(n * n), 0.0);
+    let last = last_doublings(&samples);
+    assert_eq!((last.len(), last[0].0), (5 * 3, f64::from(1 << 14)));
+    let excess = |samples| {
+        let growth = fit_growth(samples, &[GrowthModel::Linear]).expect("enough samples");
+        growth.models[0].excess_exponent.value
+    };
+    assert!(excess(&samples) < 2.0 * excess(last) && excess(last) < 0.0);
+    assert!(last_doublings(&[]).is_empty());
+}
+
+#[test]
 fn unusable_samples_are_refused() {
     assert_eq!(
         fit_growth(&[(4.0, 1.0), (4.0, 2.0), (8.0, 2.0), (8.0, 3.0)], &[]),

@@ -11,7 +11,8 @@ use super::html::{Escaped, badge, grouped, table};
 pub(super) fn measurements(fits: &[FittedGrowth]) -> Vec<Measurement> {
     let judged = |fit: &&FittedGrowth| fit.is_deterministic() && fit.verdict().is_some();
     let fits: Vec<&FittedGrowth> = fits.iter().filter(judged).collect();
-    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound);
+    let smallest = |fit: &FittedGrowth| fit.samples.first().map(|&(n, _)| n);
+    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound, smallest(fit));
     fits.chunk_by(|a, b| topic(a) == topic(b)).filter_map(measurement).collect()
 }
 

@@ -305,7 +305,8 @@ fn reading_section(evidence: &Evidence) -> String {
     format!(
         "<section id=\"reading\">\n<h2>How to read and repeat this</h2>\n\
          <p><b>Growth</b> is judged on operation counts, which are the same on every machine. An exponent <i>a</i> is that of the best \
-         power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval. “Beyond it” is the exponent that remains after \
+         power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval; every law is fitted over all sizes and over the last four \
+         doublings. “Beyond it” is the exponent that remains after \
          division by the bound: near zero means consistent, below zero that the count grows slower still. “Closest” names the law \
          among n, n log n, n log² n and n² that fits best.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held wherever it was tried; \
