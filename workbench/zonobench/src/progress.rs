@@ -1,12 +1,19 @@
 //! Progress bars on standard error; silent when that is no terminal.
 
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A bar that vanishes when it is dropped.
+/// What is done sooner needs no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// A bar that appears after a second and vanishes when it is dropped.
 #[derive(Debug)]
-pub struct Progress(ProgressBar);
+pub struct Progress {
+    bar: ProgressBar,
+    shown: OnceLock<()>,
+}
 
 impl Progress {
     /// A bar of known length.
@@ -22,31 +29,40 @@ impl Progress {
     }
 
     fn drawn(bar: ProgressBar, style: ProgressStyle, what: &str) -> Self {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
         bar.set_style(style);
         bar.set_prefix(what.to_owned());
-        Self(bar)
+        Self { bar, shown: OnceLock::new() }
     }
 
     /// One more is done.
     pub fn step(&self) {
-        self.0.inc(1);
+        self.bar.inc(1);
+        self.show_in_time();
+    }
+
+    fn show_in_time(&self) {
+        if self.bar.elapsed() >= PATIENCE {
+            self.shown.get_or_init(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
+        }
     }
 
     /// A part is done, and the next one has another name.
     pub fn next(&self, what: &str) {
-        self.0.set_prefix(what.to_owned());
+        self.bar.set_prefix(what.to_owned());
         self.step();
     }
 
     /// So many are done.
     pub fn reach(&self, done: u64) {
-        self.0.set_position(done);
+        self.bar.set_position(done);
+        self.show_in_time();
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }
 
