@@ -7,6 +7,24 @@ use proptest::prelude::*;
 
 use crate::numbers::{any_magnitude, lattice, moved_by_ulps, plain, power_of_two, scale};
 
+/// One test for each family: `$check` on `$cases` draws of `$strategy`, which is given the family.
+#[macro_export]
+macro_rules! test_on_point_families {
+    ($strategy:expr, $cases:expr, $check:expr) => {
+        $crate::test_on_point_families!(
+            $strategy, $cases, $check;
+            generic lattice_points collinear duplicates symmetric regular_polygons near_parallel scaled one_ulp mixed_scales
+            staggered ends_of_the_range
+        );
+    };
+    ($strategy:expr, $cases:expr, $check:expr; $($family:ident)*) => {$(
+        #[test]
+        fn $family() {
+            $crate::runner::for_all(&$strategy($crate::point_families::$family()), $cases, $check);
+        }
+    )*};
+}
+
 /// A point of the plane.
 pub type Point = [f64; 2];
 /// A strategy for point sets.

@@ -3,8 +3,7 @@
 use dashu_ratio::RBig;
 use paper_checks::plane;
 use proptest::prelude::*;
-use tests::point_families::{self, Point, Points};
-use tests::runner::for_all;
+use tests::point_families::{Point, Points};
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;
@@ -53,26 +52,4 @@ fn agrees((points, center): (Vec<Point>, Point)) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-macro_rules! families {
-    ($($family:ident),*) => {$(
-        #[test]
-        fn $family() {
-            for_all(&with_center(point_families::$family()), CASES, agrees);
-        }
-    )*};
-}
-
-families!(
-    generic,
-    lattice_points,
-    collinear,
-    duplicates,
-    symmetric,
-    regular_polygons,
-    near_parallel,
-    scaled,
-    one_ulp,
-    mixed_scales,
-    staggered,
-    ends_of_the_range
-);
+tests::test_on_point_families!(with_center, CASES, agrees);

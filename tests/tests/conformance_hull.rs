@@ -1,11 +1,11 @@
 //! The convex hull and the farthest vertices against exact twins, on all point families.
 
 use std::cmp::Ordering;
+use std::convert::identity;
 
 use paper_checks::plane;
 use proptest::prelude::*;
-use tests::point_families::{self, Point};
-use tests::runner::for_all;
+use tests::point_families::Point;
 use zonotope::hull::{antipodal, brute_force, convex_hull, verify};
 
 const CASES: u32 = 400;
@@ -34,26 +34,4 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-macro_rules! families {
-    ($($family:ident),*) => {$(
-        #[test]
-        fn $family() {
-            for_all(&point_families::$family(), CASES, agrees);
-        }
-    )*};
-}
-
-families!(
-    generic,
-    lattice_points,
-    collinear,
-    duplicates,
-    symmetric,
-    regular_polygons,
-    near_parallel,
-    scaled,
-    one_ulp,
-    mixed_scales,
-    staggered,
-    ends_of_the_range
-);
+tests::test_on_point_families!(identity, CASES, agrees);

@@ -69,37 +69,16 @@ fn methods_agree(instance: Instance) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-macro_rules! families {
-    ($($family:ident: $most:literal),* $(,)?) => {
-        mod small {
-            $(#[test]
-            fn $family() {
-                super::for_all(&super::line_families::$family(1..=$most), super::CASES, super::agrees);
-            })*
-        }
+tests::test_on_line_families!(mod small: 1..=9, mixed 1..=6, CASES, agrees);
+// beyond the size up to which pruning leaves the work to line searches
+tests::test_on_line_families!(mod large: 51..=900, mixed 51..=900, LARGE_CASES, methods_agree);
 
-        /// Beyond the size up to which pruning leaves the work to line searches.
-        mod large {
-            $(#[test]
-            fn $family() {
-                super::for_all(&super::line_families::$family(401..=900), super::LARGE_CASES, super::methods_agree);
-            })*
-        }
-    };
+#[test]
+fn few_barely_bounded() {
+    for_all(&line_families::barely_bounded(1..=9), CASES, agrees);
 }
 
-families!(
-    generic: 9,
-    lattice_lines: 9,
-    concurrent: 9,
-    parallel: 9,
-    axis_parallel: 9,
-    near_parallel: 9,
-    duplicates: 9,
-    symmetric: 9,
-    regular_polygons: 9,
-    barely_bounded: 9,
-    scaled: 9,
-    one_ulp: 9,
-    mixed_scales: 6,
-);
+#[test]
+fn many_barely_bounded() {
+    for_all(&line_families::barely_bounded(51..=900), LARGE_CASES, methods_agree);
+}

@@ -1,11 +1,13 @@
 //! The whole of section 4.1 against the exact twin, with every method of the kernel, on all point families.
 
+use std::convert::identity;
+
 use dashu_ratio::RBig;
 use paper_checks::plane;
 use proptest::prelude::*;
 use tests::kernel_twin::exactly;
 use tests::numbers::power_of_two;
-use tests::point_families::{self, Point};
+use tests::point_families::Point;
 use tests::runner::for_all;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
 use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, brute_force, min_area_enclosing_zonogon_with, verify};
@@ -85,29 +87,7 @@ fn bounds_hold(points: &[Point], least: &RBig, answer: &MinAreaZonogon) -> Resul
     Ok(())
 }
 
-macro_rules! families {
-    ($($family:ident),*) => {$(
-        #[test]
-        fn $family() {
-            for_all(&point_families::$family(), CASES, agrees);
-        }
-    )*};
-}
-
-families!(
-    generic,
-    lattice_points,
-    collinear,
-    duplicates,
-    symmetric,
-    regular_polygons,
-    near_parallel,
-    scaled,
-    one_ulp,
-    mixed_scales,
-    staggered,
-    ends_of_the_range
-);
+tests::test_on_point_families!(identity, CASES, agrees);
 
 /// Hulls that are neither thin nor far from the origin keep within a relative 1e-12.
 #[test]

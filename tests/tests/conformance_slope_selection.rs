@@ -3,8 +3,7 @@
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 use tests::kernel_twin::Exact;
-use tests::line_families::{self, Instance};
-use tests::runner::for_all;
+use tests::line_families::Instance;
 use zonotope::arrangement::LineArrangement;
 use zonotope::arrangement::slope_selection::{brute_force, randomized};
 
@@ -61,35 +60,5 @@ fn some_ranks_agree(instance: Instance) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-macro_rules! families {
-    ($($family:ident: $most:literal),* $(,)?) => {
-        mod small {
-            $(#[test]
-            fn $family() {
-                super::for_all(&super::line_families::$family(1..=$most), super::CASES, super::agrees);
-            })*
-        }
-
-        mod large {
-            $(#[test]
-            fn $family() {
-                super::for_all(&super::line_families::$family(40..=90), super::LARGE_CASES, super::some_ranks_agree);
-            })*
-        }
-    };
-}
-
-families!(
-    generic: 12,
-    lattice_lines: 12,
-    concurrent: 12,
-    parallel: 12,
-    axis_parallel: 12,
-    near_parallel: 12,
-    duplicates: 12,
-    symmetric: 12,
-    regular_polygons: 12,
-    scaled: 12,
-    one_ulp: 12,
-    mixed_scales: 7,
-);
+tests::test_on_line_families!(mod small: 1..=12, mixed 1..=7, CASES, agrees);
+tests::test_on_line_families!(mod large: 40..=90, mixed 40..=90, LARGE_CASES, some_ranks_agree);
