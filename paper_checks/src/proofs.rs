@@ -72,9 +72,9 @@ fn solve(columns: &[&Vector], right: Vector) -> Option<Vec<RBig>> {
         rows[pivot].iter_mut().for_each(|value| *value /= &head);
         for other in (0..3).filter(|&other| other != pivot) {
             let factor = rows[other][pivot].clone();
-            for k in pivot..=width {
-                let change = &factor * &rows[pivot][k];
-                rows[other][k] -= change;
+            let pivot_row = rows[pivot].clone();
+            for (value, head) in rows[other].iter_mut().zip(&pivot_row) {
+                *value -= &factor * head;
             }
         }
     }

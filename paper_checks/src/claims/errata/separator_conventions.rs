@@ -19,7 +19,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement::separator"],
     figures: &["separators"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Two generators whose chain by steps of v' ends inside Q, and generators without a line or with a vertical one.

@@ -19,7 +19,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// The facets that look up: one for each pair, of the pair's shape; their areas add up to that of Q, and points of Q lie in one of them.

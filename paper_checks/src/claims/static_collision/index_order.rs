@@ -19,7 +19,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "separators"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Of two tiles with a common edge that is not horizontal, the one on its right has the larger dual x.
