@@ -11,7 +11,7 @@ use experiments::families::bodies::question::Question;
 
 /// A method, ready to be asked.
 pub struct Contender {
-    /// Stable name; [`experiments::peers::title`] has the name for people.
+    /// Stable name; the tables of `experiments::peers` have the name for people.
     pub id: &'static str,
     /// Larger bodies are not given to it.
     pub largest: usize,
