@@ -46,6 +46,8 @@ pub(super) struct Reply {
     pub location: Location<3>,
     /// The gauge, from methods that compute it.
     pub gauge: Option<f64>,
+    /// How far that may be from the true one, by the method's own word.
+    pub error: f64,
 }
 
 /// Asks the method that a variant names.
@@ -57,17 +59,21 @@ pub(super) fn ask(
 ) -> Result<Reply, String> {
     match variant {
         "by_lad" => {
-            let Gauge { value, location, .. } = by_lad::gauge_counted(displacement, tally);
-            Ok(Reply { location, gauge: Some(value) })
+            let Gauge { value, error, location } = by_lad::gauge_counted(displacement, tally);
+            Ok(Reply { location, gauge: Some(value), error })
         }
-        "by_lad_location" => Ok(Reply { location: by_lad::locate_counted(displacement, tally), gauge: None }),
-        "by_slope_selection" => {
-            Ok(Reply { location: by_slope_selection::locate_counted(displacement, seed, tally), gauge: None })
+        "by_lad_location" => {
+            Ok(Reply { location: by_lad::locate_counted(displacement, tally), gauge: None, error: 0.0 })
         }
+        "by_slope_selection" => Ok(Reply {
+            location: by_slope_selection::locate_counted(displacement, seed, tally),
+            gauge: None,
+            error: 0.0,
+        }),
         "by_explicit_faces" => {
-            let Gauge { value, location, .. } =
+            let Gauge { value, error, location } =
                 by_explicit_faces::gauge_counted(displacement, tally).map_err(|error| error.to_string())?;
-            Ok(Reply { location, gauge: Some(value) })
+            Ok(Reply { location, gauge: Some(value), error })
         }
         _ => Err(format!("no method of collision is called {variant}")),
     }
@@ -82,7 +88,7 @@ impl Reply {
         }
         let excess = self.gauge.map_or(0.0, |gauge| gauge - 1.0);
         let [low, high] = question.excess;
-        let slack = 1e-14 * (1.0 + high.abs());
+        let slack = self.error + 1e-14 * (1.0 + high.abs());
         if self.gauge.is_some() && !(low - slack..=high + slack).contains(&excess) {
             return Verdict::Wrong(format!("a gauge of 1 + {excess:e}, certified to lie in 1 + [{low:e}, {high:e}]"));
         }

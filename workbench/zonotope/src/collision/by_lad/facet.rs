@@ -40,8 +40,8 @@ impl<'q> Facet<'q> {
         let kind = match search(question, &p, until_separated, tally) {
             Found::Separated(direction) => Kind::Separated(direction),
             Found::Certain(certain, cell) => match (certain.along - certain.reach).sign() {
-                Some(sign) => Kind::Certain(certain, cell, sign.cmp(&0)),
-                None => Kind::Exact(Box::new(Exit::of_certain(question, &question.exact(), &certain, cell.as_ref()))),
+                Some(sign) if is_sharp(&certain) => Kind::Certain(certain, cell, sign.cmp(&0)),
+                _ => Kind::Exact(Box::new(Exit::of_certain(question, &question.exact(), &certain, cell.as_ref()))),
             },
             Found::Reduced(reduced) => {
                 let exact = question.exact();
@@ -178,6 +178,15 @@ fn separation(certain: &Certain, p: &BoundedVector) -> Option<Separation<3>> {
     let direction = certain.direction.map(|c| c.value);
     (gap - lost).is_positive().then_some(Separation::Rounded(direction))
 }
+
+/// Whether the gauge is known to one part in 2^44; where terms of the reach cancel, the exact one is taken instead.
+fn is_sharp(certain: &Certain) -> bool {
+    let (value, error) = quotient(certain.along, certain.reach);
+    error <= value * SHARP
+}
+
+/// 2^-44.
+const SHARP: f64 = 256.0 * f64::EPSILON;
 
 /// a / b for a and b positive, with a bound for its error.
 fn quotient(a: Bounded, b: Bounded) -> (f64, f64) {
