@@ -56,10 +56,14 @@ pub(crate) fn descend(instance: &Instance, first: SearchLine, seed: u64, tally: 
     }
 }
 
-/// From a point on lines of the instance: decides there, and descends if it is not a minimiser.
+/// From a point on a line of the instance: where two lines cross decides there, and descends if it is not a minimiser.
 pub(crate) fn descend_from(instance: &Instance, start: Vertex, seed: u64, tally: &mut impl Tally) -> Solution {
     let mut around = Surroundings::default();
     instance.read_at(&start, &mut around, tally);
+    let first = *around.through.first().expect("the point is on a line of the instance");
+    if around.through.iter().all(|&line| instance.cross_sign(first, line) == Ordering::Equal) {
+        return descend(instance, SearchLine::of(instance, first), seed, tally);
+    }
     let line = match decide(instance, &around, seed, tally) {
         Decision::Optimal { through, basis, face_dimension } if basis.len() == 2 => {
             return at_vertex(instance, start, around, through, basis, face_dimension);

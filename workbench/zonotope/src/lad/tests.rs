@@ -137,3 +137,17 @@ fn large_instances_are_pruned_and_verified() {
     }
     assert!(values.windows(2).all(|pair| pair[0] == pair[1]));
 }
+
+/// Pruning this far starts from a sample whose lines are all parallel: its optimum is on lines of the problem, but where none cross.
+#[test]
+fn the_optimum_of_parallel_samples_is_no_vertex() {
+    let line = |normal, offset, weight| WeightedLine { normal, offset, weight };
+    let lines = [
+        line([-1.0, -1.0], -1.0, 1.0),
+        line([-2.0, 0.0], 0.0, 1.0),
+        line([2.0, 2.0], 0.0, 1e150),
+        line([1.0, -1.0], 1.0, 1.0),
+        line([-2.0, -2.0], -2.0, 0.1),
+    ];
+    check(&lines, [0.0, 0.0]).expect("all methods agree with the truth");
+}
