@@ -1,4 +1,5 @@
-//! Real inputs, compiled into the program: country outlines and airports. Sources and licences: `data/SOURCES.md`.
+//! Real inputs, compiled into the program: country outlines and airports in the plane, meshes in space, flowers in four dimensions.
+//! Sources and licences: `data/SOURCES.md`.
 
 use std::sync::LazyLock;
 
@@ -9,6 +10,17 @@ pub struct Outline {
     pub name: &'static str,
     /// The ring's corners in order, the first not repeated at the end unless the file does.
     pub points: Vec<[f64; 2]>,
+}
+
+/// A triangle mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Stable name: the file `data/<name>.obj`.
+    pub name: &'static str,
+    /// The vertices of its parts, one part after the other.
+    pub vertices: Vec<[f64; 3]>,
+    /// Three vertices a triangle, from 0.
+    pub triangles: Vec<[usize; 3]>,
 }
 
 macro_rules! outline_files {
@@ -38,6 +50,26 @@ static OUTLINES: LazyLock<Vec<Outline>> = LazyLock::new(|| {
 
 static AIRPORTS: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| columns(AIRPORTS_FILE, ["longitude", "latitude"]));
 
+macro_rules! mesh_files {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../data/", $name, ".obj")))),*]
+    };
+}
+
+static MESH_FILES: [(&str, &str); 5] =
+    mesh_files!["assimp_spider", "assimp_wuson", "cgal_cow", "cgal_fandisk", "teapot"];
+
+static MESHES: LazyLock<Vec<Mesh>> =
+    LazyLock::new(|| MESH_FILES.iter().map(|&(name, text)| mesh_of(name, text)).collect());
+
+static IRIS_FILE: &str = include_str!("../data/iris.csv");
+
+static IRIS: LazyLock<Vec<[f64; 4]>> = LazyLock::new(|| {
+    let mut reader = csv::Reader::from_reader(IRIS_FILE.as_bytes());
+    let rows = reader.records().map(|record| record.expect("an embedded file is rectangular"));
+    rows.map(|row| [0, 1, 2, 3].map(|c| row[c].parse().expect("an embedded column is numeric"))).collect()
+});
+
 /// The ten country outlines, in alphabetical order.
 pub fn outlines() -> &'static [Outline] {
     &OUTLINES
@@ -59,6 +91,36 @@ pub fn points(name: &str) -> Option<&'static [[f64; 2]]> {
         "airports" => Some(airports()),
         _ => outline(name).map(|outline| outline.points.as_slice()),
     }
+}
+
+/// The five meshes, in alphabetical order.
+pub fn meshes() -> &'static [Mesh] {
+    &MESHES
+}
+
+/// The mesh called `name`, if there is one.
+pub fn mesh(name: &str) -> Option<&'static Mesh> {
+    meshes().iter().find(|mesh| mesh.name == name)
+}
+
+/// Fisher's iris: length and width of sepal and petal of 150 flowers, in centimetres.
+pub fn iris() -> &'static [[f64; 4]] {
+    &IRIS
+}
+
+/// The triangles of an OBJ text. The files are part of the program, so a broken one is a broken build.
+fn mesh_of(name: &'static str, text: &str) -> Mesh {
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
+    let no_materials = |_: &std::path::Path| tobj::MTLLoadResult::Ok(Default::default());
+    let (parts, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials).expect("an embedded mesh is OBJ");
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for part in parts {
+        let first = vertices.len();
+        vertices.extend(part.mesh.positions.as_chunks().0);
+        let corners = part.mesh.indices.as_chunks::<3>().0;
+        triangles.extend(corners.iter().map(|t| t.map(|corner| first + corner as usize)));
+    }
+    Mesh { name, vertices, triangles }
 }
 
 /// Two named columns of a CSV text. The files are part of the program, so a broken one is a broken build.
@@ -97,6 +159,25 @@ mod tests {
         ];
         assert_eq!(sizes, expected);
         assert_eq!(airports().len(), 3376);
+    }
+
+    #[test]
+    fn meshes_and_flowers_are_read_whole() {
+        let sizes: Vec<_> = meshes().iter().map(|m| (m.name, m.vertices.len(), m.triangles.len())).collect();
+        let expected = [
+            ("assimp_spider", 762, 1368),
+            ("assimp_wuson", 3205, 3732),
+            ("cgal_cow", 2904, 5804),
+            ("cgal_fandisk", 6475, 12946),
+            ("teapot", 792, 992),
+        ];
+        assert_eq!(sizes, expected);
+        assert_eq!(mesh("teapot").expect("listed").vertices[0], [5.929688, 4.125, 0.0]);
+        for mesh in meshes() {
+            assert!(mesh.triangles.iter().flatten().all(|&corner| corner < mesh.vertices.len()), "{}", mesh.name);
+        }
+        assert_eq!(iris().len(), 150);
+        assert_eq!((iris()[0], iris()[149]), ([5.1, 3.5, 1.4, 0.2], [5.9, 3.0, 5.1, 1.8]));
     }
 
     #[test]
