@@ -44,30 +44,34 @@ impl FittedGrowth {
     }
 }
 
-/// All fits of one experiment: each plan on each of its families, over all sizes and over the last doublings.
+/// All fits of one experiment: each plan on each of its families, over all sizes, over all sizes with the lower-order term of the plan, and
+/// over the last doublings.
 pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
-    let one = |plan: &FitPlan, family| {
-        let (samples, left_out) = samples(experiment.id, family, plan.variant, plan.quantity, records);
-        let of = |samples: Vec<(f64, f64)>| FittedGrowth {
-            experiment: experiment.id,
-            family,
-            variant: plan.variant,
-            quantity: plan.quantity,
-            bound: plan.bound,
-            growth: fit::fit_growth(&samples, plan.models),
-            samples,
-            left_out,
-        };
-        let last = fit::last_doublings(&samples).to_vec();
-        (of(samples), of(last))
+    experiment.fits.iter().flat_map(|plan| of_plan(experiment.id, plan, records)).collect()
+}
+
+fn of_plan(experiment: &'static str, plan: &FitPlan, records: &Records) -> Vec<FittedGrowth> {
+    let sampled = |&family: &&'static str| (family, samples(experiment, family, plan.variant, plan.quantity, records));
+    let families: Vec<_> = plan.families.iter().map(|family| sampled(&family)).collect();
+    let fitted = |family, samples: &[(f64, f64)], left_out, lower_order| FittedGrowth {
+        experiment,
+        family,
+        variant: plan.variant,
+        quantity: plan.quantity,
+        bound: plan.bound,
+        growth: fit::fit_growth(samples, plan.models, lower_order),
+        samples: samples.to_vec(),
+        left_out,
     };
-    let of_plan = |plan: &'static FitPlan| {
-        let (whole, last): (Vec<_>, Vec<_>) = plan.families.iter().map(|&family| one(plan, family)).unzip();
-        let shorter = last.into_iter().zip(&whole).filter(|(last, whole)| last.samples.len() < whole.samples.len());
-        let shorter: Vec<FittedGrowth> = shorter.map(|(last, _)| last).collect();
-        [whole, shorter].concat()
-    };
-    experiment.fits.iter().flat_map(of_plan).collect()
+    let whole = families.iter().map(|(family, (samples, left_out))| fitted(family, samples, *left_out, None));
+    let bent = families
+        .iter()
+        .filter_map(|(family, (samples, left_out))| Some(fitted(family, samples, *left_out, Some(plan.lower_order?))));
+    let last = families.iter().filter_map(|(family, (samples, left_out))| {
+        let last = fit::last_doublings(samples);
+        (last.len() < samples.len()).then(|| fitted(family, last, *left_out, None))
+    });
+    whole.chain(bent).chain(last).collect()
 }
 
 /// The samples (n, y) of a quantity by increasing size, and the number of rows that are no evidence.

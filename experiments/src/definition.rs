@@ -1,7 +1,7 @@
 //! What an experiment is: a static value with plain fields and functions. Definitions live one a file in
 //! [`definitions`](crate::definitions) and are listed in [`catalog`](crate::catalog).
 
-use crate::fit::GrowthModel;
+use crate::fit::{GrowthModel, LowerOrder};
 use crate::runner::stopwatch::Stopwatch;
 use crate::{data, families, seed};
 use std::collections::BTreeMap;
@@ -97,6 +97,8 @@ pub struct FitPlan {
     pub models: &'static [GrowthModel],
     /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth contradicts it.
     pub bound: Option<GrowthModel>,
+    /// The term beside the bound that the theory gives, when it gives one: a third fit allows for it.
+    pub lower_order: Option<LowerOrder>,
 }
 
 impl FitPlan {
@@ -107,13 +109,19 @@ impl FitPlan {
         bound: Option<GrowthModel>,
     ) -> Self {
         let models = GrowthModel::RUNNING_TIMES;
-        Self { quantity: Quantity::AllCounts, variant, families, models, bound }
+        Self { quantity: Quantity::AllCounts, variant, families, models, bound, lower_order: None }
     }
 
     /// The same on another quantity.
     #[must_use]
     pub const fn of(self, quantity: Quantity) -> Self {
         Self { quantity, ..self }
+    }
+
+    /// The same with a term beside the bound.
+    #[must_use]
+    pub const fn beside(self, lower_order: LowerOrder) -> Self {
+        Self { lower_order: Some(lower_order), ..self }
     }
 }
 

@@ -21,6 +21,7 @@ pub mod bodies;
 pub mod catalog;
 mod claim;
 mod claims;
+mod growth;
 pub mod instances;
 mod ledger;
 mod library;

@@ -11,8 +11,8 @@ use zonotope::collision::{
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::tally::Tally;
 
-/// Near contact on both sides, then clear cases, then exact contact: instance k takes entry k of this cycle.
-const CYCLE: [&str; 11] = [
+/// Near contact on both sides, then clear cases, then exact contact.
+pub(super) const ALL_PLACEMENTS: &[&str] = &[
     "outside_1e-9",
     "inside_1e-9",
     "separated",
@@ -26,11 +26,14 @@ const CYCLE: [&str; 11] = [
     "inside_1e-3",
 ];
 
-/// The question of a case: its instance chooses the placement; the next one that the body admits, if it does not admit that one.
-pub(super) fn question(case: &Case) -> Result<Question, String> {
+/// Near contact on both sides, where no method ends early.
+pub(super) const NEAR_CONTACT: &[&str] = &["outside_1e-9", "inside_1e-9", "outside_1e-6", "inside_1e-6"];
+
+/// The question of a case: instance k takes entry k of a cycle of placements; the next one that the body admits, if it does not admit that one.
+pub(super) fn question(case: &Case, cycle: &[&str]) -> Result<Question, String> {
     let generators = case.body()?;
-    (0..CYCLE.len())
-        .filter_map(|later| Placement::find(CYCLE[(case.instance as usize + later) % CYCLE.len()]))
+    (0..cycle.len())
+        .filter_map(|later| Placement::find(cycle[(case.instance as usize + later) % cycle.len()]))
         .find_map(|placement| Question::about(generators.clone(), placement, case.instance_seed))
         .ok_or_else(|| format!("no question can be asked about {} with n = {}", case.family, case.n))
 }

@@ -28,11 +28,12 @@ pub const EXPERIMENT: Experiment = Experiment {
         families: BODY_FAMILIES,
         models: GrowthModel::ALL,
         bound: Some(GrowthModel::Constant),
+        lower_order: None,
     }],
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {
-    let question = collision_methods::question(case)?;
+    let question = collision_methods::question(case, collision_methods::ALL_PLACEMENTS)?;
     let mut counts = OperationCounts::default();
     let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut counts)?;
     let read = counts.get(Operation::GeneratorRead) + counts.get(Operation::LineEvaluation);

@@ -15,7 +15,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Least absolute deviations kernel: growth with the number of lines",
     question: "The paper's search by slope selection grows like n log^2 n, and slower when all lines meet in one point (regular \
                polygons). Pruning reads every line about once, and besides a sample and a remainder of about n^(2/3) lines, which \
-               small inputs feel: over all sizes it grows slower than n, over the last doublings nearly like n. A line search costs \
+               small inputs feel: over all sizes it grows slower than n, over the last doublings nearly like n, and beside a \
+               term in n^(2/3) like n. A line search costs \
                O(n), and the number of searches grows like log n.",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
@@ -40,7 +41,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     fits: &[
         FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),
         FitPlan::of_operations("by_line_search", FAMILIES, None),
-        FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)),
+        FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)).beside(super::SAMPLE_OF_PRUNING),
     ],
 };
 

@@ -27,5 +27,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         families: FAMILIES,
         models: GrowthModel::ALL,
         bound: Some(GrowthModel::Constant),
+        lower_order: Some(super::SAMPLE_OF_PRUNING_IN_PASSES),
     }],
 };

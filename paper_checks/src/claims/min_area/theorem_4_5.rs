@@ -1,13 +1,14 @@
 //! Theorem 4.5: the minimum-area zonogon in O(n log^2 n).
 
 use experiments::families;
-use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
+use experiments::fit::GrowthModel;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
 use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon_with;
 use zonotope::lad::Method;
-use zonotope::tally::{Operation, OperationCounts};
+use zonotope::tally::OperationCounts;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::growth;
 use crate::instances::{Instance, generator, polygons, random_polygon};
 use crate::library::{doubles, encloses};
 use crate::plane::{Point, least_area, zonogon_area};
@@ -100,17 +101,12 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
             let mut counts = OperationCounts::default();
             min_area_enclosing_zonogon_with(method, &points, context.seed, &mut counts)
                 .map_err(|error| error.to_string())?;
-            let total: u64 = Operation::ALL.iter().map(|&operation| counts.get(operation)).sum();
-            samples.push((n as f64, total as f64));
+            samples.push(growth::sample(n, &counts));
         }
     }
-    let growth = fit_growth(&samples, &[GrowthModel::LinearLogSquared]).map_err(|error| error.to_string())?;
-    let fit = growth.model(GrowthModel::LinearLogSquared).ok_or("the model was not fitted")?;
-    let excess = fit.excess_exponent;
-    let sentence = format!(
-        "operations of the search by slope selection on random convex polygons of 2^6 to 2^12 points, over n log^2 n, grow \
-         with exponent {:.2} in [{:.2}, {:.2}]",
-        excess.value, excess.low, excess.high
-    );
-    if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
+    growth::evidence(
+        "the search by slope selection on random convex polygons of 2^6 to 2^12 points",
+        &samples,
+        GrowthModel::LinearLogSquared,
+    )
 }

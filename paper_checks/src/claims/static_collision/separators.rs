@@ -1,13 +1,14 @@
 //! The separators of the tiling.
 
 use dashu_ratio::RBig;
-use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
+use experiments::fit::GrowthModel;
 use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::{separator, separator_counted};
-use zonotope::tally::{Operation, OperationCounts};
+use zonotope::tally::OperationCounts;
 
 use crate::bodies::{doubles, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::growth;
 use crate::instances::generator;
 use crate::plane::Point;
 use crate::ratio::integer;
@@ -125,16 +126,8 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
             let k = dual.lines().vertex_count() / 4 * part;
             let mut counts = OperationCounts::default();
             separator_counted(&dual, k, context.seed, &mut counts).map_err(|error| error.to_string())?;
-            let total: u64 = Operation::ALL.iter().map(|&operation| counts.get(operation)).sum();
-            samples.push((n as f64, total as f64));
+            samples.push(growth::sample(n, &counts));
         }
     }
-    let growth = fit_growth(&samples, &[GrowthModel::Linearithmic]).map_err(|error| error.to_string())?;
-    let fit = growth.model(GrowthModel::Linearithmic).ok_or("the model was not fitted")?;
-    let excess = fit.excess_exponent;
-    let sentence = format!(
-        "operations of one separator of 2^6 to 2^13 generators, over n log n, grow with exponent {:.2} in [{:.2}, {:.2}]",
-        excess.value, excess.low, excess.high
-    );
-    if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
+    growth::evidence("one separator of 2^6 to 2^13 generators", &samples, GrowthModel::Linearithmic)
 }

@@ -1,13 +1,14 @@
 //! Theorem 5.2: whether two zonotopes intersect, in O(n log^2 n).
 
-use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
+use experiments::fit::GrowthModel;
 use rand::RngExt;
 use zonotope::collision::{Displacement, by_lad, by_slope_selection};
-use zonotope::tally::{Operation, OperationCounts};
+use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
 use crate::bodies::{bodies, bodies_in_general_position, random_member, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::growth;
 use crate::instances::generator;
 use crate::proofs::proof_of;
 use crate::ratio::fraction;
@@ -106,17 +107,12 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
             let question = Displacement::of_point(point, &body).map_err(|error| error.to_string())?;
             let mut counts = OperationCounts::default();
             by_slope_selection::locate_counted(&question, context.seed, &mut counts);
-            let total: u64 = Operation::ALL.iter().map(|&operation| counts.get(operation)).sum();
-            samples.push((n as f64, total as f64));
+            samples.push(growth::sample(n, &counts));
         }
     }
-    let growth = fit_growth(&samples, &[GrowthModel::LinearLogSquared]).map_err(|error| error.to_string())?;
-    let fit = growth.model(GrowthModel::LinearLogSquared).ok_or("the model was not fitted")?;
-    let excess = fit.excess_exponent;
-    let sentence = format!(
-        "operations of the paper's search on random bodies of 2^5 to 2^11 generators, over n log^2 n, grow with exponent {:.2} in \
-         [{:.2}, {:.2}]",
-        excess.value, excess.low, excess.high
-    );
-    if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
+    growth::evidence(
+        "the paper's search on random bodies of 2^5 to 2^11 generators",
+        &samples,
+        GrowthModel::LinearLogSquared,
+    )
 }
