@@ -1,4 +1,4 @@
-//! The L1 line fit: the kernel (`lad::line_fit`) against the crate `palb`, the published exact solver, on the same points.
+//! The L1 line fit: the kernel (`zonotope::line_fit`) against the crate `palb`, the published exact solver, on the same points.
 
 use experiments::families::source::RandomSource;
 use experiments::peers::LineFit;
@@ -6,7 +6,7 @@ use experiments::seed;
 use palb::{Floating, PrimalPoint, l1line};
 use std::hint::black_box;
 use std::time::Instant;
-use zonotope::lad::line_fit::{self, FitPoint};
+use zonotope::line_fit::{self, FitPoint};
 
 /// Slope and intercept of a line.
 type Line = [f64; 2];

@@ -15,6 +15,7 @@
 //! | [`collision`] | membership, intersection and gauge, with proofs | 5.1, Theorem 5.2 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
 //! | [`lad::in_space`] | the kernel in three variables | under 5.1 in R^4 |
+//! | [`line_fit`] | the kernel as a statistician knows it: the line of least absolute deviations | |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`arrangement::tiling`] | the tiling of Q by the facets of the upper hull, dual to the arrangement | 3, Figure 1 |
@@ -44,7 +45,7 @@
 //!
 //! # Layers
 //!
-//! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then [`enclosing`].
+//! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then [`enclosing`] and [`collision`], then [`line_fit`].
 
 pub mod arrangement;
 pub mod collision;
@@ -52,6 +53,7 @@ pub mod enclosing;
 pub mod hull;
 pub mod interop;
 pub mod lad;
+pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
 pub mod numeric;

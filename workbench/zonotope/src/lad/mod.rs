@@ -11,7 +11,7 @@
 //! | [`by_slope_selection`] | O(n log² n) expected | the paper's search (Theorem 4.5) |
 //! | [`by_pruning`] | O(n) expected | the default |
 //!
-//! [`line_fit`] is the kernel as a statistician knows it: the line of least absolute deviations through points;
+//! [`line_fit`](crate::line_fit) is the kernel as a statistician knows it: the line of least absolute deviations through points;
 //! [`in_space`] is the same problem in three variables.
 //!
 //! Every method but the truth returns a minimiser named by its defining lines with a certificate that
@@ -27,7 +27,6 @@ mod decide;
 mod exact_lines;
 pub mod in_space;
 mod instance;
-pub mod line_fit;
 mod line_search;
 mod method;
 mod optimum;

@@ -116,7 +116,7 @@ impl LadOptimum {
     /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is the point
     /// nearest to the origin, in the plane the origin.
     pub fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
-        self.minimizer.homogeneous_point(problem)
+        self.minimizer.homogeneous_point(|line| problem.exact_line(line))
     }
 
     /// The minimiser, exactly.
@@ -143,16 +143,15 @@ impl LadOptimum {
 }
 
 impl Minimizer {
-    pub(crate) fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
-        let one = Dyadic::from_f64(1.0);
+    /// The minimiser of the lines that `line` knows, in homogeneous coordinates as in [`LadOptimum::homogeneous_point`].
+    pub(crate) fn homogeneous_point(&self, line: impl Fn(LineIndex) -> ExactLine) -> [Dyadic; 3] {
         match *self {
-            Self::Vertex(first, second) => problem.exact_line(first).meet(&problem.exact_line(second)),
-            Self::Line(line) => {
-                let line = problem.exact_line(line);
-                let [x, y] = line.direction();
-                line.meet(&ExactLine { normal: [x, y], offset: Dyadic::zero() })
+            Self::Vertex(first, second) => line(first).meet(&line(second)),
+            Self::Line(index) => {
+                let line = line(index);
+                line.meet(&ExactLine { normal: line.direction(), offset: Dyadic::zero() })
             }
-            Self::Plane => [Dyadic::zero(), Dyadic::zero(), one],
+            Self::Plane => [Dyadic::zero(), Dyadic::zero(), Dyadic::from_f64(1.0)],
         }
     }
 }

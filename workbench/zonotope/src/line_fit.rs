@@ -10,11 +10,13 @@
 //! Beyond the paper: the points are generators (x, 1, −y) of a zonotope, and the fit is the kernel's problem for them.
 //!
 //! # Method
-//! 1. In the plane of (slope, intercept) each point is the line x_i · slope + intercept − y_i = 0 with the weight w_i.
-//! 2. Minimise by [`by_pruning`].
+//! 1. Points of equal weights are generators (x_i, 1, −y_i), and the facet of their zonotope in which the ray along the third axis leaves
+//!    ([`by_lad::facet`]) is spanned by the two points that the best line goes through.
+//! 2. Where there is no such facet (all points on one line, one abscissa), and for other weights, in the plane of (slope, intercept) each
+//!    point is the line x_i · slope + intercept − y_i = 0 with the weight w_i: minimise by [`by_pruning`].
 //!
 //! # Complexity
-//! n points: expected O(n), space O(n).
+//! n points: expected O(n), space O(n). The [proof](LineFit::proof) with its O(n) coefficients is made when it is asked for.
 //!
 //! # Shapes
 //! `points`: n of them in any order, duplicates allowed.
@@ -30,11 +32,11 @@
 //! Never.
 //!
 //! # Checked by
-//! The kernel's brute force, and [`verify`](super::verify::verify) on every answer.
+//! The kernel's brute force, and [`verify`](crate::lad::verify::verify) on every answer.
 //!
 //! # Example
 //! ```
-//! use zonotope::lad::line_fit::{FitPoint, fit};
+//! use zonotope::line_fit::{FitPoint, fit};
 //! // three points on y = 2 x + 1 and one far off: least absolute deviations ignore it
 //! let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 5.0), (1.5, 40.0)].map(|(x, y)| FitPoint::unweighted(x, y));
 //! let fit = fit(&points).unwrap();
@@ -44,10 +46,11 @@
 
 use thiserror::Error;
 
-use super::by_pruning;
-use super::optimum::LadOptimum;
-use super::problem::{LadError, LadProblem, WeightedLine};
+use crate::arrangement::{ExactLine, LineIndex};
+use crate::collision::{Displacement, by_lad};
+use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_pruning};
 use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 
 /// The seed of the kernel's sample: it decides the time, never the line.
@@ -101,18 +104,27 @@ pub enum LineFitError {
     },
 }
 
-/// The best line, with the problem it solves and its proof.
+/// The best line.
 #[derive(Debug)]
-pub struct LineFit {
-    problem: LadProblem<'static>,
-    optimum: LadOptimum,
+pub struct LineFit<'p> {
+    points: &'p [FitPoint],
+    minimizer: Minimizer,
+}
+
+/// The proof of a best line.
+#[derive(Debug)]
+pub struct LineFitProof {
+    /// The kernel's problem: the point with index i is its line i.
+    pub problem: LadProblem<'static>,
+    /// Its optimum, with coefficients of the points.
+    pub optimum: LadOptimum,
 }
 
 /// The line of least absolute deviations.
 ///
 /// # Errors
 /// [`LineFitError`] names the first point that is no point.
-pub fn fit(points: &[FitPoint]) -> Result<LineFit, LineFitError> {
+pub fn fit(points: &[FitPoint]) -> Result<LineFit<'_>, LineFitError> {
     fit_counted(points, &mut ())
 }
 
@@ -120,13 +132,38 @@ pub fn fit(points: &[FitPoint]) -> Result<LineFit, LineFitError> {
 ///
 /// # Errors
 /// Those of [`fit`].
-pub fn fit_counted(points: &[FitPoint], tally: &mut impl Tally) -> Result<LineFit, LineFitError> {
+pub fn fit_counted<'p>(points: &'p [FitPoint], tally: &mut impl Tally) -> Result<LineFit<'p>, LineFitError> {
+    if let Some(minimizer) = at_facet(points, tally) {
+        return Ok(LineFit { points, minimizer });
+    }
+    let problem = problem_of(points)?;
+    let outcome = by_pruning::minimize_counted(&problem, SEED, tally);
+    let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
+    Ok(LineFit { points, minimizer: optimum.minimizer })
+}
+
+/// The two points that the best line goes through, for finite points of one positive weight that are not on one line.
+fn at_facet(points: &[FitPoint], tally: &mut impl Tally) -> Option<Minimizer> {
+    let weight = points.first()?.weight;
+    if !(weight > 0.0 && weight.is_finite() && points.iter().all(|point| point.weight == weight)) {
+        return None;
+    }
+    let generators: Vec<[f64; 3]> = points.iter().map(|point| [point.x, 1.0, -point.y]).collect();
+    let question = Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &generators).ok()?;
+    let facet = by_lad::facet_counted(&question, tally);
+    match *facet.basis() {
+        [first, second] if facet.value().0 < f64::MAX && points[first].x != points[second].x => {
+            let index = |point| u32::try_from(point).ok().map(LineIndex);
+            Some(Minimizer::Vertex(index(first)?, index(second)?))
+        }
+        _ => None,
+    }
+}
+
+fn problem_of(points: &[FitPoint]) -> Result<LadProblem<'static>, LineFitError> {
     let line = |&FitPoint { x, y, weight }: &FitPoint| WeightedLine { normal: [x, 1.0], offset: -y, weight };
     let lines: Vec<WeightedLine> = points.iter().map(line).collect();
-    let problem = LadProblem::new(&lines, [0.0, 0.0]).map_err(|error| LineFitError::of(error, points.len()))?;
-    let outcome = by_pruning::minimize_counted(&problem, SEED, tally);
-    let optimum = outcome.optimum().expect("a sum of absolute values is bounded below").clone();
-    Ok(LineFit { problem, optimum })
+    LadProblem::new(&lines, [0.0, 0.0]).map_err(|error| LineFitError::of(error, points.len()))
 }
 
 impl LineFitError {
@@ -146,31 +183,44 @@ impl LineFitError {
     }
 }
 
-impl LineFit {
+impl LineFit<'_> {
     /// Slope and intercept, exactly.
     pub fn exact(&self) -> [Rational; 2] {
-        self.optimum.exact_point(&self.problem)
+        let [x, y, w] = self.homogeneous().map(|v| v.to_rational());
+        [x / &w, y / w]
     }
 
     /// Slope and intercept, each within a relative 2^-50.
     pub fn rounded(&self) -> [f64; 2] {
-        self.optimum.point(&self.problem)
+        let [x, y, w] = self.homogeneous();
+        [x.ratio(&w), y.ratio(&w)]
     }
 
     /// Σ w_i |slope · x_i + intercept − y_i|, exactly. O(n) exact operations.
     pub fn deviation(&self) -> Rational {
-        self.optimum.exact_value(&self.problem)
+        let point = self.homogeneous();
+        let deviations = self.points.iter().map(|p| line_of(p).evaluate(&point).abs() * Dyadic::from_f64(p.weight));
+        let total = deviations.fold(Dyadic::zero(), |sum, deviation| sum + deviation);
+        total.to_rational() / point[2].to_rational()
     }
 
-    /// The optimum as the kernel found it, with its proof: coefficients of the points.
-    pub fn optimum(&self) -> &LadOptimum {
-        &self.optimum
+    /// The proof that no line is better; where several are as good, its own may be another one. Expected O(n).
+    pub fn proof(&self) -> LineFitProof {
+        let problem = problem_of(self.points).expect("the points were validated when the line was fitted");
+        let outcome = by_pruning::minimize(&problem, SEED);
+        let optimum = outcome.into_optimum().expect("a sum of absolute values is bounded below");
+        LineFitProof { problem, optimum }
     }
 
-    /// The problem that [`optimum`](Self::optimum) is an optimum of: the point with index i is its line i.
-    pub fn problem(&self) -> &LadProblem<'static> {
-        &self.problem
+    fn homogeneous(&self) -> [Dyadic; 3] {
+        self.minimizer.homogeneous_point(|line| line_of(&self.points[line.position()]))
     }
+}
+
+/// The lines through a point, as a line of the plane of (slope, intercept).
+fn line_of(point: &FitPoint) -> ExactLine {
+    let [x, one, y] = [point.x, 1.0, -point.y].map(Dyadic::from_f64);
+    ExactLine { normal: [x, one], offset: y }
 }
 
 #[cfg(test)]
@@ -180,6 +230,13 @@ mod tests {
     use proptest::prelude::*;
 
     fn points() -> impl Strategy<Value = Vec<FitPoint>> {
+        (any::<bool>(), any_points()).prop_map(|(equal, mut points)| {
+            points.iter_mut().filter(|_| equal).for_each(|point| point.weight = 0.5);
+            points
+        })
+    }
+
+    fn any_points() -> impl Strategy<Value = Vec<FitPoint>> {
         let coordinate = || {
             prop_oneof![
                 3 => (-4i32..5).prop_map(f64::from),
@@ -200,9 +257,11 @@ mod tests {
         #[test]
         fn no_line_is_better(points in points()) {
             let fit = fit(&points).expect("finite");
-            let truth = brute_force::minimize(fit.problem()).expect("bounded");
+            let LineFitProof { problem, optimum } = fit.proof();
+            let truth = brute_force::minimize(&problem).expect("bounded");
             prop_assert_eq!(fit.deviation(), truth.value);
-            prop_assert_eq!(verify(fit.problem(), &LadOutcome::Optimal(fit.optimum().clone())), Ok(()));
+            prop_assert_eq!(optimum.exact_value(&problem), fit.deviation());
+            prop_assert_eq!(verify(&problem, &LadOutcome::Optimal(optimum)), Ok(()));
             let [slope, intercept] = fit.exact();
             let exact = |v: f64| Rational::try_from(v).expect("finite");
             let sum = points.iter().fold(Rational::ZERO, |sum, p| {
