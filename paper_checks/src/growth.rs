@@ -1,5 +1,6 @@
 //! Evidence on how operation counts grow.
 
+use crate::claim::{CheckContext, Claim, Verdict};
 use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
 use zonotope::tally::{Operation, OperationCounts};
 
@@ -19,4 +20,32 @@ pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -
         excess.value, excess.low, excess.high
     );
     if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
+}
+
+/// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth beyond the bound, here or
+/// in the experiments on it, leaves it open.
+pub(crate) fn verdict(
+    context: &CheckContext,
+    claim: &Claim,
+    found: Result<String, String>,
+    growth: impl FnOnce(&CheckContext) -> Result<String, String>,
+) -> Verdict {
+    let found = match found {
+        Ok(evidence) => evidence,
+        Err(witness) => return Verdict::Refuted(witness),
+    };
+    let growth = match growth(context) {
+        Ok(evidence) => evidence,
+        Err(reason) => return Verdict::Inconclusive(format!("{found}; {reason}")),
+    };
+    let measured = context.measurements_for(claim);
+    let mut evidence = format!("{found}; {growth}");
+    for measurement in &measured {
+        evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
+    }
+    if measured.iter().all(|measurement| measurement.agrees) {
+        Verdict::Holds(evidence)
+    } else {
+        Verdict::Inconclusive(evidence)
+    }
 }

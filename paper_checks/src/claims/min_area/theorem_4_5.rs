@@ -36,24 +36,7 @@ pub static CLAIM: Claim = Claim {
 
 /// The answer of every method is the least value over all vertices; operations of the paper's search fit n log^2 n.
 fn check(context: &CheckContext) -> Verdict {
-    let optimum = match optimum_evidence(context) {
-        Ok(evidence) => evidence,
-        Err(witness) => return Verdict::Refuted(witness),
-    };
-    let growth = match growth_evidence(context) {
-        Ok(evidence) => evidence,
-        Err(reason) => return Verdict::Inconclusive(format!("{optimum}; {reason}")),
-    };
-    let measured = context.measurements_for(&CLAIM);
-    let mut evidence = format!("{optimum}; {growth}");
-    for measurement in &measured {
-        evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
-    }
-    if measured.iter().all(|measurement| measurement.agrees) {
-        Verdict::Holds(evidence)
-    } else {
-        Verdict::Inconclusive(evidence)
-    }
+    growth::verdict(context, &CLAIM, optimum_evidence(context), growth_evidence)
 }
 
 fn optimum_evidence(context: &CheckContext) -> Result<String, String> {

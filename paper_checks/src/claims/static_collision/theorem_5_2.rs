@@ -33,24 +33,7 @@ pub static CLAIM: Claim = Claim {
 
 /// The paper's search and the default method decide as the definition does, with proofs; operations of the paper's fit n log^2 n.
 fn check(context: &CheckContext) -> Verdict {
-    let decisions = match decision_evidence(context) {
-        Ok(evidence) => evidence,
-        Err(witness) => return Verdict::Refuted(witness),
-    };
-    let growth = match growth_evidence(context) {
-        Ok(evidence) => evidence,
-        Err(reason) => return Verdict::Inconclusive(format!("{decisions}; {reason}")),
-    };
-    let measured = context.measurements_for(&CLAIM);
-    let mut evidence = format!("{decisions}; {growth}");
-    for measurement in &measured {
-        evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
-    }
-    if measured.iter().all(|measurement| measurement.agrees) {
-        Verdict::Holds(evidence)
-    } else {
-        Verdict::Inconclusive(evidence)
-    }
+    growth::verdict(context, &CLAIM, decision_evidence(context), growth_evidence)
 }
 
 fn decision_evidence(context: &CheckContext) -> Result<String, String> {

@@ -31,6 +31,7 @@ pub mod by_lad_in_r4;
 pub mod by_linear_program;
 pub mod by_slope_selection;
 mod displacement;
+mod elimination;
 mod gauge;
 mod location;
 mod settling;

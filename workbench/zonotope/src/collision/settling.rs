@@ -1,5 +1,6 @@
 //! From rational coefficients of a member to a witness, whose coefficients off the basis are doubles.
 
+use super::elimination::reduce;
 use super::location::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -38,21 +39,9 @@ fn dependence(vectors: &[Vec<Rational>]) -> Option<Vec<Rational>> {
     let dimension = vectors.first().map_or(0, |v| v.len());
     // One row for each coordinate: the vectors are the columns.
     let mut rows: Vec<Vec<Rational>> = (0..dimension).map(|j| vectors.iter().map(|v| v[j].clone()).collect()).collect();
-    for column in 0..count {
-        let Some(found) = (column..dimension).find(|&row| rows[row][column] != Rational::ZERO) else {
-            // Only the last column can be without a pivot.
-            let mut dependence: Vec<Rational> = rows[..column].iter().map(|row| -&row[column]).collect();
-            dependence.push(Rational::ONE);
-            return Some(dependence);
-        };
-        rows.swap(column, found);
-        let pivot = rows[column][column].clone();
-        rows[column].iter_mut().for_each(|v| *v /= &pivot);
-        let reduced = rows[column].clone();
-        for row in rows.iter_mut().enumerate().filter(|(r, _)| *r != column).map(|(_, row)| row) {
-            let factor = row[column].clone();
-            row.iter_mut().zip(&reduced).for_each(|(a, b)| *a -= &factor * b);
-        }
-    }
-    None
+    // Only the last column can depend on those before it.
+    let last = reduce(&mut rows, count).err()?;
+    let mut dependence: Vec<Rational> = rows[..last].iter().map(|row| -&row[last]).collect();
+    dependence.push(Rational::ONE);
+    Some(dependence)
 }

@@ -1,6 +1,7 @@
 //! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for a witness.
 
 use super::displacement::Displacement;
+use super::elimination::reduce;
 use super::location::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
@@ -42,17 +43,7 @@ pub(super) fn solve<const D: usize>(
             columns.chain([sum[axis].to_rational()]).collect()
         })
         .collect();
-    for column in 0..basis.len() {
-        let found = (column..D).find(|&row| rows[row][column] != Rational::ZERO)?;
-        rows.swap(column, found);
-        let pivot = rows[column][column].clone();
-        rows[column].iter_mut().for_each(|v| *v /= &pivot);
-        let reduced = rows[column].clone();
-        for row in rows.iter_mut().enumerate().filter(|(r, _)| *r != column).map(|(_, row)| row) {
-            let factor = row[column].clone();
-            row.iter_mut().zip(&reduced).for_each(|(a, b)| *a -= &factor * b);
-        }
-    }
+    reduce(&mut rows, basis.len()).ok()?;
     let (solved, over) = rows.split_at(basis.len());
     let is_solution = over.iter().all(|row| row[basis.len()] == Rational::ZERO);
     is_solution.then(|| solved.iter().map(|row| row[basis.len()].clone()).collect())

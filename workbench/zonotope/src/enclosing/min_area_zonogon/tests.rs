@@ -113,3 +113,18 @@ fn one_point_and_two_points_have_no_area() {
     assert_eq!(segment.zonogon.generators(), [[2.0, 1.0]]);
     assert_eq!(exact_optimum(&segment).area, Rational::ZERO);
 }
+
+#[test]
+fn centers_at_the_largest_double() {
+    // optimal centres within half a unit in the last place of it, from both sides, and beyond it in rounding
+    let (largest, next) = (f64::MAX, f64::MAX.next_down());
+    let coordinates = [largest, next, next.next_down(), -largest, 0.0, 1.0];
+    let points: Vec<[f64; 2]> = coordinates.iter().flat_map(|&x| coordinates.map(|y| [x, y])).collect();
+    for i in 0..points.len() {
+        for j in (0..i).step_by(3) {
+            for k in (0..j).step_by(5) {
+                check(&[points[i], points[j], points[k]]).expect("the answer is the truth");
+            }
+        }
+    }
+}
