@@ -70,8 +70,14 @@ pub fn check_support(
     let units = |number: &IBig| Proportion::whole(number.clone(), lengths.exponent());
     for (axis, &coordinate) in answer.point.iter().enumerate() {
         let name = format!("coordinate {} of point", axis + 1);
-        let allowed = units(&reach[axis]).times(&tolerance).plus(&units(&slack[axis]));
-        check_figure(&name, coordinate, &units(&corner[axis]), &allowed)?;
+        let rounding = units(&reach[axis]).times(&tolerance);
+        if coordinate.is_infinite() {
+            // the farthest point that lies farthest out on that side is beyond the range of doubles, or none is
+            let outmost = if coordinate > 0.0 { &corner[axis] + &slack[axis] } else { &corner[axis] - &slack[axis] };
+            check_figure(&name, coordinate, &units(&outmost), &rounding)?;
+        } else {
+            check_figure(&name, coordinate, &units(&corner[axis]), &rounding.plus(&units(&slack[axis])))?;
+        }
     }
     Ok(())
 }
@@ -101,5 +107,13 @@ mod tests {
         assert_eq!(check_support(&[1e200], &[0.0], &[vec![1e200]], &answer), Ok(()));
         let answer = SupportAnswer { value: 0.0, point: vec![1e-200] };
         assert_eq!(check_support(&[1e-200], &[0.0], &[vec![-1e-200]], &answer), Ok(()));
+        // every point of the body is a farthest one, some of them beyond the range
+        let generators = [vec![f64::MAX], vec![1e300]];
+        let check = |coordinate: f64| {
+            check_support(&[0.0], &[1.0], &generators, &SupportAnswer { value: 0.0, point: vec![coordinate] })
+        };
+        assert_eq!((check(f64::INFINITY), check(f64::NEG_INFINITY), check(1e308)), (Ok(()), Ok(()), Ok(())));
+        let within = SupportAnswer { value: 0.0, point: vec![f64::INFINITY] };
+        assert!(check_support(&[0.0], &[1.0], &[vec![1e308]], &within).is_err());
     }
 }
