@@ -5,7 +5,7 @@
 
 use crate::enclosing::fixed_directions::{FacetDescent, dot};
 use crate::enclosing::outward::rounded_towards;
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 
@@ -17,6 +17,9 @@ const NOISE: f64 = 1e-12;
 /// Up to this many products are taken exactly; beyond that their rounding errors are bounded.
 const EXACT_PRODUCTS: usize = 400_000;
 
+/// Bodies thinner than this, beside their length, are not told from flat ones by the search that made the generators.
+const THIN: f64 = 1e-7;
+
 /// A zonotope around all points with the given centre and generators in the frame, and an upper bound of its total length; `None` beyond the
 /// range of doubles.
 pub(super) fn around<const D: usize>(
@@ -25,8 +28,36 @@ pub(super) fn around<const D: usize>(
     center: [f64; D],
     inner: &[[f64; D]],
 ) -> Option<(Zonotope<D>, f64)> {
+    let found = repaired(points, frame, center, inner);
+    let wanted: f64 = inner.iter().map(|g| dot(g, g).sqrt()).sum();
+    let wanted = scale_by_power_of_two(wanted, frame.exponent);
+    if found.as_ref().is_some_and(|(_, length)| *length <= wanted * (1.0 + THIN)) {
+        return found;
+    }
+    // A point that generators miss across a thin body is missed along it as well: with what it takes across, none is missed.
+    let across = (0..frame.rank()).filter_map(|axis| {
+        let width = |axis: usize| frame.points.iter().fold(0.0, |max: f64, p| max.max((p[axis] - center[axis]).abs()));
+        let widest = (0..frame.rank()).map(width).fold(0.0, f64::max);
+        let mut generator = [0.0; D];
+        generator[axis] = width(axis) + inner.iter().map(|g| g[axis].abs()).sum::<f64>();
+        (width(axis) <= THIN * widest).then_some(generator)
+    });
+    let thick: Vec<[f64; D]> = inner.iter().copied().chain(across).collect();
+    let other = repaired(points, frame, center, &thick);
+    [found, other].into_iter().flatten().min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// The generators rounded, and along the axes what they miss of any point.
+fn repaired<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    center: [f64; D],
+    inner: &[[f64; D]],
+) -> Option<(Zonotope<D>, f64)> {
     let longest = inner.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt();
-    let used: Vec<[f64; D]> = inner.iter().copied().filter(|g| dot(g, g).sqrt() > NOISE * longest).collect();
+    let is_across = |g: &[f64; D]| g.iter().filter(|c| **c != 0.0).count() == 1;
+    let is_noise = |g: &[f64; D]| dot(g, g).sqrt() <= NOISE * longest && !is_across(g);
+    let used: Vec<[f64; D]> = inner.iter().copied().filter(|g| !is_noise(g)).collect();
     let mut generators: Vec<[f64; D]> = used.iter().map(|g| frame.vector(g)).collect();
     let outer = frame.point(&center);
     let exactly = points.len() * generators.len() * D <= EXACT_PRODUCTS;
@@ -35,9 +66,15 @@ pub(super) fn around<const D: usize>(
     if !generators.iter().flatten().chain(&extents).all(|c| c.is_finite()) {
         return None;
     }
-    let mut descent = FacetDescent::new(frame.rank(), &used);
-    for (point, inside) in points.iter().zip(&frame.points) {
-        let ray: [f64; D] = std::array::from_fn(|c| inside[c] - center[c]);
+    // Being inside does not depend on the units of the axes; thin bodies are easier to search where they are not thin.
+    let rays = || frame.points.iter().map(|inside| -> [f64; D] { std::array::from_fn(|c| inside[c] - center[c]) });
+    let widths: [f64; D] = std::array::from_fn(|c| rays().fold(0.0, |max: f64, ray| max.max(ray[c].abs())));
+    let widths = widths.map(|width| binary_exponent(width).map_or(0, i64::from));
+    let widened = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| scale_by_power_of_two(v[c], -widths[c])) };
+    let wide: Vec<[f64; D]> = used.iter().map(widened).collect();
+    let mut descent = FacetDescent::new(frame.rank(), &wide);
+    for (point, ray) in points.iter().zip(rays()) {
+        let ray = widened(&ray);
         let deltas = descent.facet(&ray).map_or_else(
             || vec![0.0; used.len()],
             |facet| {
@@ -86,7 +123,8 @@ pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
         let unit = g.map(|c| c / largest);
         largest * (dot(&unit, &unit).sqrt() * (1.0 + 8.0 * D as f64 * UNIT)) + f64::from_bits(1)
     });
-    let sum = lengths
-        .fold(Dyadic::zero(), |sum, length| if length.is_finite() { sum + Dyadic::from_f64(length) } else { sum });
-    rounded_towards(&sum, f64::INFINITY)
+    let sum = lengths.fold(Some(Dyadic::zero()), |sum, length| {
+        sum.filter(|_| length.is_finite()).map(|sum| sum + Dyadic::from_f64(length))
+    });
+    sum.map_or(f64::INFINITY, |sum| rounded_towards(&sum, f64::INFINITY))
 }

@@ -19,11 +19,14 @@ impl<const D: usize> Frame<D> {
     /// The frame of points; of rank 0 just when all are equal.
     pub(super) fn new(points: &[[f64; D]]) -> Self {
         let origin = points[0];
-        let halves = |p: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| p[c] / 2.0 - origin[c] / 2.0) };
-        let largest = points.iter().flat_map(halves).fold(0.0, |max: f64, c| max.max(c.abs()));
-        let exponent = binary_exponent(largest).map_or(0, |e| i64::from(e) + 2);
+        // Halved, a difference never overflows; whole, it never underflows.
+        let reach = points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
+        let (factor, lost) = if reach > 1.0 { (0.5, 1) } else { (1.0, 0) };
+        let differences = |p: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| p[c] * factor - origin[c] * factor) };
+        let largest = points.iter().flat_map(differences).fold(0.0, |max: f64, c| max.max(c.abs()));
+        let exponent = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1 + lost);
         let scaled: Vec<[f64; D]> =
-            points.iter().map(|p| halves(p).map(|c| scale_by_power_of_two(c, 1 - exponent))).collect();
+            points.iter().map(|p| differences(p).map(|c| scale_by_power_of_two(c, lost - exponent))).collect();
         let mut rest = scaled.clone();
         let mut axes: Vec<[f64; D]> = Vec::with_capacity(D);
         while axes.len() < D {
