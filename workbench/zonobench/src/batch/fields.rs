@@ -64,6 +64,17 @@ impl<'a> Fields<'a> {
         (0..).zip(rows).map(|(index, row)| vector_at(row, &place, index)).collect()
     }
 
+    /// The number under `name`.
+    pub(super) fn number(&self, name: &str) -> Result<f64, Refusal> {
+        number(self.value(name), &self.place.field(name))
+    }
+
+    /// The numbers under `name`.
+    pub(super) fn numbers(&self, name: &str) -> Result<Vec<f64>, Refusal> {
+        let place = self.place.field(name);
+        (0..).zip(self.limited(name)?).map(|(index, value)| number(value, &place.element(index))).collect()
+    }
+
     /// The whole number under `name`.
     pub(super) fn count(&self, name: &str) -> Result<u64, Refusal> {
         whole(self.value(name), &self.place.field(name), 0)
@@ -121,12 +132,9 @@ fn plain_vector<const D: usize>(row: &Tree) -> Option<[f64; D]> {
 fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], Refusal> {
     let mut vector = [0.0; D];
     for (index, value) in row.iter().enumerate() {
-        let Tree::Number(number) = value else {
-            let message = format!("{} is {}, not a number", place.element(index), value.describe());
-            return Err(Refusal::bad_input(message));
-        };
+        let number = number(value, &place.element(index))?;
         if let Some(slot) = vector.get_mut(index) {
-            *slot = *number;
+            *slot = number;
         }
     }
     if row.len() != D {
@@ -135,6 +143,13 @@ fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], 
         return Err(Refusal::new(Code::DimensionMismatch, message));
     }
     Ok(vector)
+}
+
+fn number(value: &Tree, place: &Place) -> Result<f64, Refusal> {
+    match value {
+        Tree::Number(number) => Ok(*number),
+        other => Err(Refusal::bad_input(format!("{place} is {}, not a number", other.describe()))),
+    }
 }
 
 fn whole(value: &Tree, place: &Place, least: u64) -> Result<u64, Refusal> {

@@ -8,8 +8,14 @@ pub enum Code {
     NonFinite,
     /// Vectors of one question live in different dimensions, or in one that the kind does not know.
     DimensionMismatch,
+    /// Two lists that go together are not of one length.
+    LengthMismatch,
     /// Nothing was given where something is needed.
     Empty,
+    /// A weight is below zero.
+    NegativeWeight,
+    /// A precision is not between 0 and 1.
+    BadEpsilon,
     /// More was given than is taken.
     TooLarge,
     /// No such kind.
@@ -24,10 +30,13 @@ pub enum Code {
 
 impl Code {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 11] = [
         Self::NonFinite,
         Self::DimensionMismatch,
+        Self::LengthMismatch,
         Self::Empty,
+        Self::NegativeWeight,
+        Self::BadEpsilon,
         Self::TooLarge,
         Self::UnknownKind,
         Self::UnknownMethod,
@@ -40,7 +49,10 @@ impl Code {
         match self {
             Self::NonFinite => "non_finite",
             Self::DimensionMismatch => "dimension_mismatch",
+            Self::LengthMismatch => "length_mismatch",
             Self::Empty => "empty",
+            Self::NegativeWeight => "negative_weight",
+            Self::BadEpsilon => "bad_epsilon",
             Self::TooLarge => "too_large",
             Self::UnknownKind => "unknown_kind",
             Self::UnknownMethod => "unknown_method",

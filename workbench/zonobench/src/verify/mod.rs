@@ -6,12 +6,18 @@
 
 mod combinatorics;
 mod cone;
+mod containment;
+mod dual_reach;
+mod facets;
 mod gauge;
 mod grid;
+mod length;
 mod linear;
 mod location;
 mod member_batch;
 mod min_area;
+mod min_length_all;
+mod min_length_dirs;
 mod polygon;
 mod proportion;
 mod separator;
@@ -26,6 +32,8 @@ pub use gauge::{GaugeAnswer, GaugeProof, check_gauge};
 pub use location::{Displaced, LocationAnswer, LocationCertificate, check_location};
 pub use member_batch::check_member_batch;
 pub use min_area::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+pub use min_length_all::{MinLengthAnswer, MinLengthProof, check_min_length_all};
+pub use min_length_dirs::{Directed, DirectedAnswer, DirectedProof, check_min_length_dirs};
 pub use separator::check_separator;
 pub use slope_selection::{Fraction, check_slope_selection};
 pub use support::{SupportAnswer, check_support};

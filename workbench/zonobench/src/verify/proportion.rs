@@ -82,9 +82,10 @@ impl Proportion {
     pub(super) fn near(&self) -> f64 {
         let bits = |number: &IBig| number.clone().abs().bit_len() as i64;
         let wanted = 64 + bits(&self.denominator) - bits(&self.numerator);
-        let shift = i32::try_from(wanted.max(0)).expect("numbers of a check have fewer than 2^31 bits");
-        let quotient = shifted(&self.numerator, shift) / &self.denominator;
-        scaled(quotient.to_f64().value(), self.exponent - shift)
+        let shift = i32::try_from(wanted).expect("numbers of a check have fewer than 2^31 bits");
+        let numerator =
+            if shift < 0 { &self.numerator >> shift.unsigned_abs() as usize } else { shifted(&self.numerator, shift) };
+        scaled((numerator / &self.denominator).to_f64().value(), self.exponent - shift)
     }
 }
 
@@ -143,6 +144,8 @@ mod tests {
         assert_eq!(of(1, 3, 0).near(), 1.0 / 3.0);
         assert_eq!(of(-3, 4, 0).near(), -0.75);
         assert_eq!(of(0, 4, 9).near(), 0.0);
+        let long = Proportion::new(IBig::from(-3) << 5000, IBig::from(4), -4990);
+        assert_eq!(long.near(), -768.0);
         assert_eq!(of(1, 1, 4000).near(), f64::INFINITY);
         assert_eq!(of(1, 1, -4000).near(), 0.0);
         assert_eq!(Proportion::of_double(f64::MAX).near(), f64::MAX);

@@ -81,6 +81,75 @@ fn fields() {
 }
 
 #[test]
+fn lengths_along_directions() {
+    let refusal = |input: &str, code: &str, message: &str| {
+        refused(&format!(r#"{{"id":"q","kind":"min_length_dirs","input":{{{input}}}}}"#), code, message);
+    };
+    let line = r#""points":[[0,0]],"directions":[[1,0],["NaN",1]],"weights":[-1]"#;
+    refusal(line, "non_finite", "direction 2, coordinate 1 is NaN");
+    let line = r#""points":[[0,0]],"directions":[],"weights":[1,"Infinity"],"more":1"#;
+    refusal(line, "non_finite", "weight 2 is Infinity");
+    refusal(r#""points":[[0,0]],"directions":[]"#, "bad_input", "missing field `weights` in the input");
+    let line = r#""points":[[0,0]],"directions":[],"weights":[],"epsilon":1"#;
+    refusal(line, "bad_input", "extra field `epsilon` in the input");
+    let line = r#""points":[[0,0]],"directions":[[1,0]],"weights":["1"]"#;
+    refusal(line, "bad_input", "weight 1 is a string, not a number");
+    let line = r#""points":[[0,0]],"directions":[[1,0,0]],"weights":[1]"#;
+    refusal(line, "dimension_mismatch", "direction 1 has 3 coordinates, not 2");
+    let line = r#""points":[[0,0,0,0,0]],"directions":[],"weights":[]"#;
+    refusal(line, "dimension_mismatch", "point 1 has 5 coordinates; 1 to 4 are taken");
+    let line = r#""points":[],"directions":[[1,0]],"weights":[1,2]"#;
+    refusal(line, "length_mismatch", "2 weights for 1 directions");
+    refusal(r#""points":[],"directions":[],"weights":[]"#, "empty", "there are no points");
+    let line = r#""points":[[0,0]],"directions":[[1,0],[0,1]],"weights":[0,-0.5]"#;
+    refusal(line, "negative_weight", "weight 2 is -0.5, which is negative");
+    let line = r#""points":[[-1e308],[1e308]],"directions":[[1e-300]],"weights":[1]"#;
+    refusal(line, "too_large", "a coefficient leaves the range of doubles");
+    let many = |item: &str, count: usize| [item].repeat(count).join(",");
+    let line = format!(r#""points":[[0,0]],"directions":[{}],"weights":[{}]"#, many("[1,0]", 1001), many("1", 1001));
+    refusal(&line, "too_large", "1001 directions, at most 1000 are taken");
+    let line = format!(
+        r#"{{"id":"q","kind":"min_length_dirs","method":"support_form","input":{{"points":[[0,0,0,0]],"directions":[{}],"weights":[{}]}}}}"#,
+        many("[1,0,0,0]", 100),
+        many("1", 100)
+    );
+    refused(&line, "too_large", "the linear program has 33633600 entries, at most 4000000 are taken by this method");
+    let line = r#"{"id":"q","kind":"min_length_dirs","method":"by_luck","input":{}}"#;
+    assert_eq!(refusal_of(line), "unknown_method");
+}
+
+#[test]
+fn lengths_along_any_direction() {
+    let refusal = |input: &str, code: &str, message: &str| {
+        refused(&format!(r#"{{"id":"q","kind":"min_length_all","input":{{{input}}}}}"#), code, message);
+    };
+    refusal(r#""points":[[0,0,0,0,0]],"epsilon":"NaN""#, "non_finite", "epsilon is NaN");
+    refusal(r#""points":[[0,0]],"epsilon":0"#, "bad_epsilon", "epsilon is 0, not between 0 and 1");
+    refusal(r#""points":[[0,0]],"epsilon":1"#, "bad_epsilon", "epsilon is 1, not between 0 and 1");
+    refusal(r#""points":[],"epsilon":1"#, "empty", "there are no points");
+    refusal(r#""points":[[0,0]],"epsilon":[1]"#, "bad_input", "epsilon is a list, not a number");
+    refusal(r#""points":[[0,0]]"#, "bad_input", "missing field `epsilon` in the input");
+    refusal(r#""points":[[0,0],[1]],"epsilon":0.5"#, "dimension_mismatch", "point 2 has 1 coordinate, not 2");
+    refusal(
+        r#""points":[[0,0,0,0,0]],"epsilon":0.5"#,
+        "dimension_mismatch",
+        "point 1 has 5 coordinates; 1 to 4 are taken",
+    );
+    let line = format!(r#""points":[{}[0,0,0,0]],"epsilon":0.5"#, "[0,0,0,0],".repeat(20_000));
+    refusal(&line, "too_large", "20001 points, at most 20000 are taken in 4 dimensions");
+    let line =
+        r#"{"id":"q","kind":"min_length_all","method":"by_papers_net","input":{"points":[[0,0,0]],"epsilon":0.01}}"#;
+    assert_eq!(refusal_of(line), "too_large");
+    let line = r#"{"id":"q","kind":"min_length_all","method":"by_luck","input":{}}"#;
+    assert_eq!(refusal_of(line), "unknown_method");
+}
+
+/// The code that refuses a single line.
+fn refusal_of(line: &str) -> String {
+    refusal(line).0
+}
+
+#[test]
 fn ranks() {
     let refusal = |k: &str, code: &str, message: &str| {
         let line = format!(

@@ -3,12 +3,13 @@
 mod body;
 mod collision;
 mod combinatorics;
-
 mod gauge;
 mod intersect;
 mod member;
 mod member_batch;
 mod min_area;
+mod min_length_all;
+mod min_length_dirs;
 mod separator;
 mod slope_selection;
 mod support;
@@ -46,6 +47,8 @@ pub static KINDS: &[Kind] = &[
     separator::KIND,
     upper_hull::KIND,
     min_area::KIND,
+    min_length_dirs::KIND,
+    min_length_all::KIND,
 ];
 
 /// An answer's content.

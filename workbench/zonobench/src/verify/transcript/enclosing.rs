@@ -1,8 +1,12 @@
 //! Bodies around points.
 
-use super::reading::{float, indices, member, planar, vector};
+use super::Verdict;
+use super::reading::{exact_numbers, float, index, indices, member, planar, text, vector, vectors};
 use crate::json::Tree;
-use crate::verify::{Certificate, MinAreaAnswer, check_min_area};
+use crate::verify::{
+    Certificate, Directed, DirectedAnswer, DirectedProof, MinAreaAnswer, MinLengthAnswer, check_min_area,
+    check_min_length_all, check_min_length_dirs,
+};
 
 pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<String, String> {
     let points = planar(member(input, "points")?, "points")?;
@@ -26,4 +30,72 @@ fn min_area_answer(result: &Tree) -> Result<MinAreaAnswer, String> {
             basis: indices(certificate, "basis")?,
         },
     })
+}
+
+/// A value this near to its bound, relative to it, is the least but for rounding.
+const PROVEN_GAP: f64 = 1e-6;
+
+pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let question = Directed {
+        points: vectors(member(input, "points")?, "points")?,
+        directions: vectors(member(input, "directions")?, "directions")?,
+        weights: vector(member(input, "weights")?, "weights")?,
+    };
+    let certificate = member(result, "certificate")?;
+    let answer = match text(result, "status")? {
+        "optimal" => DirectedAnswer::Optimal {
+            value: float(result, "value")?,
+            center: vector(member(result, "center")?, "center")?,
+            coefficients: vector(member(result, "coefficients")?, "coefficients")?,
+            lower_bound: float(result, "lower_bound")?,
+            forces: forces(certificate, |tree| exact_numbers(tree))?,
+        },
+        "infeasible" => DirectedAnswer::Infeasible {
+            points: <[usize; 2]>::try_from(indices(certificate, "points")?)
+                .map_err(|_| "certificate: `points` are not two points")?,
+            functional: exact_numbers(member(certificate, "functional")?)
+                .ok_or("`functional` is not a list of exact numbers")?,
+        },
+        other => return Err(format!("there is no status `{other}`")),
+    };
+    let count = question.points.len();
+    Ok(match check_min_length_dirs(&question, &answer)? {
+        DirectedProof::Optimal { value, gap } if gap <= PROVEN_GAP => Verdict::Right(format!(
+            "contains all {count} points; value {value:?} is within {gap:.1e} of the proven bound"
+        )),
+        DirectedProof::Optimal { value, gap } => Verdict::Unchecked(format!(
+            "contains all {count} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be the least"
+        )),
+        DirectedProof::Infeasible => {
+            Verdict::Right("two points differ by a vector outside the span of the directions".to_owned())
+        }
+    })
+}
+
+pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<String, String> {
+    let points = vectors(member(input, "points")?, "points")?;
+    let answer = MinLengthAnswer {
+        length: float(result, "length")?,
+        center: vector(member(result, "center")?, "center")?,
+        generators: vectors(member(result, "generators")?, "generators")?,
+        lower_bound: float(result, "lower_bound")?,
+        ratio: float(result, "ratio")?,
+        forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
+    };
+    let proof = check_min_length_all(&points, float(input, "epsilon")?, &answer)?;
+    let count = points.len();
+    Ok(format!(
+        "contains all {count} points; length {:?}, proven to be at most {:.12} times the least",
+        proof.length, proof.ratio
+    ))
+}
+
+/// Points and the vectors that pull at them.
+fn forces<T>(certificate: &Tree, read: impl Fn(&Tree) -> Option<T>) -> Result<Vec<(usize, T)>, String> {
+    let list = member(certificate, "forces")?.list().ok_or("`forces` is not a list")?;
+    let force = |tree: &Tree| {
+        let vector = read(member(tree, "vector")?).ok_or("`vector` of a force holds something else than numbers")?;
+        Ok((index(tree, "point")?, vector))
+    };
+    list.iter().map(force).collect()
 }

@@ -1,0 +1,135 @@
+//! `min_length_dirs`: the smallest zonotope along given directions that contains points.
+
+use serde_json::{Value, json};
+use zonotope::enclosing::fixed_directions::{
+    Enclosure, FixedDirections, FixedDirectionsError, by_row_generation, papers_program, support_form,
+};
+use zonotope::linear_program::Clarabel;
+use zonotope::numeric::Rational;
+
+use super::{Kind, Solution};
+use crate::batch::dimension::refused;
+use crate::batch::fields::Fields;
+use crate::batch::refusal::{Code, Refusal};
+use crate::json::{to_json, vector_to_json};
+
+pub(super) const KIND: Kind = Kind {
+    name: "min_length_dirs",
+    summary: "the smallest zonotope along given directions that contains points",
+    fields: &["points", "directions", "weights"],
+    methods: || METHODS.to_vec(),
+    solve,
+};
+
+const METHODS: [&str; 3] = ["by_row_generation", "support_form", "papers_program"];
+
+/// So many coordinates are taken.
+const MOST_COORDINATES: usize = 4;
+
+/// So many directions are taken.
+const MOST_DIRECTIONS: usize = 1000;
+
+/// So many pairs of a point and a direction are taken, or of a point and a facet normal by the methods that go through all of these.
+const MOST_PAIRS: u64 = 1_000_000_000;
+
+/// So many entries of a linear program that is written out are taken.
+const MOST_ENTRIES: u64 = 4_000_000;
+
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    let method = method.unwrap_or(METHODS[0]);
+    let of_points = fields.dimension_of_first("points")?;
+    let (dimension, named) = match (of_points, fields.dimension_of_first("directions")?) {
+        (Some(dimension), _) => (dimension, "point 1"),
+        (None, Some(dimension)) => (dimension, "direction 1"),
+        (None, None) => (1, "point 1"),
+    };
+    let result = match dimension {
+        1 => in_space::<1>(fields, method)?,
+        2 => in_space::<2>(fields, method)?,
+        3 => in_space::<3>(fields, method)?,
+        4 => in_space::<4>(fields, method)?,
+        other => return Err(refused(named, other, MOST_COORDINATES)),
+    };
+    Ok(Solution { method, result })
+}
+
+fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, Refusal> {
+    let points = fields.vectors::<D>("points")?;
+    let directions = fields.vectors::<D>("directions")?;
+    let weights = fields.numbers("weights")?;
+    let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| refusal(&error))?;
+    check_size(&problem, method)?;
+    let enclosure = match method {
+        "support_form" => support_form::least_enclosing(&problem, &Clarabel),
+        "papers_program" => papers_program::least_enclosing(&problem, &Clarabel),
+        _ => by_row_generation::least_enclosing(&problem),
+    };
+    enclosure.map(|enclosure| result(&enclosure)).map_err(|error| refusal(&error))
+}
+
+/// The result of an answer, as it is written.
+pub(crate) fn result<const D: usize>(enclosure: &Enclosure<D>) -> Value {
+    let exact = |v: &[Rational; D]| v.iter().map(|c| Value::from(c.to_string())).collect::<Value>();
+    match enclosure {
+        Enclosure::Optimal(zonotope) => {
+            let forces = zonotope.forces.iter();
+            let forces: Vec<Value> =
+                forces.map(|force| json!({"point": force.point, "vector": exact(&force.vector)})).collect();
+            json!({
+                "status": "optimal",
+                "value": to_json(zonotope.value),
+                "center": vector_to_json(&zonotope.center),
+                "coefficients": vector_to_json(&zonotope.coefficients),
+                "lower_bound": to_json(zonotope.lower_bound),
+                "certificate": {"forces": forces},
+            })
+        }
+        Enclosure::Infeasible(proof) => json!({
+            "status": "infeasible",
+            "certificate": {"points": proof.points, "functional": exact(&proof.functional)},
+        }),
+    }
+}
+
+fn refusal(error: &FixedDirectionsError) -> Refusal {
+    let (code, message) = match error {
+        FixedDirectionsError::WeightCount { .. } => (Code::LengthMismatch, error.to_string()),
+        FixedDirectionsError::NegativeWeight { direction, weight } => {
+            (Code::NegativeWeight, format!("weight {} is {weight:?}, which is negative", direction + 1))
+        }
+        FixedDirectionsError::Empty => (Code::Empty, error.to_string()),
+        other => (Code::TooLarge, other.to_string()),
+    };
+    Refusal::new(code, message)
+}
+
+fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: &str) -> Result<(), Refusal> {
+    let (n, k) = (problem.points().len() as u64, problem.directions().len() as u64);
+    let too_large = |message: String| Err(Refusal::new(Code::TooLarge, message));
+    if k > MOST_DIRECTIONS as u64 {
+        return too_large(format!("{k} directions, at most {MOST_DIRECTIONS} are taken"));
+    }
+    let normals = if method == METHODS[0] { k } else { facet_normals::<D>(k) };
+    if n.saturating_mul(normals) > MOST_PAIRS {
+        let what = if method == METHODS[0] { "directions" } else { "facet normals" };
+        return too_large(format!(
+            "{n} points and {normals} {what} make more than the {MOST_PAIRS} pairs that are taken"
+        ));
+    }
+    let entries = match method {
+        "support_form" => normals.saturating_mul(2 * (k + D as u64)),
+        "papers_program" => n.min(2 * normals).saturating_mul(k * (D as u64 + 4)),
+        _ => 0,
+    };
+    if entries > MOST_ENTRIES {
+        return too_large(format!(
+            "the linear program has {entries} entries, at most {MOST_ENTRIES} are taken by this method"
+        ));
+    }
+    Ok(())
+}
+
+/// At most so many facets, up to sign, has a zonotope with k generators.
+fn facet_normals<const D: usize>(k: u64) -> u64 {
+    (0..D as u64 - 1).fold(1_u64, |count, i| count.saturating_mul(k.saturating_sub(i)) / (i + 1))
+}

@@ -1,0 +1,108 @@
+//! Whether a zonotope contains points: each is held against every facet.
+//!
+//! Every facet of { Σ δ_i g_i : |δ_i| ≤ 1 } is orthogonal to a normal u of d − 1 independent generators, so a vector p of their
+//! span lies inside just when |u · p| ≤ Σ |u · g_i| for all these u. In floating point first; what rounding leaves open, exactly.
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use super::facets::{DOT_ERROR, Image, MOST_COORDINATES, UNDERFLOW, image_dot, image_size, images, normals};
+use super::linear::{Echelon, Vector, dot, is_zero};
+use super::subsets::count_subsets;
+
+/// So many pairs of a facet and a point or a generator are gone through.
+const MOST_PAIRS: u64 = 4_000_000_000;
+
+/// The first vector that does not lie in the zonotope of the generators around the origin; an error if there are too many facets.
+pub(super) fn first_outside(
+    dimension: usize,
+    generators: &[Vector],
+    vectors: &[Vector],
+) -> Result<Option<usize>, String> {
+    let generators: Vec<Vector> = generators.iter().filter(|generator| !is_zero(generator)).cloned().collect();
+    let span = Echelon::spanned(dimension, &generators);
+    if let Some(beside) = vectors.iter().position(|vector| !span.contains(vector)) {
+        return Ok(Some(beside));
+    }
+    let rank = span.rank();
+    if rank == 0 {
+        return Ok(None);
+    }
+    let pairs = count_subsets(generators.len(), rank - 1).saturating_mul((generators.len() + vectors.len()) as u64);
+    if rank > MOST_COORDINATES || pairs > MOST_PAIRS {
+        return Err(format!("{} generators have too many facets to hold the points against", generators.len()));
+    }
+    // In coordinates that tell the vectors of the span apart, the zonotope has an interior.
+    let pivots = span.pivots();
+    let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+    let all: Vec<Vector> = generators.iter().chain(vectors).map(projected).collect();
+    let all_images = images(&all);
+    let (exact_generators, exact_points) = all.split_at(generators.len());
+    let (generator_images, point_images) = all_images.split_at(generators.len());
+    let extent = |axis: usize| point_images.iter().fold(0.0, |most: f64, image| most.max(image[axis].abs()));
+    let farthest: Image = std::array::from_fn(extent);
+
+    let mut outside: Option<usize> = None;
+    for normal in normals(rank, exact_generators) {
+        let (mut reach, mut size) = (0.0, 0.0);
+        for image in generator_images {
+            reach += image_dot(&normal.image, image).abs();
+            size += image_size(&normal.image, image);
+        }
+        let doubt = size * (DOT_ERROR + generators.len() as f64 * f64::EPSILON)
+            + image_size(&normal.image, &farthest) * DOT_ERROR
+            + (generators.len() + 1) as f64 * UNDERFLOW;
+        let certain = (reach - doubt).next_down();
+        if point_images.iter().all(|image| image_dot(&normal.image, image).abs() < certain) {
+            continue;
+        }
+        let exact_reach: IBig = exact_generators.iter().map(|generator| dot(&normal.exact, generator).abs()).sum();
+        for (index, image) in point_images.iter().enumerate() {
+            let is_open = image_dot(&normal.image, image).abs() >= certain;
+            if is_open && dot(&normal.exact, &exact_points[index]).abs() > exact_reach {
+                outside = Some(outside.map_or(index, |first| first.min(index)));
+            }
+        }
+    }
+    Ok(outside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vectors(rows: &[&[i64]]) -> Vec<Vector> {
+        rows.iter().map(|row| row.iter().copied().map(IBig::from).collect()).collect()
+    }
+
+    fn outside(generators: &[&[i64]], points: &[&[i64]]) -> Option<usize> {
+        first_outside(points[0].len(), &vectors(generators), &vectors(points)).expect("few facets")
+    }
+
+    #[test]
+    fn a_box_and_its_boundary_by_hand() {
+        let cube: [&[i64]; 3] = [&[2, 0, 0], &[0, 2, 0], &[0, 0, 2]];
+        assert_eq!(outside(&cube, &[&[2, -2, 2], &[0, 0, 0], &[1, 2, -1]]), None);
+        assert_eq!(outside(&cube, &[&[2, -2, 2], &[0, 3, 0], &[9, 9, 9]]), Some(1));
+        let huge = 1_i64 << 60;
+        assert_eq!(outside(&[&[huge, 0], &[0, 1]], &[&[huge, 1]]), None);
+        assert_eq!(outside(&[&[huge, 0], &[0, 1]], &[&[huge + 1, 1]]), Some(0), "one unit beyond");
+    }
+
+    #[test]
+    fn flat_bodies_and_points() {
+        let segment: [&[i64]; 2] = [&[1, 2, 3], &[2, 4, 6]];
+        assert_eq!(outside(&segment, &[&[3, 6, 9], &[-1, -2, -3]]), None);
+        assert_eq!(outside(&segment, &[&[3, 6, 9], &[4, 8, 12]]), Some(1));
+        assert_eq!(outside(&segment, &[&[1, 2, 4]]), Some(0), "beside its line");
+        assert_eq!(outside(&[], &[&[0, 0], &[0, 1]]), Some(1));
+        assert_eq!(outside(&[&[0, 0]], &[&[0, 0]]), None);
+    }
+
+    #[test]
+    fn a_body_of_four_dimensions() {
+        let cross: [&[i64]; 5] = [&[1, 0, 0, 0], &[0, 1, 0, 0], &[0, 0, 1, 0], &[0, 0, 0, 1], &[1, 1, 1, 1]];
+        assert_eq!(outside(&cross, &[&[2, 2, 2, 2], &[2, 2, 2, 0]]), None);
+        assert_eq!(outside(&cross, &[&[2, 2, 2, 2], &[2, -1, 2, 0]]), Some(1));
+    }
+}
