@@ -20,7 +20,7 @@ pub enum Command {
     Reproduce(reproduce::Options),
     /// List experiments, figures, claims and methods.
     List(list::Options),
-    /// Find the zonogon of least area around the points of a file.
+    /// Find the smallest zonotope around the points of a file, by area or by total length.
     Enclose(enclose::Options),
     /// Tell whether two zonotopes have a point in common, with the proof.
     Intersect(intersect::Options),

@@ -1,6 +1,8 @@
-//! `zonobench enclose`: the zonogon of least area around the points of a file.
+//! `zonobench enclose`: the smallest zonotope around the points of a file, by area in the plane or by total length.
 
+mod by_length;
 mod drawing;
+mod solid;
 mod summary;
 
 use std::io::{self, Write};
@@ -12,30 +14,29 @@ use serde_json::json;
 use zonotope::lad::Method;
 
 use super::Ending;
+use super::asking::{Asking, Objective, Usage};
 use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
-use crate::input::{Columns, Format, PointSource};
 use crate::output::{Existing, check_free, write_whole};
 use crate::progress::Progress;
 
 /// Options of `enclose`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The points: CSV, GeoJSON or JSON, told from the extension; `-` is standard input.
+    /// The points: CSV, GeoJSON, JSON or a mesh, told from the extension; `-` is standard input.
     file: PathBuf,
-    /// The two columns that hold the coordinates, by name or by number from 1.
-    #[arg(long, value_name = "X,Y")]
-    columns: Option<Columns>,
-    /// The format, where the extension does not tell it.
-    #[arg(long)]
-    format: Option<Format>,
-    /// Write a picture of the points, their hull and the zonogon.
+    #[command(flatten)]
+    asking: Asking,
+    /// Write a picture of the points and the zonotope.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    /// Write a zonotope of space as a mesh, Wavefront OBJ.
+    #[arg(long, value_name = "FILE")]
+    obj: Option<PathBuf>,
     /// Write the answer with its certificate, in the format of `solve`.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Also give the optimum in exact rational numbers.
+    /// Also give the optimum of least area in exact rational numbers.
     #[arg(long)]
     exact: bool,
     /// Seed of the method's random numbers: it decides the time, never the area.
@@ -49,10 +50,24 @@ pub struct Options {
 /// Reads, solves, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let existing = Existing::from_force(options.force);
-    for file in options.svg.iter().chain(&options.json) {
+    let objective = options.asking.objective(&options.file)?;
+    if objective == Objective::Area && options.obj.is_some() {
+        return Err(Usage("--obj: only a zonotope of space is written as a mesh".to_owned()).into());
+    }
+    if objective == Objective::Length && options.exact {
+        return Err(Usage("--exact: only the least area is computed in exact numbers".to_owned()).into());
+    }
+    for file in [&options.svg, &options.json, &options.obj].into_iter().flatten() {
         check_free(file, existing)?;
     }
-    let source = PointSource { file: options.file.clone(), format: options.format, columns: options.columns.clone() };
+    match objective {
+        Objective::Area => by_area(options, existing),
+        Objective::Length => by_length::run(options, existing),
+    }
+}
+
+fn by_area(options: &Options, existing: Existing) -> anyhow::Result<Ending> {
+    let source = options.asking.source(&options.file);
     let progress = Progress::of(3, "reading");
     let points = source.read()?;
     progress.next("solving");

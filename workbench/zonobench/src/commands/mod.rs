@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod asking;
 pub mod enclose;
 pub mod inspect;
 pub mod intersect;
@@ -9,12 +10,15 @@ pub mod reproduce;
 pub mod solve;
 mod table;
 pub mod verify;
+mod view;
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 
 use anyhow::Context;
+
+pub use asking::Usage;
 
 /// How a command ended that ran to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use clap::Args;
 
+use super::asking::{Asking, Objective};
 use super::{Ending, open};
 use crate::batch::MAX_LINE_BYTES;
-use crate::input::{Columns, Format, PointSource};
+use crate::input::Format;
 use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
 use crate::verify::{Verdict, check};
 
@@ -20,12 +21,9 @@ pub struct Options {
     questions: PathBuf,
     /// The answers, in the order of the questions; or the file that `--json` wrote.
     answers: PathBuf,
-    /// The columns of a data file, as `enclose` was given them.
-    #[arg(long, value_name = "X,Y")]
-    columns: Option<Columns>,
-    /// The format of a data file, as `enclose` was given it.
-    #[arg(long)]
-    format: Option<Format>,
+    /// Of a data file, what `enclose` was asked.
+    #[command(flatten)]
+    asking: Asking,
 }
 
 /// Checks every answer: a line each on standard output.
@@ -72,18 +70,23 @@ fn unread_question(answer: &Tree) -> Verdict {
 /// The questions; a data file is one question, named after the file.
 fn questions(options: &Options) -> anyhow::Result<Vec<Option<Tree>>> {
     let file = &options.questions;
-    let format = options.format.or_else(|| Format::of_extension(file));
+    let asking = &options.asking;
+    let source = asking.source(file);
+    let format = source.known_format();
     if format.is_none() {
         return lines(file);
     }
-    if options.format.is_none() && format == Some(Format::Json) {
+    if asking.format.is_none() && format == Some(Format::Json) {
         // What the name does not tell, the content does: data have no kind.
         let questions = lines(file)?;
         if questions.first().is_some_and(|first| first.as_ref().is_some_and(|first| first.field("kind").is_some())) {
             return Ok(questions);
         }
     }
-    let source = PointSource { file: file.clone(), format, columns: options.columns.clone() };
+    if asking.objective(file)? == Objective::Length {
+        let question = asking.question_of_length(&question_name(file), &source.read_any()?)?;
+        return Ok(vec![json::read(question.to_string().as_bytes(), MAX_VALUES).ok()]);
+    }
     let points = source.read()?;
     let points = points.into_iter().map(|point| Tree::List(point.map(Tree::Number).into())).collect();
     let text = |text: &str| Tree::Text(text.to_owned());

@@ -39,8 +39,9 @@ impl BodySource {
         match format {
             Format::Csv => body(file, None, table::rows(file, &content)?),
             Format::Json => document(file, &parse(file, &content)?),
-            Format::Geojson => {
-                Err(Problem::Shape("GeoJSON holds no zonotopes; csv and json do".to_owned()).at(file, Place::File))
+            other => {
+                let problem = format!("the format {other} holds no zonotopes; csv and json do");
+                Err(Problem::Shape(problem).at(file, Place::File))
             }
         }
     }

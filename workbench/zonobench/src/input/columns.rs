@@ -1,7 +1,9 @@
-//! The choice of two columns, as written on the command line.
+//! The choice of columns, as written on the command line.
 
 use std::fmt;
 use std::str::FromStr;
+
+use super::points::MOST_COORDINATES;
 
 /// One column of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,21 +14,20 @@ pub enum Column {
     Name(String),
 }
 
-/// The columns that hold the first and the second coordinate: `2,3` or `lon,lat`.
+/// The columns that hold the coordinates, two to four, each once: `2,3` or `lon,lat`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Columns(pub [Column; 2]);
+pub struct Columns(pub Vec<Column>);
 
 impl FromStr for Columns {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (first, second) = text
-            .split_once(',')
-            .filter(|(_, second)| !second.contains(','))
-            .ok_or("give two columns, such as 2,3 or lon,lat")?;
-        let columns = [column(first.trim())?, column(second.trim())?];
-        if columns[0] == columns[1] {
-            return Err("the two columns are the same".to_owned());
+        let columns: Vec<Column> = text.split(',').map(|name| column(name.trim())).collect::<Result<_, _>>()?;
+        if !(2..=MOST_COORDINATES).contains(&columns.len()) {
+            return Err(format!("give two to {MOST_COORDINATES} columns, such as 2,3 or lon,lat"));
+        }
+        if columns.iter().enumerate().any(|(index, column)| columns[..index].contains(column)) {
+            return Err("two of the columns are the same".to_owned());
         }
         Ok(Self(columns))
     }
@@ -54,7 +55,8 @@ impl fmt::Display for Column {
 
 impl fmt::Display for Columns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{},{}", self.0[0], self.0[1])
+        let names: Vec<String> = self.0.iter().map(Column::to_string).collect();
+        f.write_str(&names.join(","))
     }
 }
 
@@ -64,9 +66,10 @@ mod tests {
 
     #[test]
     fn numbers_names_and_mistakes() {
-        assert_eq!("2, 3".parse(), Ok(Columns([Column::Number(2), Column::Number(3)])));
-        assert_eq!("lon,3".parse(), Ok(Columns([Column::Name("lon".into()), Column::Number(3)])));
-        for wrong in ["", "2", "1,2,3", "0,1", "2,2", "x,", ",y"] {
+        assert_eq!("2, 3".parse(), Ok(Columns(vec![Column::Number(2), Column::Number(3)])));
+        assert_eq!("lon,3".parse(), Ok(Columns(vec![Column::Name("lon".into()), Column::Number(3)])));
+        assert_eq!("1,2,3,4".parse::<Columns>().map(|columns| columns.to_string()), Ok("1,2,3,4".to_owned()));
+        for wrong in ["", "2", "1,2,3,4,5", "0,1", "2,2", "1,x,1", "x,", ",y"] {
             assert!(wrong.parse::<Columns>().is_err(), "{wrong}");
         }
     }

@@ -4,11 +4,16 @@ use std::path::Path;
 
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
-use super::push_limited;
+use super::points::{Points, Wanted};
 use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
 /// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
-pub(super) fn points(file: &Path, content: &[u8], columns: Option<&Columns>) -> Result<Vec<[f64; 2]>, InputError> {
+pub(super) fn points(
+    file: &Path,
+    content: &[u8],
+    columns: Option<&Columns>,
+    wanted: Wanted,
+) -> Result<Points, InputError> {
     let document = parse(file, content)?;
     let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
         (Some(rows), _) => (rows, String::new()),
@@ -22,13 +27,22 @@ pub(super) fn points(file: &Path, content: &[u8], columns: Option<&Columns>) -> 
         }
     };
     let mut width = None;
-    let mut points = Vec::with_capacity(rows.len());
+    let mut points: Option<Points> = None;
     for (index, row) in rows.iter().enumerate() {
         let at = |(problem, cell): (Problem, String)| problem.at(file, Place::Path(format!("{path}[{index}]{cell}")));
-        let point = coordinates(row, columns, &mut width).map_err(at)?;
-        push_limited(&mut points, point).map_err(|problem| at((problem, String::new())))?;
+        let point = coordinates(row, columns, wanted, &mut width).map_err(at)?;
+        let dimension = points.as_ref().map_or(point.len(), Points::dimension);
+        if point.len() != dimension {
+            return Err(at((Problem::Ragged { found: point.len(), expected: dimension }, String::new())));
+        }
+        points
+            .get_or_insert_with(|| {
+                Points::of_dimension(dimension).expect("no more coordinates are taken than are read")
+            })
+            .push(&point)
+            .map_err(|problem| at((problem, String::new())))?;
     }
-    Ok(points)
+    Ok(points.unwrap_or(Points::Plane(Vec::new())))
 }
 
 /// Parses a document, with the parser's complaints placed in the file.
@@ -51,7 +65,12 @@ fn cell(line: usize, column: usize) -> Place {
 
 type Misplaced = (Problem, String);
 
-fn coordinates(row: &Tree, columns: Option<&Columns>, width: &mut Option<usize>) -> Result<[f64; 2], Misplaced> {
+fn coordinates(
+    row: &Tree,
+    columns: Option<&Columns>,
+    wanted: Wanted,
+    width: &mut Option<usize>,
+) -> Result<Vec<f64>, Misplaced> {
     match row {
         Tree::List(cells) => {
             let expected = *width.get_or_insert(cells.len());
@@ -59,19 +78,27 @@ fn coordinates(row: &Tree, columns: Option<&Columns>, width: &mut Option<usize>)
                 let found = cells.len();
                 return Err((Problem::Ragged { found, expected }, String::new()));
             }
-            let positions = match columns {
-                Some(Columns([first, second])) => [position(first, cells.len())?, position(second, cells.len())?],
-                None if cells.len() == 2 => [0, 1],
-                None => return Err((Problem::ChooseColumns { cells: cells.len() }, String::new())),
+            let positions: Vec<usize> = match columns {
+                Some(Columns(chosen)) => {
+                    chosen.iter().map(|column| position(column, cells.len())).collect::<Result<_, _>>()?
+                }
+                None if wanted.takes_all(cells.len()) => (0..cells.len()).collect(),
+                None => {
+                    let problem = Problem::ChooseColumns { cells: cells.len(), wanted: wanted.in_words() };
+                    return Err((problem, String::new()));
+                }
             };
             let coordinate =
                 |position: usize| number(&cells[position]).map_err(|problem| (problem, format!("[{position}]")));
-            Ok([coordinate(positions[0])?, coordinate(positions[1])?])
+            positions.into_iter().map(coordinate).collect()
         }
         Tree::Object(fields) => {
-            let names = match columns {
-                Some(Columns([first, second])) => [first.to_string(), second.to_string()],
-                None => ["x".to_owned(), "y".to_owned()],
+            let names: Vec<String> = match columns {
+                Some(Columns(chosen)) => chosen.iter().map(Column::to_string).collect(),
+                None => {
+                    let in_space = wanted == Wanted::Any && row.field("z").is_some();
+                    ["x", "y", "z"][..if in_space { 3 } else { 2 }].iter().map(|&name| name.to_owned()).collect()
+                }
             };
             let coordinate = |name: &String| {
                 let value = row.field(name).ok_or_else(|| {
@@ -81,7 +108,7 @@ fn coordinates(row: &Tree, columns: Option<&Columns>, width: &mut Option<usize>)
                 })?;
                 number(value).map_err(|problem| (problem, format!(".{name}")))
             };
-            Ok([coordinate(&names[0])?, coordinate(&names[1])?])
+            names.iter().map(coordinate).collect()
         }
         other => {
             let problem = Problem::Shape(format!("expected a point, found {}", other.describe()));
@@ -120,7 +147,11 @@ mod tests {
 
     fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
         let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
-        points(Path::new("p.json"), content.as_bytes(), columns.as_ref()).map_err(|error| error.to_string())
+        let points = points(Path::new("p.json"), content.as_bytes(), columns.as_ref(), Wanted::Planar);
+        match points.map_err(|error| error.to_string())? {
+            Points::Plane(points) => Ok(points),
+            other => panic!("{other:?} are not points of the plane"),
+        }
     }
 
     #[test]
@@ -132,6 +163,17 @@ mod tests {
         assert_eq!(read("[{\"x\":1,\"y\":2},{\"y\":4,\"x\":3}]", None), expected);
         assert_eq!(read("[{\"a\":1,\"b\":2},{\"a\":3,\"b\":4}]", Some("a,b")), expected);
         assert_eq!(read("[]", None), Ok(vec![]));
+    }
+
+    #[test]
+    fn any_number_of_coordinates() {
+        let read = |content: &str| points(Path::new("p.json"), content.as_bytes(), None, Wanted::Any);
+        let space = Points::Space(vec![[1.0, 2.0, 3.0]]);
+        assert_eq!(read("[[1,2,3]]").expect("points"), space);
+        assert_eq!(read("[{\"z\":3,\"x\":1,\"y\":2}]").expect("points"), space);
+        assert_eq!(read("[[1]]").expect("points"), Points::Line(vec![[1.0]]));
+        let mixed = read("[[1,2,3],{\"x\":1,\"y\":2}]").expect_err("two dimensions");
+        assert_eq!(mixed.to_string(), "p.json: [1]: the row has 2 cells, not 3");
     }
 
     #[test]

@@ -73,7 +73,7 @@ pub enum Problem {
     #[error("holds no zonotope")]
     NoBody,
     /// The extension says nothing about the format.
-    #[error("the format cannot be told from the name; say --format csv, geojson or json")]
+    #[error("the format cannot be told from the name; say --format csv, geojson, json, obj, ply, stl or off")]
     UnknownFormat,
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
@@ -108,12 +108,17 @@ pub enum Problem {
         /// Cells in the row.
         cells: usize,
     },
-    /// The file has too many or too few columns for the pair of coordinates to be guessed.
-    #[error("has {cells} column(s); choose two with --columns")]
+    /// The file has too many or too few columns for the coordinates to be guessed.
+    #[error("has {cells} column(s); choose {wanted} with --columns")]
     ChooseColumns {
         /// Cells in the first row.
         cells: usize,
+        /// How many there should be.
+        wanted: &'static str,
     },
+    /// Points of the plane are needed.
+    #[error("holds points with {0} coordinates, not two")]
+    NotPlanar(usize),
     /// The bytes are not text.
     #[error("is not UTF-8 text")]
     NotText,
@@ -123,6 +128,14 @@ pub enum Problem {
     /// The JSON has another shape than a set of points.
     #[error("{0}")]
     Shape(String),
+    /// A mesh cannot be parsed.
+    #[error("is not {format}: {complaint}")]
+    Mesh {
+        /// The name of the format.
+        format: String,
+        /// What its reader says.
+        complaint: String,
+    },
     /// The table cannot be parsed.
     #[error("cannot be parsed as a table: {0}")]
     Table(String),
@@ -137,16 +150,21 @@ impl Problem {
     /// Cells quoted in a message stay on one line and are cut to a readable length.
     fn shortened(self) -> Self {
         const LONGEST: usize = 60;
-        let tidy = |text: String| {
-            let mut kept: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();
-            if text.chars().count() > LONGEST {
+        let cut = |text: &str, longest: usize| {
+            let mut kept: String = text.chars().take(longest).flat_map(char::escape_debug).collect();
+            if text.chars().count() > longest {
                 kept.push('…');
             }
             kept
         };
+        let tidy = |text: String| cut(&text, LONGEST);
         match self {
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
+            Self::Mesh { format, complaint } => {
+                let words: Vec<&str> = complaint.split_whitespace().collect();
+                Self::Mesh { format, complaint: cut(&words.join(" "), 2 * LONGEST) }
+            }
             other => other,
         }
     }

@@ -1,4 +1,4 @@
-//! Points of the plane from data files (CSV, GeoJSON and JSON), zonotopes of any dimension (CSV and JSON).
+//! Points from data files (CSV, GeoJSON, JSON) and meshes (OBJ, PLY, STL, OFF), zonotopes of any dimension (CSV and JSON).
 //!
 //! A file is read into at most [`MAX_FILE_BYTES`] of memory and yields at most [`MAX_POINTS`] points; both limits are checked
 //! before the memory is taken. Every complaint is one line that names the file and the place ([`InputError`]). A byte order
@@ -10,6 +10,8 @@ mod columns;
 mod document;
 mod error;
 mod geojson;
+mod mesh;
+mod points;
 mod table;
 
 use std::fmt;
@@ -21,6 +23,9 @@ pub use body::{Body, BodySource};
 pub use bytes::MAX_FILE_BYTES;
 pub use columns::{Column, Columns};
 pub use error::{InputError, Place, Problem};
+pub use points::Points;
+
+use points::Wanted;
 
 /// The largest number of points that a file may hold.
 pub const MAX_POINTS: usize = 10_000_000;
@@ -34,6 +39,14 @@ pub enum Format {
     Geojson,
     /// A JSON list of rows `[x, y, …]` or `{"x": …, "y": …}`, or an object that holds such a list under `points`.
     Json,
+    /// A mesh, Wavefront OBJ: the vertices that faces, lines or points use.
+    Obj,
+    /// A mesh or a cloud of points, PLY in text or binary.
+    Ply,
+    /// A mesh of triangles, STL in text or binary.
+    Stl,
+    /// A mesh, OFF in text.
+    Off,
 }
 
 impl Format {
@@ -43,8 +56,17 @@ impl Format {
             "csv" | "tsv" | "txt" => Some(Self::Csv),
             "geojson" => Some(Self::Geojson),
             "json" => Some(Self::Json),
+            "obj" => Some(Self::Obj),
+            "ply" => Some(Self::Ply),
+            "stl" => Some(Self::Stl),
+            "off" => Some(Self::Off),
             _ => None,
         }
+    }
+
+    /// Whether files of this format hold meshes: points of space.
+    pub fn is_mesh(self) -> bool {
+        matches!(self, Self::Obj | Self::Ply | Self::Stl | Self::Off)
     }
 }
 
@@ -54,6 +76,10 @@ impl fmt::Display for Format {
             Self::Csv => "csv",
             Self::Geojson => "geojson",
             Self::Json => "json",
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Stl => "stl",
+            Self::Off => "off",
         })
     }
 }
@@ -65,23 +91,38 @@ pub struct PointSource {
     pub file: PathBuf,
     /// Its format; told from the extension if absent.
     pub format: Option<Format>,
-    /// The two columns that hold the coordinates; guessed if absent.
+    /// The columns that hold the coordinates; guessed if absent.
     pub columns: Option<Columns>,
 }
 
 impl PointSource {
-    /// Reads the points, in the order of the file; at least one.
+    /// Reads points of the plane, in the order of the file; at least one.
     pub fn read(&self) -> Result<Vec<[f64; 2]>, InputError> {
+        match self.read_as(Wanted::Planar)? {
+            Points::Plane(points) => Ok(points),
+            other => Err(Problem::NotPlanar(other.dimension()).at(&self.file, Place::File)),
+        }
+    }
+
+    /// Reads points of as many dimensions as the file has, in its order; at least one.
+    pub fn read_any(&self) -> Result<Points, InputError> {
+        self.read_as(Wanted::Any)
+    }
+
+    /// The format that was chosen, or that the name tells.
+    pub fn known_format(&self) -> Option<Format> {
+        self.format.or_else(|| Format::of_extension(&self.file))
+    }
+
+    fn read_as(&self, wanted: Wanted) -> Result<Points, InputError> {
         let file = &self.file;
-        let format = self
-            .format
-            .or_else(|| Format::of_extension(file))
-            .ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
+        let format = self.known_format().ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
         let content = bytes::read_limited(file)?;
         let points = match format {
-            Format::Csv => table::points(file, &content, self.columns.as_ref())?,
-            Format::Geojson => geojson::points(file, &content)?,
-            Format::Json => document::points(file, &content, self.columns.as_ref())?,
+            Format::Csv => table::points(file, &content, self.columns.as_ref(), wanted)?,
+            Format::Geojson => Points::Plane(geojson::points(file, &content)?),
+            Format::Json => document::points(file, &content, self.columns.as_ref(), wanted)?,
+            mesh => Points::Space(mesh::vertices(file, &content, mesh)?),
         };
         if points.is_empty() {
             return Err(Problem::Empty.at(file, Place::File));

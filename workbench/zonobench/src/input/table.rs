@@ -6,24 +6,33 @@ use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
+use super::points::{MOST_COORDINATES, Points, Wanted};
 use super::push_limited;
 
 /// Pairs of header names that are taken for coordinates when no columns are chosen, in the order first, second coordinate.
 const KNOWN_NAMES: [[&str; 2]; 6] =
     [["x", "y"], ["lon", "lat"], ["lng", "lat"], ["long", "lat"], ["longitude", "latitude"], ["easting", "northing"]];
 
+/// Names of three coordinates, which come before pairs where any number of coordinates will do.
+const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
+
 /// Reads the points of a table.
 ///
 /// The first line is a header if the chosen columns are named, if some cell of it is text where the second line has a number,
 /// or if neither chosen cell is a number.
-pub(super) fn points(file: &Path, content: &[u8], columns: Option<&Columns>) -> Result<Vec<[f64; 2]>, InputError> {
-    let mut table = Table { file, content, columns: [0, 1], width: None };
-    table.read(columns)
+pub(super) fn points(
+    file: &Path,
+    content: &[u8],
+    columns: Option<&Columns>,
+    wanted: Wanted,
+) -> Result<Points, InputError> {
+    let mut table = Table { file, content, columns: vec![0, 1], width: None };
+    table.read(columns, wanted)
 }
 
 /// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as above.
 pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Vec<Vec<f64>>, InputError> {
-    let mut table = Table { file, content, columns: [0, 0], width: None };
+    let mut table = Table { file, content, columns: vec![0], width: None };
     let mut reader = table.reader();
     let mut records = reader.byte_records().filter(|row| !row.as_ref().is_ok_and(is_blank));
     let Some(first) = records.next() else {
@@ -47,7 +56,7 @@ struct Table<'a> {
     file: &'a Path,
     content: &'a [u8],
     /// The chosen columns, counted from 0.
-    columns: [usize; 2],
+    columns: Vec<usize>,
     /// The cells of the first row, which every row must have.
     width: Option<usize>,
 }
@@ -61,24 +70,29 @@ impl<'a> Table<'a> {
             .from_reader(self.content)
     }
 
-    fn read(&mut self, columns: Option<&Columns>) -> Result<Vec<[f64; 2]>, InputError> {
+    fn read(&mut self, columns: Option<&Columns>, wanted: Wanted) -> Result<Points, InputError> {
         let mut reader = self.reader();
         let mut rows = reader.byte_records().filter(|row| !row.as_ref().is_ok_and(is_blank));
 
         let Some(first) = rows.next() else {
-            return Ok(Vec::new());
+            return Ok(Points::Plane(Vec::new()));
         };
         let first = self.parsed(first)?;
         let second = rows.next().map(|row| self.parsed(row)).transpose()?;
-        self.columns = self.chosen(&first, columns)?;
+        self.columns = self.chosen(&first, columns, wanted)?;
 
-        let mut points = Vec::new();
-        let named = columns.is_some_and(|Columns(both)| both.iter().any(|column| matches!(column, Column::Name(_))));
+        let mut points = Points::of_dimension(self.columns.len()).expect("no more columns are chosen than are read");
+        let named = columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
         let opening = if named || self.is_header(&first, second.as_ref()) { None } else { Some(first) };
         for row in opening.into_iter().chain(second).map(Ok).chain(rows.map(|row| self.parsed(row))) {
             let row = row?;
-            let point = [self.number(&row, self.columns[0])?, self.number(&row, self.columns[1])?];
-            push_limited(&mut points, point).map_err(|problem| problem.at(self.file, Place::Line(self.line(&row))))?;
+            let mut point = [0.0; MOST_COORDINATES];
+            for (slot, &column) in point.iter_mut().zip(&self.columns) {
+                *slot = self.number(&row, column)?;
+            }
+            points
+                .push(&point[..self.columns.len()])
+                .map_err(|problem| problem.at(self.file, Place::Line(self.line(&row))))?;
         }
         Ok(points)
     }
@@ -88,11 +102,16 @@ impl<'a> Table<'a> {
         row.map_err(|error| Problem::Table(error.to_string()).at(self.file, Place::File))
     }
 
-    fn chosen(&mut self, first: &ByteRecord, columns: Option<&Columns>) -> Result<[usize; 2], InputError> {
+    fn chosen(
+        &mut self,
+        first: &ByteRecord,
+        columns: Option<&Columns>,
+        wanted: Wanted,
+    ) -> Result<Vec<usize>, InputError> {
         self.width = Some(first.len());
         let names: Vec<String> = first.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect();
         let position = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
-        if let Some(Columns(both)) = columns {
+        if let Some(Columns(chosen)) = columns {
             let place = |column: &Column| match column {
                 Column::Number(number) if *number <= names.len() => Ok(number - 1),
                 Column::Number(number) => Err(Problem::NoColumnNumber { number: *number, cells: names.len() }),
@@ -100,17 +119,18 @@ impl<'a> Table<'a> {
                     .ok_or_else(|| Problem::NoSuchColumn { name: name.clone(), available: names.join(", ") }),
             };
             let at_first = |problem: Problem| problem.at(self.file, Place::Line(self.line(first)));
-            return Ok([place(&both[0]).map_err(at_first)?, place(&both[1]).map_err(at_first)?]);
+            return chosen.iter().map(|column| place(column).map_err(at_first)).collect();
         }
-        for [x, y] in KNOWN_NAMES {
-            if let (Some(x), Some(y)) = (position(x), position(y)) {
-                return Ok([x, y]);
-            }
+        let known = |names: &[&str]| names.iter().map(|name| position(name)).collect::<Option<Vec<usize>>>();
+        let in_space = (wanted == Wanted::Any).then(|| known(&SPACE_NAMES)).flatten();
+        if let Some(columns) = in_space.or_else(|| KNOWN_NAMES.iter().find_map(|pair| known(pair))) {
+            return Ok(columns);
         }
-        if first.len() == 2 {
-            return Ok([0, 1]);
+        if wanted.takes_all(first.len()) {
+            return Ok((0..first.len()).collect());
         }
-        Err(Problem::ChooseColumns { cells: first.len() }.at(self.file, Place::File))
+        let problem = Problem::ChooseColumns { cells: first.len(), wanted: wanted.in_words() };
+        Err(problem.at(self.file, Place::File))
     }
 
     fn is_header(&self, first: &ByteRecord, second: Option<&ByteRecord>) -> bool {
@@ -168,7 +188,11 @@ mod tests {
 
     fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
         let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
-        points(Path::new("points.csv"), content.as_bytes(), columns.as_ref()).map_err(|error| error.to_string())
+        let points = points(Path::new("points.csv"), content.as_bytes(), columns.as_ref(), Wanted::Planar);
+        match points.map_err(|error| error.to_string())? {
+            Points::Plane(points) => Ok(points),
+            other => panic!("{other:?} are not points of the plane"),
+        }
     }
 
     #[test]
@@ -217,8 +241,24 @@ mod tests {
     }
 
     #[test]
+    fn any_number_of_coordinates() {
+        let read = |content: &str, columns: Option<&str>| {
+            let columns = columns.map(|columns| columns.parse().expect("well formed"));
+            points(Path::new("p.csv"), content.as_bytes(), columns.as_ref(), Wanted::Any)
+                .map_err(|error| error.to_string())
+        };
+        assert_eq!(read("z,x,y,w\n3,1,2,9\n", None), Ok(Points::Space(vec![[1.0, 2.0, 3.0]])));
+        assert_eq!(read("7\n8\n", None), Ok(Points::Line(vec![[7.0], [8.0]])));
+        assert_eq!(read("1,2,3,4\n", None), Ok(Points::Four(vec![[1.0, 2.0, 3.0, 4.0]])));
+        assert_eq!(read("id,lon,lat\na,1,2\n", None), Ok(Points::Plane(vec![[1.0, 2.0]])));
+        let iris = "150,4,setosa,versicolor,virginica\n5.1,3.5,1.4,0.2,0\n";
+        assert_eq!(read(iris, Some("1,2,3,4")), Ok(Points::Four(vec![[5.1, 3.5, 1.4, 0.2]])));
+        assert_eq!(read(iris, None), Err("p.csv: has 5 column(s); choose two to four with --columns".into()));
+    }
+
+    #[test]
     fn bytes_that_are_not_text_are_named() {
-        let error = points(Path::new("p.csv"), b"1,2\n3,\xff\n", None).expect_err("not text");
+        let error = points(Path::new("p.csv"), b"1,2\n3,\xff\n", None, Wanted::Planar).expect_err("not text");
         assert_eq!(error.to_string(), "p.csv: line 2, column 2: is not UTF-8 text");
     }
 

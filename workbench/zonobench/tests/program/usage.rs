@@ -7,7 +7,7 @@ use crate::run;
 
 #[test]
 fn usage_errors_have_status_2() {
-    let wrong: [&[&str]; 9] = [
+    let wrong: [&[&str]; 16] = [
         &[],
         &["frobnicate"],
         &["enclose"],
@@ -17,6 +17,13 @@ fn usage_errors_have_status_2() {
         &["reproduce", "--profile", "huge"],
         &["reproduce", "--threads", "0"],
         &["verify", "q.jsonl"],
+        &["enclose", "p.csv", "--objective", "volume"],
+        &["enclose", "p.csv", "--directions", "net:0"],
+        &["enclose", "p.csv", "--epsilon", "1"],
+        &["enclose", "p.csv", "--epsilon", "0.1", "--directions", "axes"],
+        &["enclose", "p.obj", "--objective", "area"],
+        &["enclose", "p.csv", "--objective", "area", "--epsilon", "0.1"],
+        &["enclose", "p.csv", "--objective", "length", "--exact"],
     ];
     for words in wrong {
         let outcome = run(Path::new("."), words);

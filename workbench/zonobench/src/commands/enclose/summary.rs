@@ -69,16 +69,12 @@ pub(super) fn summary(
 }
 
 /// The command that checks the written answer, or how to get one.
-fn verification(options: &Options) -> String {
-    let Some(answer) = &options.json else {
-        return "--json FILE writes the answer; zonobench verify checks it against the points".to_owned();
-    };
-    let mut command = format!("zonobench verify {} {}", options.file.display(), answer.display());
-    if let Some(columns) = &options.columns {
-        command.push_str(&format!(" --columns {columns}"));
+pub(super) fn verification(options: &Options) -> String {
+    match &options.json {
+        None => "--json FILE writes the answer; zonobench verify checks it against the points".to_owned(),
+        Some(answer) => {
+            let words = options.asking.words();
+            format!("zonobench verify {} {}{words}", options.file.display(), answer.display())
+        }
     }
-    if let Some(format) = options.format {
-        command.push_str(&format!(" --format {format}"));
-    }
-    command
 }

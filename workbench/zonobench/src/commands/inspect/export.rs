@@ -10,7 +10,7 @@ use crate::input::Body;
 const MOST_GENERATORS: usize = 4000;
 
 /// The faces of a body of space that has facets.
-pub(super) fn mesh(name: &str, body: &Body) -> anyhow::Result<FaceLattice> {
+pub(in crate::commands) fn mesh(name: &str, body: &Body) -> anyhow::Result<FaceLattice> {
     let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
     let (Some(center), Some(generators)) = (space(&body.center), body.generators.iter().map(space).collect()) else {
         bail!("{name}: only a body with three coordinates is written as a mesh");

@@ -1,7 +1,7 @@
 //! `zonobench inspect`: what kind of body a zonotope is.
 
 mod drawing;
-mod export;
+pub(super) mod export;
 mod measures;
 mod summary;
 
