@@ -6,19 +6,19 @@
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
-use super::facets::{DOT_ERROR, Image, MOST_COORDINATES, UNDERFLOW, image_dot, image_size, images, normals};
+use super::facets::{DOT_ERROR, Image, MOST_COORDINATES, TooMany, UNDERFLOW, image_dot, image_size, images, normals};
 use super::linear::{Echelon, Vector, dot, is_zero};
 use super::subsets::count_subsets;
 
 /// So many pairs of a facet and a point or a generator are gone through.
 const MOST_PAIRS: u64 = 4_000_000_000;
 
-/// The first vector that does not lie in the zonotope of the generators around the origin; an error if there are too many facets.
+/// The first vector that does not lie in the zonotope of the generators around the origin, unless there are too many facets.
 pub(super) fn first_outside(
     dimension: usize,
     generators: &[Vector],
     vectors: &[Vector],
-) -> Result<Option<usize>, String> {
+) -> Result<Option<usize>, TooMany> {
     let generators: Vec<Vector> = generators.iter().filter(|generator| !is_zero(generator)).cloned().collect();
     let span = Echelon::spanned(dimension, &generators);
     if let Some(beside) = vectors.iter().position(|vector| !span.contains(vector)) {
@@ -30,7 +30,7 @@ pub(super) fn first_outside(
     }
     let pairs = count_subsets(generators.len(), rank - 1).saturating_mul((generators.len() + vectors.len()) as u64);
     if rank > MOST_COORDINATES || pairs > MOST_PAIRS {
-        return Err(format!("{} generators have too many facets to hold the points against", generators.len()));
+        return Err(TooMany);
     }
     // In coordinates that tell the vectors of the span apart, the zonotope has an interior.
     let pivots = span.pivots();
@@ -97,6 +97,12 @@ mod tests {
         assert_eq!(outside(&segment, &[&[1, 2, 4]]), Some(0), "beside its line");
         assert_eq!(outside(&[], &[&[0, 0], &[0, 1]]), Some(1));
         assert_eq!(outside(&[&[0, 0]], &[&[0, 0]]), None);
+    }
+
+    #[test]
+    fn too_many_facets_are_not_begun() {
+        let many: Vec<Vector> = (0..4000).map(|i| vec![IBig::from(i), IBig::from(i * i), IBig::ONE]).collect();
+        assert_eq!(first_outside(3, &many, &many[..1]), Err(TooMany));
     }
 
     #[test]

@@ -7,7 +7,7 @@
 
 use dashu_int::IBig;
 
-use super::facets::{Image, MOST_COORDINATES, image_dot, images, normals, side};
+use super::facets::{Image, MOST_COORDINATES, TooMany, image_dot, images, normals, side};
 use super::linear::{Echelon, Vector, dot, is_zero};
 use super::subsets::count_subsets;
 
@@ -22,13 +22,13 @@ const SHORT: f64 = 1e-8;
 
 const MOST_VECTORS: usize = 1_000_000;
 
-/// max |Σ ± λ_j|² over all choices of signs; an error if there are too many vertices.
-pub(super) fn farthest_squared(dimension: usize, vectors: &[Vector]) -> Result<IBig, String> {
+/// max |Σ ± λ_j|² over all choices of signs, unless there are too many vertices.
+pub(super) fn farthest_squared(dimension: usize, vectors: &[Vector]) -> Result<IBig, TooMany> {
     let vectors: Vec<Vector> = vectors.iter().filter(|vector| !is_zero(vector)).cloned().collect();
     let rank = Echelon::spanned(dimension, &vectors).rank();
     let pairs = count_subsets(vectors.len(), rank.saturating_sub(1)).saturating_mul(vectors.len() as u64);
     if dimension > MOST_COORDINATES || pairs > MOST_PAIRS || vectors.len() > MOST_VECTORS {
-        return Err(format!("{} forces have too many vertices to go through", vectors.len()));
+        return Err(TooMany);
     }
     let mut search = Search {
         images: images(&vectors),

@@ -54,6 +54,10 @@ pub(super) fn image_size(u: &Image, v: &Image) -> f64 {
     (u[0] * v[0]).abs() + (u[1] * v[1]).abs() + (u[2] * v[2]).abs() + (u[3] * v[3]).abs()
 }
 
+/// There are more facets, or vertices, than can be gone through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct TooMany;
+
 /// A vector orthogonal to a subset of the vectors of a set.
 pub(super) struct Normal {
     /// The subset, ascending: one vector less than there are dimensions.

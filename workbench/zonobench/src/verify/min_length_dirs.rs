@@ -11,6 +11,7 @@ use dashu_int::ops::{Abs, Gcd};
 
 use super::RELATIVE_ERROR;
 use super::containment::first_outside;
+use super::facets::TooMany;
 use super::grid::Grid;
 use super::linear::{Vector, dot, is_zero};
 use super::proportion::{Proportion, check_figure};
@@ -64,6 +65,8 @@ pub enum DirectedProof {
     },
     /// There is no zonotope.
     Infeasible,
+    /// The zonotope has too many facets to hold the points against.
+    TooManyFacets,
 }
 
 /// Proves that the zonotope contains every point and costs what it is said to cost, and that none costs less than `lower_bound`, or that
@@ -88,7 +91,11 @@ pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Re
             if center.len() != dimension {
                 return Err(format!("center has {} coordinates, not {dimension}", center.len()));
             }
-            check_contained(question, center, coefficients)?;
+            match first_missed(question, center, coefficients)? {
+                Ok(None) => {}
+                Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1)),
+                Err(TooMany) => return Ok(DirectedProof::TooManyFacets),
+            }
             let cost = cost(&question.weights, coefficients);
             check_figure("value", *value, &cost, &cost.times(&Proportion::of_double(RELATIVE_ERROR)))?;
             let bound = proven_bound(question, forces)?;
@@ -115,7 +122,11 @@ pub(super) fn check_bound(claimed: f64, proven: &Proportion) -> Result<(), Strin
     Ok(())
 }
 
-fn check_contained(question: &Directed, center: &[f64], coefficients: &[f64]) -> Result<(), String> {
+fn first_missed(
+    question: &Directed,
+    center: &[f64],
+    coefficients: &[f64],
+) -> Result<Result<Option<usize>, TooMany>, String> {
     if coefficients.len() != question.directions.len() {
         return Err(format!("{} coefficients for {} directions", coefficients.len(), question.directions.len()));
     }
@@ -145,10 +156,7 @@ fn check_contained(question: &Directed, center: &[f64], coefficients: &[f64]) ->
         .iter()
         .map(|p| p.iter().zip(&center).map(|(&x, c)| (places.units(x) - c) << up(places.exponent())).collect())
         .collect();
-    match first_outside(center.len(), &generators, &differences)? {
-        Some(outside) => Err(format!("point {} lies outside the zonotope", outside + 1)),
-        None => Ok(()),
-    }
+    Ok(first_outside(center.len(), &generators, &differences))
 }
 
 fn cost(weights: &[f64], coefficients: &[f64]) -> Proportion {

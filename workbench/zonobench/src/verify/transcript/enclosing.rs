@@ -66,13 +66,14 @@ pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, St
         DirectedProof::Optimal { value, gap } => Verdict::Unchecked(format!(
             "contains all {count} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be the least"
         )),
+        DirectedProof::TooManyFacets => Verdict::Unchecked(TOO_MANY.to_owned()),
         DirectedProof::Infeasible => {
             Verdict::Right("two points differ by a vector outside the span of the directions".to_owned())
         }
     })
 }
 
-pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let points = vectors(member(input, "points")?, "points")?;
     let answer = MinLengthAnswer {
         length: float(result, "length")?,
@@ -82,13 +83,17 @@ pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<String, Stri
         ratio: float(result, "ratio")?,
         forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
     };
-    let proof = check_min_length_all(&points, float(input, "epsilon")?, &answer)?;
     let count = points.len();
-    Ok(format!(
-        "contains all {count} points; length {:?}, proven to be at most {:.12} times the least",
-        proof.length, proof.ratio
-    ))
+    Ok(match check_min_length_all(&points, float(input, "epsilon")?, &answer)? {
+        Some(proof) => Verdict::Right(format!(
+            "contains all {count} points; length {:?}, proven to be at most {:.12} times the least",
+            proof.length, proof.ratio
+        )),
+        None => Verdict::Unchecked(TOO_MANY.to_owned()),
+    })
 }
+
+const TOO_MANY: &str = "too many facets to hold the points against, or too many vertices of the forces' zonotope";
 
 /// Points and the vectors that pull at them.
 fn forces<T>(certificate: &Tree, read: impl Fn(&Tree) -> Option<T>) -> Result<Vec<(usize, T)>, String> {

@@ -43,7 +43,7 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     match question.field("kind").and_then(Tree::text).unwrap_or_default() {
         "min_area" => enclosing::min_area(input, result),
         "min_length_dirs" => return enclosing::min_length_dirs(input, result),
-        "min_length_all" => enclosing::min_length_all(input, result),
+        "min_length_all" => return enclosing::min_length_all(input, result),
         "support" => solids::support(input, result),
         "combinatorics" => solids::combinatorics(input, result),
         "slope_selection" => solids::slope_selection(input, result),
