@@ -151,13 +151,10 @@ impl Problem {
     fn shortened(self) -> Self {
         const LONGEST: usize = 60;
         let cut = |text: &str, longest: usize| {
-            let mut kept: String = text.chars().take(longest).flat_map(char::escape_debug).collect();
-            if text.chars().count() > longest {
-                kept.push('…');
-            }
-            kept
+            let ellipsis = if text.chars().count() > longest { "…" } else { "" };
+            text.chars().take(longest).collect::<String>() + ellipsis
         };
-        let tidy = |text: String| cut(&text, LONGEST);
+        let tidy = |text: String| cut(&text, LONGEST).chars().flat_map(char::escape_debug).collect::<String>();
         match self {
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),

@@ -72,5 +72,6 @@ fn complaint(error: &ParseError) -> Misplaced {
     let place = error.line().map_or(Place::File, |line| Place::Line(line as u64));
     let text = error.to_string();
     let text = text.strip_prefix("Line ").and_then(|rest| rest.split_once(": ")).map_or(&*text, |(_, rest)| rest);
-    (broken("PLY", text), place)
+    // What follows the first line repeats the file's.
+    (broken("PLY", text.lines().next().unwrap_or_default()), place)
 }
