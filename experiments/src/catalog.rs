@@ -2,8 +2,9 @@
 
 use crate::definition::Experiment;
 use crate::definitions::{
-    area_ratio, collision_scaling, faces_scaling, fallback_rate, gauge_passes, hull_scaling, lad_race, lad_scaling,
-    methods_agree, min_area_scaling, min_area_stages, pruning_passes, slope_selection_scaling, wrong_answers,
+    area_ratio, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate, gauge_passes,
+    hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree, min_area_scaling, min_area_stages,
+    points_scaling, pruning_passes, slope_selection_scaling, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -17,6 +18,10 @@ pub static EXPERIMENTS: &[Experiment] = &[
     hull_scaling::EXPERIMENT,
     methods_agree::EXPERIMENT,
     area_ratio::EXPERIMENT,
+    directions_scaling::EXPERIMENT,
+    points_scaling::EXPERIMENT,
+    length_ratio::EXPERIMENT,
+    enclosing_quality::EXPERIMENT,
     collision_scaling::EXPERIMENT,
     gauge_passes::EXPERIMENT,
     fallback_rate::EXPERIMENT,
@@ -33,8 +38,8 @@ pub fn find(id: &str) -> Option<&'static Experiment> {
 mod tests {
     use super::*;
     use crate::definition::{Profile, Quantity};
+    use crate::families;
     use crate::runner;
-    use crate::{data, families};
     use std::collections::BTreeSet;
 
     const PROFILES: [Profile; 2] = [Profile::Quick, Profile::Full];
@@ -56,11 +61,12 @@ mod tests {
             for id in experiment.families {
                 let found = families::find(id).is_some()
                     || families::lines::find(id).is_some()
-                    || families::bodies::is_known(id);
+                    || families::bodies::is_known(id)
+                    || families::clouds::find(id).is_some();
                 assert!(found, "{}: {id}", experiment.id);
             }
             for name in experiment.real_inputs {
-                assert!(data::points(name).is_some(), "{}: {name}", experiment.id);
+                assert!(runner::own_size(name).is_some(), "{}: {name}", experiment.id);
             }
         }
     }

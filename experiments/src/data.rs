@@ -85,6 +85,14 @@ pub fn airports() -> &'static [[f64; 2]] {
     &AIRPORTS
 }
 
+/// How many points the real input called `name` has, in the plane or beyond: `iris`, a mesh, or one of those of [`points`].
+pub fn size(name: &str) -> Option<usize> {
+    match name {
+        "iris" => Some(iris().len()),
+        _ => mesh(name).map(|mesh| mesh.vertices.len()).or_else(|| points(name).map(<[_]>::len)),
+    }
+}
+
 /// The points of the real input called `name`: `airports`, or an outline.
 pub fn points(name: &str) -> Option<&'static [[f64; 2]]> {
     match name {

@@ -1,6 +1,7 @@
 //! What an experiment is: a static value with plain fields and functions. Definitions live one a file in
 //! [`definitions`](crate::definitions) and are listed in [`catalog`](crate::catalog).
 
+use crate::families::clouds::Cloud;
 use crate::fit::{GrowthModel, LowerOrder};
 use crate::runner::stopwatch::Stopwatch;
 use crate::{data, families, seed};
@@ -150,9 +151,9 @@ pub struct Experiment {
     pub question: &'static str,
     /// Claims of the paper that it is evidence for.
     pub claims: &'static [&'static str],
-    /// Families (of points, of lines or of bodies) that give instances of every size.
+    /// Families (of points, of clouds, of lines or of bodies) that give instances of every size.
     pub families: &'static [&'static str],
-    /// Real inputs (`airports`, or the name of an outline) that give one instance each, of their own size.
+    /// Real inputs (`airports`, `iris`, the name of an outline or of a mesh) and solids, which give one instance each, of their own size.
     pub real_inputs: &'static [&'static str],
     /// Sizes of the instances.
     pub sizes: PerProfile<&'static [usize]>,
@@ -215,6 +216,21 @@ impl Case {
             return Ok(family.generate(self.n, self.instance_seed));
         }
         data::points(self.family).map(<[_]>::to_vec).ok_or_else(|| format!("no points are called {}", self.family))
+    }
+
+    /// The instance, when the family is one of point clouds, a solid or a real input in any dimension.
+    pub fn cloud(&self) -> Result<Cloud, String> {
+        if let Some(family) = families::clouds::find(self.family) {
+            return Ok((family.generate)(self.n, self.instance_seed));
+        }
+        if self.family == "iris" {
+            return Ok(Cloud::Four(data::iris().to_vec()));
+        }
+        let mesh = data::mesh(self.family).map(|mesh| mesh.vertices.clone());
+        match mesh.or_else(|| families::clouds::solid(self.family)) {
+            Some(vertices) => Ok(Cloud::Space(vertices)),
+            None => self.points().map(Cloud::Plane),
+        }
     }
 
     /// The family, when it is one of bodies in space.

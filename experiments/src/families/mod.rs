@@ -1,5 +1,5 @@
-//! Instance families: deterministic generators of point sets in the plane, of line sets for the kernel in [`lines`], and of
-//! zonotopes with questions about them in [`bodies`].
+//! Instance families: deterministic generators of point sets in the plane, of point clouds in two to four dimensions in [`clouds`], of line
+//! sets for the kernel in [`lines`], and of zonotopes with questions about them in [`bodies`].
 //!
 //! A family is a static value; the instance is a function of the family, the number of points and a seed. Transcendental functions
 //! come from `libm`, so instances agree bit for bit on every machine.
@@ -15,6 +15,7 @@
 
 pub mod bodies;
 pub mod circle;
+pub mod clouds;
 pub mod clustered;
 pub mod degenerate;
 pub mod disc;

@@ -17,12 +17,22 @@ pub enum GrowthModel {
     LinearLogSquared,
     /// n^2.
     Quadratic,
+    /// n^(1/2).
+    SquareRoot,
+    /// n^(3/2).
+    ThreeHalves,
+    /// n^3.
+    Cubic,
 }
 
 impl GrowthModel {
     /// The four models that a running time is compared with.
     pub const RUNNING_TIMES: &'static [Self] =
         &[Self::Linear, Self::Linearithmic, Self::LinearLogSquared, Self::Quadratic];
+
+    /// Powers of n alone, for sizes of what is built rather than for running times.
+    pub const POWERS: &'static [Self] =
+        &[Self::SquareRoot, Self::Linear, Self::ThreeHalves, Self::Quadratic, Self::Cubic];
 
     /// The running-time models and the constant.
     pub const ALL: &'static [Self] =
@@ -37,6 +47,9 @@ impl GrowthModel {
             Self::Linearithmic => n * log,
             Self::LinearLogSquared => n * log * log,
             Self::Quadratic => n * n,
+            Self::SquareRoot => n.sqrt(),
+            Self::ThreeHalves => n * n.sqrt(),
+            Self::Cubic => n * n * n,
         }
     }
 
@@ -54,6 +67,9 @@ impl fmt::Display for GrowthModel {
             Self::Linearithmic => "n log n",
             Self::LinearLogSquared => "n log^2 n",
             Self::Quadratic => "n^2",
+            Self::SquareRoot => "n^(1/2)",
+            Self::ThreeHalves => "n^(3/2)",
+            Self::Cubic => "n^3",
         })
     }
 }

@@ -5,7 +5,7 @@ use crate::{data, families};
 
 /// The cases of `experiment`: real inputs first, then families by size, then variants and instances.
 pub fn cases(experiment: &Experiment, profile: Profile, master_seed: u64) -> Vec<Case> {
-    let real = experiment.real_inputs.iter().map(|&name| (name, data::points(name).map_or(0, <[_]>::len), 1));
+    let real = experiment.real_inputs.iter().map(|&name| (name, own_size(name).unwrap_or(0), 1));
     let instances = |family| match families::find(family) {
         Some(family) if !family.is_random => 1,
         _ => experiment.instances.get(profile),
@@ -22,6 +22,11 @@ pub fn cases(experiment: &Experiment, profile: Profile, master_seed: u64) -> Vec
         }
     }
     cases
+}
+
+/// The number of points of an input that has one instance: a real one or a solid.
+pub fn own_size(name: &str) -> Option<usize> {
+    data::size(name).or_else(|| families::clouds::solid(name).map(|vertices| vertices.len()))
 }
 
 /// The cases that are timed, grouped by input: repetitions of a group's cases are interleaved.

@@ -13,7 +13,7 @@ mod journal;
 pub mod stopwatch;
 mod timing;
 
-pub use cases::{cases, timed_groups};
+pub use cases::{cases, own_size, timed_groups};
 
 use crate::definition::{Experiment, Profile};
 use crate::environment::Environment;

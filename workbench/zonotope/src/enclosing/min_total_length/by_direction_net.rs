@@ -88,8 +88,8 @@ impl Net {
         ((width / mesh).floor() as usize).saturating_add(1)
     }
 
-    /// At most so many directions.
-    fn size(self, dimension: usize, epsilon: f64) -> usize {
+    /// How many directions the net for a precision has in R^dimension, or a few more: those that several cells share are counted more than once.
+    pub fn size(self, dimension: usize, epsilon: f64) -> usize {
         let side = self.cells(dimension, epsilon).saturating_add(usize::from(self == Self::Cells));
         dimension.saturating_mul(side.saturating_pow(dimension as u32 - 1)).saturating_add(dimension)
     }

@@ -1,0 +1,60 @@
+//! Size and time of the linear programs of 4.2 against the number of directions.
+
+use super::fixed_directions_methods;
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
+use crate::families::clouds::{self, Cloud};
+use crate::fit::GrowthModel;
+
+const SIZES: PerProfile<&[usize]> =
+    PerProfile { quick: &[6, 8, 12, 16, 24, 32], full: &[6, 8, 12, 16, 24, 32, 48, 64, 96] };
+
+/// Points of each instance.
+const POINTS: usize = 400;
+
+/// Size and time of the linear programs of 4.2 against the number of directions.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "directions-scaling",
+    title: "Along given directions: growth with the number of directions",
+    question: "n is the number k of directions; 400 points in two, three and four dimensions. Rows of the linear programs: with all normals \
+               2 C(k, d - 1), in the paper's program 2 C(k, d - 1) (2k + d) at most, O(k^d) (fewer where the extreme points run out: there are 400 points, and \
+               in a ball few of them on the hull): `share_of_bound` is what is used of these, and may not grow; with normals as they are needed a few times k + d. All three reach the same optimum: \
+               `relative_gap` is the proven distance from it.",
+    claims: &["theorem-4.6", "linear-program", "summary-fixed-directions"],
+    families: FAMILIES,
+    real_inputs: &[],
+    sizes: SIZES,
+    instances: PerProfile { quick: 1, full: 2 },
+    variants: &fixed_directions_methods::variants(
+        PerProfile { quick: 24, full: 48 },
+        PerProfile { quick: 24, full: 32 },
+    ),
+    measure,
+    timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
+    fits: &[
+        fit("papers_program", Quantity::Value("share_of_bound"), Some(GrowthModel::Constant)),
+        fit("support_form", Quantity::Value("share_of_bound"), Some(GrowthModel::Constant)),
+        fit("papers_program", Quantity::Value("rows"), None),
+        fit("support_form", Quantity::Value("rows"), None),
+        fit("by_row_generation", Quantity::Value("rows"), None),
+    ],
+};
+
+const FAMILIES: &[&str] = &["ball_2", "sphere_2", "ball_3", "sphere_3", "ball_4", "sphere_4"];
+
+const fn fit(variant: &'static str, quantity: Quantity, bound: Option<GrowthModel>) -> FitPlan {
+    let models = if bound.is_some() { GrowthModel::ALL } else { GrowthModel::POWERS };
+    FitPlan { quantity, variant, families: FAMILIES, models, bound, lower_order: None }
+}
+
+fn cloud(case: &Case) -> Result<Cloud, String> {
+    let family = clouds::find(case.family).ok_or_else(|| format!("no points are called {}", case.family))?;
+    Ok((family.generate)(POINTS, case.instance_seed))
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    fixed_directions_methods::measure(case, &cloud(case)?, case.n)
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    Ok(fixed_directions_methods::prepare(case, cloud(case)?, case.n))
+}

@@ -1,0 +1,103 @@
+//! How well zonotopes enclose solids, random hulls and real inputs.
+
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::families::clouds::Cloud;
+use crate::hull_in_space::SolidHull;
+use crate::seed::Digest;
+use zonotope::collision::{Displacement, by_lad, by_lad_in_r4};
+use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_column_generation::min_length_enclosing_counted};
+use zonotope::tally::OperationCounts;
+use zonotope::zonotope::{Zonotope, combinatorics};
+
+/// How well zonotopes enclose solids, random hulls and real inputs.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "enclosing-quality",
+    title: "How well zonotopes enclose: solids, random hulls, meshes, flowers",
+    question: "The zonotope of (nearly) least total length around each input; `ratio` is proven: its length over the lower bound for all zonotopes. \
+               `volume_ratio` and `box_volume_ratio` compare its volume and that of the box along the axes with the hull's. A zonotope is \
+               centrally symmetric, so a tetrahedron fares worst and the cube, a zonotope itself, has ratio 1; real meshes lie between. \
+               Whatever shares a hull shares the answer: only the hull's vertices count.",
+    claims: &["open-approximation-quality", "theorem-4.7"],
+    families: &["ball_3", "sphere_3"],
+    real_inputs: &[
+        "tetrahedron",
+        "octahedron",
+        "cube",
+        "icosahedron",
+        "dodecahedron",
+        "assimp_spider",
+        "assimp_wuson",
+        "cgal_cow",
+        "cgal_fandisk",
+        "teapot",
+        "iris",
+    ],
+    sizes: PerProfile { quick: &[8, 16, 32], full: &[8, 16, 32, 64, 128] },
+    instances: PerProfile { quick: 1, full: 3 },
+    variants: &[
+        Variant { id: "within_1e-2", title: "ε = 0.01", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "within_1e-4", title: "ε = 0.0001", largest: PerProfile { quick: 0, full: usize::MAX } },
+    ],
+    measure,
+    timing: None,
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    match case.cloud()? {
+        Cloud::Space(points) => measure_in_space(case, &points),
+        Cloud::Four(points) => {
+            let is_inside = |body: &Zonotope<4>, p: [f64; 4]| {
+                Displacement::of_point(p, body).is_ok_and(|d| by_lad_in_r4::locate(&d).is_member())
+            };
+            Ok(enclosed(case, &points, is_inside)?.0)
+        }
+        Cloud::Plane(_) => Err("the plane has an experiment of its own".to_owned()),
+    }
+}
+
+fn measure_in_space(case: &Case, points: &[[f64; 3]]) -> Result<Measurement, String> {
+    let hull = SolidHull::of(points).ok_or("the points lie in a plane")?;
+    let corners: Vec<[f64; 3]> = hull.vertices().into_iter().map(|vertex| points[vertex]).collect();
+    let is_inside =
+        |body: &Zonotope<3>, p: [f64; 3]| Displacement::of_point(p, body).is_ok_and(|d| by_lad::locate(&d).is_member());
+    let (measurement, answer) = enclosed(case, &corners, is_inside)?;
+    let hull_volume = hull.volume(points);
+    let volume = combinatorics(&answer.zonotope).measure.to_f64_fast();
+    let range = |c: usize| {
+        let values = corners.iter().map(|p| p[c]);
+        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+    };
+    Ok(measurement
+        .with_value("hull_vertices", corners.len() as f64)
+        .with_value("volume_ratio", volume / hull_volume)
+        .with_value("box_volume_ratio", range(0) * range(1) * range(2) / hull_volume))
+}
+
+fn enclosed<const D: usize>(
+    case: &Case,
+    points: &[[f64; D]],
+    is_inside: impl Fn(&Zonotope<D>, [f64; D]) -> bool,
+) -> Result<(Measurement, MinLengthZonotope<D>), String> {
+    let epsilon: f64 = case
+        .variant
+        .strip_prefix("within_")
+        .and_then(|epsilon| epsilon.parse().ok())
+        .ok_or_else(|| format!("{} names no precision", case.variant))?;
+    let mut counts = OperationCounts::default();
+    let answer = min_length_enclosing_counted(points, epsilon, &mut counts).map_err(|error| error.to_string())?;
+    let outside = points.iter().position(|p| !is_inside(&answer.zonotope, *p));
+    let checked = match outside {
+        Some(point) => Err(format!("point {point} is outside")),
+        None if answer.ratio > 1.0 + epsilon => Err(format!("the ratio {} is above 1 + {epsilon}", answer.ratio)),
+        None => Ok(()),
+    };
+    let digest = Digest::default().floats(answer.zonotope.generators().as_flattened());
+    let digest = digest.floats(&[answer.length, answer.lower_bound]).finish();
+    let measurement = Measurement::new(&counts, digest, Verdict::of_check("exact membership and the ratio", checked))
+        .with_value("ratio", answer.length / answer.lower_bound)
+        .with_value("length", answer.length)
+        .with_value("generators", answer.zonotope.generators().len() as f64)
+        .with_value("directions", answer.directions as f64);
+    Ok((measurement, answer))
+}

@@ -1,0 +1,117 @@
+//! What the experiments on given directions share: the three forms as variants, directions, and what is recorded of an answer.
+
+use crate::definition::{Case, Measurement, PerProfile, TimedWork, Variant, Verdict};
+use crate::families::clouds::{Cloud, on_sphere};
+use crate::seed::{self, Digest};
+use zonotope::enclosing::fixed_directions::{
+    DirectedZonotope, Enclosure, FixedDirections, FixedDirectionsError, by_row_generation, papers_program,
+    support_form, verify,
+};
+use zonotope::linear_program::Clarabel;
+use zonotope::tally::{OperationCounts, Tally};
+
+/// An answer whose value exceeds its proven lower bound by more, relatively, counts as wrong.
+const LARGEST_GAP: f64 = 1e-10;
+
+/// Up to this many points times directions each point is proven inside in rationals.
+const CONTAINED_SIZE: usize = 300;
+
+/// The three forms, the engine's two up to sizes of their own.
+pub(super) const fn variants(papers_program: PerProfile<usize>, support_form: PerProfile<usize>) -> [Variant; 3] {
+    [
+        Variant { id: "papers_program", title: "The paper's program", largest: papers_program },
+        Variant { id: "support_form", title: "All normals", largest: support_form },
+        Variant { id: "by_row_generation", title: "Normals as they are needed", largest: PerProfile::both(usize::MAX) },
+    ]
+}
+
+/// `k` random unit vectors that belong to the instance of a case.
+fn directions<const D: usize>(case: &Case, k: usize) -> Vec<[f64; D]> {
+    on_sphere(k, seed::seed_of(case.instance_seed, "directions"))
+}
+
+fn solve<const D: usize>(
+    variant: &str,
+    problem: &FixedDirections<'_, D>,
+    tally: &mut impl Tally,
+) -> Result<DirectedZonotope<D>, String> {
+    let answer: Result<Enclosure<D>, FixedDirectionsError> = match variant {
+        "papers_program" => papers_program::least_enclosing(problem, &Clarabel),
+        "support_form" => support_form::least_enclosing(problem, &Clarabel),
+        "by_row_generation" => by_row_generation::least_enclosing_counted(problem, tally),
+        other => return Err(format!("no method is called {other}")),
+    };
+    match answer.map_err(|error| error.to_string())? {
+        Enclosure::Optimal(zonotope) => Ok(zonotope),
+        Enclosure::Infeasible(_) => Err("the directions do not span".to_owned()),
+    }
+}
+
+fn digest<const D: usize>(answer: &DirectedZonotope<D>) -> u64 {
+    let digest = Digest::default().floats(&answer.center).floats(&answer.coefficients);
+    digest.floats(&[answer.value, answer.lower_bound]).finish()
+}
+
+/// Runs a variant on a case with `k` directions of weight 1, and checks value, lower bound and, if that is not too much, every point.
+pub(super) fn measure(case: &Case, cloud: &Cloud, k: usize) -> Result<Measurement, String> {
+    match cloud {
+        Cloud::Plane(points) => measure_in(case, points, k),
+        Cloud::Space(points) => measure_in(case, points, k),
+        Cloud::Four(points) => measure_in(case, points, k),
+    }
+}
+
+fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]], k: usize) -> Result<Measurement, String> {
+    let (directions, weights) = (directions::<D>(case, k), vec![1.0; k]);
+    let problem = FixedDirections::new(points, &directions, &weights).map_err(|error| error.to_string())?;
+    let mut counts = OperationCounts::default();
+    let answer = solve(case.variant, &problem, &mut counts)?;
+    let verdict = if answer.relative_gap() > LARGEST_GAP {
+        Verdict::Wrong(format!("the bounds are {:e} apart", answer.relative_gap()))
+    } else if points.len() * k <= CONTAINED_SIZE {
+        let checked = verify::verify(&problem, &Enclosure::Optimal(answer.clone()));
+        Verdict::of_check("fixed_directions::verify", checked)
+    } else {
+        Verdict::of_check("fixed_directions::verify_bounds", verify::verify_bounds(&problem, &answer))
+    };
+    let measurement = Measurement::new(&counts, digest(&answer), verdict);
+    let measurement = match most_rows(case.variant, k, D) {
+        Some(most) => measurement.with_value("share_of_bound", answer.effort.rows as f64 / most),
+        None => measurement,
+    };
+    Ok(measurement
+        .with_value("rows", answer.effort.rows as f64)
+        .with_value("rounds", answer.effort.rounds as f64)
+        .with_value("passes", answer.effort.passes as f64)
+        .with_value("relative_gap", answer.relative_gap()))
+}
+
+/// The most rows that the analysis allows: one for each normal and side, or d equations and 2k bounds for the point that is extreme there.
+fn most_rows(variant: &str, k: usize, dimension: usize) -> Option<f64> {
+    let normals = (0..dimension - 1).fold(1, |count, i| count * (k - i) / (i + 1));
+    let rows = match variant {
+        "papers_program" => 2 * normals * (dimension + 2 * k),
+        "support_form" => 2 * normals,
+        _ => return None,
+    };
+    Some(rows as f64)
+}
+
+/// The same without counting, for the clock.
+pub(super) fn prepare(case: &Case, cloud: Cloud, k: usize) -> TimedWork {
+    match cloud {
+        Cloud::Plane(points) => prepare_in(case, points, k),
+        Cloud::Space(points) => prepare_in(case, points, k),
+        Cloud::Four(points) => prepare_in(case, points, k),
+    }
+}
+
+fn prepare_in<const D: usize>(case: &Case, points: Vec<[f64; D]>, k: usize) -> TimedWork {
+    let (directions, weights) = (directions::<D>(case, k), vec![1.0; k]);
+    let variant = case.variant;
+    Box::new(move |stopwatch| {
+        let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
+        let answer = stopwatch.lap("total", || solve(variant, &problem, &mut ()))?;
+        Ok(digest(&answer))
+    })
+}

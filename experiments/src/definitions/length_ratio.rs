@@ -1,0 +1,117 @@
+//! How near nets and column generation come to the least total length, and with how many directions.
+
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
+use crate::families::clouds::{self, Cloud};
+use crate::fit::GrowthModel;
+use crate::seed::Digest;
+use zonotope::enclosing::min_total_length::{
+    MinLengthZonotope, Net, by_column_generation::min_length_enclosing_counted, by_direction_net,
+};
+use zonotope::tally::OperationCounts;
+
+/// Points of each instance.
+const POINTS: usize = 24;
+
+/// Nets of more directions are counted but not solved.
+const SOLVED_NET: usize = 420;
+
+/// How near nets and column generation come to the least total length.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "length-ratio",
+    title: "Least total length over all directions: ratio and number of directions",
+    question: "n is 1 / epsilon; 24 points in two, three and four dimensions. `net_size` is the number of directions that guarantee the ratio 1 + epsilon: of \
+               order epsilon^-(d-1) in the paper's net, epsilon^-((d-1)/2) in the other. `excess` is what the answer proves of itself: its length over \
+               the proven lower bound, minus 1; for a net it is far below epsilon, and for directions as they are needed it is at most epsilon with \
+               few of them. Nets of more than 420 directions are counted, not solved.",
+    claims: &["theorem-4.7", "direction-net", "erratum-4.3-containment", "summary-approximate-length"],
+    families: &["sphere_2", "sphere_3", "sphere_4"],
+    real_inputs: &[],
+    sizes: PerProfile {
+        quick: &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024],
+        full: &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096, 1 << 14, 1 << 16, 1 << 20],
+    },
+    instances: PerProfile { quick: 1, full: 2 },
+    variants: &[
+        Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(1024) },
+        Variant { id: "net_of_cells", title: "Corners of cells", largest: PerProfile::both(1024) },
+        Variant {
+            id: "by_column_generation",
+            title: "Directions as they are needed",
+            largest: PerProfile { quick: 128, full: usize::MAX },
+        },
+    ],
+    measure,
+    timing: None,
+    fits: &[
+        net_size("papers_net", &["sphere_2"], GrowthModel::Linear),
+        net_size("papers_net", &["sphere_3"], GrowthModel::Quadratic),
+        net_size("papers_net", &["sphere_4"], GrowthModel::Cubic),
+        net_size("net_of_cells", &["sphere_2"], GrowthModel::SquareRoot),
+        net_size("net_of_cells", &["sphere_3"], GrowthModel::Linear),
+        net_size("net_of_cells", &["sphere_4"], GrowthModel::ThreeHalves),
+    ],
+};
+
+const fn net_size(variant: &'static str, families: &'static [&'static str], bound: GrowthModel) -> FitPlan {
+    FitPlan {
+        quantity: Quantity::Value("net_size"),
+        variant,
+        families,
+        models: GrowthModel::POWERS,
+        bound: Some(bound),
+        lower_order: None,
+    }
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let family = clouds::find(case.family).ok_or_else(|| format!("no points are called {}", case.family))?;
+    match (family.generate)(POINTS, case.instance_seed) {
+        Cloud::Plane(points) => measure_in(case, &points),
+        Cloud::Space(points) => measure_in(case, &points),
+        Cloud::Four(points) => measure_in(case, &points),
+    }
+}
+
+fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measurement, String> {
+    let epsilon = 1.0 / case.n as f64;
+    let mut counts = OperationCounts::default();
+    let net = match case.variant {
+        "papers_net" => Some(Net::Paper),
+        "net_of_cells" => Some(Net::Cells),
+        _ => None,
+    };
+    let size = net.map(|net| net.size(D, epsilon));
+    let answer = match net {
+        Some(_) if size.is_some_and(|size| size > SOLVED_NET) => None,
+        Some(net) => Some(by_direction_net::least_enclosing(points, epsilon, net)),
+        None => Some(min_length_enclosing_counted(points, epsilon, &mut counts)),
+    };
+    let measurement = match answer.transpose().map_err(|error| error.to_string())? {
+        Some(answer) => Measurement::new(&counts, digest(&answer), verdict(&answer, epsilon))
+            .with_value("excess", answer.length / answer.lower_bound - 1.0)
+            .with_value("generators", answer.zonotope.generators().len() as f64)
+            .with_value("directions", answer.directions as f64),
+        None => {
+            let reason = format!("a net of more than {SOLVED_NET} directions is counted, not solved");
+            Measurement::new(&counts, 0, Verdict::Unchecked(reason))
+        }
+    };
+    Ok(match size {
+        Some(size) => measurement.with_value("net_size", size as f64),
+        None => measurement,
+    })
+}
+
+fn verdict<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Verdict {
+    let is_kept = if answer.ratio <= 1.0 + epsilon {
+        Ok(())
+    } else {
+        Err(format!("the ratio {} is above 1 + {epsilon}", answer.ratio))
+    };
+    Verdict::of_check("the proven ratio", is_kept)
+}
+
+fn digest<const D: usize>(answer: &MinLengthZonotope<D>) -> u64 {
+    let digest = Digest::default().floats(&answer.zonotope.center());
+    digest.floats(answer.zonotope.generators().as_flattened()).floats(&[answer.length, answer.lower_bound]).finish()
+}

@@ -1,0 +1,40 @@
+//! Passes and time of 4.2 against the number of points.
+
+use super::fixed_directions_methods;
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
+
+const SIZES: PerProfile<&[usize]> = PerProfile {
+    quick: &[1 << 8, 1 << 10, 1 << 12, 1 << 14],
+    full: &[1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20],
+};
+
+/// Directions of each instance.
+const DIRECTIONS: usize = 10;
+
+/// Passes and time of 4.2 against the number of points.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "points-scaling",
+    title: "Along given directions: growth with the number of points",
+    question: "Ten directions in space. The points are read a number of times that does not depend on how many there are: \
+               `passes`, and `point_read` over n. The other two forms read all points once for each of the 45 normals.",
+    claims: &["theorem-4.6"],
+    families: &["ball_3", "sphere_3"],
+    real_inputs: &[],
+    sizes: SIZES,
+    instances: PerProfile { quick: 1, full: 2 },
+    variants: &fixed_directions_methods::variants(PerProfile::both(1 << 14), PerProfile::both(1 << 14)),
+    measure,
+    timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
+    fits: &[
+        FitPlan::of_operations("by_row_generation", &["ball_3", "sphere_3"], None).of(Quantity::Count("point_read")),
+        FitPlan::of_operations("by_row_generation", &["ball_3", "sphere_3"], None).of(Quantity::Time("total")),
+    ],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    fixed_directions_methods::measure(case, &case.cloud()?, DIRECTIONS)
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    Ok(fixed_directions_methods::prepare(case, case.cloud()?, DIRECTIONS))
+}
