@@ -2,10 +2,11 @@
 
 use crate::figure::Figure;
 use crate::gallery::{
-    arrangement_and_level_sets, certificates_of_intersection, country_outlines, duality_family, named_zonohedra,
-    paper_figure_1, paper_figure_2, polygon_and_reflection, scaling_collision_operations, scaling_collision_times,
-    scaling_face_counts, scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations,
-    scaling_min_area_times, search_of_theorem_4_5, search_of_theorem_5_2, separators,
+    arrangement_and_level_sets, certificates_of_intersection, country_outlines, directions_needed, dual_zonotope,
+    duality_family, length_ratio, mesh_in_zonohedra, named_zonohedra, paper_figure_1, paper_figure_2,
+    polygon_and_reflection, scaling_collision_operations, scaling_collision_times, scaling_face_counts,
+    scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times,
+    scaling_program_rows, search_of_theorem_4_5, search_of_theorem_5_2, separators, zonogons_along_directions,
 };
 
 /// Every figure, in the order of reports.
@@ -25,6 +26,12 @@ pub static FIGURES: &[Figure] = &[
     scaling_min_area_times::FIGURE,
     scaling_kernel_operations::FIGURE,
     scaling_kernel_times::FIGURE,
+    zonogons_along_directions::FIGURE,
+    mesh_in_zonohedra::FIGURE,
+    dual_zonotope::FIGURE,
+    length_ratio::FIGURE,
+    directions_needed::FIGURE,
+    scaling_program_rows::FIGURE,
     scaling_face_counts::FIGURE,
     scaling_collision_operations::FIGURE,
     scaling_collision_times::FIGURE,

@@ -3,7 +3,7 @@
 use crate::axes::{Curve, LogLogPlot, power};
 use crate::figure::{Figure, FigureError, FigureInput};
 use experiments::analysis;
-use experiments::definition::{Experiment, Quantity, Variant};
+use experiments::definition::{Experiment, FitPlan, Quantity, Variant};
 use experiments::fit::{self, Growth, GrowthModel, ModelVerdict};
 use experiments::runner::Records;
 
@@ -68,10 +68,18 @@ impl GrowthPlot {
             points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
             fit: Vec::new(),
         };
-        if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), GrowthModel::RUNNING_TIMES, None) {
+        if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family), None) {
             self.add_fit(&mut curve, &growth);
         }
         Some(curve)
+    }
+
+    /// Those of the experiment's fit, if it has one.
+    fn models(&self, variant: &Variant, family: &str) -> &'static [GrowthModel] {
+        let is_shown = |plan: &&FitPlan| {
+            plan.quantity == self.quantity && plan.variant == variant.id && plan.families.contains(&family)
+        };
+        self.experiment.fits.iter().find(is_shown).map_or(GrowthModel::RUNNING_TIMES, |plan| plan.models)
     }
 
     /// The best model if the samples are consistent with it, else the power law.
@@ -116,7 +124,7 @@ fn size_name(size: f64) -> String {
 }
 
 fn model_name(model: GrowthModel) -> String {
-    model.to_string().replace("^2", "²")
+    model.to_string().replace("n^(1/2)", "√n").replace("n^(3/2)", "n √n").replace("^2", "²").replace("^3", "³")
 }
 
 /// Three significant digits, with a power of ten where that is shorter.

@@ -16,6 +16,15 @@ pub struct Face {
     pub sides: Vec<usize>,
 }
 
+impl Face {
+    /// A triangle whose corners run counter-clockwise as seen from outside.
+    pub fn of_triangle(corners: [[f64; 3]; 3]) -> Self {
+        let [a, b, c] = corners;
+        let arm = |to: [f64; 3]| std::array::from_fn(|i| to[i] - a[i]);
+        Self { corners: corners.to_vec(), normal: cross(arm(b), arm(c)), sides: vec![0, 1, 2] }
+    }
+}
+
 /// The faces of a body of full dimension; a side is named by its zone.
 pub fn faces_of(body: &Zonotope<3>) -> Vec<Face> {
     let Ok(Faces::Solid(lattice)) = faces(body) else {
@@ -55,6 +64,11 @@ impl Camera {
     /// Where a point of space is seen.
     pub fn project(&self, point: [f64; 3]) -> [f64; 2] {
         [dot(self.right, point), dot(self.up, point)]
+    }
+
+    /// How near a point is to the eye: a height along the rays.
+    pub fn nearness(&self, point: [f64; 3]) -> f64 {
+        dot(self.towards_eye, point)
     }
 
     /// Whether a face is turned to the eye.
