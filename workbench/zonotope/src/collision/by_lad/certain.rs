@@ -1,12 +1,18 @@
-//! A vertex of a reduced problem, proved to be the optimum by bounds on every rounding error.
+//! A vertex of a reduced problem, proved to be the optimum, or so near to it that the gauge is known, by bounds on every rounding error.
 //!
 //! Let u = ± v_a × v_b with u · p > 0, and g the sum of all other generators with the signs of v · u. Then
-//! g + δ_a v_a + δ_b v_b = λ p with λ = g · u / p · u, δ_a = −g · (v_b × p) / p · (v_a × v_b), δ_b = −g · (p × v_a) / p · (v_a × v_b); u is
-//! optimal, and the only optimum, if both are within (−1, 1).
+//! g + δ_a v_a + δ_b v_b = λ p with λ = g · u / p · u, δ_a = −g · (v_b × p) / p · (v_a × v_b), δ_b = −g · (p × v_a) / p · (v_a × v_b).
+//!
+//! - h(u) = g · u, or less than 2 Σ |v · u| more where the signs of some v · u are not certain: the gauge is at least u · p / h(u).
+//! - If δ_a and δ_b are within [−1, 1], λ p is in the body: the gauge is at most 1 / λ, and u is optimal. If they leave it by ε_a and ε_b,
+//!   λ p less ε_a v_a + ε_b v_b is in the body, and the gauge is at most (1 + ε_a ‖v_a‖ + ε_b ‖v_b‖) / λ, ‖v‖ ≤ 1 the gauge of v.
+//!
+//! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices is the optimum.
 
-use super::reduced::{End, Reduced};
-use super::smooth::Columns;
+use super::cell::Cell;
+use super::reduced::Reduced;
 use crate::numeric::bounded::{Bounded, BoundedVector, cross, dot, exact};
+use crate::numeric::tolerance::UNIT;
 
 /// The optimum and what is known of it.
 #[derive(Debug)]
@@ -23,51 +29,85 @@ pub(super) struct Certain {
     pub(super) reach: Bounded,
     /// p · u.
     pub(super) along: Bounded,
+    /// h(u) − g · u is at most this.
+    pub(super) missing: f64,
+    /// By how much δ_a and δ_b may leave [−1, 1].
+    pub(super) excess: [f64; 2],
     /// Σ |v|_1, rounded.
     pub(super) magnitude: f64,
-    /// The signs of generators that are not known to be those of their dot products with the first cell's centre.
-    pub(super) overrides: Vec<(u32, i8)>,
+}
+
+/// Why a vertex is not proved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unproved {
+    /// Too near to other lines, or to a change of the basis, for doubles.
+    Doubt,
+    /// Perhaps outside the cells.
+    Astray,
 }
 
 impl Certain {
-    /// Checks a vertex, given by the positions of two lines in a reduced problem.
-    pub(super) fn at(reduced: &Reduced, columns: &Columns, p: &BoundedVector, [first, second]: [usize; 2]) -> End {
-        let vectors = [reduced.vectors[first], reduced.vectors[second]];
+    /// Checks a vertex, given by the positions of two generators in the last of some problems, each reduced from the one before.
+    pub(super) fn at(levels: &[Reduced], p: &BoundedVector, [first, second]: [usize; 2]) -> Result<Self, Unproved> {
+        let level = levels.last().ok_or(Unproved::Doubt)?;
+        let vectors = [level.vectors[first], level.vectors[second]];
         let [a, b] = vectors.map(exact);
         let product = cross(&a, &b);
-        let Some(sign) = dot(&product, p).sign() else { return End::Doubt };
-        let reversed = sign < 0;
+        let reversed = dot(&product, p).sign().ok_or(Unproved::Doubt)? < 0;
         let direction = if reversed { product.map(Bounded::negated) } else { product };
-        if !reduced.cells.iter().all(|cell| cell.contains(&direction, p)) {
-            return End::Astray(columns.meet(first, second));
+        if !levels.iter().filter_map(|level| level.cell).all(|cell| cell.contains(&direction, p)) {
+            return Err(Unproved::Astray);
         }
-        let mut sum = reduced.fixed.bounded();
-        let mut magnitude = reduced.fixed.magnitude;
-        let mut overrides = Vec::with_capacity(reduced.overrides.len() + reduced.vectors.len());
-        overrides.extend_from_slice(&reduced.overrides);
-        for (i, v) in reduced.vectors.iter().enumerate() {
-            magnitude += v[0].abs() + v[1].abs() + v[2].abs();
-            if i == first || i == second {
-                overrides.push((reduced.indices[i], 0));
-                continue;
-            }
-            let Some(sign) = dot(&exact(*v), &direction).sign() else { return End::Doubt };
-            let factor = f64::from(sign);
+        let cell = Cell::around(&direction);
+        let mut near = Vec::new();
+        let fixed = level.fixed.plus(&cell.split(&level.vectors, |i| near.push(i)));
+        let mut sum = fixed.bounded();
+        let mut missing = 0.0;
+        for i in near.into_iter().filter(|&i| i != first && i != second) {
+            let v = level.vectors[i];
+            let sign = if cell.value(&v) < 0.0 { -1.0 } else { 1.0 };
             for (total, c) in sum.iter_mut().zip(v) {
-                *total = *total + Bounded::exact(factor * c);
+                *total = *total + Bounded::exact(sign * c);
             }
-            overrides.push((reduced.indices[i], sign));
+            missing += 2.0 * dot(&exact(v), &direction).magnitude();
         }
         let along = dot(&direction, p);
+        let least = (along.value - along.error) * (1.0 - 4.0 * UNIT);
         let across = [dot(&sum, &cross(&b, p)), dot(&sum, &cross(p, &a))];
-        if !across.iter().all(|value| value.is_within(along)) {
-            return End::Doubt;
-        }
+        let sizes = across.map(|value| value.magnitude() / least * (1.0 + 4.0 * UNIT));
+        let excess = sizes.map(|size| (size - 1.0).max(0.0));
         let reach = dot(&sum, &direction);
-        if !reach.is_positive() {
-            return End::Doubt;
+        // NaN is doubt as well
+        let is_useful =
+            least > 0.0 && reach.is_positive() && sizes.iter().all(|size| *size < 2.0) && missing < reach.value;
+        if !is_useful {
+            return Err(Unproved::Doubt);
         }
-        let basis = [first, second].map(|i| reduced.indices[i] as usize);
-        End::Certain(Box::new(Self { basis, vectors, reversed, direction, sum, reach, along, magnitude, overrides }))
+        let basis = [first, second].map(|i| level.indices[i] as usize);
+        let missing = missing * (1.0 + level.vectors.len() as f64 * 4.0 * UNIT);
+        let magnitude = fixed.magnitude;
+        Ok(Self { basis, vectors, reversed, direction, sum, reach, along, missing, excess, magnitude })
+    }
+
+    /// Whether the vertex is the optimum for sure, not only nearly.
+    pub(super) fn is_vertex(&self) -> bool {
+        self.missing == 0.0 && self.excess == [0.0; 2]
+    }
+
+    /// The cell that is the direction but for rounding.
+    pub(super) fn cell(&self) -> Cell {
+        Cell::around(&self.direction)
+    }
+
+    /// h(u).
+    pub(super) fn support(&self) -> Bounded {
+        Bounded { value: self.reach.value, error: self.reach.error + self.missing }
+    }
+
+    /// What the gauge times λ exceeds 1 by at most, where |x|_1 times `size` bounds the gauge of a vector x.
+    pub(super) fn slack(&self, size: f64) -> f64 {
+        let gauge = |v: &[f64; 3]| (size * v.iter().map(|c| c.abs()).sum::<f64>()).min(1.0);
+        let terms = self.excess.iter().zip(&self.vectors).map(|(excess, v)| excess * gauge(v));
+        terms.sum::<f64>() * (1.0 + 8.0 * UNIT)
     }
 }

@@ -1,6 +1,9 @@
 //! The plane { u : u · p = 1 } in doubles: for guesses.
 
+use wide::f64x2;
+
 use super::cell::Cell;
+use super::lines::Lines;
 use super::smooth::Guess;
 
 /// The smallest reach of a cell, in terms of its centre.
@@ -36,12 +39,31 @@ impl Chart {
         [v[i] - v[k] * self.slopes[0], v[j] - v[k] * self.slopes[1], v[k] * self.inverse]
     }
 
-    /// The line with the inverse length of its generator; the zero vector as a line without normal.
+    /// The lines of some vectors.
     #[inline(always)]
-    pub(super) fn weighted_line(&self, v: &[f64; 3]) -> [f64; 4] {
-        let [a, b, c] = self.line(v);
-        let length = v[0].abs() + v[1].abs() + v[2].abs();
-        [a, b, c, 1.0 / length.max(f64::MIN_POSITIVE)]
+    pub(super) fn lines(&self, mut vectors: impl ExactSizeIterator<Item = [f64; 3]>) -> Lines {
+        let mut lines = Lines::with_capacity(vectors.len());
+        let wide = self.slopes.map(f64x2::splat);
+        let inverse = f64x2::splat(self.inverse);
+        let [i, j, k] = self.axes;
+        let pair = |first: [f64; 3], second: [f64; 3]| {
+            let [x, y, z] = [i, j, k].map(|axis| f64x2::new([first[axis], second[axis]]));
+            let length = (x.abs() + y.abs() + z.abs()).fast_max(f64x2::splat(f64::MIN_POSITIVE));
+            ([x - z * wide[0], y - z * wide[1], z * inverse, f64x2::splat(1.0) / length], length)
+        };
+        while let Some(first) = vectors.next() {
+            match vectors.next() {
+                Some(second) => {
+                    let (pair, lengths) = pair(first, second);
+                    lines.push_pair(pair, lengths);
+                }
+                None => {
+                    let (pair, lengths) = pair(first, [0.0; 3]);
+                    lines.push_last(pair.map(|column| column.to_array()[0]), lengths.to_array()[0]);
+                }
+            }
+        }
+        lines
     }
 
     fn direction(&self, [x, y]: [f64; 2], height: f64) -> [f64; 3] {

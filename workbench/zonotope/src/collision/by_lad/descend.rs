@@ -3,7 +3,7 @@
 //! Each line search ends where the slope changes its sign, found by selection among the crossings ahead. What it ends in is checked by
 //! others; here rounding may at worst end the search at the wrong vertex.
 
-use super::smooth::Columns;
+use super::lines::Lines;
 
 /// The most line searches.
 const SEARCHES: usize = 40;
@@ -26,7 +26,7 @@ pub(super) enum Stop {
 }
 
 /// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it.
-pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Result<[usize; 2], Stop> {
+pub(super) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Result<[usize; 2], Stop> {
     let mut line = nearest(lines, start).ok_or(Stop::NoVertex)?;
     let mut point = start;
     let mut ahead = Vec::with_capacity(lines.len());
@@ -35,14 +35,16 @@ pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Res
         point = vertex;
         // the slope along the other line at the vertex, without the two lines through it
         let [mut gx, mut gy] = linear;
-        for i in (0..lines.len()).filter(|&i| i != line && i != other) {
-            let (a, b) = (lines.a[i], lines.b[i]);
-            let sign = f64::copysign(1.0, a * point[0] + b * point[1] + lines.c[i]);
-            gx += sign * a;
-            gy += sign * b;
+        for (i, [a, b, c, _]) in lines.iter().enumerate() {
+            if i != line && i != other {
+                let sign = f64::copysign(1.0, a * point[0] + b * point[1] + c);
+                gx += sign * a;
+                gy += sign * b;
+            }
         }
-        let (dx, dy) = (-lines.b[other], lines.a[other]);
-        let turn = (lines.a[line] * dx + lines.b[line] * dy).abs();
+        let ([a, b, ..], [other_a, other_b, ..]) = (lines.line(line), lines.line(other));
+        let (dx, dy) = (-other_b, other_a);
+        let turn = (a * dx + b * dy).abs();
         if (gx * dx + gy * dy).abs() <= turn {
             return Ok([line, other]);
         }
@@ -51,42 +53,42 @@ pub(super) fn descend(lines: &Columns, linear: [f64; 2], start: [f64; 2]) -> Res
     Err(Stop::Undecided)
 }
 
-fn nearest(lines: &Columns, [x, y]: [f64; 2]) -> Option<usize> {
-    let distance = |i: usize| {
-        let (a, b) = (lines.a[i], lines.b[i]);
-        let value = a * x + b * y + lines.c[i];
+fn nearest(lines: &Lines, [x, y]: [f64; 2]) -> Option<usize> {
+    let distance = |[a, b, c, _]: [f64; 4]| {
+        let value = a * x + b * y + c;
         value * value / (a * a + b * b)
     };
-    let lines = (0..lines.len()).map(|i| (distance(i), i)).filter(|(d, _)| d.is_finite());
+    let lines = lines.iter().enumerate().map(|(i, line)| (distance(line), i)).filter(|(d, _)| d.is_finite());
     lines.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
 }
 
 /// The minimum along a line: the line that crosses it there, and where.
 fn search(
-    lines: &Columns,
+    lines: &Lines,
     linear: [f64; 2],
     line: usize,
     [x, y]: [f64; 2],
     ahead: &mut Vec<Crossing>,
 ) -> Option<(usize, [f64; 2])> {
-    let (a, b) = (lines.a[line], lines.b[line]);
-    let off = (a * x + b * y + lines.c[line]) / (a * a + b * b);
+    let [a, b, c, _] = lines.line(line);
+    let off = (a * x + b * y + c) / (a * a + b * b);
     let foot = [x - off * a, y - off * b];
     let (mut dx, mut dy) = (-b, a);
     let mut slope = linear[0] * dx + linear[1] * dy;
-    for i in (0..lines.len()).filter(|&i| i != line) {
-        let value = lines.a[i] * foot[0] + lines.b[i] * foot[1] + lines.c[i];
-        slope += f64::copysign(1.0, value) * (lines.a[i] * dx + lines.b[i] * dy);
+    for (i, [a, b, c, _]) in lines.iter().enumerate() {
+        if i != line {
+            slope += f64::copysign(1.0, a * foot[0] + b * foot[1] + c) * (a * dx + b * dy);
+        }
     }
     if slope > 0.0 {
         (dx, dy, slope) = (-dx, -dy, -slope);
     }
     ahead.clear();
-    for i in (0..lines.len()).filter(|&i| i != line) {
-        let value = lines.a[i] * foot[0] + lines.b[i] * foot[1] + lines.c[i];
-        let rate = lines.a[i] * dx + lines.b[i] * dy;
+    for (i, [a, b, c, _]) in lines.iter().enumerate() {
+        let value = a * foot[0] + b * foot[1] + c;
+        let rate = a * dx + b * dy;
         // the sign that the slope was summed up with, also where the value is zero
-        if f64::copysign(1.0, value) * rate < 0.0 {
+        if i != line && f64::copysign(1.0, value) * rate < 0.0 {
             ahead.push(Crossing { position: -value / rate, weight: rate.abs(), line: i });
         }
     }

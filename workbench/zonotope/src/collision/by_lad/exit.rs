@@ -2,12 +2,11 @@
 
 use std::cmp::Ordering;
 
-use super::cell::Cell;
 use super::certain::Certain;
 use super::plane::{PlaneProblem, Vectors};
-use super::reduced::Reduced;
 use super::separation::separation;
 use super::sums::signed_sum;
+use super::trail::Trail;
 use super::witness::Combination;
 use crate::collision::{Displacement, Location, Separation};
 use crate::lad::by_pruning;
@@ -17,6 +16,12 @@ use crate::tally::{Operation, Tally};
 
 /// The seed of the kernel: it decides the time, never the answer.
 const SEED: u64 = 0x5a;
+
+/// At most this many lines are solved exactly rather than fewer.
+const FEW: usize = 300;
+
+/// Of a negative dot product, one that is not decided, and a positive one.
+const SIGNS: [i8; 3] = [-1, 0, 1];
 
 /// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in [−1, 1] on it, and
 /// λ = `reach` / `along`. The gauge is 1 / λ.
@@ -38,7 +43,7 @@ pub(super) struct Exit {
 
 impl Exit {
     /// Solves the kernel problem of a question whose displacement p is not zero.
-    pub(super) fn find(question: &Displacement<'_, 3>, p: &ExactVector, tally: &mut impl Tally) -> Self {
+    fn find(question: &Displacement<'_, 3>, p: &ExactVector, tally: &mut impl Tally) -> Self {
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let plane = PlaneProblem::new(Vectors::All(question), p.clone());
@@ -49,32 +54,40 @@ impl Exit {
         Self::new(question, p, direction, plane.signs(&optimum.certificate.signs), basis)
     }
 
-    /// Solves a reduced problem; none if its optimum is not proved to be in the cells.
-    pub(super) fn of_reduced(
+    /// The optimum after a search that left a trail.
+    pub(super) fn near(question: &Displacement<'_, 3>, p: &ExactVector, trail: &Trail, tally: &mut impl Tally) -> Self {
+        Self::along_trail(question, p, trail, tally).unwrap_or_else(|| Self::find(question, p, tally))
+    }
+
+    /// Solves the problem of the generators that cross the cells of a trail; none if its optimum is not proved to be in the cells.
+    fn along_trail(
         question: &Displacement<'_, 3>,
         p: &ExactVector,
-        reduced: &Reduced,
+        trail: &Trail,
         tally: &mut impl Tally,
     ) -> Option<Self> {
+        // the widest problem that is still small for exact arithmetic has the surest cell
+        let steps = trail.steps();
+        let count = steps.iter().position(|(_, crossing)| crossing.len() <= FEW).map_or(steps.len(), |step| step + 1);
+        let (_, indices) = steps[..count].last()?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        let few = reduced.indices.iter().map(|&index| (index, 0));
-        let overrides = reduced.overrides.iter().copied().chain(few);
-        let mut signs = signs(question, reduced.cells.first(), overrides);
+        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index as usize)).collect();
+        let mut signs = trail.up_to(count).signed(question, None, SIGNS);
         let rest = signed_sum(question.generators().copied().zip(signs.iter().copied()));
-        let plane = PlaneProblem::new(Vectors::Few(&reduced.vectors, rest.clone()), p.clone());
+        let plane = PlaneProblem::new(Vectors::Few(&vectors, rest.clone()), p.clone());
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum()?;
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
         let own = plane.signs(&optimum.certificate.signs);
         let (last, own) = own.split_last()?;
-        let is_inside = *last == 1 && reduced.cells.iter().all(|cell| cell.contains_exactly(&direction, p));
+        let is_inside = *last == 1 && steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
         is_inside.then(|| {
-            for (&index, &sign) in reduced.indices.iter().zip(own) {
+            for (&index, &sign) in indices.iter().zip(own) {
                 signs[index as usize] = sign;
             }
-            let total = sum(&rest, &signed_sum(reduced.vectors.iter().copied().zip(own.iter().copied())));
-            let basis = optimum.certificate.basis.iter().map(|line| reduced.indices[line.position()] as usize);
+            let total = sum(&rest, &signed_sum(vectors.iter().copied().zip(own.iter().copied())));
+            let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()] as usize);
             Self::with_sum(p, direction, signs, basis.collect(), total)
         })
     }
@@ -84,11 +97,14 @@ impl Exit {
         question: &Displacement<'_, 3>,
         p: &ExactVector,
         certain: &Certain,
-        cell: Option<&Cell>,
+        trail: &Trail,
     ) -> Self {
         let [a, b] = certain.vectors.map(exact);
         let direction = if certain.reversed { cross(&b, &a) } else { cross(&a, &b) };
-        let signs = signs(question, cell, certain.overrides.iter().copied());
+        let mut signs = trail.signed(question, Some(&certain.cell()), SIGNS);
+        for index in certain.basis {
+            signs[index] = 0;
+        }
         Self::new(question, p, direction, signs, certain.basis.to_vec())
     }
 
@@ -145,16 +161,4 @@ impl Exit {
     fn separation(&self, question: &Displacement<'_, 3>, p: &ExactVector) -> Separation<3> {
         separation(question, p, &self.direction, &self.basis)
     }
-}
-
-/// The signs of the dot products with the centre of a cell, but for some that are known to be others.
-fn signs(question: &Displacement<'_, 3>, cell: Option<&Cell>, overrides: impl Iterator<Item = (u32, i8)>) -> Vec<i8> {
-    let mut signs = match cell {
-        Some(cell) => question.generators().map(|v| cell.sign(v)).collect(),
-        None => vec![0; question.len()],
-    };
-    for (index, sign) in overrides {
-        signs[index as usize] = sign;
-    }
-    signs
 }

@@ -17,11 +17,13 @@
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
 //!    are left with that sum make a problem (`reduced`) whose optimum, if it lies in the cell, is that of the whole.
 //! 4. The same again on those few, then exact descent from vertex to vertex (`descend`). Bounds on all rounding errors prove the
-//!    vertex (`certain`): u is optimal and Σ δ_i v_i = λ p with δ_i in [−1, 1], where 1 / λ is the gauge.
+//!    vertex (`certain`): u is optimal and Σ δ_i v_i = λ p with δ_i in [−1, 1], where 1 / λ is the gauge; or both nearly, so that the gauge is
+//!    between two bounds: a point at an edge of a facet, or lines that nearly meet in one point, are no doubt yet (`thickness`).
 //! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
-//!    in exact coordinates of the plane (`plane`, `exit`); where that does not help, the whole problem.
+//!    in exact coordinates of the plane (`plane`, `exit`); where that does not help, the whole problem. The signs of all
+//!    generators follow from the cells (`trail`).
 //! 6. λ < 1: the direction u separates; it is rounded to doubles, which is proved to be enough (`facet`, `separation`).
-//! 7. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`facet`, `witness`, `walk`).
+//! 7. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`inside`, `witness`, `walk`).
 //!
 //! # Complexity
 //! n generators: O(n) expected, with one pass over the generators and one for the proof of a member; space O(n).
@@ -30,7 +32,7 @@
 //! `question`: n × D generators in two runs, any order, duplicates allowed.
 //!
 //! # Numerics
-//! Every decision is exact: status, optimality of u, validity of the proof. The gauge is rounded within `error`; a gauge beyond the range of
+//! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it; a gauge beyond the range of
 //! doubles is `f64::MAX` with infinite error.
 //!
 //! # Errors
@@ -59,7 +61,9 @@ mod chart;
 mod descend;
 mod exit;
 mod facet;
+mod inside;
 pub(super) mod lift;
+mod lines;
 mod plane;
 mod reduced;
 mod search;
@@ -68,6 +72,8 @@ mod small;
 mod smooth;
 pub(super) mod sums;
 mod support;
+mod thickness;
+mod trail;
 mod walk;
 pub(super) mod witness;
 

@@ -3,11 +3,14 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::cell::Cell;
+use super::certain::{Certain, Unproved};
 use super::chart::Chart;
-use super::reduced::{End, Reduced};
-use super::smooth::{Aim, Columns, Guess};
+use super::descend::{Stop, descend};
+use super::lines::Lines;
+use super::reduced::Reduced;
+use super::smooth::{Aim, Guess};
 use super::support::support;
+use super::trail::Trail;
 use crate::collision::Displacement;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::exact_sum::exact_sum;
@@ -19,9 +22,6 @@ const SMALL: usize = 128;
 
 /// At most this many lines are searched without a smaller cell.
 const FEW: usize = 40;
-
-/// At most this many lines are solved exactly rather than fewer.
-const FEW_EXACTLY: usize = 300;
 
 /// How many cells are tried around optima of samples.
 const ROUNDS: usize = 3;
@@ -43,14 +43,12 @@ const SEED: u64 = 0x7a;
 /// How the search ends.
 #[derive(Debug)]
 pub(super) enum Found {
-    /// The optimum, proved in doubles; the cell whose centre gives the signs that were not looked at.
-    Certain(Box<super::certain::Certain>, Option<Cell>),
+    /// The optimum, proved in doubles, and the cells on the way to it.
+    Certain(Box<Certain>, Trail),
     /// A direction that separates, certainly.
     Separated([f64; 3]),
-    /// A problem with few generators left to be solved exactly.
-    Reduced(Reduced),
-    /// Nothing.
-    Nothing,
+    /// The cells on the way to a problem with few generators left to be solved exactly; no cell, no progress.
+    Narrowed(Trail),
 }
 
 /// `to` − `from` as doubles.
@@ -72,14 +70,15 @@ pub(super) fn search(
     let rounded = p.map(|c| c.value);
     let size = rounded.iter().fold(0.0f64, |m, c| m.max(c.abs()));
     if !(SMALLEST..LARGEST).contains(&size) {
-        return Found::Nothing;
+        return Found::Narrowed(Trail::default());
     }
     let chart = Chart::new(rounded);
     if question.len() <= SMALL {
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        return finish(Reduced::whole(question), &chart, p, None).unwrap_or(Found::Nothing);
+        let found = finish(Reduced::whole(question), &chart, p, None);
+        return found.unwrap_or_else(|_| Found::Narrowed(Trail::default()));
     }
-    let Some(mut guess) = sample_guess(question, &chart, tally) else { return Found::Nothing };
+    let Some(mut guess) = sample_guess(question, &chart, tally) else { return Found::Narrowed(Trail::default()) };
     if until_separated {
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let direction = chart.point(guess.point);
@@ -91,16 +90,16 @@ pub(super) fn search(
         tally.add(Operation::SearchStep, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let cell = chart.cell(&guess, f64::from(1 << round));
-        let reduced = Reduced::of_question(question, cell);
+        let reduced = Reduced::of_question(question, cell, question.len() / 16 + 64);
         if reduced.fixed.magnitude.is_nan() || reduced.fixed.magnitude > LARGEST {
-            return Found::Nothing;
+            return Found::Narrowed(Trail::default());
         }
         match finish(reduced, &chart, p, Some(&guess)) {
             Ok(found) => return found,
             Err(point) => guess.point = point,
         }
     }
-    Found::Nothing
+    Found::Narrowed(Trail::default())
 }
 
 /// Solves a reduced problem, or says where its optimum seems to be instead.
@@ -110,43 +109,49 @@ pub(super) fn search(
 fn finish(reduced: Reduced, chart: &Chart, p: &BoundedVector, start: Option<&Guess>) -> Result<Found, [f64; 2]> {
     let mut levels = vec![reduced];
     let mut guess = start.copied();
-    let mut columns = levels[0].columns(chart);
-    while columns.len() > FEW {
+    let mut lines = levels[0].lines(chart);
+    while lines.len() > FEW {
         let last = levels.last().expect("there is always the first");
-        let thickness = THICKNESS.max(columns.len().isqrt() as f64);
-        let aim = Aim { thickness, population: columns.len(), deviations: BAND_DEVIATIONS };
-        let Some(next) = columns.guess(last.linear(chart), guess.as_ref(), aim) else { break };
+        let thickness = THICKNESS.max(lines.len().isqrt() as f64);
+        let aim = Aim { thickness, population: lines.len(), deviations: BAND_DEVIATIONS };
+        let Some(next) = lines.guess(last.linear(chart), guess.as_ref(), aim) else { break };
         guess = Some(next);
         let few = last.split(chart.cell(&next, 1.0));
         if 4 * few.vectors.len() > 3 * last.vectors.len() {
             break;
         }
-        columns = few.columns(chart);
+        lines = few.lines(chart);
         levels.push(few);
     }
-    let least_squares = |columns: &Columns| columns.least_squares().map_or([0.0; 2], |(point, _)| point);
-    let mut point = guess.map_or_else(|| least_squares(&columns), |guess| guess.point);
-    let cell = levels[0].cells.first().copied();
-    while let Some(level) = levels.pop() {
-        match level.solve(&columns, chart, p, point) {
-            End::Certain(certain) => return Ok(Found::Certain(certain, cell)),
-            End::Doubt => {
-                // the widest problem that is still small for exact arithmetic has the surest cell
-                let wider = levels.into_iter().find(|wider| wider.vectors.len() <= FEW_EXACTLY);
-                return Ok(exactly(wider.unwrap_or(level)));
-            }
-            End::Astray(vertex) => point = vertex,
+    let least_squares = |lines: &Lines| lines.least_squares().map_or([0.0; 2], |(point, _)| point);
+    let mut point = guess.map_or_else(|| least_squares(&lines), |guess| guess.point);
+    loop {
+        let level = levels.last().expect("the first problem is never taken away");
+        let doubt = match descend(&lines, level.linear(chart), point) {
+            Ok(basis) => match Certain::at(&levels, p, basis) {
+                Ok(certain) => return Ok(Found::Certain(Box::new(certain), trail(levels))),
+                Err(Unproved::Doubt) => true,
+                Err(Unproved::Astray) => {
+                    point = lines.meet(basis[0], basis[1]);
+                    false
+                }
+            },
+            Err(stop) => stop == Stop::Undecided,
+        };
+        if doubt {
+            return Ok(Found::Narrowed(trail(levels)));
         }
-        if let Some(wider) = levels.last() {
-            columns = wider.columns(chart);
+        if levels.len() == 1 {
+            return Err(point);
         }
+        levels.pop();
+        lines = levels[levels.len() - 1].lines(chart);
     }
-    Err(point)
 }
 
-/// What exact arithmetic has to solve: the reduced problem, unless nothing is gained by it.
-fn exactly(reduced: Reduced) -> Found {
-    if reduced.cells.is_empty() { Found::Nothing } else { Found::Reduced(reduced) }
+/// The cells of problems that were reduced one from the other.
+fn trail(levels: Vec<Reduced>) -> Trail {
+    Trail::new(levels.into_iter().filter_map(|level| Some((level.cell?, level.indices))).collect())
 }
 
 /// The optimum of a sample: one generator from each of many equal stretches.
@@ -159,9 +164,9 @@ fn sample_guess(question: &Displacement<'_, 3>, chart: &Chart, tally: &mut impl 
         let (start, end) = (i * n / size, (i + 1) * n / size);
         start + ((u64::from(random.random::<u32>()) * (end - start) as u64) >> 32) as usize
     });
-    let columns = Columns::collect(picks.map(|pick| chart.weighted_line(&question.generator(pick))));
+    let lines = chart.lines(picks.map(|pick| question.generator(pick)));
     let thickness = THICKNESS.max((size.isqrt()) as f64);
-    columns.guess([0.0; 2], None, Aim { thickness, population: n, deviations: SAMPLE_DEVIATIONS })
+    lines.guess([0.0; 2], None, Aim { thickness, population: n, deviations: SAMPLE_DEVIATIONS })
 }
 
 /// Whether u · p > h(u), proved by one pass in doubles.

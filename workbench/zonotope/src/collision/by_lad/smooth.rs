@@ -7,15 +7,7 @@
 use wide::f64x2;
 
 use super::descend::descend;
-
-/// Lines a x + b y + c with the inverse length of their generators, as columns.
-#[derive(Debug, Default)]
-pub(super) struct Columns {
-    pub(super) a: Vec<f64>,
-    pub(super) b: Vec<f64>,
-    pub(super) c: Vec<f64>,
-    pub(super) weight: Vec<f64>,
-}
+use super::lines::{Lines, Pair};
 
 /// A point near the optimum, the band in which the lines were rounded off, and the sides of a parallelogram around the point that
 /// the optimum is likely to be in.
@@ -62,67 +54,49 @@ struct Moments {
     count: f64,
 }
 
-impl Columns {
-    /// Lines as [a, b, c, weight].
-    pub(super) fn collect(lines: impl ExactSizeIterator<Item = [f64; 4]>) -> Self {
-        let column = || vec![0.0; lines.len()];
-        let mut columns = Self { a: column(), b: column(), c: column(), weight: column() };
-        let Self { a, b, c, weight } = &mut columns;
-        let places = a.iter_mut().zip(b).zip(c.iter_mut().zip(weight));
-        for (line, ((a, b), (c, weight))) in lines.zip(places) {
-            [*a, *b, *c, *weight] = line;
-        }
-        columns
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.a.len()
-    }
-
+impl Lines {
     /// The minimum of Σ weight · (a x + b y + c)² and the root of the mean square.
     pub(super) fn least_squares(&self) -> Option<([f64; 2], f64)> {
-        let (mut matrix, mut right, mut constant, mut lengths) = ([0.0; 3], [0.0; 2], 0.0, 0.0);
-        for i in 0..self.len() {
-            let (a, b, c, w) = (self.a[i], self.b[i], self.c[i], self.weight[i]);
-            let (wa, wb, wc) = (w * a, w * b, w * c);
-            matrix = [matrix[0] + wa * a, matrix[1] + wa * b, matrix[2] + wb * b];
-            right = [right[0] + wa * c, right[1] + wb * c];
-            constant += wc * c;
-            lengths += 1.0 / w;
+        let mut sums = [f64x2::splat(0.0); 6];
+        for [a, b, c, w] in self.pairs() {
+            // the line that is no line has no weight here
+            let w = w & w.simd_lt(f64x2::splat(f64::MAX));
+            let (wa, wb) = (w * a, w * b);
+            let terms = [wa * a, wa * b, wb * b, wa * c, wb * c, w * c * c];
+            for (sum, term) in sums.iter_mut().zip(terms) {
+                *sum += term;
+            }
         }
-        let point = solve(&matrix, right)?.map(|v| -v);
-        let rest = constant + right[0] * point[0] + right[1] * point[1];
-        Some((point, (rest.max(0.0) / lengths).sqrt()))
+        let [xx, xy, yy, x, y, constant] = sums.map(f64x2::reduce_add);
+        let point = solve(&[xx, xy, yy], [x, y])?.map(|v| -v);
+        let rest = constant + x * point[0] + y * point[1];
+        Some((point, (rest.max(0.0) / self.length).sqrt()))
     }
 
     /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others.
-    fn spread(&self, [x, y]: [f64; 2], band: f64, share: f64) -> Symmetric {
-        let mut sum = [0.0; 3];
-        for i in 0..self.len() {
-            let (a, b) = (self.a[i], self.b[i]);
-            let off = (a * x + b * y + self.c[i]).abs() * self.weight[i] - band;
-            // 1 within the band: its sign bit, without a branch
-            let within = (off.to_bits() >> 63) as f64;
-            let part = share + (1.0 - share) * within;
-            sum = [sum[0] + part * a * a, sum[1] + part * a * b, sum[2] + part * b * b];
+    fn spread(&self, point: [f64; 2], band: f64, share: f64) -> Symmetric {
+        let mut sums = [f64x2::splat(0.0); 3];
+        let [x, y] = point.map(f64x2::splat);
+        let (band, share, rest) = (f64x2::splat(band), f64x2::splat(share), f64x2::splat(1.0 - share));
+        for [a, b, c, w] in self.pairs() {
+            let within = ((a * x + b * y + c).abs() * w).simd_lt(band);
+            let part = share + (rest & within);
+            let (pa, pb) = (part * a, part * b);
+            for (sum, term) in sums.iter_mut().zip([pa * a, pa * b, pb * b]) {
+                *sum += term;
+            }
         }
-        sum
+        sums.map(f64x2::reduce_add)
     }
 
     fn moments(&self, point: [f64; 2], band: f64) -> Moments {
-        let mut lanes = Lanes::default();
+        let mut sums = Sums::default();
         let [x, y] = point.map(f64x2::splat);
         let scale = f64x2::splat(1.0 / band);
-        let ((a, a_rest), (b, b_rest)) = (self.a.as_chunks::<2>(), self.b.as_chunks::<2>());
-        let ((c, c_rest), (w, w_rest)) = (self.c.as_chunks::<2>(), self.weight.as_chunks::<2>());
-        for (((a, b), c), w) in a.iter().zip(b).zip(c).zip(w) {
-            lanes.read([*a, *b, *c, *w].map(f64x2::new), [x, y], scale);
+        for pair in self.pairs() {
+            sums.read(pair, [x, y], scale);
         }
-        if let ([a], [b], [c], [w]) = (a_rest, b_rest, c_rest, w_rest) {
-            // beside a line without normal that is far from every point
-            lanes.read([[*a, 0.0], [*b, 0.0], [*c, 1.0], [*w, f64::MAX]].map(f64x2::new), [x, y], scale);
-        }
-        lanes.total()
+        sums.total()
     }
 
     /// A point near the minimum of linear · x + Σ |a x + b y + c|; searched from another guess, if there is one.
@@ -139,19 +113,12 @@ impl Columns {
         let start = self.least_squares().map_or([0.0; 2], |(point, _)| point);
         let [first, second] = descend(self, linear, start).ok()?;
         let point = self.meet(first, second);
-        let distance = |i: usize| (self.a[i] * point[0] + self.b[i] * point[1] + self.c[i]).abs() * self.weight[i];
-        let mut distances: Vec<f64> = (0..self.len()).map(distance).collect();
+        let distance = |[a, b, c, w]: [f64; 4]| (a * point[0] + b * point[1] + c).abs() * w;
+        let mut distances: Vec<f64> = self.iter().map(distance).collect();
         let place = (aim.thickness as usize).min(self.len() - 1);
         let (_, &mut nearest, _) = distances.select_nth_unstable_by(place, f64::total_cmp);
         let band = 2.0 * nearest;
         self.around(&self.moments(point, band), band, point, aim)
-    }
-
-    /// Where two lines meet.
-    pub(super) fn meet(&self, i: usize, j: usize) -> [f64; 2] {
-        let ([a, b, c], [d, e, f]) = ([self.a[i], self.b[i], self.c[i]], [self.a[j], self.b[j], self.c[j]]);
-        let determinant = a * e - b * d;
-        [(b * f - c * e) / determinant, (c * d - a * f) / determinant]
     }
 
     fn by_newton(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
@@ -256,11 +223,11 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 
 /// Sums side by side: the gradient, the Hessian, weight and count of the band.
 #[derive(Default)]
-struct Lanes([f64x2; 7]);
+struct Sums([f64x2; 7]);
 
-impl Lanes {
+impl Sums {
     #[inline(always)]
-    fn read(&mut self, [a, b, c, w]: [f64x2; 4], [x, y]: [f64x2; 2], scale: f64x2) {
+    fn read(&mut self, &[a, b, c, w]: &Pair, [x, y]: [f64x2; 2], scale: f64x2) {
         let one = f64x2::splat(1.0);
         let weight = w * scale;
         let t = (a * x + b * y + c) * weight;

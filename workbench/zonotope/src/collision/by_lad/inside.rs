@@ -1,0 +1,90 @@
+//! The proof of a member in doubles, from a vertex that doubles proved.
+//!
+//! All generators have ±c, c near 1 / λ, but three that make up for the rest: the two of the vertex and a third, off the facet's plane. Where the
+//! point is at an edge of its facet, the two are at the ends of their range; then the third is one that moves both inwards as it
+//! leaves its own end, which it may as far as c can grow towards 1.
+
+use super::certain::Certain;
+use super::trail::Trail;
+use crate::collision::{Displacement, Witness};
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
+
+/// How many generators are tried as the third.
+const PICKS: usize = 32;
+
+/// How much of the third's range is left to it when it moves away from its end.
+const MOVE: f64 = 0.5;
+
+/// Three generators and the factor of all others.
+#[derive(Debug, Clone, Copy)]
+struct Attempt {
+    third: usize,
+    sign: f64,
+    factor: f64,
+    /// How far the largest of the three coefficients is from 1, nearly.
+    margin: f64,
+}
+
+/// The proof of a member whose gauge is less than 1.
+pub(super) fn witness(
+    question: &Displacement<'_, 3>,
+    certain: &Certain,
+    trail: &Trail,
+    p: &BoundedVector,
+) -> Option<Witness> {
+    let inverse = (certain.along.value / certain.reach.value).min(1.0);
+    let n = question.len();
+    let last = certain.cell();
+    let sign = |index: usize| trail.sign(question, &last, index);
+    let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i));
+    let best = picks
+        .flat_map(|third| {
+            let sign = sign(third);
+            let v = question.generator(third);
+            let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
+            let moved = (inverse * (1.0 + MOVE * height)).min(1.0);
+            [inverse, moved, 1.0]
+                .map(|factor| attempt(question, certain, p, Attempt { third, sign, factor, margin: 0.0 }))
+        })
+        .filter(|attempt| attempt.margin > 0.0)
+        .max_by(|a, b| a.margin.total_cmp(&b.margin))?;
+    let Attempt { third, sign, factor, .. } = best;
+    let [a, b] = certain.vectors.map(bounded::exact);
+    let c = bounded::exact(question.generator(third));
+    let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
+    let normals = [bounded::cross(&b, &c), bounded::cross(&c, &a), bounded::cross(&a, &b)];
+    let determinant = bounded::dot(&c, &normals[2]);
+    let negative = determinant.sign()? < 0;
+    let determinant = if negative { determinant.negated() } else { determinant };
+    let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor));
+    let numerators = [0, 1, 2].map(|i| bounded::dot(&rest, &normals[i]));
+    numerators.iter().all(|n| n.is_within(determinant)).then_some(())?;
+    let mut coefficients = trail.signed(question, Some(&last), [-factor, 0.0, factor]);
+    let mut basis = vec![certain.basis[0], certain.basis[1], third];
+    for (&index, numerator) in basis.iter().zip(numerators) {
+        let value = numerator.value / determinant.value;
+        coefficients[index] = if negative { -value } else { value };
+    }
+    basis.sort_unstable();
+    Some(Witness { coefficients, basis })
+}
+
+/// The attempt with its margin.
+fn attempt(question: &Displacement<'_, 3>, certain: &Certain, p: &BoundedVector, attempt: Attempt) -> Attempt {
+    let [a, b] = &certain.vectors;
+    let c = &question.generator(attempt.third);
+    let normals = [cross(b, c), cross(c, a), cross(a, b)];
+    let determinant = dot(c, &normals[2]);
+    let rest = [0, 1, 2].map(|k| p[k].value - (certain.sum[k].value - attempt.sign * c[k]) * attempt.factor);
+    let largest = normals.iter().fold(0.0f64, |m, normal| m.max((dot(&rest, normal) / determinant).abs()));
+    // none where the third is in the plane of the others
+    Attempt { margin: if determinant == 0.0 { 0.0 } else { 1.0 - largest }, ..attempt }
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}

@@ -1,0 +1,70 @@
+//! Lines in the plane { u : u · p = 1 }, two by two, for everything that is done in plain doubles.
+
+use wide::f64x2;
+
+/// Lines a x + b y + c with the inverse length of their generators, two side by side.
+pub(super) type Pair = [f64x2; 4];
+
+/// Beside the last line if their number is odd: a line without normal that is far from every point.
+const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
+
+/// Lines of generators.
+#[derive(Debug, Default)]
+pub(super) struct Lines {
+    pairs: Vec<Pair>,
+    len: usize,
+    /// Σ of the generators' lengths.
+    pub(super) length: f64,
+}
+
+impl Lines {
+    /// Room for some lines.
+    pub(super) fn with_capacity(capacity: usize) -> Self {
+        Self { pairs: Vec::with_capacity(capacity.div_ceil(2)), len: 0, length: 0.0 }
+    }
+
+    /// Two lines more, after an even number, and the sum of their generators' lengths.
+    #[inline(always)]
+    pub(super) fn push_pair(&mut self, pair: Pair, lengths: f64x2) {
+        self.pairs.push(pair);
+        self.len += 2;
+        self.length += lengths.reduce_add();
+    }
+
+    /// The last line, after an even number.
+    pub(super) fn push_last(&mut self, [a, b, c, weight]: [f64; 4], length: f64) {
+        let [first, second, third, fourth] = NO_LINE;
+        self.pairs.push([[a, first], [b, second], [c, third], [weight, fourth]].map(f64x2::new));
+        self.len += 1;
+        self.length += length;
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.len
+    }
+
+    /// The lines two by two; beside the last one of an odd number there is one that has no normal.
+    pub(super) fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+
+    /// A line: a, b, c and the inverse length of its generator.
+    #[inline(always)]
+    pub(super) fn line(&self, i: usize) -> [f64; 4] {
+        self.pairs[i / 2].map(|column| column.to_array()[i % 2])
+    }
+
+    /// The lines in their order.
+    #[inline(always)]
+    pub(super) fn iter(&self) -> impl Iterator<Item = [f64; 4]> {
+        let both = self.pairs.iter().flat_map(|pair| [0, 1].map(|lane| pair.map(|column| column.to_array()[lane])));
+        both.take(self.len)
+    }
+
+    /// Where two lines meet.
+    pub(super) fn meet(&self, i: usize, j: usize) -> [f64; 2] {
+        let ([a, b, c, _], [d, e, f, _]) = (self.line(i), self.line(j));
+        let determinant = a * e - b * d;
+        [(b * f - c * e) / determinant, (c * d - a * f) / determinant]
+    }
+}

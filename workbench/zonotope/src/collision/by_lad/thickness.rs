@@ -1,0 +1,64 @@
+//! How thick a body is at least, from a part of its generators.
+//!
+//! With W = Σ v vᵀ / |v|_∞ over any of the generators and x = W y, the coefficients (v · y) / |v|_∞ combine to x and are at most |y|_1. So the
+//! gauge of x is at most |y|_1 for x = W y. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞ ≤ ρ < 1/3, and let s be the largest gauge of
+//! the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3 ρ), and the gauge of any x is at most s |x|_1.
+
+use crate::collision::Displacement;
+use crate::numeric::tolerance::UNIT;
+
+/// Generators read side by side, and how many of them at most.
+const RUN: usize = 8;
+const RUNS: usize = 1 << 14;
+
+/// One run of this many, if there are fewer.
+const SHARE: usize = 4;
+
+/// Between these the sum of the generators' lengths is not touched by overflow and underflow.
+const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
+const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
+
+/// s such that the gauge of any x is at most s |x|_1; infinite if none is found.
+pub(super) fn thickness(question: &Displacement<'_, 3>) -> f64 {
+    let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
+    let mut count = 0;
+    for run in question.runs() {
+        let step = (run.len() / (RUN * RUNS)).max(SHARE);
+        for part in run.chunks(RUN).step_by(step) {
+            count += part.len();
+            for &[x, y, z] in part {
+                let weight = 1.0 / x.abs().max(y.abs()).max(z.abs()).max(f64::MIN_POSITIVE);
+                let [wx, wy, wz] = [weight * x, weight * y, weight * z];
+                (xx, xy, xz) = (xx + wx * x, xy + wx * y, xz + wx * z);
+                (yy, yz, zz) = (yy + wy * y, yz + wy * z, zz + wz * z);
+            }
+        }
+    }
+    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+    let determinant = dot(&rows[0], &minors[0]);
+    let inverse = minors.map(|row| row.map(|c| c / determinant));
+    let length = |row: [f64; 3]| row.iter().map(|c| c.abs()).sum::<f64>();
+    let size = inverse.map(length).iter().fold(0.0f64, |m, v| m.max(*v));
+    // each entry of the sum is off by a rounding for each term and a few more, at most so much of its magnitude, which the diagonal bounds
+    let off = (count as f64 + 16.0) * 2.0 * UNIT * (xx + yy + zz);
+    let mut rest = 0.0f64;
+    for (k, column) in inverse.iter().enumerate() {
+        for (i, row) in rows.iter().enumerate() {
+            let residual = (dot(row, column) - if i == k { 1.0 } else { 0.0 }).abs();
+            let magnitude: f64 = row.iter().zip(column).map(|(a, b)| (a * b).abs()).sum();
+            rest = rest.max(residual + 8.0 * UNIT * magnitude + off * size);
+        }
+    }
+    let bound = size / (1.0 - 3.0 * rest) * (1.0 + 16.0 * UNIT);
+    let is_sound = rest < 0.25 && (SMALLEST..LARGEST).contains(&(xx + yy + zz)) && bound > 0.0;
+    if is_sound { bound } else { f64::INFINITY }
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
