@@ -5,12 +5,19 @@ mod faces;
 mod intersection;
 mod kernel;
 mod min_area_zonogon;
+mod total_length;
 
 use super::chapter::Chapter;
 
 /// Every chapter, in the order of the report.
-pub static CHAPTERS: &[&Chapter] =
-    &[&min_area_zonogon::CHAPTER, &kernel::CHAPTER, &faces::CHAPTER, &duality::CHAPTER, &intersection::CHAPTER];
+pub static CHAPTERS: &[&Chapter] = &[
+    &min_area_zonogon::CHAPTER,
+    &kernel::CHAPTER,
+    &total_length::CHAPTER,
+    &faces::CHAPTER,
+    &duality::CHAPTER,
+    &intersection::CHAPTER,
+];
 
 #[cfg(test)]
 mod tests {
