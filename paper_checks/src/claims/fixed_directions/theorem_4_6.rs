@@ -11,6 +11,7 @@ use zonotope::linear_program::Clarabel;
 use super::random_problem;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::enclosing::{doubles, least_length, rows};
+use crate::growth::verdict;
 use crate::instances::generator;
 use crate::length_proofs::check_directed;
 use crate::ratio::{exactly, integer};
@@ -33,26 +34,12 @@ fn check(context: &CheckContext) -> Verdict {
     let tried = (0..6)
         .try_for_each(|index| optimal::<2>(&mut random, 12 + 8 * index, 4 + index % 3))
         .and_then(|()| (0..4).try_for_each(|index| optimal::<3>(&mut random, 10 + 8 * index, 4 + index % 2)));
-    if let Err(witness) = tried {
-        return Verdict::Refuted(witness);
-    }
-    let growth = match growth(context) {
-        Ok(growth) => growth,
-        Err(reason) => return Verdict::Inconclusive(reason),
-    };
-    let mut evidence = format!(
+    let found = tried.map(|()| {
         "for 10 sets of up to 52 points in R^2 and R^3 along up to 6 directions the value is within 1e-12 of the rational optimum, every point inside and the \
-         lower bound proven by forces; {growth}"
-    );
-    let measured = context.measurements_for(&CLAIM);
-    for measurement in &measured {
-        evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
-    }
-    if measured.iter().all(|measurement| measurement.agrees) {
-        Verdict::Holds(evidence)
-    } else {
-        Verdict::Inconclusive(evidence)
-    }
+         lower bound proven by forces"
+            .to_owned()
+    });
+    verdict(context, &CLAIM, found, growth)
 }
 
 fn optimal<const D: usize>(random: &mut Pcg64Mcg, count: usize, k: usize) -> Result<(), String> {

@@ -5,6 +5,7 @@ use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
 use zonotope::enclosing::min_total_length::{Net, by_direction_net, min_length_enclosing};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::growth::verdict;
 use crate::length_proofs::check_shortest;
 
 /// The claim.
@@ -37,28 +38,15 @@ fn check(context: &CheckContext) -> Verdict {
         .and_then(|()| keeps::<3>(context.seed, 6, &[0.9], Some(Net::Paper), &mut seen))
         .and_then(|()| keeps::<3>(context.seed, 6, &[0.9], Some(Net::Cells), &mut seen))
         .and_then(|()| keeps::<3>(context.seed, 6, &[0.01], None, &mut seen));
-    if let Err(witness) = tried {
-        return Verdict::Refuted(witness);
-    }
-    let sizes = match sizes() {
-        Ok(sizes) => sizes,
-        Err(reason) => return Verdict::Inconclusive(reason),
-    };
-    let mut evidence = format!(
-        "{} answers for points in R^2 and R^3, by both nets and by directions as needed, hold every point, prove their lower bound by forces whose farthest vertex was \
-         looked for among all, and have ratios of at most 1 + eps; those of nets use at most {:.0} % of eps; {sizes}",
-        seen.answers,
-        100.0 * seen.largest_share
-    );
-    let measured = context.measurements_for(&CLAIM);
-    for measurement in &measured {
-        evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
-    }
-    if measured.iter().all(|measurement| measurement.agrees) {
-        Verdict::Holds(evidence)
-    } else {
-        Verdict::Inconclusive(evidence)
-    }
+    let found = tried.map(|()| {
+        format!(
+            "{} answers for points in R^2 and R^3, by both nets and by directions as needed, hold every point, prove their lower bound by forces whose farthest vertex was \
+             looked for among all, and have ratios of at most 1 + eps; those of nets use at most {:.0} % of eps",
+            seen.answers,
+            100.0 * seen.largest_share
+        )
+    });
+    verdict(context, &CLAIM, found, |_| sizes())
 }
 
 #[derive(Default)]
