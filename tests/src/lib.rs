@@ -3,6 +3,7 @@
 //! The tests themselves are in `tests/tests/`, one file a subject. Nothing here is used outside of them.
 
 pub mod body_families;
+pub mod direction_families;
 pub mod kernel_twin;
 pub mod line_families;
 pub mod numbers;

@@ -1,13 +1,12 @@
 //! A centre in doubles from which the directions reach the points.
 
+use dashu_int::ops::BitTest;
+
 use super::problem::FixedDirections;
 use super::scaled::Scaled;
 use super::span::{Span, rational};
 use crate::numeric::Rational;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
-
-/// How many bits of the coordinates are kept, one attempt after the other, until the other coordinates are doubles too.
-const BITS: [i64; 10] = [53, 50, 46, 42, 38, 34, 30, 20, 10, 4];
+use crate::numeric::dyadic::{Dyadic, binary_exponent};
 
 /// The nearest doubles to a centre in scaled coordinates, if they lie in the affine span of the points; else a coarser centre that does, in the worst
 /// case the first point.
@@ -31,10 +30,17 @@ pub(crate) fn double_center<const D: usize>(
         return center;
     }
     let exact_first = first.map(rational);
-    for bits in BITS {
-        let pivots: Vec<f64> = scaled.coordinates.iter().map(|&c| with_bits(center[c], bits)).collect();
+    let wanted: Vec<Rational> = scaled.coordinates.iter().map(|&c| rational(center[c]) - &exact_first[c]).collect();
+    let largest = first.iter().chain(&center).fold(0.0, |max: f64, c| max.max(c.abs()));
+    let Some(top) = binary_exponent(largest).map(i64::from) else { return first };
+    let whole = span.whole_multiples();
+    let longest = whole.iter().map(|multiple| multiple.bit_len() as i64).max().unwrap_or(0);
+    // Whole multiples of the basis, the finer the better, until all coordinates are doubles.
+    for exponent in top - 52 - longest..=top {
+        let unit = Dyadic::new(1.into(), exponent).to_rational();
+        let steps = whole.iter().map(|multiple| &unit * Rational::from(multiple.clone()));
         let shift: Vec<Rational> =
-            scaled.coordinates.iter().zip(&pivots).map(|(&c, &p)| rational(p) - &exact_first[c]).collect();
+            wanted.iter().zip(steps).map(|(shift, step)| Rational::from((shift / &step).round()) * step).collect();
         let lifted = span.lift(&shift);
         let exact: [Rational; D] = std::array::from_fn(|c| &exact_first[c] + &lifted[c]);
         let rounded: [f64; D] = std::array::from_fn(|c| exact[c].to_f64_fast());
@@ -43,12 +49,4 @@ pub(crate) fn double_center<const D: usize>(
         }
     }
     first
-}
-
-/// The nearest number with so many bits.
-fn with_bits(value: f64, bits: i64) -> f64 {
-    let Some(exponent) = binary_exponent(value) else { return value };
-    let shift = bits - 1 - i64::from(exponent);
-    let scaled = scale_by_power_of_two(value, shift);
-    if bits < 53 && scaled.is_finite() { scale_by_power_of_two(scaled.round(), -shift) } else { value }
 }

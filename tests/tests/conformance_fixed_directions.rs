@@ -1,0 +1,113 @@
+//! Section 4.2 against the rational twin: all methods, by both engines, on every family in one to four dimensions.
+//!
+//! Eleven families of 24 cases in four dimensions: 1,056 cases, each decided and measured by five methods.
+
+use dashu_ratio::RBig;
+use proptest::prelude::*;
+use tests::direction_families::Instance;
+use tests::kernel_twin::exactly;
+use zonotope::enclosing::fixed_directions::{
+    Enclosure, FixedDirections, FixedDirectionsError, brute_force, least_enclosing, papers_program, support_form,
+    verify,
+};
+use zonotope::linear_program::{Clarabel, Engine, Microlp};
+
+const CASES: u32 = 24;
+
+type Answer<const D: usize> = Result<Enclosure<D>, FixedDirectionsError>;
+
+/// Every method and engine by name.
+fn answers<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<(String, Answer<D>)> {
+    let mut answers = vec![("row generation".to_owned(), least_enclosing(problem))];
+    for engine in [&Clarabel as &dyn Engine, &Microlp] {
+        answers.push((format!("support form, {}", engine.name()), support_form::least_enclosing(problem, engine)));
+        answers.push((format!("paper's program, {}", engine.name()), papers_program::least_enclosing(problem, engine)));
+    }
+    answers
+}
+
+/// How near a value and a bound must come to the truth.
+#[derive(Clone, Copy, PartialEq)]
+enum Nearness {
+    /// Both to a relative 1e-12.
+    Relative,
+    /// The bound to a relative 1e-12, the value to that and what a centre in doubles may cost.
+    CenterInDoubles,
+    /// On their side of the truth, wherever they are.
+    AnyGap,
+}
+
+fn tight<const D: usize>(instance: Instance<D>) -> Result<(), TestCaseError> {
+    agrees(&instance, Nearness::Relative)
+}
+
+fn tight_but_for_the_center<const D: usize>(instance: Instance<D>) -> Result<(), TestCaseError> {
+    agrees(&instance, Nearness::CenterInDoubles)
+}
+
+fn proven<const D: usize>(instance: Instance<D>) -> Result<(), TestCaseError> {
+    agrees(&instance, Nearness::AnyGap)
+}
+
+fn agrees<const D: usize>(instance: &Instance<D>, nearness: Nearness) -> Result<(), TestCaseError> {
+    let Instance { points, directions, weights } = instance;
+    let problem =
+        FixedDirections::new(points, directions, weights).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    let truth = brute_force::least_length(&problem).map(|optimum| optimum.value);
+    for (name, answer) in answers(&problem) {
+        let answer = match answer {
+            Ok(answer) => answer,
+            Err(error) => {
+                prop_assert_eq!(error, FixedDirectionsError::OutOfRange);
+                prop_assert!(nearness == Nearness::AnyGap, "{}: {}", name, error);
+                continue;
+            }
+        };
+        let verified = verify::verify(&problem, &answer);
+        prop_assert!(verified.is_ok(), "{}: {:?} {:?}", name, verified, answer);
+        prop_assert_eq!(answer.optimal().is_some(), truth.is_some(), "{}", name);
+        let (Some(zonotope), Some(truth)) = (answer.optimal(), &truth) else { continue };
+        let (value, bound) = (exactly(zonotope.value), exactly(zonotope.lower_bound));
+        prop_assert!(bound <= *truth && *truth <= value, "{}: {:?}", name, zonotope);
+        let relative = truth * exactly(1e-12);
+        let allowed = match nearness {
+            Nearness::AnyGap => continue,
+            Nearness::Relative => relative.clone(),
+            Nearness::CenterInDoubles => match cost_of_rounding(instance) {
+                Some(cost) => &relative + cost,
+                None => continue,
+            },
+        };
+        prop_assert!(truth - bound <= relative, "{}: the bound of {:e}, {:?}", name, truth.to_f64_fast(), zonotope);
+        prop_assert!(value - truth <= allowed, "{}: the value of {:e}, {:?}", name, truth.to_f64_fast(), zonotope);
+    }
+    Ok(())
+}
+
+/// What a zonotope along the directions costs that makes up for a centre rounded to doubles in every coordinate, three times over; `None`
+/// where the directions do not span.
+fn cost_of_rounding<const D: usize>(instance: &Instance<D>) -> Option<RBig> {
+    let largest = instance.points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
+    let unit = 3.0 * f64::EPSILON * largest;
+    let corners: Vec<[f64; D]> = (0..1usize << D)
+        .map(|corner| std::array::from_fn(|c| if corner >> c & 1 == 0 { unit } else { -unit }))
+        .collect();
+    let box_problem =
+        FixedDirections::new(&corners, &instance.directions, &instance.weights).expect("finite, as the instance is");
+    brute_force::least_length(&box_problem).map(|optimum| optimum.value)
+}
+
+tests::test_on_direction_families! {
+    CASES;
+    generic: tight;
+    lattices: tight;
+    parallel: tight;
+    flat: tight;
+    too_few: tight;
+    one_point: tight;
+    duplicates: tight;
+    scaled: tight;
+    zero_weights: tight;
+    one_ulp: tight_but_for_the_center;
+    mixed_scales: proven;
+}
