@@ -8,6 +8,8 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use crate::numeric::tolerance::UNIT;
+
 /// Where a ray leaves the zonotope.
 #[derive(Clone, Debug)]
 pub(crate) struct Facet<const D: usize> {
@@ -27,6 +29,8 @@ pub(crate) struct FacetDescent<const D: usize> {
     columns: Vec<Vec<f64>>,
     /// One over the length of each generator, zero for one that is none.
     per_length: Vec<f64>,
+    /// The sum of their lengths.
+    total: f64,
     inverse_moments: [[f64; D]; D],
     signs: Vec<f64>,
     heights: Vec<f64>,
@@ -34,6 +38,9 @@ pub(crate) struct FacetDescent<const D: usize> {
     crossings: Vec<(f64, usize)>,
     rng: Pcg64,
 }
+
+/// Coefficients beyond 1 by less than this, or by what rounding the sum of all generators may do, are within their range.
+const BEYOND: f64 = 1e-13;
 
 /// A search that takes more steps than this has lost its way in rounding errors or ties.
 const MOST_STEPS: usize = 400;
@@ -57,12 +64,14 @@ impl<const D: usize> FacetDescent<D> {
                 }
             }
         }
+        let total = generators.iter().map(|g| dot(g, g).sqrt()).sum();
         let inverse_moments = inverse(rank, &moments).unwrap_or_else(identity);
         let count = generators.len();
         Self {
             rank,
             columns,
             per_length,
+            total,
             inverse_moments,
             signs: vec![0.0; count],
             heights: vec![0.0; count],
@@ -105,7 +114,9 @@ impl<const D: usize> FacetDescent<D> {
                 *total = column.iter().zip(&self.signs).map(|(g, s)| g * s).sum();
             }
             let deltas: [f64; D] = std::array::from_fn(|i| if i + 1 < rank { -dot(&rows[i], &sum) } else { 0.0 });
-            let leaving = self.leaving(&deltas[..rank - 1], step);
+            let limits =
+                std::array::from_fn(|i| 1.0 + BEYOND.max(2.0 * UNIT * self.total * dot(&rows[i], &rows[i]).sqrt()));
+            let leaving = self.leaving(&deltas[..rank - 1], &limits, step);
             let Some(leaving) = leaving else {
                 let gauge = dot(&normal, &sum);
                 let mut coefficients = self.signs.clone();
@@ -125,10 +136,9 @@ impl<const D: usize> FacetDescent<D> {
         None
     }
 
-    /// Which of the basis must leave: the one farthest beyond its range, after many steps any.
-    fn leaving(&mut self, deltas: &[f64], step: usize) -> Option<usize> {
-        const BEYOND: f64 = 1.0 + 1e-13;
-        let beyond = |i: &usize| deltas[*i].abs() > BEYOND;
+    /// Which of the basis must leave: the one farthest beyond its limit, after many steps any.
+    fn leaving(&mut self, deltas: &[f64], limits: &[f64; D], step: usize) -> Option<usize> {
+        let beyond = |i: &usize| deltas[*i].abs() > limits[*i];
         if step < MOST_STEPS / 8 {
             (0..deltas.len()).filter(beyond).max_by(|&a, &b| deltas[a].abs().total_cmp(&deltas[b].abs()))
         } else {

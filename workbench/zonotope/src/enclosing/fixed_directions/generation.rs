@@ -100,20 +100,6 @@ impl<'a, const D: usize> Generation<'a, D> {
         self.program.precision = precision;
     }
 
-    /// Begins again with other directions, of weight 1, and those normals that are nearly tight now.
-    pub(crate) fn restart(&mut self, directions: Vec<[f64; D]>, slack: f64) {
-        let rows = self.program.nearly_tight(slack);
-        let axes = self.program.rows()[..self.rank].to_vec();
-        let weights = vec![1.0; directions.len()];
-        self.program = NormalProgram::new(self.rank, axes, directions.clone(), weights);
-        for row in rows {
-            self.program.add_row(row);
-        }
-        self.directions = directions;
-        self.seen.clear();
-        self.set_precision(self.precision);
-    }
-
     pub(crate) fn directions(&self) -> &[[f64; D]] {
         &self.directions
     }

@@ -110,12 +110,6 @@ impl<const D: usize> NormalProgram<D> {
         &self.rows
     }
 
-    /// The normals that are tight at the optimum or nearly so.
-    pub(crate) fn nearly_tight(&self, slack: f64) -> Vec<NormalRow<D>> {
-        let rows = self.rows.iter().zip(&self.entries);
-        rows.filter(|(row, e)| product(e, &self.prices) - row.height <= slack).map(|(row, _)| row.clone()).collect()
-    }
-
     /// The normals that count at the optimum, with their multipliers y_u.
     pub(crate) fn multipliers(&self) -> impl Iterator<Item = (&NormalRow<D>, f64)> {
         self.basis.iter().zip(&self.values).filter_map(|(basic, &y)| match basic {

@@ -43,9 +43,10 @@
 //! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 //! ```
 
+use super::along_net::least_along;
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::direction_net::{cell_corners, cell_middles};
-use super::search::{Plan, search, validate};
+use super::finish::validate;
 
 /// Which net.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +74,7 @@ pub fn least_enclosing<const D: usize>(
     if size > MOST {
         return Err(MinLengthError::TooManyDirections(size));
     }
-    search(points, |rank| net.directions(rank, epsilon), &Plan { epsilon, rounds: 0 }, &mut ())
+    least_along(points, |rank| net.directions(rank, epsilon), epsilon)
 }
 
 impl Net {
@@ -95,7 +96,7 @@ impl Net {
     }
 
     /// The directions, in the first `rank` coordinates.
-    fn directions<const D: usize>(self, rank: usize, epsilon: f64) -> Vec<[f64; D]> {
+    pub(super) fn directions<const D: usize>(self, rank: usize, epsilon: f64) -> Vec<[f64; D]> {
         match rank {
             1 => self.embedded::<1, D>(epsilon),
             2 => self.embedded::<2, D>(epsilon),
@@ -120,14 +121,4 @@ impl Net {
         }
         net.iter().map(|v| std::array::from_fn(|c| if c < R { v[c] } else { 0.0 })).collect()
     }
-}
-
-/// The directions that column generation begins with, in the first `rank` coordinates.
-pub(super) fn coarse_net<const D: usize>(rank: usize) -> Vec<[f64; D]> {
-    let epsilon = match rank {
-        0..=2 => 0.02,
-        3 => 0.1,
-        _ => 0.5,
-    };
-    Net::Cells.directions(rank, epsilon)
 }

@@ -12,6 +12,8 @@ pub(crate) struct FarVertices<const D: usize> {
     pub(crate) radius: f64,
     /// Vertices that are farthest in a neighbourhood and farther than was asked, each once up to sign, the farthest first.
     pub(crate) peaks: Vec<[f64; D]>,
+    /// The farthest vertex on each circle of directions orthogonal to rank − 2 of the forces, where it is farther than was asked.
+    pub(crate) on_circles: Vec<[f64; D]>,
 }
 
 /// The vertices of Σ [−1, 1] λ_j, whose first `rank` coordinates count, farther than `least` from the origin. O(m^{rank−1} log m).
@@ -20,7 +22,11 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
     let mut found: Vec<[f64; D]> = Vec::new();
     let mut farthest: f64 = 0.0;
     if rank == 1 {
-        return FarVertices { radius: total * (1.0 + (forces.len() + 8) as f64 * UNIT), peaks: Vec::new() };
+        return FarVertices {
+            radius: total * (1.0 + (forces.len() + 8) as f64 * UNIT),
+            peaks: Vec::new(),
+            on_circles: Vec::new(),
+        };
     }
     let mut is_walked = false;
     let mut circle = Circle { forces, angles: Vec::with_capacity(forces.len()) };
@@ -37,7 +43,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
     if !is_walked {
         farthest = total;
     }
-    let mut peaks: Vec<[f64; D]> = found.into_iter().map(|vertex| climb(forces, vertex)).collect();
+    let mut peaks: Vec<[f64; D]> = found.iter().map(|vertex| climb(forces, *vertex)).collect();
     peaks.sort_by(|a, b| length(b).total_cmp(&length(a)));
     let mut distinct: Vec<[f64; D]> = Vec::new();
     for peak in peaks {
@@ -52,7 +58,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
     }
     // Directions within rounding of each other may change places in a walk, so a vertex may be missed whose cell is smaller than that.
     let rounding = (8.0 * forces.len() as f64 + 64.0) * UNIT * total * if rank > 2 { 8.0 } else { 1.0 };
-    FarVertices { radius: farthest + rounding, peaks: distinct }
+    FarVertices { radius: farthest + rounding, peaks: distinct, on_circles: found }
 }
 
 fn length<const D: usize>(v: &[f64; D]) -> f64 {

@@ -12,14 +12,6 @@ pub fn least_length(points: &[[f64; 2]]) -> f64 {
     perimeter(points, best_center(points)) / 4.0
 }
 
-/// The directions of the edges of the best zonogon, unit vectors, within rounding of its centre.
-pub(super) fn edge_directions(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let hull = symmetric_hull(points, best_center(points));
-    let edges = hull.iter().zip(hull.iter().cycle().skip(1)).take(hull.len().div_ceil(2));
-    let edges = edges.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|e| *e != [0.0, 0.0]);
-    edges.map(|e| e.map(|c| c / (e[0] * e[0] + e[1] * e[1]).sqrt())).collect()
-}
-
 fn best_center(points: &[[f64; 2]]) -> [f64; 2] {
     let range = |axis: usize| {
         let values = points.iter().map(|p| p[axis]);

@@ -7,19 +7,26 @@
 //! |---|---|---|
 //! | [`in_the_plane`] | about 10^4 convex hulls | D = 2: the truth, in floating point |
 //! | [`by_direction_net`] | fixed directions, O(ε^{−(d−1)}) or O(ε^{−(d−1)/2}) of them | Theorem 4.7, and a better net |
-//! | [`by_column_generation`] | fixed directions, some ten times | directions as they are needed; the default |
+//! | [`by_column_generation`] | some hundred Newton steps; in a plane some fifty convex hulls | generators as they are needed, their directions free; the default |
 //!
-//! Every answer contains the points exactly and proves its ratio. [`direction_net`] holds the nets.
+//! Every answer contains the points exactly and proves its ratio; [`verify`] checks both. [`direction_net`] holds the nets.
 
+mod along_net;
 mod answer;
+mod best_center;
 pub mod by_column_generation;
 pub mod by_direction_net;
+mod cholesky;
 mod containment;
 pub mod direction_net;
 mod dual_zonotope;
+mod finish;
 mod frame;
+mod growing;
 pub mod in_the_plane;
-mod search;
+mod lower_bound;
+mod sides;
+pub mod verify;
 
 pub use answer::{LengthForce, MinLengthError, MinLengthZonotope};
 pub use by_column_generation::{min_length_enclosing, min_length_enclosing_counted};

@@ -1,0 +1,179 @@
+//! Section 4.3: every answer is within 1 + ε of the optimum, by proofs that an exact verifier of its own checks; in the plane the optimum is known.
+
+use dashu_ratio::RBig;
+use proptest::array::uniform;
+use proptest::collection::vec;
+use proptest::prelude::*;
+use tests::kernel_twin::exactly;
+use tests::numbers::{lattice, plain, power_of_two};
+use tests::point_families::{self, Point};
+use tests::runner::for_all;
+use zonotope::enclosing::min_total_length::direction_net::{cell_corners, cell_middles};
+use zonotope::enclosing::min_total_length::verify::{MinLengthDefect, verify, verify_bounds};
+use zonotope::enclosing::min_total_length::{
+    MinLengthZonotope, Net, by_direction_net, in_the_plane, min_length_enclosing,
+};
+
+/// Answers of at most so many points times generators are verified whole: containment by exact rational programs.
+const SMALL: usize = 90;
+
+fn proven<const D: usize>(
+    points: &[[f64; D]],
+    answer: &MinLengthZonotope<D>,
+    epsilon: f64,
+) -> Result<(), TestCaseError> {
+    // A centre and generators in doubles may cost a few units in the last place of the largest coordinate.
+    let largest = points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
+    let rounding = if answer.length > 0.0 { 16.0 * f64::EPSILON * (largest / answer.length) } else { 0.0 };
+    prop_assert!(answer.ratio <= 1.0 + epsilon + rounding, "{} of {}: {:?}", answer.ratio, epsilon, answer);
+    let is_small = points.len() * answer.zonotope.generators().len() <= SMALL;
+    let verdict = if is_small { verify(points, answer) } else { verify_bounds(points, answer) };
+    // More forces in one plane than the verifier tries are no defect.
+    let is_good = matches!(verdict, Ok(()) | Err(MinLengthDefect::TooManyTies(_)));
+    prop_assert!(is_good, "{:?}: {:?}", verdict, answer);
+    Ok(())
+}
+
+fn solved<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
+    let answer = min_length_enclosing(points, epsilon).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    proven(points, &answer, epsilon)?;
+    Ok(answer)
+}
+
+fn optimal_in_the_plane(points: Vec<Point>) -> Result<(), TestCaseError> {
+    let answer = solved(&points, 1e-9)?;
+    let truth = in_the_plane::least_length(&points);
+    let largest = points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
+    let allowed = 2e-9 * truth + 1e-12 * largest;
+    prop_assert!((answer.length - truth).abs() <= allowed, "{} {}", answer.length, truth);
+    Ok(())
+}
+
+tests::test_on_point_families!(|points| points, 40, optimal_in_the_plane; generic lattice_points duplicates symmetric);
+
+#[test]
+fn regular_polygons_are_optimal_too() {
+    for_all(&point_families::regular_polygons(), 40, optimal_in_the_plane);
+}
+
+fn sets<const D: usize>(number: fn() -> BoxedStrategy<f64>, most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
+    vec(uniform::<_, D>(number()), 1..=most).boxed()
+}
+
+#[test]
+fn on_the_line_the_optimum_is_half_the_extent() {
+    for_all(&sets::<1>(plain, 9), 60, |points| {
+        let answer = solved(&points, 1e-9)?;
+        let values = || points.iter().map(|p| p[0]);
+        let extent = exactly(values().fold(f64::MIN, f64::max)) - exactly(values().fold(f64::MAX, f64::min));
+        let half = extent / RBig::from(2);
+        prop_assert!(exactly(answer.lower_bound) <= half && half <= exactly(answer.length), "{:?}", answer);
+        Ok(())
+    });
+}
+
+#[test]
+fn in_space() {
+    for_all(&sets::<3>(plain, 9), 60, |points| solved(&points, 1e-6).map(|_| ()));
+    for_all(&sets::<3>(lattice, 9), 60, |points| solved(&points, 1e-6).map(|_| ()));
+    for_all(&sets::<3>(plain, 40), 12, |points| solved(&points, 1e-8).map(|_| ()));
+}
+
+#[test]
+fn in_four_dimensions() {
+    for_all(&sets::<4>(plain, 8), 24, |points| solved(&points, 1e-4).map(|_| ()));
+    for_all(&sets::<4>(lattice, 8), 24, |points| solved(&points, 1e-4).map(|_| ()));
+}
+
+#[test]
+fn any_scale() {
+    for_all(&(sets::<3>(plain, 6), -900..=900i32), 30, |(points, exponent)| {
+        let points: Vec<[f64; 3]> = points.iter().map(|p| p.map(|c| c * power_of_two(exponent))).collect();
+        solved(&points, 1e-6).map(|_| ())
+    });
+}
+
+/// A zonotope around its own vertices: nothing is shorter than itself.
+#[test]
+fn the_vertices_of_a_zonotope_give_the_zonotope() {
+    for_all(&vec(uniform::<_, 3>(plain()), 3..=4), 24, |generators| {
+        let vertices: Vec<[f64; 3]> = (0..1usize << generators.len())
+            .map(|signs| {
+                generators.iter().enumerate().fold([0.0; 3], |sum: [f64; 3], (i, g)| {
+                    let sign = if signs >> i & 1 == 0 { 1.0 } else { -1.0 };
+                    std::array::from_fn(|c| sum[c] + sign * g[c])
+                })
+            })
+            .collect();
+        let answer = solved(&vertices, 1e-7)?;
+        let own: f64 = generators.iter().map(|g| g.iter().map(|c| c * c).sum::<f64>().sqrt()).sum();
+        prop_assert!((answer.length - own).abs() <= 2e-7 * own, "{} {}", answer.length, own);
+        Ok(())
+    });
+}
+
+#[test]
+fn nets_keep_their_ratio() {
+    for net in [Net::Paper, Net::Cells] {
+        let solve = |epsilon: f64| {
+            move |points: Vec<[f64; 3]>| {
+                let answer = by_direction_net::least_enclosing(&points, epsilon, net)
+                    .map_err(|error| TestCaseError::fail(error.to_string()))?;
+                let best = solved(&points, 1e-6)?;
+                prop_assert!(answer.length <= (1.0 + epsilon) * best.length, "{} {}", answer.length, best.length);
+                proven(&points, &answer, f64::INFINITY)
+            }
+        };
+        for_all(&sets::<3>(plain, 8), 12, solve(0.5));
+        for_all(&sets::<3>(plain, 8), 4, solve(if net == Net::Paper { 0.4 } else { 0.1 }));
+        for_all(&sets::<2>(plain, 12), 24, |points| {
+            let answer = by_direction_net::least_enclosing(&points, 0.05, net)
+                .map_err(|error| TestCaseError::fail(error.to_string()))?;
+            prop_assert!(answer.length <= 1.05 * in_the_plane::least_length(&points) * (1.0 + 1e-12));
+            proven(&points, &answer, f64::INFINITY)
+        });
+    }
+}
+
+/// Whether every unit vector is within `mesh` of the net, up to sign, by a search over the faces of the cube: a square whose middle is nearer to a vector of
+/// the net than the mesh by its own half-diagonal is covered, else it is quartered.
+fn covers<const D: usize>(net: &[[f64; D]], mesh: f64) -> bool {
+    let distance = |u: &[f64; D]| {
+        let squares = net.iter().map(|v| {
+            let square = |sign: f64| u.iter().zip(v).map(|(a, b)| (a - sign * b) * (a - sign * b)).sum::<f64>();
+            square(1.0).min(square(-1.0))
+        });
+        squares.fold(f64::INFINITY, f64::min).sqrt()
+    };
+    let mut open: Vec<([f64; D], f64, usize)> =
+        (0..D).map(|face| (std::array::from_fn(|c| if c == face { 1.0 } else { 0.0 }), 1.0, face)).collect();
+    while let Some((middle, half, face)) = open.pop() {
+        let length = middle.iter().map(|c| c * c).sum::<f64>().sqrt();
+        // Outside the unit ball, making vectors unit vectors brings none of them farther apart.
+        if distance(&middle.map(|c| c / length)) + half * (D as f64 - 1.0).sqrt() <= mesh * (1.0 + 1e-9) {
+            continue;
+        }
+        if half < 1e-4 {
+            return false;
+        }
+        for corner in 0..1usize << (D - 1) {
+            let mut next = middle;
+            for (bit, c) in (0..D).filter(|&c| c != face).enumerate() {
+                next[c] += if corner >> bit & 1 == 0 { half / 2.0 } else { -half / 2.0 };
+            }
+            open.push((next, half / 2.0, face));
+        }
+    }
+    true
+}
+
+#[test]
+fn nets_have_the_mesh_that_is_claimed() {
+    for cells in [1, 2, 3, 5] {
+        let mesh = |dimension: f64| (dimension - 1.0).sqrt() / cells as f64;
+        assert!(covers(&cell_middles::<2>(cells), mesh(2.0)) && covers(&cell_corners::<2>(cells), 2.0 * mesh(2.0)));
+        assert!(covers(&cell_middles::<3>(cells), mesh(3.0)) && covers(&cell_corners::<3>(cells), 2.0 * mesh(3.0)));
+    }
+    assert!(covers(&cell_middles::<4>(2), 3f64.sqrt() / 2.0) && covers(&cell_middles::<4>(3), 3f64.sqrt() / 3.0));
+    assert!(!covers(&cell_middles::<3>(3), 0.5 * 2f64.sqrt() / 3.0), "the search can fail");
+}

@@ -1,0 +1,209 @@
+//! The plane: the best centre, and with it the generators and the forces, without a linear program.
+//!
+//! With the centre O fixed the best zonogon is the convex hull of the points and their reflections in O; its half-edges are the generators. Where the
+//! unit tangent turns from t to t' at a vertex, half their difference pulls at the point there: such forces λ_j load no direction by more than 1, as a tangent that turns by π
+//! passes each value twice, and they add up to −∇ of the length at O. So Σ λ_j · (p_j − x) is a lower bound of the length for any centre x, exact at O, and averages
+//! of the forces at several centres whose sums cancel are forces for the proof.
+//!
+//! The length is convex in O: each gradient cuts off a part of the plane, and the next O is the centroid of what is left.
+
+use super::finish::Inner;
+use super::frame::Frame;
+use super::lower_bound::Best;
+use crate::enclosing::fixed_directions::{balanced, dot};
+
+/// The length at one centre: length(x) ≥ height + slope · x.
+struct Cut<const D: usize> {
+    slope: [f64; 2],
+    height: f64,
+    forces: Vec<(usize, [f64; D])>,
+}
+
+/// More centres than this are not tried: the part of the plane that is left is as small as rounding by then.
+const MOST_CENTERS: usize = 160;
+
+/// So many of the last cuts are combined.
+const LAST: usize = 48;
+
+/// A slope that is nothing, and the sine of an angle that is none.
+const FLAT: f64 = 1e-15;
+
+/// How often the cuts are combined.
+const OFTEN: usize = 8;
+
+/// The best zonogon in the plane of the frame; best lengths and lower bounds as they come nearer.
+pub(super) fn least_in_plane<const D: usize>(
+    frame: &Frame<D>,
+    epsilon: f64,
+    best: &mut Best<D>,
+) -> (Inner<D>, Vec<[f64; 2]>) {
+    let points: Vec<[f64; 2]> = frame.points.iter().map(|p| [p[0], p[1]]).collect();
+    let hull = hull_of(&points);
+    let (low, high) = hull.iter().fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), &j| {
+        let p = points[j];
+        ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
+    });
+    let mut place = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
+    let mut cuts: Vec<Cut<D>> = Vec::new();
+    let mut inner = Inner { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new() };
+    let mut progress = Vec::new();
+    let mut target = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
+    for round in 1..=MOST_CENTERS {
+        let (cut, generators) = at_center(&points, &hull, target);
+        let upper: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum();
+        if upper < inner.upper {
+            let center = std::array::from_fn(|c| if c < 2 { target[c] } else { 0.0 });
+            inner = Inner { upper, center, generators };
+        }
+        place = part_below(&place, target, cut.slope);
+        let is_flat = cut.slope == [0.0; 2];
+        cuts.push(cut);
+        let next = centroid(&place);
+        if round % OFTEN == 0 || is_flat || next.is_none() || round == MOST_CENTERS {
+            let last = &cuts[cuts.len().saturating_sub(LAST)..];
+            if let Some(pulls) = combined(last) {
+                best.improve(2, &frame.points, balanced(&pulls));
+            }
+            progress.push([inner.upper, best.lower]);
+            if inner.upper <= (1.0 + 0.5 * epsilon) * best.lower {
+                break;
+            }
+        }
+        match next {
+            Some(next) if !is_flat => target = next,
+            _ => break,
+        }
+    }
+    (inner, progress)
+}
+
+/// The zonogon with a given centre: the cut, and the generators.
+fn at_center<const D: usize>(points: &[[f64; 2]], hull: &[usize], center: [f64; 2]) -> (Cut<D>, Vec<[f64; D]>) {
+    let own = hull.iter().map(|&j| [points[j][0] - center[0], points[j][1] - center[1]]);
+    let around: Vec<[f64; 2]> = own.clone().chain(own.map(|p| p.map(|c| -c))).collect();
+    let boundary = hull_of(&around);
+    let count = boundary.len();
+    let edges: Vec<[f64; 2]> = (0..count)
+        .map(|k| {
+            let (a, b) = (around[boundary[k]], around[boundary[(k + 1) % count]]);
+            [(b[0] - a[0]) / 2.0, (b[1] - a[1]) / 2.0]
+        })
+        .collect();
+    let tangents: Vec<[f64; 2]> = edges
+        .iter()
+        .map(|e| {
+            let length = (e[0] * e[0] + e[1] * e[1]).sqrt();
+            if length > 0.0 { e.map(|c| c / length) } else { [0.0; 2] }
+        })
+        .collect();
+    let mut cut = Cut { slope: [0.0; 2], height: 0.0, forces: Vec::with_capacity(count) };
+    for k in 0..count {
+        let (before, after) = (tangents[(k + count - 1) % count], tangents[k]);
+        let is_reflected = boundary[k] >= hull.len();
+        let point = hull[boundary[k] % hull.len()];
+        // Each point with its reflection is there twice.
+        let share = if is_reflected { -0.25 } else { 0.25 };
+        let force = [share * (before[0] - after[0]), share * (before[1] - after[1])];
+        cut.slope = [cut.slope[0] - force[0], cut.slope[1] - force[1]];
+        cut.height += force[0] * points[point][0] + force[1] * points[point][1];
+        cut.forces.push((point, std::array::from_fn(|c| if c < 2 { force[c] } else { 0.0 })));
+    }
+    let in_space = |e: &[f64; 2], factor: f64| std::array::from_fn(|c| if c < 2 { factor * e[c] } else { 0.0 });
+    let half = count / 2;
+    let is_symmetric = count % 2 == 0 && (0..half).all(|k| boundary[k] % hull.len() == boundary[k + half] % hull.len());
+    // Rounding may tell a vertex from its opposite; then both halves count by half.
+    let (edges, factor) = if is_symmetric { (&edges[..half], 1.0) } else { (&edges[..], 0.5) };
+    let generators = edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect();
+    (cut, generators)
+}
+
+/// The average of forces at three centres whose sums cancel that proves most.
+fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
+    let cross = |i: usize, j: usize| cuts[i].slope[0] * cuts[j].slope[1] - cuts[i].slope[1] * cuts[j].slope[0];
+    let mut most: Option<(f64, [(usize, f64); 3])> = None;
+    let mut offer = |shares: [(usize, f64); 3]| {
+        let height = shares.iter().map(|&(i, share)| share * cuts[i].height).sum::<f64>();
+        if height.is_finite() && most.as_ref().is_none_or(|m| height > m.0) {
+            most = Some((height, shares));
+        }
+    };
+    for i in 0..cuts.len() {
+        if cuts[i].slope.iter().all(|c| c.abs() < FLAT) {
+            offer([(i, 1.0), (i, 0.0), (i, 0.0)]);
+        }
+        for j in 0..i {
+            let along = cuts[i].slope[0] * cuts[j].slope[0] + cuts[i].slope[1] * cuts[j].slope[1];
+            if cross(i, j).abs() <= FLAT * along.abs() && along < 0.0 {
+                let [a, b] = [i, j].map(|i| cuts[i].slope.map(f64::abs).into_iter().fold(0.0, f64::max));
+                offer([(i, b / (a + b)), (j, a / (a + b)), (j, 0.0)]);
+            }
+            for k in 0..j {
+                let shares = [cross(j, k), cross(k, i), cross(i, j)];
+                let sum: f64 = shares.iter().sum();
+                if sum != 0.0 && shares.iter().all(|s| s / sum >= 0.0) {
+                    offer([(i, shares[0] / sum), (j, shares[1] / sum), (k, shares[2] / sum)]);
+                }
+            }
+        }
+    }
+    let (_, shares) = most?;
+    let forces = shares
+        .into_iter()
+        .flat_map(|(i, share)| cuts[i].forces.iter().map(move |(point, force)| (*point, force.map(|c| c * share))));
+    Some(forces.collect())
+}
+
+/// The part of a convex polygon where slope · (x − at) ≤ 0.
+fn part_below(polygon: &[[f64; 2]], at: [f64; 2], slope: [f64; 2]) -> Vec<[f64; 2]> {
+    let height = |p: &[f64; 2]| slope[0] * (p[0] - at[0]) + slope[1] * (p[1] - at[1]);
+    let mut part = Vec::with_capacity(polygon.len() + 1);
+    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+        let (above_a, above_b) = (height(a), height(b));
+        if above_a <= 0.0 {
+            part.push(*a);
+        }
+        if above_a < 0.0 && above_b > 0.0 || above_a > 0.0 && above_b < 0.0 {
+            let share = above_a / (above_a - above_b);
+            part.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
+        }
+    }
+    part
+}
+
+/// The centroid of a convex polygon; `None` if it has no area to speak of.
+fn centroid(polygon: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let (first, rest) = polygon.split_first()?;
+    let (mut area, mut moment) = (0.0, [0.0; 2]);
+    for pair in rest.windows(2) {
+        let [a, b] = [0, 1].map(|i| [pair[i][0] - first[0], pair[i][1] - first[1]]);
+        let twice = a[0] * b[1] - a[1] * b[0];
+        area += twice;
+        moment = [0, 1].map(|c| moment[c] + twice * (a[c] + b[c]) / 3.0);
+    }
+    let next = [0, 1].map(|c| first[c] + moment[c] / area);
+    (area > 0.0 && next.iter().all(|c| c.is_finite())).then_some(next)
+}
+
+/// The vertices of the convex hull, counterclockwise, by Andrew's monotone chain in floating point: what it misjudges is within rounding of the hull.
+fn hull_of(points: &[[f64; 2]]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| points[a][0].total_cmp(&points[b][0]).then(points[a][1].total_cmp(&points[b][1])));
+    order.dedup_by(|a, b| points[*a] == points[*b]);
+    let mut hull: Vec<usize> = Vec::new();
+    let backward: Vec<usize> = order.iter().rev().copied().collect();
+    for chain in [order, backward] {
+        let start = hull.len();
+        for j in chain {
+            while hull.len() >= start + 2 {
+                let [a, b, p] = [hull[hull.len() - 2], hull[hull.len() - 1], j].map(|j| points[j]);
+                if (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0 {
+                    break;
+                }
+                hull.pop();
+            }
+            hull.push(j);
+        }
+        hull.pop();
+    }
+    hull
+}

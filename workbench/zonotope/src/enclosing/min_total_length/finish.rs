@@ -1,0 +1,68 @@
+//! From a zonotope in the frame and forces to a proven answer: what the methods share.
+
+use super::answer::{MinLengthError, MinLengthZonotope};
+use super::containment::around;
+use super::frame::Frame;
+use super::lower_bound::Best;
+use crate::enclosing::fixed_directions::{Generation, dot, first_non_finite};
+use crate::numeric::dyadic::scale_by_power_of_two;
+use crate::zonotope::Zonotope;
+
+/// A zonotope in the frame.
+pub(super) struct Inner<const D: usize> {
+    /// Its length, as far as it contains the points.
+    pub(super) upper: f64,
+    pub(super) center: [f64; D],
+    pub(super) generators: Vec<[f64; D]>,
+}
+
+impl<const D: usize> Inner<D> {
+    /// The solution of a program over normals.
+    pub(super) fn along(generation: &Generation<'_, D>) -> Self {
+        let used = generation.directions().iter().zip(generation.program.coefficients()).filter(|(_, c)| **c > 0.0);
+        let generators: Vec<[f64; D]> = used.map(|(v, c)| v.map(|v| v * c)).collect();
+        let upper = generators.iter().map(|g| dot(g, g).sqrt()).sum();
+        Self { upper, center: generation.program.center(), generators }
+    }
+}
+
+pub(super) fn validate<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<(), MinLengthError> {
+    if let Some((point, coordinate, value)) = first_non_finite(points) {
+        return Err(MinLengthError::NonFinite { point, coordinate, value });
+    }
+    if points.is_empty() {
+        return Err(MinLengthError::Empty);
+    }
+    if epsilon > 0.0 && epsilon < 1.0 { Ok(()) } else { Err(MinLengthError::BadEpsilon(epsilon)) }
+}
+
+/// The answer with its proofs, in units of the input.
+pub(super) fn finish<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    inner: Inner<D>,
+    best: &Best<D>,
+    progress: Vec<[f64; 2]>,
+    directions: usize,
+) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    let (zonotope, length) =
+        around(points, frame, inner.center, &inner.generators).ok_or(MinLengthError::OutOfRange)?;
+    let (lower_bound, forces) = best.proven(points, frame);
+    let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
+    let in_units = |v: f64| scale_by_power_of_two(v, frame.exponent);
+    let progress = progress.into_iter().map(|bounds| bounds.map(in_units)).collect();
+    Ok(MinLengthZonotope { zonotope, length, lower_bound, ratio, forces, progress, directions })
+}
+
+pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    let zonotope = Zonotope::new(points[0], Vec::new()).map_err(|_| MinLengthError::OutOfRange)?;
+    Ok(MinLengthZonotope {
+        zonotope,
+        length: 0.0,
+        lower_bound: 0.0,
+        ratio: 1.0,
+        forces: Vec::new(),
+        progress: Vec::new(),
+        directions: 0,
+    })
+}

@@ -1,0 +1,78 @@
+//! A lower bound for all zonotopes around the points: forces, made feasible by the farthest vertex of their zonotope.
+
+use super::answer::LengthForce;
+use super::dual_zonotope::{FarVertices, far_vertices};
+use super::frame::Frame;
+use crate::enclosing::fixed_directions::{balanced, dot};
+use crate::enclosing::outward::rounded_towards;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::tolerance::UNIT;
+
+/// A vertex of the zonotope of the forces counts if it is farther than the unit ball by this.
+const WORTH: f64 = 1e-13;
+
+/// The best lower bound so far, and its forces in the frame.
+pub(super) struct Best<const D: usize> {
+    pub(super) lower: f64,
+    forces: Vec<(usize, [f64; D])>,
+}
+
+impl<const D: usize> Best<D> {
+    /// Nothing is proven yet.
+    pub(super) fn none() -> Self {
+        Self { lower: 0.0, forces: Vec::new() }
+    }
+
+    /// Forces half way between the best ones and others.
+    pub(super) fn mixed(&self, others: &[(usize, [f64; D])]) -> Vec<(usize, [f64; D])> {
+        let halves = |forces: &[(usize, [f64; D])]| forces.iter().map(|(j, f)| (*j, f.map(|c| 0.5 * c))).collect();
+        let both: [Vec<(usize, [f64; D])>; 2] = [halves(&self.forces), halves(others)];
+        balanced(&both.concat())
+    }
+
+    /// Takes forces that add up to zero, made feasible, if they prove more; the vertices beyond the unit ball.
+    pub(super) fn improve(
+        &mut self,
+        rank: usize,
+        points: &[[f64; D]],
+        forces: Vec<(usize, [f64; D])>,
+    ) -> FarVertices<D> {
+        let vectors: Vec<[f64; D]> = forces.iter().map(|(_, f)| *f).collect();
+        let far = far_vertices(rank, &vectors, 1.0 + WORTH);
+        let lower = forces.iter().map(|(j, f)| dot(f, &points[*j])).sum::<f64>() / far.radius;
+        if lower > self.lower {
+            let forces = forces.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
+            *self = Self { lower, forces };
+        }
+        far
+    }
+
+    /// The bound in units of the input, computed anew and rounded down.
+    pub(super) fn proven(&self, points: &[[f64; D]], frame: &Frame<D>) -> (f64, Vec<LengthForce<D>>) {
+        let inside: Vec<[f64; D]> = self.forces.iter().map(|(_, f)| *f).collect();
+        let rounded: Vec<(usize, [f64; D])> = self.forces.iter().map(|(j, f)| (*j, frame.outside(f))).collect();
+        let forces = balanced(&rounded);
+        if forces.is_empty() {
+            return (0.0, Vec::new());
+        }
+        // Turned out of the frame a force is off by a few units in the last place, and so is what it adds to a vertex; rounding to add up to
+        // zero costs each force two more, the heaviest as many as there are.
+        let total: f64 = inside.iter().map(|f| dot(f, f).sqrt()).sum();
+        let count = forces.len() as f64;
+        let turned = if frame.rank() == D { 0.0 } else { 16.0 * D as f64 };
+        let radius = far_vertices(frame.rank(), &inside, f64::INFINITY).radius;
+        let radius = (radius + (turned + 16.0 * count * D as f64) * UNIT * total) * (1.0 + 4.0 * UNIT);
+        let mut gain = Dyadic::zero();
+        for (j, force) in &forces {
+            for (a, b) in force.iter().zip(&points[*j]) {
+                gain = gain + &Dyadic::from_f64(*a) * &Dyadic::from_f64(*b);
+            }
+        }
+        let mut lower = gain.ratio(&Dyadic::from_f64(radius)).min(f64::MAX);
+        while lower > 0.0 && &Dyadic::from_f64(lower) * &Dyadic::from_f64(radius) > gain {
+            lower = lower.next_down();
+        }
+        let forces = forces.into_iter().map(|(point, vector)| LengthForce { point, vector }).collect();
+        (rounded_towards(&Dyadic::from_f64(lower.max(0.0)), f64::NEG_INFINITY), forces)
+    }
+}
