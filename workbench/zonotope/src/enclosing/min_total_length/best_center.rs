@@ -110,7 +110,8 @@ fn at_center<const D: usize>(points: &[[f64; 2]], hull: &[usize], center: [f64; 
     }
     let in_space = |e: &[f64; 2], factor: f64| std::array::from_fn(|c| if c < 2 { factor * e[c] } else { 0.0 });
     let half = count / 2;
-    let is_symmetric = count % 2 == 0 && (0..half).all(|k| boundary[k] % hull.len() == boundary[k + half] % hull.len());
+    let is_symmetric =
+        count.is_multiple_of(2) && (0..half).all(|k| boundary[k] % hull.len() == boundary[k + half] % hull.len());
     // Rounding may tell a vertex from its opposite; then both halves count by half.
     let (edges, factor) = if is_symmetric { (&edges[..half], 1.0) } else { (&edges[..], 0.5) };
     let generators = edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect();

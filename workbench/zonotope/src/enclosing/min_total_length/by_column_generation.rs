@@ -3,7 +3,7 @@
 //! # Statement
 //! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains every point exactly, its total
 //! length (the sum of the half-lengths of its generators), and a lower bound for all zonotopes around the points, whose ratio is
-//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 150 points that the zonotope touches; rounding: ε below 1e-10): the
+//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 100 points that the zonotope touches; rounding: in space ε below 1e-7): the
 //! ratio is always proven and told.
 //!
 //! # Source

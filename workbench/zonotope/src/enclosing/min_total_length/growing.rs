@@ -25,6 +25,7 @@ const MOST_ROUNDS: usize = 400;
 
 /// Rounds without progress after which rounding is what is left.
 const MOST_IDLE: usize = 40;
+const MOST_IDLE_AT_THE_END: usize = 8;
 
 /// More products and sums than this are not spent: half a minute or less.
 const MOST_WORK: f64 = 4e10;
@@ -73,6 +74,7 @@ pub(super) fn least_by_sides<const D: usize>(
 ) -> Found<D> {
     let mut inner = Inner { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new() };
     let mut growing = Growing::new(frame, best, &mut inner);
+    let mut sharpest = inner.generators.clone();
     let (mut progress, mut tried, mut idle, mut is_last) = (Vec::new(), 0, 0, false);
     for _ in 0..MOST_ROUNDS {
         tally.add(Operation::SearchStep, 1);
@@ -92,13 +94,16 @@ pub(super) fn least_by_sides<const D: usize>(
         let between = best.mixed(&pulls);
         let far = best.improve(growing.rank, &frame.points, pulls);
         let far_between = best.improve(growing.rank, &frame.points, between);
+        if best.lower > before.1 {
+            sharpest = generators;
+        }
         progress.push([inner.upper, best.lower]);
         if inner.upper <= (1.0 + 0.5 * epsilon) * best.lower {
             break;
         }
         let gain = before.0 - inner.upper + best.lower - before.1;
         idle = if gain > 1e-3 * (inner.upper - best.lower) { 0 } else { idle + 1 };
-        if idle > MOST_IDLE || growing.sides.work > MOST_WORK {
+        if idle > if is_last { MOST_IDLE_AT_THE_END } else { MOST_IDLE } || growing.sides.work > MOST_WORK {
             break;
         }
         let mut sides = 0;
@@ -119,7 +124,7 @@ pub(super) fn least_by_sides<const D: usize>(
         growing.sides.forget();
     }
     if inner.upper > (1.0 + 0.5 * epsilon) * best.lower
-        && let Some(polished) = along_generators(frame, &inner.generators)
+        && let Some(polished) = along_generators(frame, &sharpest)
         && polished.upper < inner.upper
     {
         inner = polished;
@@ -131,7 +136,7 @@ pub(super) fn least_by_sides<const D: usize>(
 /// The least zonotope along the directions of generators that are nearly the best ones: what these are off by counts only squared.
 fn along_generators<const D: usize>(frame: &Frame<D>, generators: &[[f64; D]]) -> Option<Inner<D>> {
     let length = |g: &[f64; D]| dot(g, g).sqrt();
-    let mut long = generators.to_vec();
+    let mut long: Vec<[f64; D]> = generators.iter().copied().filter(|g| length(g) > 0.0).collect();
     long.sort_by(|a, b| length(b).total_cmp(&length(a)));
     long.truncate(MOST_DIRECTIONS);
     let directions: Vec<[f64; D]> = long.iter().map(|g| g.map(|c| c / length(g))).collect();

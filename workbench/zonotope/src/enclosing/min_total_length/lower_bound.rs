@@ -40,7 +40,7 @@ impl<const D: usize> Best<D> {
         let vectors: Vec<[f64; D]> = forces.iter().map(|(_, f)| *f).collect();
         let far = far_vertices(rank, &vectors, 1.0 + WORTH);
         let lower = forces.iter().map(|(j, f)| dot(f, &points[*j])).sum::<f64>() / far.radius;
-        if lower > self.lower {
+        if lower > self.lower && lower.is_finite() {
             let forces = forces.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
             *self = Self { lower, forces };
         }

@@ -9,6 +9,7 @@
 
 use super::cholesky::Cholesky;
 use crate::enclosing::fixed_directions::dot;
+use crate::numeric::tolerance::UNIT;
 
 /// Points with their forces, and the sets of points seen so far.
 pub(super) struct Sides<const D: usize> {
@@ -103,7 +104,7 @@ impl<const D: usize> Sides<D> {
     pub(super) fn generators(&self) -> Vec<[f64; D]> {
         let generator = |set: &Vec<bool>| {
             let sum = sum_over(set, &self.forces);
-            let factor = 2.0 / (self.sharpness * (1.0 - dot(&sum, &sum)));
+            let factor = 2.0 / (self.sharpness * (1.0 - dot(&sum, &sum)).max(UNIT));
             sum.map(|c| c * factor)
         };
         self.sets.iter().map(generator).collect()
@@ -176,6 +177,9 @@ impl<const D: usize> Sides<D> {
             let rates: Vec<[f64; D]> = self.sets.iter().map(|set| sum_over(set, &turned)).collect();
             let rise: f64 = gain.iter().zip(&step).map(|(a, b)| a * b).sum();
             let length = best_length(rise, &sums, &rates);
+            if !(length.is_finite() && step.iter().all(|c| c.is_finite())) {
+                return false;
+            }
             for (force, turned) in self.forces.iter_mut().zip(&turned) {
                 *force = plus(force, length, turned);
             }

@@ -185,7 +185,7 @@ fn normal_of(rows: &[&[Dyadic]], dimension: usize) -> Vec<Dyadic> {
     let minor = |c: usize| {
         let others: Vec<usize> = (0..dimension).filter(|&other| other != c).collect();
         let value = determinant(rows, &others);
-        if c % 2 == 0 { value } else { Dyadic::zero() - value }
+        if c.is_multiple_of(2) { value } else { Dyadic::zero() - value }
     };
     (0..dimension).map(minor).collect()
 }
