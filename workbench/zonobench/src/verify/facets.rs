@@ -152,6 +152,6 @@ mod tests {
         assert_eq!(image, [0.75, -0.0625, 0.0, 0.0]);
         let one = Normal { subset: vec![], exact: vector(&[1, 1]), image: own_image(&vector(&[1, 1])) };
         let close = vec![(IBig::ONE << 200) + 1, -(IBig::ONE << 200)];
-        assert_eq!(side(&one, &close, &images(&[close.clone()])[0]), 1, "decided exactly");
+        assert_eq!(side(&one, &close, &images(std::slice::from_ref(&close))[0]), 1, "decided exactly");
     }
 }

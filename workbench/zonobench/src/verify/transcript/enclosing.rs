@@ -48,7 +48,7 @@ pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, St
             center: vector(member(result, "center")?, "center")?,
             coefficients: vector(member(result, "coefficients")?, "coefficients")?,
             lower_bound: float(result, "lower_bound")?,
-            forces: forces(certificate, |tree| exact_numbers(tree))?,
+            forces: forces(certificate, exact_numbers)?,
         },
         "infeasible" => DirectedAnswer::Infeasible {
             points: <[usize; 2]>::try_from(indices(certificate, "points")?)
