@@ -26,18 +26,15 @@ pub const EXPERIMENT: Experiment = Experiment {
     claims: &["theorem-4.7", "direction-net", "erratum-4.3-containment", "summary-approximate-length"],
     families: &["sphere_2", "sphere_3", "sphere_4"],
     real_inputs: &[],
-    sizes: PerProfile {
-        quick: &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024],
-        full: &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096, 1 << 14, 1 << 16, 1 << 20],
-    },
+    sizes: PerProfile::both(&[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024]),
     instances: PerProfile { quick: 1, full: 2 },
     variants: &[
-        Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(1024) },
-        Variant { id: "net_of_cells", title: "Corners of cells", largest: PerProfile::both(1024) },
+        Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "net_of_cells", title: "Corners of cells", largest: PerProfile::both(usize::MAX) },
         Variant {
             id: "by_column_generation",
             title: "Directions as they are needed",
-            largest: PerProfile { quick: 128, full: usize::MAX },
+            largest: PerProfile { quick: 128, full: 512 },
         },
     ],
     measure,
