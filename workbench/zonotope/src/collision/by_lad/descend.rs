@@ -29,6 +29,7 @@ pub(super) enum Stop {
 pub(super) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Result<[usize; 2], Stop> {
     let mut line = nearest(lines, start).ok_or(Stop::NoVertex)?;
     let mut point = start;
+    let mut before = usize::MAX;
     let mut ahead = Vec::with_capacity(lines.len());
     for _ in 0..SEARCHES {
         let (other, vertex) = search(lines, linear, line, point, &mut ahead).ok_or(Stop::NoVertex)?;
@@ -48,7 +49,11 @@ pub(super) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Resul
         if (gx * dx + gy * dy).abs() <= turn {
             return Ok([line, other]);
         }
-        line = other;
+        // least along both lines: where rounding would go on, it goes in circles
+        if other == before {
+            return Ok([line, other]);
+        }
+        (before, line) = (line, other);
     }
     Err(Stop::Undecided)
 }
