@@ -66,12 +66,15 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     Ok(scene.finish())
 }
 
+/// A point, from 0, and the vector that pulls at it.
+type Force = (usize, [f64; 2]);
+
 fn norm([x, y]: [f64; 2]) -> f64 {
     (x * x + y * y).sqrt()
 }
 
 /// The forces, each with its point, and their zonogon, divided by the distance of its farthest vertex.
-fn scaled_forces(answer: &MinLengthZonotope<2>) -> (Vec<(usize, [f64; 2])>, Vec<[f64; 2]>) {
+fn scaled_forces(answer: &MinLengthZonotope<2>) -> (Vec<Force>, Vec<[f64; 2]>) {
     let vectors: Vec<[f64; 2]> = answer.forces.iter().map(|force| force.vector).collect();
     let dual = Zonotope::new([0.0; 2], vectors).expect("forces are finite").vertices();
     let farthest = dual.iter().map(|&v| norm(v)).fold(f64::MIN_POSITIVE, f64::max);
@@ -79,11 +82,11 @@ fn scaled_forces(answer: &MinLengthZonotope<2>) -> (Vec<(usize, [f64; 2])>, Vec<
     (forces, dual.into_iter().map(|v| v.map(|c| c / farthest)).collect())
 }
 
-fn draw_points(scene: &mut Scene, window: PageBox, answer: &MinLengthZonotope<2>, forces: &[(usize, [f64; 2])]) {
+fn draw_points(scene: &mut Scene, window: PageBox, answer: &MinLengthZonotope<2>, forces: &[Force]) {
     /// Units of the picture for a force of length 1.
     const FORCE_LENGTH: f64 = 5.0;
     let corners = answer.zonotope.vertices();
-    let tip = |(point, force): &(usize, [f64; 2])| [0, 1].map(|c| POINTS[*point][c] + FORCE_LENGTH * force[c]);
+    let tip = |(point, force): &Force| [0, 1].map(|c| POINTS[*point][c] + FORCE_LENGTH * force[c]);
     let tips: Vec<[f64; 2]> = forces.iter().map(tip).collect();
     let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(corners.iter().chain(&tips)), window));
     panel.polygon(&corners, &ZONOGON);

@@ -27,7 +27,6 @@ pub static CLAIM: Claim = Claim {
     ],
     figures: &["directions-needed", "length-ratio"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Unit vectors as combinations of the corners of their cell, and an answer along a net without the axes' help.

@@ -30,7 +30,6 @@ pub static CLAIM: Claim = Claim {
     ],
     figures: &["zonogons-along-directions", "scaling-program-rows"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// The printed program on the extreme points and one inequality for each normal have one optimum; the library's three forms reach it.

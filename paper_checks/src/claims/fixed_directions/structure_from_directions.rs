@@ -22,7 +22,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope::faces", "zonotope::enclosing::fixed_directions"],
     figures: &["mesh-in-zonohedra"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Bodies with their generators stretched by random factors: the same facets meet in the same vertices.
