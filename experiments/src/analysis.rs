@@ -52,7 +52,7 @@ pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
 
 fn of_plan(experiment: &'static str, plan: &FitPlan, records: &Records) -> Vec<FittedGrowth> {
     let sampled = |&family: &&'static str| (family, samples(experiment, family, plan.variant, plan.quantity, records));
-    let families: Vec<_> = plan.families.iter().map(|family| sampled(family)).collect();
+    let families: Vec<_> = plan.families.iter().map(sampled).collect();
     let fitted = |family, samples: &[(f64, f64)], left_out, lower_order| FittedGrowth {
         experiment,
         family,
