@@ -130,6 +130,14 @@ pub(super) fn least_by_sides<const D: usize>(
         inner = polished;
         progress.push([inner.upper, best.lower]);
     }
+    // Where the generators hardly span, nothing that holds the points may have been found; a net always spans.
+    if inner.upper > 2.0 * best.lower
+        && let Some(coarse) = along_generators(frame, &Net::Cells.directions(frame.rank(), COARSE))
+        && coarse.upper < inner.upper
+    {
+        inner = coarse;
+        progress.push([inner.upper, best.lower]);
+    }
     Found { inner, progress, sides: tried }
 }
 
