@@ -49,7 +49,7 @@ type Symmetric = [f64; 3];
 struct Moments {
     gradient: [f64; 2],
     hessian: Symmetric,
-    /// Σ weight over the band.
+    /// Σ weight / band over the band.
     weight: f64,
     count: f64,
 }
@@ -162,7 +162,7 @@ impl Lines {
             let step = Step { origin: point, vector: newton.map(|c| -c), slope: -dot(gradient, newton) };
             point = step.end();
             // the mean square of the change of t / e in the band, each length taken for the harmonic mean
-            let change = -step.slope * moments.weight / (band * moments.count * moments.count);
+            let change = -step.slope * moments.weight / (moments.count * moments.count);
             if change >= 1.0 {
                 best = best.or(Some((moments, band, step.origin)));
                 pending = Some(step);
