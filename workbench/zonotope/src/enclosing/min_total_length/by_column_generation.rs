@@ -57,6 +57,7 @@ use super::finish::{around_equal_points, finish, validate};
 use super::frame::Frame;
 use super::growing::least_by_sides;
 use super::lower_bound::Best;
+use crate::enclosing::fixed_directions::dot;
 use crate::tally::Tally;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible.
@@ -82,6 +83,9 @@ pub fn min_length_enclosing_counted<const D: usize>(
     validate(points, epsilon)?;
     let frame = Frame::new(points);
     let mut best = Best::none();
+    if let Some(pull) = frame.long.first() {
+        best.improve(frame.rank(), &frame.points, opposite_pulls(&frame.points, pull));
+    }
     match frame.rank() {
         0 => around_equal_points(points),
         2 => {
@@ -94,4 +98,15 @@ pub fn min_length_enclosing_counted<const D: usize>(
             finish(points, &frame, found.inner, &best, found.progress, found.sides)
         }
     }
+}
+
+/// Forces that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.
+fn opposite_pulls<const D: usize>(points: &[[f64; D]], direction: &[f64; D]) -> Vec<(usize, [f64; D])> {
+    let height = |j: &usize| dot(&points[*j], direction);
+    let ends = (0..points.len()).fold((0, 0), |(low, high), j| {
+        (if height(&j) < height(&low) { j } else { low }, if height(&j) > height(&high) { j } else { high })
+    });
+    let apart: [f64; D] = std::array::from_fn(|c| points[ends.1][c] - points[ends.0][c]);
+    let twice = 2.0 * dot(&apart, &apart).sqrt();
+    vec![(ends.1, apart.map(|c| c / twice)), (ends.0, apart.map(|c| -c / twice))]
 }

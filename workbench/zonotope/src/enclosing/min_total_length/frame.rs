@@ -8,6 +8,8 @@ pub(super) struct Frame<const D: usize> {
     pub(super) exponent: i64,
     origin: [f64; D],
     axes: Vec<[f64; D]>,
+    /// Orthonormal directions in the frame, the one farthest along which the points spread first.
+    pub(super) long: Vec<[f64; D]>,
     /// The points in the frame; the first `rank` coordinates count.
     pub(super) points: Vec<[f64; D]>,
 }
@@ -27,33 +29,12 @@ impl<const D: usize> Frame<D> {
         let exponent = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1 + lost);
         let scaled: Vec<[f64; D]> =
             points.iter().map(|p| differences(p).map(|c| scale_by_power_of_two(c, lost - exponent))).collect();
-        let mut rest = scaled.clone();
-        let mut axes: Vec<[f64; D]> = Vec::with_capacity(D);
-        while axes.len() < D {
-            let Some(far) = rest.iter().copied().max_by(|a, b| dot(a, a).total_cmp(&dot(b, b))) else { break };
-            if dot(&far, &far).sqrt() <= FLAT {
-                break;
-            }
-            let mut unit = far;
-            // Twice is enough for orthogonality to rounding.
-            for _ in 0..2 {
-                for axis in &axes {
-                    let along = dot(axis, &unit);
-                    unit = std::array::from_fn(|c| unit[c] - along * axis[c]);
-                }
-                let length = dot(&unit, &unit).sqrt();
-                unit = unit.map(|c| c / length);
-            }
-            for v in &mut rest {
-                let along = dot(&unit, v);
-                *v = std::array::from_fn(|c| v[c] - along * unit[c]);
-            }
-            axes.push(unit);
-        }
+        let mut axes = long_axes(&scaled);
+        let mut long: Vec<[f64; D]> = (0..axes.len()).map(unit_vector).collect();
         if axes.len() == D {
-            axes = (0..D).map(|a| std::array::from_fn(|c| f64::from(u8::from(a == c)))).collect();
+            std::mem::swap(&mut axes, &mut long);
         }
-        let mut frame = Self { exponent, origin, axes, points: Vec::new() };
+        let mut frame = Self { exponent, origin, axes, long, points: Vec::new() };
         frame.points = scaled.iter().map(|p| frame.inside(p)).collect();
         frame
     }
@@ -85,4 +66,36 @@ impl<const D: usize> Frame<D> {
         let half = self.outside(p).map(|c| scale_by_power_of_two(c, self.exponent - 1));
         std::array::from_fn(|c| (2.0 * (self.origin[c] / 2.0 + half[c])).clamp(-f64::MAX, f64::MAX))
     }
+}
+
+/// Orthonormal axes: each points to the vector that is farthest from the span of those before, until all are in it.
+fn long_axes<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
+    let mut rest = vectors.to_vec();
+    let mut axes: Vec<[f64; D]> = Vec::with_capacity(D);
+    while axes.len() < D {
+        let Some(far) = rest.iter().copied().max_by(|a, b| dot(a, a).total_cmp(&dot(b, b))) else { break };
+        if dot(&far, &far).sqrt() <= FLAT {
+            break;
+        }
+        let mut unit = far;
+        // Twice is enough for orthogonality to rounding.
+        for _ in 0..2 {
+            for axis in &axes {
+                let along = dot(axis, &unit);
+                unit = std::array::from_fn(|c| unit[c] - along * axis[c]);
+            }
+            let length = dot(&unit, &unit).sqrt();
+            unit = unit.map(|c| c / length);
+        }
+        for v in &mut rest {
+            let along = dot(&unit, v);
+            *v = std::array::from_fn(|c| v[c] - along * unit[c]);
+        }
+        axes.push(unit);
+    }
+    axes
+}
+
+fn unit_vector<const D: usize>(axis: usize) -> [f64; D] {
+    std::array::from_fn(|c| f64::from(u8::from(axis == c)))
 }

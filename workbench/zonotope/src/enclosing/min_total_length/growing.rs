@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 
 use super::by_direction_net::Net;
 use super::direction_net::cell_corners;
+use super::even::{Even, Sight};
 use super::finish::Inner;
 use super::frame::Frame;
 use super::lower_bound::Best;
 use super::sides::Sides;
-use crate::enclosing::fixed_directions::{FacetDescent, Generation, balanced, dot};
+use crate::enclosing::fixed_directions::{Generation, balanced, dot};
 use crate::tally::{Operation, Tally};
 
 /// What a search has found.
@@ -58,6 +59,7 @@ const COARSE: f64 = 0.1;
 
 struct Growing<'a, const D: usize> {
     frame: &'a Frame<D>,
+    even: &'a Even<'a, D>,
     rank: usize,
     sides: Sides<D>,
     /// The points with a force.
@@ -72,8 +74,9 @@ pub(super) fn least_by_sides<const D: usize>(
     best: &mut Best<D>,
     tally: &mut impl Tally,
 ) -> Found<D> {
-    let mut inner = Inner { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new() };
-    let mut growing = Growing::new(frame, best, &mut inner);
+    let even = Even::of(frame);
+    let mut inner = even.boxed();
+    let mut growing = Growing::new(frame, &even, best, &mut inner);
     let mut sharpest = inner.generators.clone();
     let (mut progress, mut tried, mut idle, mut is_last) = (Vec::new(), 0, 0, false);
     for _ in 0..MOST_ROUNDS {
@@ -124,34 +127,35 @@ pub(super) fn least_by_sides<const D: usize>(
         growing.sides.forget();
     }
     if inner.upper > (1.0 + 0.5 * epsilon) * best.lower
-        && let Some(polished) = along_generators(frame, &sharpest)
+        && let Some(polished) = along_generators(frame, &even, &sharpest)
         && polished.upper < inner.upper
     {
         inner = polished;
-        progress.push([inner.upper, best.lower]);
-    }
-    // Where the generators hardly span, nothing that holds the points may have been found; a net always spans.
-    if inner.upper > 2.0 * best.lower
-        && let Some(coarse) = along_generators(frame, &Net::Cells.directions(frame.rank(), COARSE))
-        && coarse.upper < inner.upper
-    {
-        inner = coarse;
         progress.push([inner.upper, best.lower]);
     }
     Found { inner, progress, sides: tried }
 }
 
 /// The least zonotope along the directions of generators that are nearly the best ones: what these are off by counts only squared.
-fn along_generators<const D: usize>(frame: &Frame<D>, generators: &[[f64; D]]) -> Option<Inner<D>> {
+fn along_generators<const D: usize>(frame: &Frame<D>, even: &Even<'_, D>, generators: &[[f64; D]]) -> Option<Inner<D>> {
     let length = |g: &[f64; D]| dot(g, g).sqrt();
     let mut long: Vec<[f64; D]> = generators.iter().copied().filter(|g| length(g) > 0.0).collect();
     long.sort_by(|a, b| length(b).total_cmp(&length(a)));
     long.truncate(MOST_DIRECTIONS);
-    let directions: Vec<[f64; D]> = long.iter().map(|g| g.map(|c| c / length(g))).collect();
+    let directions = long.iter().map(|g| g.map(|c| c / length(g)));
+    // these alone may hardly span
+    let directions: Vec<[f64; D]> = frame.long.iter().copied().chain(directions).collect();
     let weights = vec![1.0; directions.len()];
     let mut generation = Generation::new(frame.rank(), &frame.points, directions, weights, &mut ());
     generation.run(&mut ()).ok()?;
-    Some(Inner::along(&generation))
+    Some(stretched(Inner::along(&generation), even))
+}
+
+/// A zonotope, longer where it does not hold all points.
+fn stretched<const D: usize>(inner: Inner<D>, even: &Even<'_, D>) -> Inner<D> {
+    let reach = even.reach(inner.center, &inner.generators);
+    let generators = inner.generators.iter().map(|g| g.map(|c| c * reach)).collect();
+    Inner { upper: inner.upper * reach, center: inner.center, generators }
 }
 
 /// What a look at all points found.
@@ -164,15 +168,16 @@ struct Looked<const D: usize> {
 
 impl<'a, const D: usize> Growing<'a, D> {
     /// Begins with a coarse net where that is cheap, else with the farthest points along the axes.
-    fn new(frame: &'a Frame<D>, best: &mut Best<D>, inner: &mut Inner<D>) -> Self {
+    fn new(frame: &'a Frame<D>, even: &'a Even<'a, D>, best: &mut Best<D>, inner: &mut Inner<D>) -> Self {
         let rank = frame.rank();
         if rank == 3
-            && let Some(growing) = Self::from_net(frame, best, inner)
+            && let Some(growing) = Self::from_net(frame, even, best, inner)
         {
             return growing;
         }
         let mut growing = Self {
             frame,
+            even,
             rank,
             sides: Sides::new(rank),
             members: Vec::new(),
@@ -188,7 +193,7 @@ impl<'a, const D: usize> Growing<'a, D> {
     }
 
     /// Begins with the least zonotope along a coarse net: the points that it touches, their forces, and as many sides as keep these in their place.
-    fn from_net(frame: &'a Frame<D>, best: &mut Best<D>, inner: &mut Inner<D>) -> Option<Self> {
+    fn from_net(frame: &'a Frame<D>, even: &'a Even<'a, D>, best: &mut Best<D>, inner: &mut Inner<D>) -> Option<Self> {
         let rank = frame.rank();
         let net = Net::Cells.directions(rank, COARSE);
         let weights = vec![1.0; net.len()];
@@ -202,7 +207,10 @@ impl<'a, const D: usize> Growing<'a, D> {
         if forces.len() < 2 {
             return None;
         }
-        *inner = Inner::along(&generation);
+        let along_net = stretched(Inner::along(&generation), even);
+        if along_net.upper < inner.upper {
+            *inner = along_net;
+        }
         let far = best.improve(rank, &frame.points, forces.clone());
         let members: Vec<usize> = forces.iter().map(|(j, _)| *j).collect();
         let points = members.iter().map(|&j| frame.points[j]).collect();
@@ -215,7 +223,7 @@ impl<'a, const D: usize> Growing<'a, D> {
         let mut sides = Sides::begun(rank, points, forces.into_iter().map(|(_, f)| f).collect(), &directions);
         sides.sharpness = sides.sets() as f64 / (far.radius - 1.0).max(1e-4);
         sides.shrink(far.radius.max(1.0));
-        Some(Self { frame, rank, sides, members, is_member })
+        Some(Self { frame, even, rank, sides, members, is_member })
     }
 
     fn farthest(&self, u: &[f64; D]) -> usize {
@@ -267,16 +275,17 @@ impl<'a, const D: usize> Growing<'a, D> {
     }
 
     fn look(&self, center: [f64; D], generators: &[[f64; D]]) -> Looked<D> {
-        let mut descent = FacetDescent::new(self.rank, generators);
         let mut least: f64 = 1.0;
         let mut outside = Vec::new();
-        for (j, point) in self.frame.points.iter().enumerate() {
-            let ray: [f64; D] = std::array::from_fn(|c| point[c] - center[c]);
-            let Some(facet) = descent.facet(&ray) else { continue };
-            least = least.min(facet.gauge);
-            if facet.gauge < 1.0 - 1e-14 && !self.is_member[j] {
-                let length = dot(&facet.normal, &facet.normal).sqrt();
-                outside.push((facet.gauge, j, facet.normal.map(|c| c / length)));
+        for (j, sight) in self.even.sights(center, generators).enumerate() {
+            let (gauge, normal) = match sight {
+                Sight::Facet { gauge, normal } => (gauge, normal),
+                Sight::OffSpan { normal } => (0.0, normal),
+                Sight::Center => continue,
+            };
+            least = least.min(gauge);
+            if gauge < 1.0 - 1e-14 && !self.is_member[j] {
+                outside.push((gauge, j, normal));
             }
         }
         outside.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -20,6 +20,7 @@ mod cholesky;
 mod containment;
 pub mod direction_net;
 mod dual_zonotope;
+mod even;
 mod finish;
 mod frame;
 mod growing;

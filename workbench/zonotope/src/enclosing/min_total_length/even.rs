@@ -1,0 +1,141 @@
+//! Coordinates in which the points of a frame reach equally far along every axis: a thin body is not thin there, and being inside does not depend
+//! on coordinates.
+
+use super::finish::Inner;
+use super::frame::Frame;
+use crate::enclosing::fixed_directions::{FacetDescent, dot};
+
+/// The smallest box around the points along the frame's long axes, as a unit of length for each.
+pub(super) struct Even<'a, const D: usize> {
+    frame: &'a Frame<D>,
+    /// The extent of the points along each axis.
+    low: [f64; D],
+    high: [f64; D],
+}
+
+/// How a point lies to a zonotope.
+pub(super) enum Sight<const D: usize> {
+    /// The zonotope, scaled by the inverse of the gauge, has the point on a facet with this unit normal.
+    Facet { gauge: f64, normal: [f64; D] },
+    /// No multiple of the zonotope holds the point, as far as floating point can tell; a unit vector orthogonal to all generators.
+    OffSpan { normal: [f64; D] },
+    /// The point is the centre.
+    Center,
+}
+
+impl<'a, const D: usize> Even<'a, D> {
+    pub(super) fn of(frame: &'a Frame<D>) -> Self {
+        let (mut low, mut high) = ([0.0; D], [0.0; D]);
+        for (axis, long) in frame.long.iter().enumerate() {
+            let along = frame.points.iter().map(|p| dot(p, long));
+            (low[axis], high[axis]) =
+                along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+        }
+        Self { frame, low, high }
+    }
+
+    /// The box.
+    pub(super) fn boxed(&self) -> Inner<D> {
+        let mut inner = Inner { upper: 0.0, center: [0.0; D], generators: Vec::with_capacity(D) };
+        for (axis, long) in self.frame.long.iter().enumerate() {
+            let (middle, half) = ((self.low[axis] + self.high[axis]) / 2.0, self.half(axis));
+            inner.center = std::array::from_fn(|c| inner.center[c] + middle * long[c]);
+            inner.generators.push(long.map(|c| c * half));
+            inner.upper += half;
+        }
+        inner
+    }
+
+    fn half(&self, axis: usize) -> f64 {
+        (self.high[axis] - self.low[axis]) / 2.0
+    }
+
+    fn vector(&self, v: &[f64; D]) -> [f64; D] {
+        std::array::from_fn(|axis| self.frame.long.get(axis).map_or(0.0, |long| dot(long, v) / self.half(axis)))
+    }
+
+    fn normal(&self, n: &[f64; D]) -> [f64; D] {
+        let mut sum = [0.0; D];
+        for (axis, long) in self.frame.long.iter().enumerate() {
+            sum = std::array::from_fn(|c| sum[c] + n[axis] / self.half(axis) * long[c]);
+        }
+        let length = dot(&sum, &sum).sqrt();
+        sum.map(|c| c / length)
+    }
+
+    /// How each point of the frame lies to the zonotope of some generators around a centre.
+    pub(super) fn sights(&self, center: [f64; D], generators: &[[f64; D]]) -> impl Iterator<Item = Sight<D>> {
+        let even: Vec<[f64; D]> = generators.iter().map(|g| self.vector(g)).collect();
+        let mut descent = FacetDescent::new(self.frame.rank(), &even);
+        let span = long_directions(&even);
+        self.frame.points.iter().map(move |point| {
+            let ray = self.vector(&std::array::from_fn(|c| point[c] - center[c]));
+            if ray == [0.0; D] {
+                return Sight::Center;
+            }
+            match descent.facet(&ray) {
+                // rounding may leave less than nothing of generators that hardly span
+                Some(facet) => Sight::Facet { gauge: facet.gauge.max(0.0), normal: self.normal(&facet.normal) },
+                None => {
+                    let off = orthogonal_part(&ray, &span);
+                    let is_off = dot(&off, &off) > OFF * OFF * dot(&ray, &ray);
+                    Sight::OffSpan { normal: self.normal(if is_off { &off } else { &ray }) }
+                }
+            }
+        })
+    }
+
+    /// The zonotope contains all points when its generators are so much longer; infinite where none of its multiples does.
+    pub(super) fn reach(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
+        self.sights(center, generators).fold(1.0, |reach: f64, sight| match sight {
+            Sight::Facet { gauge, .. } => reach.max(1.0 / gauge),
+            Sight::OffSpan { .. } => f64::INFINITY,
+            Sight::Center => reach,
+        })
+    }
+}
+
+/// What is left of a vector is off the span of others if it is longer than this, beside the vector.
+const OFF: f64 = 1e-9;
+
+/// Orthonormal directions that span vectors but for what is short beside the longest of them.
+fn long_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
+    let mut directions: Vec<[f64; D]> = Vec::with_capacity(D);
+    let mut rest = vectors.to_vec();
+    let longest = vectors.iter().map(|v| dot(v, v)).fold(0.0, f64::max).sqrt();
+    while let Some(far) = rest.iter().copied().max_by(|a, b| dot(a, a).total_cmp(&dot(b, b))) {
+        let length = dot(&far, &far).sqrt();
+        if length <= OFF * longest || directions.len() == D {
+            break;
+        }
+        let unit = far.map(|c| c / length);
+        for v in &mut rest {
+            *v = orthogonal_part(v, &[unit]);
+        }
+        directions.push(unit);
+    }
+    directions
+}
+
+fn orthogonal_part<const D: usize>(v: &[f64; D], directions: &[[f64; D]]) -> [f64; D] {
+    directions.iter().fold(*v, |rest, unit| {
+        let along = dot(unit, &rest);
+        std::array::from_fn(|c| rest[c] - along * unit[c])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn generators_that_do_not_span_hold_nothing() {
+        let points = [[1.0, 0.0, 0.0], [-1.0, 1e-6, 0.0], [0.0, 0.0, 1e-6]];
+        let frame = Frame::new(&points);
+        let even = Even::of(&frame);
+        let boxed = even.boxed();
+        assert!(even.reach(boxed.center, &boxed.generators) < 1.0 + 1e-9);
+        assert!((boxed.upper - 1.0).abs() < 1e-5);
+        assert_eq!(even.reach(boxed.center, &boxed.generators[..1]), f64::INFINITY);
+    }
+}
