@@ -122,6 +122,8 @@ impl CheckContext {
 pub struct Measurement {
     /// The experiment's id.
     pub experiment: String,
+    /// The id of the method that was measured.
+    pub method: String,
     /// What was measured, with its numbers.
     pub summary: String,
     /// Whether the measurement agrees with the claim.

@@ -1,6 +1,6 @@
 //! Evidence on how operation counts grow.
 
-use crate::claim::{CheckContext, Claim, Verdict};
+use crate::claim::{CheckContext, Claim, Measurement, Verdict};
 use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
 use zonotope::tally::{Operation, OperationCounts};
 
@@ -23,12 +23,13 @@ pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -
 }
 
 /// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth beyond the bound, here or
-/// in the experiments on it, leaves it open.
+/// in the experiments on the methods that it is about, leaves it open. What the experiments say of other methods is told beside it.
 pub(crate) fn verdict(
     context: &CheckContext,
     claim: &Claim,
     found: Result<String, String>,
     growth: impl FnOnce(&CheckContext) -> Result<String, String>,
+    methods: &[&str],
 ) -> Verdict {
     let found = match found {
         Ok(evidence) => evidence,
@@ -43,7 +44,8 @@ pub(crate) fn verdict(
     for measurement in &measured {
         evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
     }
-    if measured.iter().all(|measurement| measurement.agrees) {
+    let is_own = |measurement: &&&Measurement| methods.contains(&measurement.method.as_str());
+    if measured.iter().filter(is_own).all(|measurement| measurement.agrees) {
         Verdict::Holds(evidence)
     } else {
         Verdict::Inconclusive(evidence)

@@ -39,7 +39,7 @@ fn check(context: &CheckContext) -> Verdict {
          lower bound proven by forces"
             .to_owned()
     });
-    verdict(context, &CLAIM, found, growth)
+    verdict(context, &CLAIM, found, growth, &["papers_program", "support_form", "by_row_generation"])
 }
 
 fn optimal<const D: usize>(random: &mut Pcg64Mcg, count: usize, k: usize) -> Result<(), String> {

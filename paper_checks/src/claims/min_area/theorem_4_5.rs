@@ -36,7 +36,7 @@ pub static CLAIM: Claim = Claim {
 
 /// The answer of every method is the least value over all vertices; operations of the paper's search fit n log^2 n.
 fn check(context: &CheckContext) -> Verdict {
-    growth::verdict(context, &CLAIM, optimum_evidence(context), growth_evidence)
+    growth::verdict(context, &CLAIM, optimum_evidence(context), growth_evidence, &["by_slope_selection"])
 }
 
 fn optimum_evidence(context: &CheckContext) -> Result<String, String> {

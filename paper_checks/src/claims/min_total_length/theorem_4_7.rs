@@ -45,7 +45,7 @@ fn check(context: &CheckContext) -> Verdict {
             100.0 * seen.largest_share
         )
     });
-    verdict(context, &CLAIM, found, |_| sizes())
+    verdict(context, &CLAIM, found, |_| sizes(), &["papers_net", "net_of_cells"])
 }
 
 #[derive(Default)]

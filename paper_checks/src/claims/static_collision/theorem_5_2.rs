@@ -33,7 +33,7 @@ pub static CLAIM: Claim = Claim {
 
 /// The paper's search and the default method decide as the definition does, with proofs; operations of the paper's fit n log^2 n.
 fn check(context: &CheckContext) -> Verdict {
-    growth::verdict(context, &CLAIM, decision_evidence(context), growth_evidence)
+    growth::verdict(context, &CLAIM, decision_evidence(context), growth_evidence, &["by_slope_selection"])
 }
 
 fn decision_evidence(context: &CheckContext) -> Result<String, String> {

@@ -39,7 +39,8 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
         excess.fold(f64::NEG_INFINITY, f64::max),
     );
     let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
-    Some(Measurement { experiment: first.experiment.to_owned(), summary, agrees })
+    let (experiment, method) = (first.experiment.to_owned(), first.variant.to_owned());
+    Some(Measurement { experiment, method, summary, agrees })
 }
 
 /// The lower-order term that a fit allows for.

@@ -42,6 +42,9 @@ pub(crate) struct FacetDescent<const D: usize> {
 /// Coefficients beyond 1 by less than this, or by what rounding the sum of all generators may do, are within their range.
 const BEYOND: f64 = 1e-13;
 
+/// What rounding does to coefficients of a good basis is less than this.
+const SURELY: f64 = 1e-10;
+
 /// A search that takes more steps than this has lost its way in rounding errors or ties.
 const MOST_STEPS: usize = 400;
 
@@ -114,8 +117,10 @@ impl<const D: usize> FacetDescent<D> {
                 *total = column.iter().zip(&self.signs).map(|(g, s)| g * s).sum();
             }
             let deltas: [f64; D] = std::array::from_fn(|i| if i + 1 < rank { -dot(&rows[i], &sum) } else { 0.0 });
-            let limits =
-                std::array::from_fn(|i| 1.0 + BEYOND.max(2.0 * UNIT * self.total * dot(&rows[i], &rows[i]).sqrt()));
+            // A basis that is nearly dependent says little of its coefficients: others are tried first.
+            let most = if step < MOST_STEPS / 4 { SURELY } else { f64::INFINITY };
+            let rounding = |i: usize| 2.0 * UNIT * self.total * dot(&rows[i], &rows[i]).sqrt();
+            let limits = std::array::from_fn(|i| 1.0 + rounding(i).clamp(BEYOND, most));
             let leaving = self.leaving(&deltas[..rank - 1], &limits, step);
             let Some(leaving) = leaving else {
                 let gauge = dot(&normal, &sum);

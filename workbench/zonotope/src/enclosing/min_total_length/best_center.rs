@@ -11,6 +11,7 @@ use super::finish::Inner;
 use super::frame::Frame;
 use super::lower_bound::Best;
 use crate::enclosing::fixed_directions::{balanced, dot};
+use crate::hull::convex_hull;
 
 /// The length at one centre: length(x) ≥ height + slope · x.
 struct Cut<const D: usize> {
@@ -185,26 +186,8 @@ fn centroid(polygon: &[[f64; 2]]) -> Option<[f64; 2]> {
     (area > 0.0 && next.iter().all(|c| c.is_finite())).then_some(next)
 }
 
-/// The vertices of the convex hull, counterclockwise, by Andrew's monotone chain in floating point: what it misjudges is within rounding of the hull.
+/// The vertices of the convex hull, counterclockwise.
 fn hull_of(points: &[[f64; 2]]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    order.sort_by(|&a, &b| points[a][0].total_cmp(&points[b][0]).then(points[a][1].total_cmp(&points[b][1])));
-    order.dedup_by(|a, b| points[*a] == points[*b]);
-    let mut hull: Vec<usize> = Vec::new();
-    let backward: Vec<usize> = order.iter().rev().copied().collect();
-    for chain in [order, backward] {
-        let start = hull.len();
-        for j in chain {
-            while hull.len() >= start + 2 {
-                let [a, b, p] = [hull[hull.len() - 2], hull[hull.len() - 1], j].map(|j| points[j]);
-                if (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0 {
-                    break;
-                }
-                hull.pop();
-            }
-            hull.push(j);
-        }
-        hull.pop();
-    }
-    hull
+    let hull = convex_hull(points).expect("a frame of rank 2 has points, and finite ones");
+    hull.indices().iter().map(|index| index.get()).collect()
 }

@@ -13,7 +13,8 @@
 //!
 //! # Method
 //! 1. The affine hull of the points. In a plane: the centre O with the shortest zonogon, by cutting off half-planes; edges give the generators, turns of the boundary the forces.
-//! 2. Else begin with a coarse net (space) or the farthest points along the axes, their forces, and some sets T.
+//! 2. Else begin with a box around the points and two opposite forces, which are nearly the answer for a thin body; then with a coarse net (space) or the farthest points along
+//!    the axes, their forces, and some sets T.
 //! 3. Newton's method for Σ λ_j · p_j with a logarithmic barrier for the sets so far; it yields generators as well.
 //! 4. The vertices of Σ [−1, 1] λ_j: the farthest one, at distance ρ, proves the lower bound Σ λ_j · p_j / ρ; those farther than 1 are sets to add. So are those of forces half
 //!    way between the best and the last ones. Points outside the zonotope are added; lengthened until it contains them it is an upper bound. Again from 3 with a sharper barrier,

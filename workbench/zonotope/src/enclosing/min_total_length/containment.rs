@@ -9,6 +9,7 @@ use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 
+use super::even::Even;
 use super::frame::Frame;
 
 /// A generator shorter than this, beside the longest, is left out: noise in every search for a facet.
@@ -73,9 +74,13 @@ fn repaired<const D: usize>(
     let widened = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| scale_by_power_of_two(v[c], -widths[c])) };
     let wide: Vec<[f64; D]> = used.iter().map(widened).collect();
     let mut descent = FacetDescent::new(frame.rank(), &wide);
+    // Where rounding ends one search it seldom ends another in other coordinates.
+    let even = Even::of(frame);
+    let in_even: Vec<[f64; D]> = used.iter().map(|g| even.vector(g)).collect();
+    let mut other = FacetDescent::new(frame.rank(), &in_even);
     for (point, ray) in points.iter().zip(rays()) {
-        let ray = widened(&ray);
-        let deltas = descent.facet(&ray).map_or_else(
+        let facet = descent.facet(&widened(&ray)).or_else(|| other.facet(&even.vector(&ray)));
+        let deltas = facet.map_or_else(
             || vec![0.0; used.len()],
             |facet| {
                 let reach = facet.gauge.max(1.0);

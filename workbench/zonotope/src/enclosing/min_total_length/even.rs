@@ -50,7 +50,8 @@ impl<'a, const D: usize> Even<'a, D> {
         (self.high[axis] - self.low[axis]) / 2.0
     }
 
-    fn vector(&self, v: &[f64; D]) -> [f64; D] {
+    /// A vector of the frame in these coordinates.
+    pub(super) fn vector(&self, v: &[f64; D]) -> [f64; D] {
         std::array::from_fn(|axis| self.frame.long.get(axis).map_or(0.0, |long| dot(long, v) / self.half(axis)))
     }
 
@@ -135,7 +136,8 @@ mod tests {
         let even = Even::of(&frame);
         let boxed = even.boxed();
         assert!(even.reach(boxed.center, &boxed.generators) < 1.0 + 1e-9);
-        assert!((boxed.upper - 1.0).abs() < 1e-5);
+        let long = 0.5 * (frame.points[1][0] - frame.points[0][0]).abs();
+        assert!((boxed.upper / long - 1.0).abs() < 1e-5);
         assert_eq!(even.reach(boxed.center, &boxed.generators[..1]), f64::INFINITY);
     }
 }
