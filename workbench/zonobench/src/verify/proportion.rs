@@ -98,7 +98,9 @@ pub(super) fn check_figure(name: &str, claimed: f64, exact: &Proportion, allowed
         let allowed = allowed.plus(&Proportion::of_double(f64::from_bits(1)));
         error.compare(&allowed) != Ordering::Greater
     } else {
-        claimed == near
+        let largest = Proportion::of_double(f64::MAX.copysign(claimed));
+        let beyond = if claimed > 0.0 { Ordering::Greater } else { Ordering::Less };
+        claimed == near || exact.compare(&largest) == beyond
     };
     if accepted { Ok(()) } else { Err(format!("{name} is {claimed:?}, exactly it is {near:?}")) }
 }
