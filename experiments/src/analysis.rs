@@ -44,8 +44,7 @@ impl FittedGrowth {
     }
 }
 
-/// All fits of one experiment: each plan on each of its families, over all sizes, over all sizes with the lower-order term of the plan, and
-/// over the last doublings.
+/// All fits of one experiment: each plan on each of its families, over all sizes and over the last doublings.
 pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
     experiment.fits.iter().flat_map(|plan| of_plan(experiment.id, plan, records)).collect()
 }
@@ -53,25 +52,22 @@ pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
 fn of_plan(experiment: &'static str, plan: &FitPlan, records: &Records) -> Vec<FittedGrowth> {
     let sampled = |&family: &&'static str| (family, samples(experiment, family, plan.variant, plan.quantity, records));
     let families: Vec<_> = plan.families.iter().map(sampled).collect();
-    let fitted = |family, samples: &[(f64, f64)], left_out, lower_order| FittedGrowth {
+    let fitted = |family, samples: &[(f64, f64)], left_out| FittedGrowth {
         experiment,
         family,
         variant: plan.variant,
         quantity: plan.quantity,
         bound: plan.bound,
-        growth: fit::fit_growth(samples, plan.models, lower_order),
+        growth: fit::fit_growth(samples, plan.models),
         samples: samples.to_vec(),
         left_out,
     };
-    let whole = families.iter().map(|(family, (samples, left_out))| fitted(family, samples, *left_out, None));
-    let bent = families
-        .iter()
-        .filter_map(|(family, (samples, left_out))| Some(fitted(family, samples, *left_out, Some(plan.lower_order?))));
+    let whole = families.iter().map(|(family, (samples, left_out))| fitted(family, samples, *left_out));
     let last = families.iter().filter_map(|(family, (samples, left_out))| {
         let last = fit::last_doublings(samples);
-        (last.len() < samples.len()).then(|| fitted(family, last, *left_out, None))
+        (last.len() < samples.len()).then(|| fitted(family, last, *left_out))
     });
-    whole.chain(bent).chain(last).collect()
+    whole.chain(last).collect()
 }
 
 /// The samples (n, y) of a quantity by increasing size, and the number of rows that are no evidence.

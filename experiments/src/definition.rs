@@ -2,7 +2,7 @@
 //! [`definitions`](crate::definitions) and are listed in [`catalog`](crate::catalog).
 
 use crate::families::clouds::Cloud;
-use crate::fit::{GrowthModel, LowerOrder};
+use crate::fit::GrowthModel;
 use crate::runner::stopwatch::Stopwatch;
 use crate::{data, families, seed};
 use std::collections::BTreeMap;
@@ -98,8 +98,6 @@ pub struct FitPlan {
     pub models: &'static [GrowthModel],
     /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth contradicts it.
     pub bound: Option<GrowthModel>,
-    /// The term beside the bound that the theory gives, when it gives one: a third fit allows for it.
-    pub lower_order: Option<LowerOrder>,
 }
 
 impl FitPlan {
@@ -110,19 +108,13 @@ impl FitPlan {
         bound: Option<GrowthModel>,
     ) -> Self {
         let models = GrowthModel::RUNNING_TIMES;
-        Self { quantity: Quantity::AllCounts, variant, families, models, bound, lower_order: None }
+        Self { quantity: Quantity::AllCounts, variant, families, models, bound }
     }
 
     /// The same on another quantity.
     #[must_use]
     pub const fn of(self, quantity: Quantity) -> Self {
         Self { quantity, ..self }
-    }
-
-    /// The same with a term beside the bound.
-    #[must_use]
-    pub const fn beside(self, lower_order: LowerOrder) -> Self {
-        Self { lower_order: Some(lower_order), ..self }
     }
 }
 

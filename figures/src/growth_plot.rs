@@ -68,7 +68,7 @@ impl GrowthPlot {
             points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
             fit: Vec::new(),
         };
-        if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family), None) {
+        if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family)) {
             self.add_fit(&mut curve, &growth);
         }
         Some(curve)
@@ -162,7 +162,7 @@ mod tests {
     fn growth_is_placed_among_the_models() {
         let growth = |y: fn(f64) -> f64| {
             let samples: Vec<(f64, f64)> = (6..16).map(|k| libm::exp2(f64::from(k))).map(|n| (n, y(n))).collect();
-            fit::fit_growth(&samples, GrowthModel::RUNNING_TIMES, None).expect("ten sizes")
+            fit::fit_growth(&samples, GrowthModel::RUNNING_TIMES).expect("ten sizes")
         };
         assert_eq!(place_among_models(&growth(f64::sqrt)), "slower than n");
         assert_eq!(place_among_models(&growth(|n| n * n * n)), "faster than n²");

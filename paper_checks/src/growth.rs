@@ -12,7 +12,7 @@ pub(crate) fn sample(n: usize, counts: &OperationCounts) -> (f64, f64) {
 
 /// A sentence on how the operations of `what` grow beside a model; an error when they grow faster.
 pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
-    let growth = fit_growth(samples, &[model], None).map_err(|error| error.to_string())?;
+    let growth = fit_growth(samples, &[model]).map_err(|error| error.to_string())?;
     let fit = growth.model(model).ok_or("the model was not fitted")?;
     let excess = fit.excess_exponent;
     let sentence = format!(

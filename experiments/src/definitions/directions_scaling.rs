@@ -43,7 +43,7 @@ const FAMILIES: &[&str] = &["ball_2", "sphere_2", "ball_3", "sphere_3", "ball_4"
 
 const fn fit(variant: &'static str, quantity: Quantity, bound: Option<GrowthModel>) -> FitPlan {
     let models = if bound.is_some() { GrowthModel::ALL } else { GrowthModel::POWERS };
-    FitPlan { quantity, variant, families: FAMILIES, models, bound, lower_order: None }
+    FitPlan { quantity, variant, families: FAMILIES, models, bound }
 }
 
 fn cloud(case: &Case) -> Result<Cloud, String> {

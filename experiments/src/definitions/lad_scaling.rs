@@ -1,7 +1,9 @@
 //! Operations and time of each kernel method against the number of lines.
 
 use super::kernel_methods::{self, KernelInput};
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
+};
 use crate::fit::GrowthModel;
 use zonotope::lad::verify;
 use zonotope::tally::{Operation, OperationCounts};
@@ -14,10 +16,9 @@ pub const EXPERIMENT: Experiment = Experiment {
     id: "lad-scaling",
     title: "Least absolute deviations kernel: growth with the number of lines",
     question: "The paper's search by slope selection grows like n log^2 n, and slower when all lines meet in one point (regular \
-               polygons). Pruning reads every line about once, and besides a sample and a remainder of about n^(2/3) lines, which \
-               small inputs feel: over all sizes it grows slower than n, over the last doublings nearly like n, and beside a \
-               term in n^(2/3) like n. A line search costs \
-               O(n), and the number of searches grows like log n.",
+               polygons). Pruning reads every line once, sometimes twice (line evaluations: like n), and works on parts besides, \
+               samples and remainders (part evaluations and comparisons: slower than n). The sum is O(n); it reads slower than n as long \
+               as the parts weigh. A line search costs O(n), and the number of searches grows like log n.",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
     real_inputs: &[],
@@ -41,9 +42,13 @@ pub const EXPERIMENT: Experiment = Experiment {
     fits: &[
         FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),
         FitPlan::of_operations("by_line_search", FAMILIES, None),
-        FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear)).beside(super::SAMPLE_OF_PRUNING),
+        OF_PRUNING,
+        OF_PRUNING.of(Quantity::Count("line_evaluation")),
+        OF_PRUNING.of(Quantity::Value("operations_on_parts")),
     ],
 };
+
+const OF_PRUNING: FitPlan = FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear));
 
 /// Shared with the experiments on passes and on the race.
 pub(super) fn measure(case: &Case) -> Result<Measurement, String> {
@@ -53,9 +58,11 @@ pub(super) fn measure(case: &Case) -> Result<Measurement, String> {
         let outcome = method.minimize(problem, case.seed, &mut counts);
         let verdict = Verdict::of_check("lad::verify", verify::verify(problem, &outcome));
         let passes = counts.get(Operation::LineEvaluation) as f64 / problem.len() as f64;
+        let on_parts = counts.get(Operation::PartEvaluation) + counts.get(Operation::Comparison);
         Ok(Measurement::new(&counts, kernel_methods::digest(problem, &outcome), verdict)
             .with_value("lines", problem.len() as f64)
-            .with_value("passes", passes))
+            .with_value("passes", passes)
+            .with_value("operations_on_parts", on_parts as f64))
     })
 }
 

@@ -56,7 +56,6 @@ const fn net_size(variant: &'static str, families: &'static [&'static str], boun
         families,
         models: GrowthModel::POWERS,
         bound: Some(bound),
-        lower_order: None,
     }
 }
 

@@ -23,7 +23,6 @@ pub mod slope_selection_scaling;
 pub mod wrong_answers;
 
 use crate::definition::PerProfile;
-use crate::fit::LowerOrder;
 
 /// Families of every hull size for the scaling experiments of 4.1.
 pub const SCALING_FAMILIES: &[&str] =
@@ -63,12 +62,6 @@ pub const SCALING_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TW
 
 /// Powers of two from 2^6 to 2^20, for the operation counts of pruning, which are quickly had.
 pub const PRUNING_SIZES: PerProfile<&[usize]> = PerProfile::both(&POWERS_OF_TWO);
-
-/// The lines of pruning's sample, and those that are left of all but it.
-pub const SAMPLE_OF_PRUNING: LowerOrder = LowerOrder { decay: 1.0 / 3.0, name: "n^(2/3)" };
-
-/// The same in passes over the lines.
-pub const SAMPLE_OF_PRUNING_IN_PASSES: LowerOrder = LowerOrder { name: "n^(-1/3)", ..SAMPLE_OF_PRUNING };
 
 /// The same for the kernel's other methods and for times: to 2^17 in the quick profile.
 pub const KERNEL_SIZES: PerProfile<&[usize]> = PerProfile { quick: POWERS_OF_TWO.split_at(12).0, full: &POWERS_OF_TWO };

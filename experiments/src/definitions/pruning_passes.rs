@@ -10,9 +10,9 @@ const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines",
 pub const EXPERIMENT: Experiment = Experiment {
     id: "pruning-passes",
     title: "Pruning: passes over the lines",
-    question: "The number of passes (evaluations of lines divided by their number) does not grow with the number of lines; it \
-               falls towards one, or two when the first cell misses the optimum. Concurrent lines tell a sample little \
-               and cost a few passes more.",
+    question: "The number of passes over the input (evaluations of its lines divided by their number) is bounded: one, or two when the \
+               first cell misses the optimum. Concurrent lines tell a sample little and cost a few passes more. What is done on samples \
+               and on what cells leave over comes on top: operations on parts, in the experiment on growth.",
     claims: &["theorem-4.5"],
     families: FAMILIES,
     real_inputs: &[],
@@ -27,6 +27,5 @@ pub const EXPERIMENT: Experiment = Experiment {
         families: FAMILIES,
         models: GrowthModel::ALL,
         bound: Some(GrowthModel::Constant),
-        lower_order: Some(super::SAMPLE_OF_PRUNING_IN_PASSES),
     }],
 };

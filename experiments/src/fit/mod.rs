@@ -14,8 +14,7 @@
 //! 1. Take natural logarithms: ln y = ln c + a ln n + error.
 //! 2. Ordinary least squares for a and ln c; the interval uses Student's t with (samples - 2) degrees of freedom.
 //! 3. For a model, ln c is the mean of ln(y / M(n)); the exponent of y / M(n) comes from step 2 on those ratios.
-//! 4. With a lower-order term y = c M(n) (1 + d n^(-decay)), d >= 0 is fitted along (`lower_order`), and counts as a parameter.
-//! 5. AICc with two fitted parameters for a model (constant, variance) and three for the power law.
+//! 4. AICc with two fitted parameters for a model (constant, variance) and three for the power law.
 //!
 //! # Numerics
 //! Logarithms from `libm`, so that fits of operation counts agree bit for bit on every machine. Everything is rounded.
@@ -23,7 +22,6 @@
 //! # Checked by
 //! Synthetic data of known growth, and a regression worked out by hand, in the tests.
 
-mod lower_order;
 mod model;
 mod regression;
 mod student;
@@ -31,7 +29,7 @@ mod student;
 pub use model::GrowthModel;
 pub use student::t_quantile_975;
 
-use lower_order::Curve;
+use regression::Regression;
 use serde::Serialize;
 
 /// How far from zero an exponent of y / M(n) may be for lower-order terms alone.
@@ -110,19 +108,8 @@ pub struct Growth {
     pub residual_squares: f64,
     /// AICc of the power law.
     pub aicc: f64,
-    /// The lower-order term that the fits allow for, if any.
-    pub lower_order: Option<LowerOrder>,
     /// The models, in the order asked for.
     pub models: Vec<ModelFit>,
-}
-
-/// A term of lower order that the analysis of a method gives: a share d n^(-decay) of the leading one, d >= 0 unknown.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct LowerOrder {
-    /// The exponent of n by which the term falls behind; positive.
-    pub decay: f64,
-    /// The term as written, for instance "n^(2/3)".
-    pub name: &'static str,
 }
 
 impl Growth {
@@ -161,12 +148,8 @@ pub enum FitError {
     },
 }
 
-/// Fits a power law and every one of `models` to `samples` (n, y), with a lower-order term if there is one. See the module's documentation.
-pub fn fit_growth(
-    samples: &[(f64, f64)],
-    models: &[GrowthModel],
-    lower_order: Option<LowerOrder>,
-) -> Result<Growth, FitError> {
+/// Fits a power law and every one of `models` to `samples` (n, y). See the module's documentation.
+pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Growth, FitError> {
     let valid = |&(n, y): &(f64, f64)| n >= 2.0 && n.is_finite() && y > 0.0 && y.is_finite();
     if let Some(index) = samples.iter().position(|sample| !valid(sample)) {
         let (n, y) = samples[index];
@@ -182,23 +165,8 @@ pub fn fit_growth(
         return Err(FitError::TooFew { samples: samples.len(), sizes: sizes.len() });
     };
 
-    let over = |ln_model: &dyn Fn(f64) -> f64| {
-        let points = samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y) - ln_model(n)));
-        Curve::new(&points.collect::<Vec<_>>(), lower_order)
-    };
-    let power = over(&|_| 0.0);
-    let shares = usize::from(lower_order.is_some());
-    let of_model = |&model: &GrowthModel| {
-        let Curve { slope: excess_exponent, level: [intercept, residual_squares], .. } = over(&|n| model.ln_value(n));
-        ModelFit {
-            model,
-            constant: libm::exp(intercept),
-            residual_squares,
-            aicc: aicc(samples.len(), residual_squares, 2 + shares),
-            excess_exponent,
-            verdict: verdict(excess_exponent),
-        }
-    };
+    let power = Regression::new(samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y))));
+    let models = models.iter().map(|&model| fit_model(samples, model)).collect();
     Ok(Growth {
         samples: samples.len(),
         smallest,
@@ -206,9 +174,8 @@ pub fn fit_growth(
         exponent: power.slope,
         constant: libm::exp(power.intercept),
         residual_squares: power.residual_squares,
-        aicc: aicc(samples.len(), power.residual_squares, 3 + shares),
-        lower_order,
-        models: models.iter().map(of_model).collect(),
+        aicc: aicc(samples.len(), power.residual_squares, 3),
+        models,
     })
 }
 
@@ -217,6 +184,22 @@ pub fn last_doublings(samples: &[(f64, f64)]) -> &[(f64, f64)] {
     let largest = samples.last().map_or(0.0, |&(n, _)| n);
     let smallest = libm::ldexp(largest, -LAST_DOUBLINGS);
     &samples[samples.partition_point(|&(n, _)| n < smallest)..]
+}
+
+fn fit_model(samples: &[(f64, f64)], model: GrowthModel) -> ModelFit {
+    let ratios: Vec<(f64, f64)> =
+        samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y) - model.ln_value(n))).collect();
+    let mean = ratios.iter().map(|r| r.1).sum::<f64>() / ratios.len() as f64;
+    let residual_squares = ratios.iter().map(|r| (r.1 - mean) * (r.1 - mean)).sum();
+    let excess_exponent = Regression::new(ratios.iter().copied()).slope;
+    ModelFit {
+        model,
+        constant: libm::exp(mean),
+        residual_squares,
+        aicc: aicc(samples.len(), residual_squares, 2),
+        excess_exponent,
+        verdict: verdict(excess_exponent),
+    }
 }
 
 fn verdict(excess: Estimate) -> ModelVerdict {

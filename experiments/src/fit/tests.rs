@@ -16,7 +16,7 @@ fn a_regression_worked_out_by_hand() {
     // standard error sqrt(0.2 / 2 / 5) = 0.141421, t(2) = 4.3027.
     let samples: Vec<(f64, f64)> =
         [(1.0, 0.0), (2.0, 1.0), (3.0, 1.0), (4.0, 2.0)].map(|(x, y)| (libm::exp(x), libm::exp(y))).to_vec();
-    let growth = fit_growth(&samples, &[], None).expect("four sizes");
+    let growth = fit_growth(&samples, &[]).expect("four sizes");
     assert!((growth.exponent.value - 0.6).abs() < 1e-12);
     assert!((growth.exponent.high - (0.6 + 4.3027 * 0.02_f64.sqrt())).abs() < 1e-12);
     assert!((growth.residual_squares - 0.2).abs() < 1e-12);
@@ -28,7 +28,7 @@ fn each_model_is_recognised_and_its_neighbours_are_refused() {
     for noise in [0.0, 0.03] {
         for &truth in GrowthModel::ALL {
             let samples = synthetic(|n| 5.0 * truth.value(n), noise);
-            let growth = fit_growth(&samples, GrowthModel::ALL, None).expect("enough samples");
+            let growth = fit_growth(&samples, GrowthModel::ALL).expect("enough samples");
             assert_eq!(growth.best().expect("models").model, truth);
             for fit in &growth.models {
                 let expected = match fit.model.cmp(&truth) {
@@ -45,7 +45,7 @@ fn each_model_is_recognised_and_its_neighbours_are_refused() {
 #[test]
 fn a_small_lower_order_term_is_within_the_slack() {
     let samples = synthetic(|n| 3.0 * n + 5.0 * libm::log2(n), 0.0);
-    let growth = fit_growth(&samples, GrowthModel::ALL, None).expect("enough samples");
+    let growth = fit_growth(&samples, GrowthModel::ALL).expect("enough samples");
     let linear = growth.model(GrowthModel::Linear).expect("asked for");
     assert_eq!(linear.verdict, ModelVerdict::Consistent);
     assert!(growth.model(GrowthModel::Linearithmic).expect("asked for").verdict == ModelVerdict::Slower);
@@ -61,7 +61,7 @@ fn the_interval_covers_the_true_exponent_about_nineteen_times_in_twenty() {
                 .map(|log| f64::from(1 << log))
                 .map(|n| (n, n * n.sqrt() * libm::exp(0.2 * source.normal_pair()[0])))
                 .collect();
-            let exponent = fit_growth(&samples, &[], None).expect("enough samples").exponent;
+            let exponent = fit_growth(&samples, &[]).expect("enough samples").exponent;
             exponent.low <= 1.5 && 1.5 <= exponent.high
         })
         .count();
@@ -83,67 +83,20 @@ fn the_last_doublings_see_past_a_lower_order_term() {
     let last = last_doublings(&samples);
     assert_eq!((last.len(), last[0].0), (5 * 3, f64::from(1 << 14)));
     let excess = |samples| {
-        let growth = fit_growth(samples, &[GrowthModel::Linear], None).expect("enough samples");
+        let growth = fit_growth(samples, &[GrowthModel::Linear]).expect("enough samples");
         growth.models[0].excess_exponent.value
     };
     assert!(excess(&samples) < 2.0 * excess(last) && excess(last) < 0.0);
     assert!(last_doublings(&[]).is_empty());
 }
 
-/// The sample of n^(2/3) in a whole of n.
-const TWO_THIRDS: LowerOrder = LowerOrder { decay: 1.0 / 3.0, name: "n^(2/3)" };
-
-#[test]
-fn a_large_lower_order_term_is_told_from_slower_growth() {
-    let samples = synthetic(|n| n + 26.0 * libm::cbrt(n * n), 0.03);
-    let excess = |samples: &[(f64, f64)], term| {
-        let growth = fit_growth(samples, &[GrowthModel::Linear], term).expect("enough samples");
-        (growth.models[0].verdict, growth.models[0].excess_exponent)
-    };
-    assert_eq!(excess(&samples, None).0, ModelVerdict::Slower);
-    let (verdict, beside) = excess(&samples, Some(TWO_THIRDS));
-    assert_eq!(verdict, ModelVerdict::Consistent);
-    assert!(beside.low < 0.0 && 0.0 < beside.high && beside.high - beside.low < 0.1, "{beside:?}");
-    let slower = synthetic(|n| libm::pow(n, 0.6), 0.03);
-    assert_eq!(excess(&slower, Some(TWO_THIRDS)).0, ModelVerdict::Slower);
-    let faster = synthetic(|n| libm::pow(n, 1.2) + 26.0 * libm::pow(n, 0.8), 0.03);
-    assert_eq!(excess(&faster, Some(TWO_THIRDS)).0, ModelVerdict::Faster);
-}
-
-#[test]
-fn a_profile_without_noise_is_a_point_at_the_truth() {
-    // d = 10 is on the grid
-    let samples = synthetic(|n| 3.0 * n * n * (1.0 + 10.0 / libm::cbrt(n)), 0.0);
-    let growth = fit_growth(&samples, &[GrowthModel::Quadratic], Some(TWO_THIRDS)).expect("enough samples");
-    assert!((growth.exponent.value - 2.0).abs() < 1e-9 && growth.exponent.high - growth.exponent.low < 1e-9);
-    assert!((growth.models[0].constant - 3.0).abs() < 1e-9 && (growth.constant - 3.0).abs() < 1e-8);
-}
-
-#[test]
-fn the_profile_covers_the_true_exponent_about_nineteen_times_in_twenty() {
-    let mut source = RandomSource::new(6);
-    let trials = 200;
-    let covered = (0..trials)
-        .filter(|_| {
-            let samples: Vec<(f64, f64)> = (6..=20)
-                .map(|log| f64::from(1 << log))
-                .map(|n| (n, (n + 20.0 * libm::cbrt(n * n)) * libm::exp(0.05 * source.normal_pair()[0])))
-                .collect();
-            let exponent = fit_growth(&samples, &[], Some(TWO_THIRDS)).expect("enough samples").exponent;
-            exponent.low <= 1.0 && 1.0 <= exponent.high
-        })
-        .count();
-    // Standard deviation of the count: sqrt(200 * 0.05 * 0.95) = 3.1; four of them, and the profile is exact for large samples only.
-    assert!(covered.abs_diff(190) < 13, "{covered} of {trials}");
-}
-
 #[test]
 fn unusable_samples_are_refused() {
     assert_eq!(
-        fit_growth(&[(4.0, 1.0), (4.0, 2.0), (8.0, 2.0), (8.0, 3.0)], &[], None),
+        fit_growth(&[(4.0, 1.0), (4.0, 2.0), (8.0, 2.0), (8.0, 3.0)], &[]),
         Err(FitError::TooFew { samples: 4, sizes: 2 })
     );
-    assert_eq!(fit_growth(&[], &[], None), Err(FitError::TooFew { samples: 0, sizes: 0 }));
+    assert_eq!(fit_growth(&[], &[]), Err(FitError::TooFew { samples: 0, sizes: 0 }));
     let zero = [(4.0, 1.0), (8.0, 0.0), (16.0, 2.0), (32.0, 3.0)];
-    assert_eq!(fit_growth(&zero, &[], None), Err(FitError::OutOfRange { index: 1, n: 8.0, y: 0.0 }));
+    assert_eq!(fit_growth(&zero, &[]), Err(FitError::OutOfRange { index: 1, n: 8.0, y: 0.0 }));
 }

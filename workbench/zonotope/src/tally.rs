@@ -11,6 +11,8 @@ use std::fmt;
 pub enum Operation {
     /// One line of an arrangement read and evaluated; divided by the number of lines: passes over the data.
     LineEvaluation,
+    /// One line of a part of the input read and evaluated: of a sample, or of what is left when all other lines are summed up.
+    PartEvaluation,
     /// Two keys (positions along a line, slopes, coordinates) compared in a sort, a merge or a selection.
     Comparison,
     /// One orientation test of three points.
@@ -27,8 +29,9 @@ pub enum Operation {
 
 impl Operation {
     /// All operations, in the order in which they are reported.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::LineEvaluation,
+        Self::PartEvaluation,
         Self::Comparison,
         Self::Turn,
         Self::PointRead,
@@ -41,6 +44,7 @@ impl Operation {
     pub fn name(self) -> &'static str {
         match self {
             Self::LineEvaluation => "line_evaluation",
+            Self::PartEvaluation => "part_evaluation",
             Self::Comparison => "comparison",
             Self::Turn => "turn",
             Self::PointRead => "point_read",

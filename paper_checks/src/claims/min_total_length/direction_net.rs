@@ -84,7 +84,7 @@ fn sizes<const D: usize>(model: GrowthModel) -> Option<f64> {
     let samples: Vec<(f64, f64)> = [4, 6, 8, 12, 16]
         .map(|cells| (cells as f64 / (D as f64 - 1.0).sqrt() * 2.0, cell_middles::<D>(cells).len() as f64))
         .to_vec();
-    let growth = fit_growth(&samples, &[model], None).ok()?;
+    let growth = fit_growth(&samples, &[model]).ok()?;
     let fit = growth.model(model)?;
     (fit.verdict == ModelVerdict::Consistent).then_some(growth.exponent.value)
 }

@@ -2,7 +2,7 @@
 
 use experiments::analysis::FittedGrowth;
 use experiments::catalog;
-use experiments::fit::{Estimate, Growth, GrowthModel, LowerOrder, ModelVerdict};
+use experiments::fit::{Estimate, Growth, GrowthModel, ModelVerdict};
 use paper_checks::Measurement;
 
 use super::html::{Escaped, badge, grouped, table};
@@ -12,8 +12,7 @@ pub(super) fn measurements(fits: &[FittedGrowth]) -> Vec<Measurement> {
     let judged = |fit: &&FittedGrowth| fit.is_deterministic() && fit.verdict().is_some();
     let fits: Vec<&FittedGrowth> = fits.iter().filter(judged).collect();
     let smallest = |fit: &FittedGrowth| fit.samples.first().map(|&(n, _)| n);
-    let term = |fit: &FittedGrowth| lower_order(fit).map(|term| term.name);
-    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound, smallest(fit), term(fit));
+    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound, smallest(fit));
     fits.chunk_by(|a, b| topic(a) == topic(b)).filter_map(measurement).collect()
 }
 
@@ -28,9 +27,8 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     };
     let [low, high] = range(|growth| growth.exponent.value);
     let excess = growths.iter().filter_map(|growth| growth.model(bound)).map(|model| model.excess_exponent.high);
-    let term = lower_order(first).map_or(String::new(), |term| format!(", beside a term in {}", term.name));
     let summary = format!(
-        "{} of {} on {} inputs, n = {} to {}{term}: exponents {low:.3} to {high:.3}, beyond {bound} at most {:.3}",
+        "{} of {} on {} inputs, n = {} to {}: exponents {low:.3} to {high:.3}, beyond {bound} at most {:.3}",
         first.quantity,
         first.variant,
         fits.len(),
@@ -41,11 +39,6 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
     let (experiment, method) = (first.experiment.to_owned(), first.variant.to_owned());
     Some(Measurement { experiment, method, summary, agrees })
-}
-
-/// The lower-order term that a fit allows for.
-fn lower_order(fit: &FittedGrowth) -> Option<LowerOrder> {
-    fit.growth.as_ref().ok()?.lower_order
 }
 
 /// A number with its interval.
@@ -80,10 +73,7 @@ fn row(fit: &FittedGrowth) -> Vec<String> {
     cells.push(format!("{} … {}", grouped(growth.smallest as u64), grouped(growth.largest as u64)));
     cells.push(interval(growth.exponent));
     let bound = fit.bound.and_then(|model| growth.model(model));
-    cells.push(bound.map_or("–".to_owned(), |model| {
-        let term = growth.lower_order.map_or(String::new(), |term| format!(" + {}", term.name));
-        format!("{}{}", model_name(model.model), Escaped(&term))
-    }));
+    cells.push(bound.map_or("–".to_owned(), |model| model_name(model.model)));
     cells.push(bound.map_or("–".to_owned(), |model| interval(model.excess_exponent)));
     cells.push(growth.best().map_or("–".to_owned(), |best| model_name(best.model)));
     let mut verdict = match bound.map(|model| model.verdict) {

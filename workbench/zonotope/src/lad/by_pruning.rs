@@ -191,7 +191,7 @@ fn first_cell<T: Tally>(
     tally: &mut T,
 ) -> Option<(Option<Cell>, Vertex)> {
     let sample = sample(small, instance, random);
-    tally.add(Operation::LineEvaluation, sample.len() as u64);
+    sample.count_pass(tally);
     let seed = random.random();
     let solution =
         solve_with(&sample, seed, tally, |first, tally| search_above(small, &sample, None, first, seed, tally));
@@ -242,7 +242,7 @@ fn radius<T: Tally>(sample: &Instance, n: usize, [cx, cy]: [f64; 2], frame: Fram
         })
         .filter(|(distance, reach)| distance.is_finite() && *reach > 0.0)
         .collect();
-    tally.add(Operation::LineEvaluation, reached.len() as u64);
+    tally.add(Operation::PartEvaluation, reached.len() as u64);
     tally.add(Operation::Comparison, 2 * reached.len() as u64);
     let squares = reached.iter().map(|(_, reach)| reach * reach).sum::<f64>();
     let deviations = (2.0 / 3.0 * std::f64::consts::LN_2 * f64::from(n.ilog2())).sqrt();

@@ -3,7 +3,7 @@
 use super::instance::Instance;
 use super::sides::read_sides;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
-use crate::tally::{Operation, Tally};
+use crate::tally::Tally;
 
 /// A cell around an expected point has this share of the larger cell's radius at least, and this much more of it times the square of
 /// the distance, in radii, of the point: the lines are not spread evenly.
@@ -160,7 +160,7 @@ impl Cell {
     /// A line misses it when |value at the center| exceeds its reach; the margin covers the rounding of both and the
     /// error of the line's columns anywhere in the cell.
     pub(crate) fn split(&self, instance: &Instance, tally: &mut impl Tally) -> Split {
-        tally.add(Operation::LineEvaluation, instance.len() as u64);
+        instance.count_pass(tally);
         let columns = &*instance.columns;
         let [cx, cy] = self.center;
         let Frame { xx, yx, yy } = self.frame;

@@ -152,6 +152,12 @@ impl<'p> Instance<'p> {
         self.columns.len()
     }
 
+    /// Counts one evaluation of every line.
+    pub(crate) fn count_pass(&self, tally: &mut impl Tally) {
+        let operation = if self.members.is_none() { Operation::LineEvaluation } else { Operation::PartEvaluation };
+        tally.add(operation, self.len() as u64);
+    }
+
     /// The position in the problem of a line of the instance.
     pub(crate) fn position(&self, line: u32) -> usize {
         self.members.as_ref().map_or(line, |members| members[line as usize]) as usize
@@ -217,8 +223,7 @@ impl<'p> Instance<'p> {
     /// `vertex.error` of its double, the line within its [`LineError`], and each of the operations adds at most
     /// UNIT of its result, each result being at most |a x| + |a y| + |b| in magnitude.
     pub(crate) fn read_at(&self, vertex: &Vertex, around: &mut Surroundings, tally: &mut impl Tally) {
-        let n = self.len();
-        tally.add(Operation::LineEvaluation, n as u64);
+        self.count_pass(tally);
         around.through.clear();
         let ([px, py], [vx, vy]) = (vertex.point, vertex.error);
         let per_normal = |value: f64, error: f64| error + 8.0 * UNIT * value.abs() + self.error.offset_per_normal;

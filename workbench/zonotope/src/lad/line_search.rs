@@ -185,7 +185,7 @@ impl SearchLine {
 
     fn crossings(&self, instance: &Instance, tally: &mut impl Tally) -> Vec<Crossing> {
         let n = instance.len();
-        tally.add(Operation::LineEvaluation, n as u64);
+        instance.count_pass(tally);
         let ([dx, dy], [fx, fy]) = (self.direction(), self.foot());
         let columns = &*instance.columns;
         let mut crossings = Vec::with_capacity(n);

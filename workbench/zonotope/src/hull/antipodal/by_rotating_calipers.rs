@@ -1,4 +1,4 @@
-//! Farthest vertex of each edge of a convex polygon, by rotating calipers: one walk around the polygon for all edges.
+//! Farthest vertex of each edge of a convex polygon, by rotating calipers: half a turn of the calipers for all edges.
 //!
 //! # Statement
 //! Input: a convex hull. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the largest distance from its line,
@@ -10,15 +10,15 @@
 //! The paper assumes that it is unique; here ties are reported.
 //!
 //! # Method
-//! 1. Walking on from edge t, vertices get higher over it as long as the next edge turns by less than π from edge t: while
-//!    the cross product of edge t and that edge is positive.
-//! 2. The first edge s for which it is not starts at the farthest vertex, s; if the cross product is zero, vertex s + 1 ties.
-//! 3. Edge t + 1 is at a larger angle, so its walk starts where that of edge t ended.
-//! 4. The edges are cut into ranges. The first vertex of each is found by binary search, and four ranges are walked in turn: the
-//!    steps of one walk depend on each other, those of several keep the processor busy.
+//! 1. The edges from edge 0 on that turn by less than π from it are the lower chain, the others the upper chain: both are sorted by their
+//!    angle modulo π.
+//! 2. Merge the two. Where edge a of the lower and edge b of the upper chain come next, the sign of their cross product tells which has the
+//!    smaller angle modulo π: its farthest vertex is the start of the other. If they are parallel, each ties at the other.
+//! 3. The lower chain is cut into ranges. The partner of the first edge of each is found by binary search, and four ranges are merged in
+//!    turn: the steps of one merge depend on each other, those of several keep the processor busy.
 //!
 //! # Complexity
-//! h edges: O(h) time. At most 2h cross products in the walks, and log h + 1 in each of at most max(33, h/1024 + 1) binary searches.
+//! h edges: O(h) time. At most h cross products in the merges, and log h + 1 in each of at most max(34, h/1024 + 2) binary searches.
 //! 4h bytes, besides the hull.
 //!
 //! # Shapes
@@ -49,7 +49,6 @@
 //! ```
 
 use std::array;
-use std::ops::Range;
 
 use super::FarthestVertex;
 use crate::hull::polygon::{ConvexHull, VertexIndex};
@@ -63,18 +62,16 @@ pub fn farthest_vertices(hull: &ConvexHull) -> Vec<FarthestVertex> {
 
 /// [`farthest_vertices`], counting cross products.
 pub fn farthest_vertices_counted(hull: &ConvexHull, tally: &mut impl Tally) -> Vec<FarthestVertex> {
-    let count = hull.edge_count();
-    let mut farthest = vec![FarthestVertex::new(0, false); count];
-    let length = (count / 32).clamp(64, 1024);
-    let mut walks = (0..count).step_by(length).map(|edge| edge..(edge + length).min(count));
-    let mut lanes: [Walk; LANES] = array::from_fn(|_| Walk::start(hull, walks.next().unwrap_or(0..0), tally));
-    let mut are_under_way = lanes.iter().all(Walk::is_under_way);
+    let mut farthest = vec![FarthestVertex::new(0, false); hull.edge_count()];
+    let mut merges = merges(hull, tally).into_iter();
+    let mut lanes: [Merge; LANES] = array::from_fn(|_| merges.next().unwrap_or_default());
+    let mut are_under_way = lanes.iter().all(Merge::is_under_way);
     while are_under_way {
         for lane in &mut lanes {
             lane.step(hull.vertices(), &mut farthest, tally);
             if !lane.is_under_way() {
-                match walks.next() {
-                    Some(edges) => *lane = Walk::start(hull, edges, tally),
+                match merges.next() {
+                    Some(merge) => *lane = merge,
                     None => are_under_way = false,
                 }
             }
@@ -88,53 +85,75 @@ pub fn farthest_vertices_counted(hull: &ConvexHull, tally: &mut impl Tally) -> V
     farthest
 }
 
-/// Walks taken in turn, so that the processor works on several cross products at a time.
+/// Merges taken in turn, so that the processor works on several cross products at a time.
 const LANES: usize = 4;
 
-/// The walk for a range of edges.
-struct Walk {
-    /// The edge in question, and the end of the range.
-    edge: usize,
-    end: usize,
-    /// No vertex before it, going back to the edge, is farthest from the edge.
-    high: usize,
+/// A range of edges of the lower chain, and the edges of the upper chain that come between them by their angle modulo π.
+#[derive(Clone, Copy, Default)]
+struct Merge {
+    /// The edge of the lower chain that comes next, and where its range ends.
+    lower: usize,
+    lower_end: usize,
+    /// The same in the upper chain. What ends a range is compared as well: it never comes before an edge in the range of the other chain.
+    upper: usize,
+    upper_end: usize,
 }
 
-impl Walk {
-    /// Finds the farthest vertex of the first edge by binary search: the cross products of an edge with the edges after it are
-    /// positive up to that vertex and not positive from there on.
-    fn start(hull: &ConvexHull, edges: Range<usize>, tally: &mut impl Tally) -> Self {
-        let count = hull.edge_count();
-        let wrapped = |at: usize| if at < count { at } else { at - count };
-        let (mut before, mut after) = (edges.start, edges.start + count);
-        while !edges.is_empty() && after - before > 1 {
-            let between = before.midpoint(after);
-            let [from, to] = hull.edge(VertexIndex::new(edges.start));
-            let [high_from, high_to] = hull.edge(VertexIndex::new(wrapped(between)));
-            match cross_sign_counted(from, to, high_from, high_to, tally) {
-                Turn::Left => before = between,
-                Turn::Straight | Turn::Right => after = between,
-            }
-        }
-        Walk { edge: edges.start, end: edges.end, high: wrapped(after) }
+/// The merges of all edges, about equally many of the lower chain in each.
+fn merges(hull: &ConvexHull, tally: &mut impl Tally) -> Vec<Merge> {
+    let count = hull.edge_count();
+    if count == 0 {
+        return Vec::new();
     }
+    let turning = partner(hull, 0, 0, tally);
+    let length = (turning / 32).clamp(64, 1024);
+    let mut upper = turning;
+    let merge = |lower: usize| {
+        let lower_end = (lower + length).min(turning);
+        let upper_end = if lower_end < turning { partner(hull, lower_end, upper - 1, tally) } else { count };
+        Merge { lower, lower_end, upper: std::mem::replace(&mut upper, upper_end), upper_end }
+    };
+    (0..turning).step_by(length).map(merge).collect()
+}
 
+/// The first edge after `before` that turns by π or more from an edge; as the edges after this one do from there on, by binary search.
+fn partner(hull: &ConvexHull, edge: usize, mut before: usize, tally: &mut impl Tally) -> usize {
+    let [from, to] = hull.edge(VertexIndex::new(edge));
+    let mut after = hull.edge_count();
+    while after - before > 1 {
+        let between = before.midpoint(after);
+        let [high_from, high_to] = hull.edge(VertexIndex::new(between));
+        match cross_sign_counted(from, to, high_from, high_to, tally) {
+            Turn::Left => before = between,
+            Turn::Straight | Turn::Right => after = between,
+        }
+    }
+    after
+}
+
+impl Merge {
     #[inline(always)]
     fn is_under_way(&self) -> bool {
-        self.edge < self.end
+        self.lower < self.lower_end || self.upper < self.upper_end
     }
 
-    /// Moves on by one edge or by one vertex, without a branch on which: that is as good as random.
+    /// Takes an edge of one chain, without a branch on which, that is as good as random; or two parallel edges.
     #[inline(always)]
     fn step(&mut self, vertices: &[[f64; 2]], farthest: &mut [FarthestVertex], tally: &mut impl Tally) {
-        let following = |at: usize| if at + 1 < vertices.len() { at + 1 } else { 0 };
-        let after_high = following(self.high);
-        let (from, to) = (vertices[self.edge], vertices[following(self.edge)]);
-        let turn = cross_sign_counted(from, to, vertices[self.high], vertices[after_high], tally);
-        // final only if the edge moves on, else a later step overwrites it
-        farthest[self.edge] = FarthestVertex::new(self.high, turn == Turn::Straight);
-        let is_rising = turn == Turn::Left;
-        self.high = if is_rising { after_high } else { self.high };
-        self.edge += usize::from(!is_rising);
+        let wrapped = |at: usize| if at < vertices.len() { at } else { 0 };
+        let (lower, upper) = (self.lower, wrapped(self.upper));
+        let (lower_to, upper_to) = (vertices[lower + 1], vertices[wrapped(upper + 1)]);
+        let turn = cross_sign_counted(vertices[lower], lower_to, vertices[upper], upper_to, tally);
+        if turn == Turn::Straight {
+            farthest[lower] = FarthestVertex::new(upper, true);
+            farthest[upper] = FarthestVertex::new(lower, true);
+            (self.lower, self.upper) = (self.lower + 1, self.upper + 1);
+            return;
+        }
+        let is_upper = turn == Turn::Left;
+        let (edge, far) = if is_upper { (upper, lower) } else { (lower, upper) };
+        farthest[edge] = FarthestVertex::new(far, false);
+        self.upper += usize::from(is_upper);
+        self.lower += usize::from(!is_upper);
     }
 }

@@ -7,7 +7,7 @@
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | O(h²) | compares all vertices; the truth |
-//! | [`by_rotating_calipers`] | O(h) | the farthest vertex moves forward with the edge (Shamos) |
+//! | [`by_rotating_calipers`] | O(h) | half a turn of two parallel supporting lines (Shamos) |
 //!
 //! h edges. [`farthest_vertices`] is the default method. Every decision is exact, so the answer does not depend on the method.
 

@@ -49,5 +49,5 @@ fn the_number_of_cross_products_is_linear() {
     let hull = convex_hull(&points).expect("the points are finite");
     let mut counts = crate::tally::OperationCounts::default();
     farthest_vertices_counted(&hull, &mut counts);
-    assert!(counts.get(crate::tally::Operation::Turn) <= 2000 + 33 * 11);
+    assert!(counts.get(crate::tally::Operation::Turn) <= 1000 + 34 * 11);
 }
