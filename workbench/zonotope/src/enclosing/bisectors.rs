@@ -11,7 +11,7 @@
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
-use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
+use crate::lad::kernel_input::{ExactLine, ExactLines, LineError, MadeLines};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::exact_sum::{ExactSum, exact_sum};
 use crate::numeric::tolerance::UNIT;
@@ -45,26 +45,11 @@ impl<'h> Bisectors<'h> {
         Self { hull, farthest, frame: Frame::of(hull, farthest) }
     }
 
-    /// The kernel problem whose objective at x is Σ_t |e_t × (X − P_s − P_t)| for the point O of x, divided by 4^scale. O(h).
+    /// The kernel problem whose objective at x is Σ_t |e_t × (X − P_s − P_t)| for the point O of x, divided by 4^scale. O(1): the lines are made as they
+    /// are read.
     pub fn kernel_problem(&self) -> LadProblem<'h> {
-        let mut columns = Columns::with_capacity(self.farthest.len());
-        let mut spread = 0.0f64;
-        let vertices = self.hull.vertices();
-        let mut from = self.frame.scaled(vertices[0]);
-        for (t, s) in self.farthest.iter().enumerate() {
-            let to = self.frame.scaled(vertices[if t + 1 < vertices.len() { t + 1 } else { 0 }]);
-            let far = self.frame.scaled(self.hull.vertex(s.vertex()));
-            let edge = [to[0] - from[0], to[1] - from[1]];
-            let [rx, ry] = self.frame.reference;
-            let d = [sum_from_reference(far[0], from[0], rx), sum_from_reference(far[1], from[1], ry)];
-            spread = spread.max(d[0].abs()).max(d[1].abs());
-            columns.push([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]]);
-            from = to;
-        }
-        // Each d is within 3 UNIT of its value, each edge coordinate within UNIT, and the offset takes two products and a difference.
-        let error = LineError { offset_relative: 0.0, offset_per_normal: 8.0 * UNIT * spread };
-        let exact = ExactBisectors { hull: self.hull, farthest: self.farthest, frame: self.frame };
-        LadProblem::from_exact_lines(columns, error, Box::new(exact))
+        let lines = Lines { hull: self.hull, farthest: self.farthest, frame: self.frame };
+        LadProblem::from_made_lines(Box::new(lines), Box::new(lines))
     }
 
     /// The kernel point of a centre, both in homogeneous coordinates.
@@ -86,7 +71,7 @@ impl<'h> Bisectors<'h> {
 
 impl Frame {
     fn of(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
-        let largest = hull.vertices().iter().flatten().fold(0.0f64, |m, v| m.max(v.abs()));
+        let largest = largest_magnitude(hull.vertices().as_flattened());
         let scale = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1);
         let half = scale / 2;
         let factors = [-half, half - scale].map(|e| scale_by_power_of_two(1.0, e));
@@ -144,6 +129,14 @@ impl Frame {
     }
 }
 
+/// The largest magnitude of finite values, several at a time.
+fn largest_magnitude(values: &[f64]) -> f64 {
+    let (blocks, rest) = values.as_chunks::<8>();
+    let larger = |a: f64, b: f64| if b.abs() > a { b.abs() } else { a };
+    let lanes = blocks.iter().fold([0.0; 8], |lanes, block| std::array::from_fn(|i| larger(lanes[i], block[i])));
+    lanes.iter().chain(rest).copied().fold(0.0, larger)
+}
+
 /// a + b − r within 3 UNIT of the result, barring underflow.
 ///
 /// The sum is taken as head + tail exactly. Where head − r is rounded at all it is not smaller than half of head, hence than the tail;
@@ -153,21 +146,64 @@ fn sum_from_reference(a: f64, b: f64, r: f64) -> f64 {
     (head - r) + tail
 }
 
-#[derive(Debug)]
-struct ExactBisectors<'h> {
+/// The lines of the kernel, from the points on which they depend.
+#[derive(Debug, Clone, Copy)]
+struct Lines<'h> {
     hull: &'h ConvexHull,
     farthest: &'h [FarthestVertex],
     frame: Frame,
 }
 
-impl ExactBisectors<'_> {
+impl Lines<'_> {
+    /// The row of the edge between two scaled vertices, and the magnitude of d with row · (x, y, 1) = edge × (x − d).
+    #[inline(always)]
+    fn between(&self, from: [f64; 2], to: [f64; 2], far: FarthestVertex) -> ([f64; 3], f64) {
+        let far = self.frame.scaled(self.hull.vertex(far.vertex()));
+        let edge = [to[0] - from[0], to[1] - from[1]];
+        let [rx, ry] = self.frame.reference;
+        let d = [sum_from_reference(far[0], from[0], rx), sum_from_reference(far[1], from[1], ry)];
+        ([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]], d[0].abs().max(d[1].abs()))
+    }
+
+    /// Each d is within 3 UNIT of its value, each edge coordinate within UNIT, and the offset takes two products and a difference.
+    fn error(spread: f64) -> LineError {
+        LineError { offset_relative: 0.0, offset_per_normal: 8.0 * UNIT * spread }
+    }
+
     fn ends(&self, t: usize) -> [[f64; 2]; 2] {
         let vertices = self.hull.vertices();
         [vertices[t], vertices[if t + 1 < vertices.len() { t + 1 } else { 0 }]]
     }
 }
 
-impl ExactLines for ExactBisectors<'_> {
+impl MadeLines for Lines<'_> {
+    fn len(&self) -> usize {
+        self.farthest.len()
+    }
+
+    fn row(&self, t: usize) -> ([f64; 3], LineError) {
+        let [from, to] = self.ends(t).map(|end| self.frame.scaled(end));
+        let (row, spread) = self.between(from, to, self.farthest[t]);
+        (row, Self::error(spread))
+    }
+
+    fn make(&self, start: usize, [normal_x, normal_y, offset]: [&mut [f64]; 3]) -> LineError {
+        let mut from = self.frame.scaled(self.hull.vertices()[start]);
+        let mut spread = 0.0;
+        let after = self.hull.vertices()[start + 1..].iter().chain(&self.hull.vertices()[..1]);
+        let normals = normal_x.iter_mut().zip(normal_y);
+        for (((x, y), b), (far, &to)) in normals.zip(offset).zip(self.farthest[start..].iter().zip(after)) {
+            let to = self.frame.scaled(to);
+            let (row, own_spread) = self.between(from, to, *far);
+            [*x, *y, *b] = row;
+            spread = if own_spread > spread { own_spread } else { spread };
+            from = to;
+        }
+        Self::error(spread)
+    }
+}
+
+impl ExactLines for Lines<'_> {
     fn line(&self, t: usize) -> ExactLine {
         let [from, to] = self.ends(t).map(|end| self.frame.exact(end));
         let far = self.frame.exact(self.hull.vertex(self.farthest[t].vertex()));

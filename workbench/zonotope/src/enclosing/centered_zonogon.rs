@@ -10,13 +10,8 @@
 //! Section 4.1, Z(O) and 𝒮. Departure: built in O(n) from the farthest vertices, without a second convex hull.
 //!
 //! # Method
-//! 1. The edges of the hull and of its reflection in the order of their directions: after edge t come the reflected edges from
-//!    the farthest vertex of t up to that of t + 1.
-//! 2. In the direction normal to edge t the zonogon's boundary is that edge if O is not to the right of ℓ_t, else the reflection of the
-//!    farthest vertex; the same holds with the roles exchanged for reflected edges.
-//! 3. Where a centre on ℓ_t puts two parallel edges on one line, the face is spanned by the outermost of their four ends.
-//! 4. Between two directions nothing but a bridge from a hull vertex to a reflected one can happen: the sequence of what is visited,
-//!    without repetitions, is the boundary. By symmetry half a turn suffices.
+//! 1. The edges of the hull and of its reflection in the order of their directions, for half a turn: [`half_turn`](super::half_turn).
+//! 2. The edges of the boundary, as far as they come up there; by symmetry half a turn suffices.
 //!
 //! # Complexity
 //! h hull vertices: O(h) time and space. The paper: O(n).
@@ -49,15 +44,13 @@
 //! # Ok::<(), zonotope::hull::HullError>(())
 //! ```
 
-use std::cmp::Ordering;
-
 use crate::hull::antipodal::FarthestVertex;
 use crate::hull::{ConvexHull, VertexIndex};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::orientation::{Turn, orientation};
 
 use super::bisectors::Bisectors;
+use super::half_turn::{EdgeVisitor, HalfTurn};
 
 /// A vertex of the hull, or its reflection in the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -69,6 +62,10 @@ pub struct BoundaryVertex {
 }
 
 impl BoundaryVertex {
+    pub(crate) fn new(vertex: usize, reflected: bool) -> Self {
+        Self { vertex: VertexIndex::new(vertex), reflected }
+    }
+
     fn opposite(self) -> Self {
         Self { reflected: !self.reflected, ..self }
     }
@@ -118,11 +115,16 @@ impl<'h> CenteredZonogon<'h> {
         if !hull.has_area() {
             return Self { hull, center, half: half_of_segment(hull, center) };
         }
-        let is_exact = (0..2).all(|i| exact_center[i] == &exact_center[2] * &Dyadic::from_f64(center[i]));
-        let center_in_doubles = is_exact.then_some(center);
-        let visited = Vec::with_capacity(hull.edge_count() + 2);
-        let half = HalfTurn { hull, farthest, exact_center, center_in_doubles, sides, visited };
-        Self { hull, center, half: half.walk() }
+        Self::of(&HalfTurn::new(hull, farthest, center, exact_center, sides))
+    }
+
+    /// The zonogon of a walk.
+    pub(crate) fn of(half_turn: &HalfTurn<'h, '_>) -> Self {
+        let mut starts = Starts(Vec::with_capacity(half_turn.hull().edge_count() + 2));
+        half_turn.walk(&mut starts);
+        let Starts(mut half) = starts;
+        half.push(half[0].opposite());
+        Self { hull: half_turn.hull(), center: half_turn.center(), half }
     }
 
     /// The hull.
@@ -188,93 +190,20 @@ impl<'h> CenteredZonogon<'h> {
     }
 }
 
-/// The walk over the edges of the hull and of its reflection in the order of their directions, for half a turn from edge 0.
-struct HalfTurn<'a> {
-    hull: &'a ConvexHull,
-    farthest: &'a [FarthestVertex],
-    exact_center: &'a [Dyadic; 3],
-    /// The centre, if its coordinates are doubles.
-    center_in_doubles: Option<[f64; 2]>,
-    sides: &'a [i8],
-    visited: Vec<BoundaryVertex>,
-}
+/// The start of every edge of the boundary.
+struct Starts(Vec<BoundaryVertex>);
 
-impl HalfTurn<'_> {
-    fn walk(mut self) -> Vec<BoundaryVertex> {
-        let opposite_of_first = self.farthest[0].is_tied().then(|| self.farthest[0].vertex().get());
-        let mut reflected_edge = self.farthest[0].vertex().get();
-        'half_turn: for edge in 0..self.hull.edge_count() {
-            if opposite_of_first == Some(edge) {
-                break;
-            }
-            self.visit_edge(edge, false);
-            let stop = self.farthest[self.following(edge)].vertex().get();
-            while reflected_edge != stop {
-                if reflected_edge == 0 {
-                    break 'half_turn;
-                }
-                self.visit_edge(reflected_edge, true);
-                reflected_edge = self.following(reflected_edge);
-            }
-        }
-        let end = self.visited[0].opposite();
-        self.visit(end.vertex.get(), end.reflected);
-        self.visited
-    }
-
-    fn following(&self, vertex: usize) -> usize {
-        if vertex + 1 < self.hull.edge_count() { vertex + 1 } else { 0 }
-    }
-
-    fn visit(&mut self, vertex: usize, reflected: bool) {
-        let vertex = BoundaryVertex { vertex: VertexIndex::new(vertex), reflected };
-        if self.visited.last() != Some(&vertex) {
-            self.visited.push(vertex);
+impl EdgeVisitor for Starts {
+    fn hull_edge(&mut self, from: BoundaryVertex, _: usize, is_edge: bool) {
+        if is_edge {
+            self.0.push(from);
         }
     }
 
-    /// Visits what the boundary has in the direction of an edge.
-    fn visit_edge(&mut self, edge: usize, reflected: bool) {
-        let far = self.farthest[edge];
-        // Of two parallel edges the one of the hull itself comes first and visits what both have.
-        let visited_already = reflected && far.is_tied() && self.sides[edge] <= 0;
-        match self.sides[edge] {
-            _ if visited_already => {}
-            0 if far.is_tied() => self.visit_collinear_edges(edge, far.vertex().get()),
-            0.. => {
-                self.visit(edge, reflected);
-                self.visit(self.following(edge), reflected);
-            }
-            _ => self.visit(far.vertex().get(), !reflected),
+    fn bridge(&mut self, from: BoundaryVertex, _: usize, is_edge: bool) {
+        if is_edge {
+            self.0.push(from);
         }
-    }
-
-    fn visit_collinear_edges(&mut self, edge: usize, opposite: usize) {
-        let starts_later = self.reflection_is_ahead(edge, opposite, edge) == Ordering::Less;
-        self.visit(if starts_later { opposite } else { edge }, starts_later);
-        let (end, opposite_end) = (self.following(edge), self.following(opposite));
-        let ends_earlier = self.reflection_is_ahead(edge, opposite_end, end) == Ordering::Greater;
-        self.visit(if ends_earlier { opposite_end } else { end }, ends_earlier);
-    }
-
-    /// Whether P'_a = P_b, where that is seen at a glance; `false` decides nothing.
-    fn meet_in_center(&self, a: usize, b: usize) -> bool {
-        let (a, b) = (self.hull.vertices()[a], self.hull.vertices()[b]);
-        self.center_in_doubles.is_some_and(|center| (0..2).all(|i| exact_sum(a[i], b[i]) == (2.0 * center[i], 0.0)))
-    }
-
-    /// The sign of the scalar product of an edge with P'_a − P_b.
-    fn reflection_is_ahead(&self, edge: usize, a: usize, b: usize) -> Ordering {
-        if self.meet_in_center(a, b) {
-            return Ordering::Equal;
-        }
-        let exact = |vertex: usize| self.hull.vertices()[vertex].map(Dyadic::from_f64);
-        let [x, y, w] = self.exact_center;
-        let (from, to, a, b) = (exact(edge), exact(self.following(edge)), exact(a), exact(b));
-        let along = |axis: usize, center: &Dyadic| {
-            (&to[axis] - &from[axis]) * (center.clone().scaled(1) - w * &(&a[axis] + &b[axis]))
-        };
-        (along(0, x) + along(1, y)).sign()
     }
 }
 
@@ -285,7 +214,7 @@ pub(crate) fn homogeneous([x, y]: [f64; 2]) -> [Dyadic; 3] {
 
 /// Half of the boundary around a point or a segment.
 fn half_of_segment(hull: &ConvexHull, center: [f64; 2]) -> Vec<BoundaryVertex> {
-    let at = |vertex: usize, reflected| BoundaryVertex { vertex: VertexIndex::new(vertex), reflected };
+    let at = BoundaryVertex::new;
     match *hull.vertices() {
         [first, last] => {
             let clockwise = orientation(first, last, center) == Turn::Right;

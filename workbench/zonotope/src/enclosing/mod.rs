@@ -11,6 +11,7 @@
 pub mod bisectors;
 pub mod centered_zonogon;
 pub mod fixed_directions;
+mod half_turn;
 pub mod min_area_zonogon;
 pub mod min_total_length;
 mod outward;

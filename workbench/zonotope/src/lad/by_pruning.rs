@@ -66,7 +66,7 @@ use super::instance::{ExactLinear, Instance};
 use super::line_search::{SearchLine, weighted_select};
 use super::optimum::LadOutcome;
 use super::problem::LadProblem;
-use super::solution::{Optimal, Solution};
+use super::solution::{Near, Optimal, Solution};
 use super::solve::{descend, descend_from, solve_with};
 use super::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
@@ -170,7 +170,7 @@ fn search_near<T: Tally>(
             cell = expected?;
             continue;
         }
-        if let Solution::Optimal(optimal) = within(small, instance, split, expected, random.random(), tally)
+        if let Solution::Optimal(optimal) = within(small, instance, cell, split, expected, random.random(), tally)
             && let Some(vertex) = &optimal.vertex
         {
             if cell.contains(vertex.point) && optimal.defining.len() == 2 {
@@ -230,15 +230,14 @@ fn integer_cube_root(n: usize) -> usize {
 /// everywhere; the error there has 1 / (2 + 4/π) of the variance Σ reach². So √(2 + 4/π) = 1.81 deviations of that sum are gathered for one.
 /// The radius is estimated from so many of the sample's lines that at least sixty cross.
 fn radius<T: Tally>(sample: &Instance, n: usize, [cx, cy]: [f64; 2], frame: Frame, tally: &mut T) -> Option<f64> {
-    let columns = &*sample.columns;
     let size = sample.len() as f64;
     let step = (size / (12.0 * size.sqrt())).max(1.0) as usize;
     let mut reached: Vec<(f64, f64)> = (0..sample.len())
         .step_by(step)
         .map(|i| {
-            let (x, y) = (columns.normal_x[i], columns.normal_y[i]);
+            let ([x, y, b], _) = sample.lines.row(i);
             let reach = frame.reach(x, y);
-            ((x * cx + y * cy + columns.offset[i]).abs() / reach, reach)
+            ((x * cx + y * cy + b).abs() / reach, reach)
         })
         .filter(|(distance, reach)| distance.is_finite() && *reach > 0.0)
         .collect();
@@ -256,28 +255,31 @@ fn radius<T: Tally>(sample: &Instance, n: usize, [cx, cy]: [f64; 2], frame: Fram
 fn within<T: Tally>(
     small: usize,
     instance: &Instance,
+    cell: Cell,
     split: Split,
     expected: Option<Cell>,
     seed: u64,
     tally: &mut T,
 ) -> Solution {
-    let Split { crossing, signs, sum, sum_error, .. } = split;
-    let remainder = instance.remainder(&crossing, signs, sum, sum_error);
+    let Split { crossing, rows, signs, sum, sum_error, .. } = split;
+    let remainder = instance.remainder(&crossing, rows, signs, sum, sum_error);
     let solution = solve_with(&remainder, seed, tally, |first, tally| {
         search_above(small, &remainder, expected, first, seed, tally)
     });
     match solution {
-        Solution::Optimal(optimal) => Solution::Optimal(Box::new(lift(*optimal, &remainder, &crossing))),
+        Solution::Optimal(optimal) => Solution::Optimal(Box::new(lift(*optimal, &remainder, Near { cell, crossing }))),
         unbounded => unbounded,
     }
 }
 
-/// A solution of the remainder as one of the instance.
-fn lift(optimal: Optimal, remainder: &Instance, crossing: &[u32]) -> Optimal {
+/// A solution of the remainder, the lines that cross a cell, as one of the instance.
+fn lift(optimal: Optimal, remainder: &Instance, near: Near) -> Optimal {
+    let crossing = &near.crossing;
     let mut signs = remainder.fixed_signs().to_vec();
     for (&line, &sign) in crossing.iter().zip(&optimal.signs) {
         signs[line as usize] = sign;
     }
     let rename = |lines: Vec<u32>| lines.into_iter().map(|line| crossing[line as usize]).collect();
-    Optimal { defining: rename(optimal.defining), basis: rename(optimal.basis), signs, ..optimal }
+    let (defining, basis) = (rename(optimal.defining), rename(optimal.basis));
+    Optimal { defining, basis, signs, near: Some(near), ..optimal }
 }

@@ -1,6 +1,6 @@
 //! A small parallelogram around a guess: which lines certainly miss it, and on which side they leave it.
 
-use super::instance::Instance;
+use super::instance::{Instance, Rows};
 use super::sides::read_sides;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::Tally;
@@ -46,6 +46,8 @@ pub(crate) struct Bend {
 pub(crate) struct Split {
     /// The lines that may cross the cell.
     pub(crate) crossing: Vec<u32>,
+    /// Their rows.
+    pub(crate) rows: Rows,
     /// The sign of every other line throughout the cell; 0 for the crossing ones.
     pub(crate) signs: Vec<i8>,
     /// Σ sign · normal over the others, and how far each coordinate may be off.
@@ -76,9 +78,12 @@ impl Bend {
 impl Frame {
     /// The frame of the lines of an instance; `None` when it is not finite.
     pub(crate) fn of(instance: &Instance) -> Option<Self> {
-        let columns = &*instance.columns;
-        let normals = columns.normal_x.iter().zip(&columns.normal_y);
-        let (xx, xy, yy) = normals.fold((0.0, 0.0, 0.0), |(xx, xy, yy), (x, y)| (xx + x * x, xy + x * y, yy + y * y));
+        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        instance.lines.each_block(|_, block| {
+            for (x, y) in block.normal_x.iter().zip(block.normal_y) {
+                (xx, xy, yy) = (xx + x * x, xy + x * y, yy + y * y);
+            }
+        });
         // Σ a aᵀ = C Cᵀ with C upper triangular, so that the frame (C⁻¹)ᵀ is lower triangular.
         let c_yy = yy.sqrt();
         let c_xy = xy / c_yy;
@@ -161,30 +166,31 @@ impl Cell {
     /// error of the line's columns anywhere in the cell.
     pub(crate) fn split(&self, instance: &Instance, tally: &mut impl Tally) -> Split {
         instance.count_pass(tally);
-        let columns = &*instance.columns;
         let [cx, cy] = self.center;
         let Frame { xx, yx, yy } = self.frame;
         let [wx, wy] = [self.radius * xx, self.radius * (yx.abs() + yy)];
-        let per_normal =
-            |center: f64, width: f64| 16.0 * UNIT * (center.abs() + width) + instance.error.offset_per_normal;
-        let (ex, ey) = (per_normal(cx, wx), per_normal(cy, wy));
-        let eb = instance.error.offset_relative + 8.0 * UNIT;
         let floor = UNDERFLOW * (1.0 + cx.abs() + cy.abs() + wx + wy);
         let radius = self.radius;
-        let (mut crossing, mut signs, mut bend) = (Vec::new(), Vec::new(), Bend::default());
+        let (mut crossing, mut rows, mut signs) = (Vec::new(), Rows::with_capacity(0), Vec::new());
+        let mut bend = Bend::default();
         let sides = read_sides(
-            columns,
+            &instance.lines,
             &mut signs,
-            |x, y, b| {
-                let reach = radius * ((xx * x + yx * y).abs() + (yy * y).abs());
-                (x * cx + y * cy + b, reach + x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+            |error| {
+                let per_normal =
+                    |center: f64, width: f64| 16.0 * UNIT * (center.abs() + width) + error.offset_per_normal;
+                let (ex, ey, eb) = (per_normal(cx, wx), per_normal(cy, wy), error.offset_relative + 8.0 * UNIT);
+                move |x, y, b| {
+                    let reach = radius * ((xx * x + yx * y).abs() + (yy * y).abs());
+                    (x * cx + y * cy + b, reach + x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+                }
             },
-            |line| {
+            |line, [x, y, b], error| {
                 crossing.push(line as u32);
-                let normal = [columns.normal_x[line], columns.normal_y[line]];
-                bend.add(self.frame, normal, normal[0] * cx + normal[1] * cy + columns.offset[line]);
+                rows.push([x, y, b], error);
+                bend.add(self.frame, [x, y], x * cx + y * cy + b);
             },
         );
-        Split { crossing, signs, sum: sides.sum, sum_error: sides.sum_error, bend }
+        Split { crossing, rows, signs, sum: sides.sum, sum_error: sides.sum_error, bend }
     }
 }

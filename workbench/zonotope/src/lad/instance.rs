@@ -9,7 +9,8 @@ use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-use super::problem::{Columns, LadProblem, LineError};
+use super::problem::LadProblem;
+use super::rounded_lines::{Columns, LineError, RoundedLines};
 use super::sides::read_sides;
 use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
@@ -49,16 +50,22 @@ impl ExactLinear {
     }
 }
 
+/// The rows of some lines.
+#[derive(Debug)]
+pub(crate) struct Rows {
+    columns: Columns,
+    error: LineError,
+}
+
 /// Some lines of a problem with a linear term.
 #[derive(Debug)]
 pub(crate) struct Instance<'p> {
     pub(crate) problem: &'p LadProblem<'p>,
-    pub(crate) columns: Cow<'p, Columns>,
+    pub(crate) lines: RoundedLines<'p>,
     /// The position in the problem of each line here; all lines in their order when absent.
     members: Option<Rc<[u32]>>,
-    /// Whether the offsets of the columns stand for themselves rather than for the problem's.
+    /// Whether the rounded offsets stand for themselves rather than for the problem's.
     own_offsets: bool,
-    pub(crate) error: LineError,
     pub(crate) linear: [f64; 2],
     linear_error: f64,
     linear_source: ExactLinear,
@@ -78,33 +85,60 @@ pub(crate) struct Surroundings {
     pub(crate) gradient_error: f64,
 }
 
+impl Rows {
+    pub(crate) fn with_capacity(capacity: usize) -> Self {
+        Self { columns: Columns::with_capacity(capacity), error: LineError::default() }
+    }
+
+    pub(crate) fn push(&mut self, row: [f64; 3], error: LineError) {
+        self.columns.push(row);
+        self.error = self.error.or(error);
+    }
+
+    fn into_lines<'p>(self) -> RoundedLines<'p> {
+        RoundedLines::Stored { columns: Cow::Owned(self.columns), error: self.error }
+    }
+}
+
 impl<'p> Instance<'p> {
     /// The whole problem.
     pub(crate) fn whole(problem: &'p LadProblem<'p>) -> Self {
         let linear = problem.approximate_linear();
         let source = ExactLinear::known(problem.linear.clone());
-        Self::new(problem, Cow::Borrowed(&problem.columns), None, linear, source)
+        Self::new(problem, problem.rounded(), None, linear, source)
     }
 
     /// Some lines of an instance, with a linear term of their own.
     pub(crate) fn selection(&self, lines: &[u32], linear: [f64; 2], source: ExactLinear) -> Self {
-        let mut columns = Columns::with_capacity(lines.len());
+        let mut rows = Rows::with_capacity(lines.len());
         for &line in lines {
-            let [x, y] = self.normal(line);
-            columns.push([x, y, self.columns.offset[line as usize]]);
+            let (row, error) = self.lines.row(line as usize);
+            rows.push(row, error);
         }
-        let mut selection = Self::new(self.problem, Cow::Owned(columns), Some(self.positions(lines)), linear, source);
-        (selection.own_offsets, selection.error) = (self.own_offsets, self.error);
-        selection
+        self.part(lines, rows, linear, source)
     }
 
-    /// Some lines of the instance in its own objective: the others have the given fixed signs, whose normals sum to
+    /// Some lines of an instance, given their rows.
+    fn part(&self, lines: &[u32], rows: Rows, linear: [f64; 2], source: ExactLinear) -> Self {
+        let mut part = Self::new(self.problem, rows.into_lines(), Some(self.positions(lines)), linear, source);
+        part.own_offsets = self.own_offsets;
+        part
+    }
+
+    /// Some lines of the instance, with their rows, in its own objective: the others have the given fixed signs, whose normals sum to
     /// `fixed_sum` within `fixed_error`.
-    pub(crate) fn remainder(&self, lines: &[u32], signs: Vec<i8>, fixed_sum: [f64; 2], fixed_error: f64) -> Self {
+    pub(crate) fn remainder(
+        &self,
+        lines: &[u32],
+        rows: Rows,
+        signs: Vec<i8>,
+        fixed_sum: [f64; 2],
+        fixed_error: f64,
+    ) -> Self {
         let mut source = self.linear_source.clone();
         source.layers.push(Rc::new(FixedSigns { members: self.members.clone(), signs }));
         let linear = [self.linear[0] + fixed_sum[0], self.linear[1] + fixed_sum[1]];
-        let mut remainder = self.selection(lines, linear, source);
+        let mut remainder = self.part(lines, rows, linear, source);
         remainder.linear_error += self.linear_error + fixed_error;
         remainder
     }
@@ -112,26 +146,26 @@ impl<'p> Instance<'p> {
     /// The lines through a vertex, moved apart to the given offsets, under a known linear term.
     pub(crate) fn moved_apart(&self, lines: &[u32], linear: [Dyadic; 2], offsets: Vec<f64>) -> Self {
         let rounded = [linear[0].to_f64(), linear[1].to_f64()];
-        let mut moved = self.selection(lines, rounded, ExactLinear::known(linear));
-        moved.columns.to_mut().offset = offsets;
-        moved.own_offsets = true;
-        moved.error = LineError { offset_relative: 0.0, offset_per_normal: 0.0 };
-        moved
+        let mut rows = Rows::with_capacity(lines.len());
+        for (&line, offset) in lines.iter().zip(offsets) {
+            let [x, y] = self.normal(line);
+            rows.push([x, y, offset], LineError::default());
+        }
+        Self { own_offsets: true, ..self.part(lines, rows, rounded, ExactLinear::known(linear)) }
     }
 
     fn new(
         problem: &'p LadProblem<'p>,
-        columns: Cow<'p, Columns>,
+        lines: RoundedLines<'p>,
         members: Option<Rc<[u32]>>,
         linear: [f64; 2],
         linear_source: ExactLinear,
     ) -> Self {
         Self {
             problem,
-            columns,
+            lines,
             members,
             own_offsets: false,
-            error: problem.error,
             linear,
             linear_error: 8.0 * UNIT * (linear[0].abs() + linear[1].abs()) + UNDERFLOW,
             linear_source,
@@ -149,7 +183,7 @@ impl<'p> Instance<'p> {
     }
 
     pub(crate) fn len(&self) -> usize {
-        self.columns.len()
+        self.lines.len()
     }
 
     /// Counts one evaluation of every line.
@@ -164,13 +198,19 @@ impl<'p> Instance<'p> {
     }
 
     pub(crate) fn normal(&self, line: u32) -> [f64; 2] {
-        [self.columns.normal_x[line as usize], self.columns.normal_y[line as usize]]
+        let ([x, y, _], _) = self.lines.row(line as usize);
+        [x, y]
+    }
+
+    pub(crate) fn offset(&self, line: u32) -> f64 {
+        let ([_, _, offset], _) = self.lines.row(line as usize);
+        offset
     }
 
     pub(crate) fn exact_line(&self, line: u32) -> ExactLine {
         let mut exact = self.problem.exact.line(self.position(line));
         if self.own_offsets {
-            exact.offset = Dyadic::from_f64(self.columns.offset[line as usize]);
+            exact.offset = Dyadic::from_f64(self.offset(line));
         }
         exact
     }
@@ -226,31 +266,32 @@ impl<'p> Instance<'p> {
         self.count_pass(tally);
         around.through.clear();
         let ([px, py], [vx, vy]) = (vertex.point, vertex.error);
-        let per_normal = |value: f64, error: f64| error + 8.0 * UNIT * value.abs() + self.error.offset_per_normal;
-        let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), self.error.offset_relative + 8.0 * UNIT);
         let floor = UNDERFLOW * (1.0 + px.abs() + py.abs());
         let mut undecided = Vec::new();
         let sides = read_sides(
-            &self.columns,
+            &self.lines,
             &mut around.signs,
-            |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor),
-            |line| undecided.push(line as u32),
+            |error| {
+                let per_normal = |value: f64, off: f64| off + 8.0 * UNIT * value.abs() + error.offset_per_normal;
+                let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), error.offset_relative + 8.0 * UNIT);
+                move |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+            },
+            |line, row, _| undecided.push((line as u32, row)),
         );
         let mut gradient = [self.linear[0] + sides.sum[0], self.linear[1] + sides.sum[1]];
         let additions = (undecided.len() + 8) as f64;
         let mut undecided_size = 0.0;
-        for line in undecided {
+        for (line, [x, y, _]) in undecided {
             let side = if vertex.is_on(line) {
                 0
             } else {
                 tally.add(Operation::ExactFallback, 1);
                 self.exact_side(line, vertex)
             };
-            if side == 0 && !self.has_zero_normal(line) {
+            if side == 0 && !([x, y] == [0.0, 0.0] && self.has_zero_normal(line)) {
                 around.through.push(line);
             }
             around.signs[line as usize] = side;
-            let [x, y] = self.normal(line);
             gradient[0] += f64::from(side) * x;
             gradient[1] += f64::from(side) * y;
             undecided_size += x.abs() + y.abs();

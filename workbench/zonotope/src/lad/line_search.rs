@@ -52,8 +52,7 @@ struct Crossing {
 impl SearchLine {
     /// A line of the instance.
     pub(crate) fn of(instance: &Instance, line: u32) -> Self {
-        let normal = instance.normal(line);
-        let offset = instance.columns.offset[line as usize];
+        let (normal, offset) = (instance.normal(line), instance.offset(line));
         Self { exact: OnceCell::new(), index: Some(line), normal, offset }
     }
 
@@ -187,11 +186,8 @@ impl SearchLine {
         let n = instance.len();
         instance.count_pass(tally);
         let ([dx, dy], [fx, fy]) = (self.direction(), self.foot());
-        let columns = &*instance.columns;
         let mut crossings = Vec::with_capacity(n);
-        for line in 0..n as u32 {
-            let i = line as usize;
-            let (x, y, b) = (columns.normal_x[i], columns.normal_y[i], columns.offset[i]);
+        let mut cross = |line: u32, [x, y, b]: [f64; 3]| {
             let (left, right) = (x * dx, y * dy);
             let rate = left + right;
             let bound = 16.0 * UNIT * (left.abs() + right.abs()) + UNDERFLOW;
@@ -203,7 +199,7 @@ impl SearchLine {
                 self.exact_rate_sign(instance, line, tally)
             };
             if rate_sign == 0 {
-                continue;
+                return;
             }
             let position = -(x * fx + y * fy + b) / rate;
             crossings.push(Crossing {
@@ -212,7 +208,12 @@ impl SearchLine {
                 line,
                 rate_sign,
             });
-        }
+        };
+        instance.lines.each_block(|start, block| {
+            for i in 0..block.len() {
+                cross((start + i) as u32, block.row(i));
+            }
+        });
         crossings
     }
 

@@ -31,6 +31,7 @@ mod line_search;
 mod method;
 mod optimum;
 mod problem;
+mod rounded_lines;
 mod sides;
 mod solution;
 mod solve;
@@ -46,7 +47,7 @@ pub use problem::{LadError, LadProblem, WeightedLine};
 /// What a problem is made of when its lines come from elsewhere than a slice of doubles.
 pub(crate) mod kernel_input {
     pub(crate) use super::exact_lines::ExactLines;
-    pub(crate) use super::problem::{Columns, LineError};
+    pub(crate) use super::rounded_lines::{Columns, LineError, MadeLines};
     pub(crate) use crate::arrangement::ExactLine;
 }
 

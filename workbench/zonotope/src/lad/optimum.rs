@@ -1,7 +1,9 @@
 //! What a method answers: a minimiser named by its defining lines, with coefficients that prove it.
 
+use super::instance::{ExactLinear, Instance, Surroundings};
 use super::problem::LadProblem;
-use super::solution::{Optimal, Solution};
+use super::solution::{Near, Optimal, Solution};
+use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
 use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
@@ -39,6 +41,7 @@ pub struct LadOptimum {
     pub face_dimension: u8,
     /// The proof.
     pub certificate: LadCertificate,
+    near: Option<Near>,
 }
 
 /// Coefficients δ in [−1, 1] that prove a minimiser x*: linear + Σ δ_i w_i a_i = 0, and δ_i (a_i · x* + b_i) =
@@ -110,13 +113,31 @@ impl LadOptimum {
         };
         let basis = optimal.basis.into_iter().map(LineIndex).collect();
         let certificate = LadCertificate { signs: optimal.signs, basis };
-        Self { minimizer, face_dimension: optimal.face_dimension, certificate }
+        Self { minimizer, face_dimension: optimal.face_dimension, certificate, near: optimal.near }
     }
 
     /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is the point
     /// nearest to the origin, in the plane the origin.
     pub fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
         self.minimizer.homogeneous_point(|line| problem.exact_line(line))
+    }
+
+    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. Near the minimiser only
+    /// the lines are read that may pass between the two.
+    pub(crate) fn signs_at(&self, problem: &LadProblem, point: &[Dyadic; 3]) -> Vec<i8> {
+        let vertex = Vertex::at(point.clone());
+        let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.cell.contains(vertex.point)) else {
+            return problem.signs_at(point);
+        };
+        let no_linear_term = ExactLinear::known([Dyadic::zero(), Dyadic::zero()]);
+        let mut around = Surroundings::default();
+        let crossing_lines = Instance::whole(problem).selection(crossing, [0.0, 0.0], no_linear_term);
+        crossing_lines.read_at(&vertex, &mut around, &mut ());
+        let mut signs = self.certificate.signs.clone();
+        for (&line, sign) in crossing.iter().zip(around.signs) {
+            signs[line as usize] = sign;
+        }
+        signs
     }
 
     /// The minimiser, exactly.

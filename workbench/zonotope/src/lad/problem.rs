@@ -1,10 +1,13 @@
 //! The input of the kernel: weighted lines, validated, scaled by powers of two, with exact values on demand.
 
+use std::borrow::Cow;
+
 use thiserror::Error;
 
 use super::cell::Cell;
 use super::exact_lines::{ExactLines, Rows};
 use super::instance::{Instance, Surroundings};
+use super::rounded_lines::{Columns, LineError, MadeLines, RoundedLines};
 use super::vertex::Vertex;
 use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
@@ -66,54 +69,25 @@ pub enum LadError {
     },
 }
 
-/// How far the floating-point lines may be from the exact ones, beside the floor for underflow.
-///
-/// Normals are within 2 · UNIT of their magnitude; offsets are within
-/// `offset_relative` · |offset| + `offset_per_normal` · (|normal.x| + |normal.y|).
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct LineError {
-    pub(crate) offset_relative: f64,
-    pub(crate) offset_per_normal: f64,
-}
-
-/// Lines as three columns, in the scaled frame, with their weights multiplied in.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Columns {
-    pub(crate) normal_x: Vec<f64>,
-    pub(crate) normal_y: Vec<f64>,
-    pub(crate) offset: Vec<f64>,
-}
-
-impl Columns {
-    pub(crate) fn with_capacity(capacity: usize) -> Self {
-        let column = || Vec::with_capacity(capacity);
-        Self { normal_x: column(), normal_y: column(), offset: column() }
-    }
-
-    pub(crate) fn push(&mut self, [x, y, offset]: [f64; 3]) {
-        self.normal_x.push(x);
-        self.normal_y.push(y);
-        self.offset.push(offset);
-    }
-
-    pub(crate) fn len(&self) -> usize {
-        self.offset.len()
-    }
-}
-
 /// Minimise linear · x + Σ weight_i |normal_i · x + offset_i| over the plane.
 ///
-/// The columns hold the terms with their weights multiplied in, normals scaled by 2^−`normal_scale` and offsets by
+/// The rounded lines are the terms with their weights multiplied in, normals scaled by 2^−`normal_scale` and offsets by
 /// 2^−`offset_scale` to magnitude at most 2; a point of the plane is its scaled point times
 /// 2^(`offset_scale` − `normal_scale`). Exact decisions go to `exact`, which speaks of the same scaled lines.
 #[derive(Debug)]
 pub struct LadProblem<'a> {
-    pub(crate) columns: Columns,
-    pub(crate) error: LineError,
+    rounded: Rounded<'a>,
     pub(crate) linear: [Dyadic; 2],
     pub(crate) exact: Box<dyn ExactLines + 'a>,
     normal_scale: i64,
     offset_scale: i64,
+}
+
+/// Where the lines in floating point come from.
+#[derive(Debug)]
+enum Rounded<'a> {
+    Stored(Columns, LineError),
+    Made(Box<dyn MadeLines + 'a>),
 }
 
 impl LadProblem<'static> {
@@ -137,8 +111,7 @@ impl LadProblem<'static> {
             columns.push(rows.approximate(line));
         }
         Ok(Self {
-            columns,
-            error: LineError { offset_relative: 2.0 * UNIT, offset_per_normal: 0.0 },
+            rounded: Rounded::Stored(columns, LineError { offset_relative: 2.0 * UNIT, offset_per_normal: 0.0 }),
             linear: linear.map(|v| Dyadic::from_f64(v).scaled(-normal_scale)),
             exact: Box::new(rows),
             normal_scale,
@@ -150,13 +123,29 @@ impl LadProblem<'static> {
 impl<'a> LadProblem<'a> {
     /// A problem without a linear term whose columns are at most 2 in magnitude and approximate `exact` within `error`.
     pub(crate) fn from_exact_lines(columns: Columns, error: LineError, exact: Box<dyn ExactLines + 'a>) -> Self {
-        let linear = [Dyadic::zero(), Dyadic::zero()];
-        Self { columns, error, linear, exact, normal_scale: 0, offset_scale: 0 }
+        Self::without_linear_term(Rounded::Stored(columns, error), exact)
+    }
+
+    /// The same with lines that are made as they are read.
+    pub(crate) fn from_made_lines(made: Box<dyn MadeLines + 'a>, exact: Box<dyn ExactLines + 'a>) -> Self {
+        Self::without_linear_term(Rounded::Made(made), exact)
+    }
+
+    fn without_linear_term(rounded: Rounded<'a>, exact: Box<dyn ExactLines + 'a>) -> Self {
+        Self { rounded, linear: [Dyadic::zero(), Dyadic::zero()], exact, normal_scale: 0, offset_scale: 0 }
+    }
+
+    /// The lines in floating point.
+    pub(crate) fn rounded(&self) -> RoundedLines<'_> {
+        match &self.rounded {
+            Rounded::Stored(columns, error) => RoundedLines::Stored { columns: Cow::Borrowed(columns), error: *error },
+            Rounded::Made(lines) => RoundedLines::Made(&**lines),
+        }
     }
 
     /// How many lines there are.
     pub fn len(&self) -> usize {
-        self.columns.len()
+        self.rounded().len()
     }
 
     /// Whether there are no lines.

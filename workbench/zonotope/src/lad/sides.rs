@@ -3,7 +3,7 @@
 //! The pass has no branch that depends on a sign: every line contributes its normal with the sign of its value, masked out where the
 //! value does not exceed its error bound.
 
-use super::problem::Columns;
+use super::rounded_lines::{BLOCK, LineError, RoundedLines};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
 /// What a pass yields beside the signs.
@@ -15,33 +15,33 @@ pub(crate) struct SidesSum {
     pub(crate) sum_error: f64,
 }
 
-/// Writes 1 or −1 for each line whose value exceeds its bound in magnitude, else 0 and calls `uncertain` with the line.
+/// Writes 1 or −1 for each line whose value exceeds its bound in magnitude, else 0 and calls `uncertain` with the line, its
+/// coefficients x, y and offset, and how far it may be off.
 ///
-/// `value_and_bound` is given the coefficients x, y and the offset of a line.
-pub(crate) fn read_sides(
-    columns: &Columns,
+/// `reader` is given how far lines may be off, and makes what takes the coefficients of such a line to its value and the bound.
+pub(crate) fn read_sides<R: Fn(f64, f64, f64) -> (f64, f64)>(
+    lines: &RoundedLines,
     signs: &mut Vec<i8>,
-    value_and_bound: impl Fn(f64, f64, f64) -> (f64, f64),
-    mut uncertain: impl FnMut(usize),
+    reader: impl Fn(LineError) -> R,
+    mut uncertain: impl FnMut(usize, [f64; 3], LineError),
 ) -> SidesSum {
-    let n = columns.len();
+    let n = lines.len();
     signs.clear();
     signs.resize(n, 0);
     let mut total = SidesSum::default();
     let mut magnitude = 0.0;
-    for (block, signs) in signs.chunks_mut(BLOCK).enumerate() {
-        let start = block * BLOCK;
-        let range = start..start + signs.len();
-        let (x, y) = (&columns.normal_x[range.clone()], &columns.normal_y[range.clone()]);
-        let offset = &columns.offset[range];
+    lines.each_block(|start, block| {
+        let value_and_bound = reader(block.error);
+        let mut zeros = Zeros { positions: [0; BLOCK + LANES], count: 0 };
         let mut lanes = Lanes::default();
-        let (sign_chunks, sign_rest) = signs.as_chunks_mut::<LANES>();
-        let ((x_chunks, x_rest), (y_chunks, y_rest)) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
-        let (offset_chunks, offset_rest) = offset.as_chunks::<LANES>();
+        let (sign_chunks, sign_rest) = signs[start..start + block.len()].as_chunks_mut::<LANES>();
+        let (x_chunks, x_rest) = block.normal_x.as_chunks::<LANES>();
+        let (y_chunks, y_rest) = block.normal_y.as_chunks::<LANES>();
+        let (offset_chunks, offset_rest) = block.offset.as_chunks::<LANES>();
         let chunks = x_chunks.iter().zip(y_chunks).zip(offset_chunks).zip(sign_chunks);
         for (chunk, (((x, y), b), signs)) in chunks.enumerate() {
             if lanes.read(x, y, b, signs, &value_and_bound) {
-                report_zeros(signs, start + chunk * LANES, &mut uncertain);
+                zeros.gather(signs, chunk * LANES);
             }
         }
         if !sign_rest.is_empty() {
@@ -55,27 +55,41 @@ pub(crate) fn read_sides(
                 &value_and_bound,
             );
             sign_rest.copy_from_slice(&rest[..sign_rest.len()]);
-            report_zeros(sign_rest, start + x.len() - x_rest.len(), &mut uncertain);
+            zeros.gather(sign_rest, block.len() - x_rest.len());
         }
         let sum: [f64; 2] = [lanes.x.iter().sum(), lanes.y.iter().sum()];
         total.sum[0] += sum[0];
         total.sum[1] += sum[1];
         magnitude += lanes.magnitude.iter().sum::<f64>();
-    }
+        for &position in &zeros.positions[..zeros.count] {
+            uncertain(start + usize::from(position), block.row(position.into()), block.error);
+        }
+    });
     total.sum_error = UNIT * (BLOCK + n / BLOCK + 8) as f64 * magnitude + UNDERFLOW;
     total
 }
 
-fn report_zeros(signs: &[i8], start: usize, uncertain: &mut impl FnMut(usize)) {
-    for (i, _) in signs.iter().enumerate().filter(|(_, sign)| **sign == 0) {
-        uncertain(start + i);
+/// Where the zeros of a block are.
+struct Zeros {
+    /// Meaningful up to `count`; the rest is room to write without looking.
+    positions: [u16; BLOCK + LANES],
+    count: usize,
+}
+
+impl Zeros {
+    /// Without a branch on a sign.
+    #[inline(always)]
+    fn gather(&mut self, signs: &[i8], start: usize) {
+        for (position, sign) in (start..).zip(signs) {
+            self.positions[self.count] = position as u16;
+            self.count += usize::from(*sign == 0);
+        }
     }
 }
 
 /// Lines read side by side. A block sums BLOCK terms at most one after the other, and blocks join the total one by one,
 /// which gives the error bound of the sum.
 const LANES: usize = 8;
-const BLOCK: usize = 256;
 
 #[derive(Default)]
 struct Lanes {

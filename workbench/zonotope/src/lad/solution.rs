@@ -1,5 +1,6 @@
 //! What a method finds on an instance.
 
+use super::cell::Cell;
 use super::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
 
@@ -30,6 +31,15 @@ pub(crate) struct Optimal {
     pub(crate) basis: Vec<u32>,
     /// The dimension of the set of all minimisers.
     pub(crate) face_dimension: u8,
+    /// Where the signs of most lines are those at the minimiser, if that is known.
+    pub(crate) near: Option<Near>,
+}
+
+/// A cell around a minimiser, and the lines that may cross it: all others have one sign in it.
+#[derive(Debug, Clone)]
+pub(crate) struct Near {
+    pub(crate) cell: Cell,
+    pub(crate) crossing: Vec<u32>,
 }
 
 /// What to do at a point that is minimal along the line on which it was found.

@@ -90,7 +90,7 @@ pub(crate) fn at_vertex(
         signs[line as usize] = sign;
     }
     let defining = [Some(first), crossing].into_iter().flatten().collect();
-    Solution::Optimal(Box::new(Optimal { vertex: Some(vertex), defining, signs, basis, face_dimension }))
+    Solution::Optimal(Box::new(Optimal { vertex: Some(vertex), defining, signs, basis, face_dimension, near: None }))
 }
 
 fn without_lines(instance: &Instance) -> Solution {
@@ -102,6 +102,7 @@ fn without_lines(instance: &Instance) -> Solution {
             signs: (0..instance.len() as u32).map(|line| instance.exact_line(line).offset.sign() as i8).collect(),
             basis: Vec::new(),
             face_dimension: 2,
+            near: None,
         }));
     }
     Solution::Unbounded { direction: linear.map(|v| -v), along: None }

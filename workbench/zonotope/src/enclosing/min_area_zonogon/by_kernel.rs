@@ -54,7 +54,7 @@ use super::answer::{MinAreaError, MinAreaZonogon};
 use super::rounded_center::{Kernel, RoundedCenter};
 use super::segment::around_segment;
 use crate::enclosing::bisectors::Bisectors;
-use crate::enclosing::outward::{round_outward, rounded_towards};
+use crate::enclosing::outward::rounded_towards;
 use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
 use crate::hull::{ConvexHull, convex_hull_counted};
 use crate::lad::{LadOptimum, Method};
@@ -90,8 +90,7 @@ pub fn min_area_enclosing_zonogon_with(
     let outcome = method.minimize(&problem, seed, tally);
     let optimum = outcome.into_optimum().expect("an area is never negative, so the objective is bounded");
     let optimal_center = bisectors.frame.center_of(&optimum.homogeneous_point(&problem));
-    let kernel =
-        Kernel { bisectors: &bisectors, problem: &problem, certificate: &optimum.certificate, center: &optimal_center };
+    let kernel = Kernel { bisectors: &bisectors, problem: &problem, optimum: &optimum, center: &optimal_center };
     let mut rounded = Rounded::around(&RoundedCenter::nearest(&kernel), &bisectors, &hull, &farthest);
     if rounded.is_loose()
         && let Some(center) = RoundedCenter::best_nearby(&kernel)
@@ -116,7 +115,7 @@ struct Rounded {
 
 impl Rounded {
     fn around(center: &RoundedCenter, bisectors: &Bisectors, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
-        let outward = round_outward(&center.boundary(hull, farthest), &bisectors.frame);
+        let outward = center.outward(hull, farthest, &bisectors.frame);
         let least = Dyadic::from_f64(outward.area_below) - center.gap.clone();
         let lower_bound = rounded_towards(&least, f64::NEG_INFINITY).max(0.0);
         Self { zonogon: outward.zonogon, area: outward.area_above, lower_bound }

@@ -3,11 +3,13 @@
 //! With the coefficients δ_t of the certificate, f(O) exceeds its minimum by exactly ½ Σ (|v_t(O)| − δ_t v_t(O)). A term vanishes
 //! where δ_t is the sign of v_t(O), so only the lines between O and the optimum count, and those of the basis, whose δ_t need not be a sign.
 
-use crate::enclosing::bisectors::Bisectors;
-use crate::enclosing::centered_zonogon::{CenteredZonogon, homogeneous};
+use crate::enclosing::bisectors::{Bisectors, Frame};
+use crate::enclosing::centered_zonogon::homogeneous;
+use crate::enclosing::half_turn::HalfTurn;
+use crate::enclosing::outward::{Outward, round_outward};
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
-use crate::lad::{LadCertificate, LadProblem};
+use crate::lad::{LadCertificate, LadOptimum, LadProblem};
 use crate::numeric::dyadic::Dyadic;
 
 /// A centre in doubles.
@@ -25,7 +27,7 @@ pub(super) struct RoundedCenter {
 pub(super) struct Kernel<'a, 'h> {
     pub(super) bisectors: &'a Bisectors<'h>,
     pub(super) problem: &'a LadProblem<'h>,
-    pub(super) certificate: &'a LadCertificate,
+    pub(super) optimum: &'a LadOptimum,
     /// The optimal centre in homogeneous coordinates.
     pub(super) center: &'a [Dyadic; 3],
 }
@@ -54,8 +56,8 @@ impl RoundedCenter {
     pub(super) fn nearest(kernel: &Kernel) -> Self {
         let point = kernel.rounded_center();
         let kernel_point = kernel.bisectors.kernel_point(&homogeneous(point));
-        let sides = kernel.problem.signs_at(&kernel_point);
-        let unlike = unlike_certificate(&sides, kernel.certificate);
+        let sides = kernel.optimum.signs_at(kernel.problem, &kernel_point);
+        let unlike = unlike_certificate(&sides, &kernel.optimum.certificate);
         let gap = unlike
             .filter(|&line| sides[line] != 0)
             .fold(Dyadic::zero(), |gap, line| gap + kernel.problem.exact_scaled_value(line, &kernel_point).abs());
@@ -64,7 +66,8 @@ impl RoundedCenter {
 
     /// The best of the nearest doubles and their neighbours; `None` where too many lines pass between them to be worth it. O(h).
     pub(super) fn best_nearby(kernel: &Kernel) -> Option<Self> {
-        let Kernel { bisectors, problem, certificate, .. } = kernel;
+        let Kernel { bisectors, problem, optimum, .. } = kernel;
+        let certificate = &optimum.certificate;
         let [x, y] = kernel.rounded_center().map(neighbours);
         let points: Vec<[f64; 2]> = x.iter().flat_map(|&x| y.iter().map(move |&y| [x, y])).collect();
         let kernel_points: Vec<[Dyadic; 3]> =
@@ -98,9 +101,9 @@ impl RoundedCenter {
         Some(Self { point: points[best], sides, gap: kernel.unscaled(gap) })
     }
 
-    /// Z(O) at the centre.
-    pub(super) fn boundary<'h>(&self, hull: &'h ConvexHull, farthest: &[FarthestVertex]) -> CenteredZonogon<'h> {
-        CenteredZonogon::from_sides(hull, farthest, self.point, &homogeneous(self.point), &self.sides)
+    /// Z(O) at the centre, rounded outward.
+    pub(super) fn outward(&self, hull: &ConvexHull, farthest: &[FarthestVertex], frame: &Frame) -> Outward {
+        round_outward(&HalfTurn::new(hull, farthest, self.point, &homogeneous(self.point), &self.sides), frame)
     }
 }
 

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::answer::MinAreaZonogon;
 use crate::enclosing::bisectors::Bisectors;
 use crate::enclosing::centered_zonogon::CenteredZonogon;
-use crate::enclosing::outward::round_outward;
+use crate::enclosing::outward::round_outward_exactly;
 use crate::hull::ConvexHull;
 use crate::lad::LadCertificate;
 use crate::numeric::dyadic::Dyadic;
@@ -54,6 +54,6 @@ fn doubles(exact: &[Dyadic; 2]) -> Option<[f64; 2]> {
 
 fn rounded(hull: &ConvexHull, center: [f64; 2]) -> (Zonotope<2>, f64) {
     let frame = Bisectors::new(hull, &[]).frame;
-    let rounded = round_outward(&CenteredZonogon::new(hull, &[], center), &frame);
+    let rounded = round_outward_exactly(&CenteredZonogon::new(hull, &[], center), &frame);
     (rounded.zonogon, rounded.area_above)
 }

@@ -43,6 +43,26 @@ fn a_tie_is_broken_by_one_unit_in_the_last_place() {
     assert_eq!(answers(&[[0.0, 0.0], [1.0, 0.0], [1.0, top], [0.0, 1.0]])[0], (2, false));
 }
 
+/// Enough edges for several merges, with chains of equal and of very different lengths, and with ties at all edges.
+#[test]
+fn large_hulls_agree_with_brute_force() {
+    let angle = |k: i32, count: i32| std::f64::consts::TAU * f64::from(k) / f64::from(count);
+    let on_circle = |k, count| [libm::cos(angle(k, count)), libm::sin(angle(k, count))];
+    let parabola = |k: i32| [f64::from(k) - 500.0, (f64::from(k) - 500.0) * (f64::from(k) - 500.0)];
+    let shapes: [Vec<[f64; 2]>; 5] = [
+        (0..999).map(|k| on_circle(k, 999)).collect(),
+        (0..1000).map(|k| on_circle(k * k % 1009, 1009)).collect(),
+        (0..1000).map(parabola).collect(),
+        (0..1000).map(parabola).map(|[x, y]| [-x, -y]).collect(),
+        (0..500).map(|k| on_circle(k, 1000)).flat_map(|[x, y]| [[x, y], [-x, -y]]).collect(),
+    ];
+    for (number, points) in shapes.iter().enumerate() {
+        let hull = convex_hull(points).expect("the points are finite");
+        assert!(hull.edge_count() > 500, "shape {number}");
+        assert_eq!(farthest_vertices(&hull), brute_force::farthest_vertices(&hull), "shape {number}");
+    }
+}
+
 #[test]
 fn the_number_of_cross_products_is_linear() {
     let points: Vec<[f64; 2]> = (0..1000).map(|k| f64::from(k) - 500.0).map(|x| [x, x * x]).collect();

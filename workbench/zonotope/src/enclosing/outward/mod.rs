@@ -1,0 +1,68 @@
+//! Z(O) in doubles: generators rounded so that the zonogon still contains every point, and its area enclosed.
+//!
+//! Z(O) has half-edges γ_k; each is replaced by a generator g_k with |γ_k − g_k| ≤ ε_k in each coordinate. Then
+//! Σ [−1, 1] γ_k ⊂ Σ [−1, 1] g_k ⊕ box(Σ ε_k), so adding the box's two generators gives a zonogon that contains Z(O). It lies
+//! itself in Z(O) ⊕ box(2 Σ ε_k), which bounds its area.
+//!
+//! Many edges in an ordinary range are rounded as they are met, with one bound for all errors ([`as_met`]); where that, or doubles at all, are
+//! not precise enough, each error is taken exactly and the areas are measured exactly ([`exactly`]).
+
+mod as_met;
+mod exactly;
+
+use super::bisectors::Frame;
+use super::centered_zonogon::{BoundaryVertex, CenteredZonogon};
+use super::half_turn::HalfTurn;
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::Zonotope;
+
+pub(crate) use exactly::round_outward as round_outward_exactly;
+
+/// A zonogon in doubles around Z(O), with areas.
+#[derive(Debug)]
+pub(crate) struct Outward {
+    /// The zonogon that contains Z(O).
+    pub(crate) zonogon: Zonotope<2>,
+    /// A lower bound of the area of Z(O).
+    pub(crate) area_below: f64,
+    /// An upper bound of the area of the zonogon.
+    pub(crate) area_above: f64,
+}
+
+/// Rounds Z(O) outward. O(h).
+pub(crate) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Outward {
+    as_met::round_outward(half_turn, frame)
+        .unwrap_or_else(|| round_outward_exactly(&CenteredZonogon::of(half_turn), frame))
+}
+
+/// The zonogon of rounded half-edges, widened by the sums of their errors.
+fn widened(center: [f64; 2], mut generators: Vec<[f64; 2]>, [a, b]: [f64; 2]) -> Zonotope<2> {
+    generators.extend([[a, 0.0], [0.0, b]].into_iter().filter(|slack| *slack != [0.0, 0.0]));
+    Zonotope::new(center, generators).expect("half-edges of finite points are finite")
+}
+
+/// 1 for a vertex of the hull, −1 for a reflected one.
+#[inline(always)]
+fn sense(vertex: BoundaryVertex) -> f64 {
+    1.0 - 2.0 * f64::from(u8::from(vertex.reflected))
+}
+
+/// A double above a non-negative one, zero staying zero.
+fn above(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.next_up() }
+}
+
+/// The double nearest to a number, or the next one on the given side if it lies on the other.
+pub(crate) fn rounded_towards(exact: &Dyadic, side: f64) -> f64 {
+    let mut value = exact.to_f64().clamp(-f64::MAX, f64::MAX);
+    while side > value && Dyadic::from_f64(value) < *exact {
+        value = value.next_up();
+        if value == f64::INFINITY {
+            return value;
+        }
+    }
+    while side < value && Dyadic::from_f64(value) > *exact {
+        value = value.next_down();
+    }
+    value
+}
