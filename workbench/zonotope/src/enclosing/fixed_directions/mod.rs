@@ -40,7 +40,7 @@ pub mod support_form;
 pub mod verify;
 
 pub use answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
-pub(crate) use facet_descent::{FacetDescent, dot};
+pub(crate) use facet_descent::{FacetDescent, dot, inverse};
 pub(crate) use generation::Generation;
 pub(crate) use lower_bound::balanced;
 pub(crate) use problem::first_non_finite;

@@ -31,7 +31,7 @@ pub(super) fn least_along<const D: usize>(
     let pulls: Vec<(usize, [f64; D])> =
         program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
     let mut best = Best::none();
-    best.improve(rank, &frame.points, balanced(&pulls));
+    best.improve(rank, &frame.points, balanced(&pulls), f64::INFINITY);
     let inner = Inner::along(&generation);
     let progress = vec![[inner.upper, best.lower]];
     finish(points, &frame, inner, &best, progress, tried)

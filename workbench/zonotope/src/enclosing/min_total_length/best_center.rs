@@ -23,6 +23,9 @@ struct Cut<const D: usize> {
 /// More centres than this are not tried: the part of the plane that is left is as small as rounding by then.
 const MOST_CENTERS: usize = 160;
 
+/// The centre is sought in the box of the points made so much wider.
+const WIDER: f64 = 1.125;
+
 /// So many of the last cuts are combined.
 const LAST: usize = 48;
 
@@ -44,17 +47,20 @@ pub(super) fn least_in_plane<const D: usize>(
         let p = points[j];
         ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
     });
-    let mut place = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
-    let mut cuts: Vec<Cut<D>> = Vec::new();
-    let mut inner = Inner { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new() };
-    let mut progress = Vec::new();
     let mut target = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
+    // The best centre may lie on the edge of the box; cuts from both sides of it are needed to prove that.
+    let [x, y] = [0, 1].map(|c| WIDER * (high[c] - low[c]) / 2.0);
+    let corner = |a: f64, b: f64| [target[0] + a * x, target[1] + b * y];
+    let mut place = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    let mut cuts: Vec<Cut<D>> = Vec::new();
+    let mut inner = Inner { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new(), witnesses: Vec::new() };
+    let mut progress = Vec::new();
     for round in 1..=MOST_CENTERS {
         let (cut, generators) = at_center(&points, &hull, target);
         let upper: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum();
         if upper < inner.upper {
             let center = std::array::from_fn(|c| if c < 2 { target[c] } else { 0.0 });
-            inner = Inner { upper, center, generators };
+            inner = Inner { upper, center, generators, witnesses: Vec::new() };
         }
         place = part_below(&place, target, cut.slope);
         let is_flat = cut.slope == [0.0; 2];
@@ -63,7 +69,7 @@ pub(super) fn least_in_plane<const D: usize>(
         if round % OFTEN == 0 || is_flat || next.is_none() || round == MOST_CENTERS {
             let last = &cuts[cuts.len().saturating_sub(LAST)..];
             if let Some(pulls) = combined(last) {
-                best.improve(2, &frame.points, balanced(&pulls));
+                best.improve(2, &frame.points, balanced(&pulls), f64::INFINITY);
             }
             progress.push([inner.upper, best.lower]);
             if inner.upper <= (1.0 + 0.5 * epsilon) * best.lower {

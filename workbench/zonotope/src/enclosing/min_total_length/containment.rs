@@ -10,6 +10,7 @@ use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 
 use super::even::Even;
+use super::finish::Inner;
 use super::frame::Frame;
 
 /// A generator shorter than this, beside the longest, is left out: noise in every search for a facet.
@@ -21,30 +22,29 @@ const EXACT_PRODUCTS: usize = 400_000;
 /// Bodies thinner than this, beside their length, are not told from flat ones by the search that made the generators.
 const THIN: f64 = 1e-7;
 
-/// A zonotope around all points with the given centre and generators in the frame, and an upper bound of its total length; `None` beyond the
-/// range of doubles.
+/// A zonotope around all points like one in the frame, and an upper bound of its total length; `None` beyond the range of doubles.
 pub(super) fn around<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
-    center: [f64; D],
-    inner: &[[f64; D]],
+    inner: &Inner<D>,
 ) -> Option<(Zonotope<D>, f64)> {
-    let found = repaired(points, frame, center, inner);
-    let wanted: f64 = inner.iter().map(|g| dot(g, g).sqrt()).sum();
+    let found = repaired(points, frame, inner.center, &inner.generators, &inner.witnesses);
+    let wanted: f64 = inner.generators.iter().map(|g| dot(g, g).sqrt()).sum();
     let wanted = scale_by_power_of_two(wanted, frame.exponent);
     if found.as_ref().is_some_and(|(_, length)| *length <= wanted * (1.0 + THIN)) {
         return found;
     }
     // A point that generators miss across a thin body is missed along it as well: with what it takes across, none is missed.
     let across = (0..frame.rank()).filter_map(|axis| {
-        let width = |axis: usize| frame.points.iter().fold(0.0, |max: f64, p| max.max((p[axis] - center[axis]).abs()));
+        let width =
+            |axis: usize| frame.points.iter().fold(0.0, |max: f64, p| max.max((p[axis] - inner.center[axis]).abs()));
         let widest = (0..frame.rank()).map(width).fold(0.0, f64::max);
         let mut generator = [0.0; D];
-        generator[axis] = width(axis) + inner.iter().map(|g| g[axis].abs()).sum::<f64>();
+        generator[axis] = width(axis) + inner.generators.iter().map(|g| g[axis].abs()).sum::<f64>();
         (width(axis) <= THIN * widest).then_some(generator)
     });
-    let thick: Vec<[f64; D]> = inner.iter().copied().chain(across).collect();
-    let other = repaired(points, frame, center, &thick);
+    let thick: Vec<[f64; D]> = inner.generators.iter().copied().chain(across).collect();
+    let other = repaired(points, frame, inner.center, &thick, &[]);
     [found, other].into_iter().flatten().min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
@@ -54,6 +54,7 @@ fn repaired<const D: usize>(
     frame: &Frame<D>,
     center: [f64; D],
     inner: &[[f64; D]],
+    witnesses: &[(usize, Vec<f64>)],
 ) -> Option<(Zonotope<D>, f64)> {
     let longest = inner.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt();
     let is_across = |g: &[f64; D]| g.iter().filter(|c| **c != 0.0).count() == 1;
@@ -78,15 +79,24 @@ fn repaired<const D: usize>(
     let even = Even::of(frame);
     let in_even: Vec<[f64; D]> = used.iter().map(|g| even.vector(g)).collect();
     let mut other = FacetDescent::new(frame.rank(), &in_even);
-    for (point, ray) in points.iter().zip(rays()) {
-        let facet = descent.facet(&widened(&ray)).or_else(|| other.facet(&even.vector(&ray)));
-        let deltas = facet.map_or_else(
-            || vec![0.0; used.len()],
-            |facet| {
-                let reach = facet.gauge.max(1.0);
-                facet.coefficients.iter().map(|delta| delta / reach).collect()
-            },
-        );
+    let mut witness_of: Vec<Option<&[f64]>> = vec![None; points.len()];
+    for (point, deltas) in witnesses {
+        witness_of[*point] = Some(deltas);
+    }
+    for ((point, ray), witness) in points.iter().zip(rays()).zip(witness_of) {
+        let searched = || {
+            let facet = descent.facet(&widened(&ray)).or_else(|| other.facet(&even.vector(&ray)));
+            facet.map_or_else(
+                || vec![0.0; used.len()],
+                |facet| {
+                    let reach = facet.gauge.max(1.0);
+                    facet.coefficients.iter().map(|delta| delta / reach).collect()
+                },
+            )
+        };
+        let deltas = witness.map_or_else(searched, |deltas| {
+            deltas.iter().zip(inner).filter(|(_, g)| !is_noise(g)).map(|(delta, _)| *delta).collect()
+        });
         for (c, lost) in lost.iter_mut().enumerate() {
             let missed = if exactly {
                 let difference = Dyadic::from_f64(point[c]) - Dyadic::from_f64(outer[c]);

@@ -12,14 +12,14 @@ pub(crate) struct FarVertices<const D: usize> {
     pub(crate) radius: f64,
     /// Vertices that are farthest in a neighbourhood and farther than was asked, each once up to sign, the farthest first.
     pub(crate) peaks: Vec<[f64; D]>,
-    /// The farthest vertex on each circle of directions orthogonal to rank − 2 of the forces, where it is farther than was asked.
+    /// Vertices that are farthest in a neighbourhood on a circle of directions orthogonal to rank − 2 of the forces, and farther than was asked.
     pub(crate) on_circles: Vec<[f64; D]>,
 }
 
 /// The vertices of Σ [−1, 1] λ_j, whose first `rank` coordinates count, farther than `least` from the origin. O(m^{rank−1} log m).
 pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], least: f64) -> FarVertices<D> {
     let total: f64 = forces.iter().map(length).sum();
-    let mut found: Vec<[f64; D]> = Vec::new();
+    let (mut found, mut on_circles): (Vec<[f64; D]>, Vec<[f64; D]>) = (Vec::new(), Vec::new());
     let mut farthest: f64 = 0.0;
     if rank == 1 {
         return FarVertices {
@@ -31,7 +31,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
     let mut is_walked = false;
     let mut circle = Circle { forces, angles: Vec::with_capacity(forces.len()) };
     for_subsets(forces.len(), rank.saturating_sub(2), |subset| {
-        if let Some((distance, vertex)) = circle.farthest(rank, subset) {
+        if let Some((distance, vertex)) = circle.farthest(rank, subset, least, &mut on_circles) {
             is_walked = true;
             farthest = farthest.max(distance);
             if distance > least {
@@ -58,7 +58,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
     }
     // Directions within rounding of each other may change places in a walk, so a vertex may be missed whose cell is smaller than that.
     let rounding = (8.0 * forces.len() as f64 + 64.0) * UNIT * total * if rank > 2 { 8.0 } else { 1.0 };
-    FarVertices { radius: farthest + rounding, peaks: distinct, on_circles: found }
+    FarVertices { radius: farthest + rounding, peaks: distinct, on_circles }
 }
 
 fn length<const D: usize>(v: &[f64; D]) -> f64 {
@@ -102,7 +102,13 @@ struct Circle<'a, const D: usize> {
 
 impl<const D: usize> Circle<'_, D> {
     /// The farthest vertex met on the way around, with every choice of signs for the forces of the subset.
-    fn farthest(&mut self, rank: usize, subset: &[usize]) -> Option<(f64, [f64; D])> {
+    fn farthest(
+        &mut self,
+        rank: usize,
+        subset: &[usize],
+        least: f64,
+        peaks: &mut Vec<[f64; D]>,
+    ) -> Option<(f64, [f64; D])> {
         let own: Vec<[f64; D]> = subset.iter().map(|&i| self.forces[i]).collect();
         let [x, y] = orthogonal_pair(rank, &own)?;
         // The walk goes from direction x over y to −x; force j changes its sign where its projection (a, b) is orthogonal to the direction.
@@ -122,11 +128,17 @@ impl<const D: usize> Circle<'_, D> {
         }
         self.angles.sort_unstable_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
         let mut best = Self::with_signs(&own, &sum);
+        let (mut last, mut is_rising) = (best, true);
         for &(_, j, was_positive) in &self.angles {
             let change = if was_positive { -2.0 } else { 2.0 };
             let force = &self.forces[j];
             sum = std::array::from_fn(|c| sum[c] + change * force[c]);
             let candidate = Self::with_signs(&own, &sum);
+            if candidate.0 < last.0 && is_rising && last.0 > least * least {
+                peaks.push(last.1);
+            }
+            is_rising = candidate.0 >= last.0;
+            last = candidate;
             if candidate.0 > best.0 {
                 best = candidate;
             }

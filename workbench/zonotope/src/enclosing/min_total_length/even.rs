@@ -36,7 +36,8 @@ impl<'a, const D: usize> Even<'a, D> {
 
     /// The box.
     pub(super) fn boxed(&self) -> Inner<D> {
-        let mut inner = Inner { upper: 0.0, center: [0.0; D], generators: Vec::with_capacity(D) };
+        let mut inner =
+            Inner { upper: 0.0, center: [0.0; D], generators: Vec::with_capacity(D), witnesses: Vec::new() };
         for (axis, long) in self.frame.long.iter().enumerate() {
             let (middle, half) = ((self.low[axis] + self.high[axis]) / 2.0, self.half(axis));
             inner.center = std::array::from_fn(|c| inner.center[c] + middle * long[c]);
@@ -64,17 +65,21 @@ impl<'a, const D: usize> Even<'a, D> {
         sum.map(|c| c / length)
     }
 
-    /// How each point of the frame lies to the zonotope of some generators around a centre.
-    pub(super) fn sights(&self, center: [f64; D], generators: &[[f64; D]]) -> impl Iterator<Item = Sight<D>> {
+    /// How some points of the frame lie to the zonotope of some generators around a centre.
+    pub(super) fn sights(
+        &self,
+        center: [f64; D],
+        generators: &[[f64; D]],
+        places: impl Iterator<Item = usize>,
+    ) -> impl Iterator<Item = (usize, Sight<D>)> {
         let even: Vec<[f64; D]> = generators.iter().map(|g| self.vector(g)).collect();
         let mut descent = FacetDescent::new(self.frame.rank(), &even);
         let span = long_directions(&even);
-        self.frame.points.iter().map(move |point| {
+        places.map(move |place| {
+            let point = &self.frame.points[place];
             let ray = self.vector(&std::array::from_fn(|c| point[c] - center[c]));
-            if ray == [0.0; D] {
-                return Sight::Center;
-            }
-            match descent.facet(&ray) {
+            let sight = match descent.facet(&ray) {
+                _ if ray == [0.0; D] => Sight::Center,
                 // rounding may leave less than nothing of generators that hardly span
                 Some(facet) => Sight::Facet { gauge: facet.gauge.max(0.0), normal: self.normal(&facet.normal) },
                 None => {
@@ -82,13 +87,15 @@ impl<'a, const D: usize> Even<'a, D> {
                     let is_off = dot(&off, &off) > OFF * OFF * dot(&ray, &ray);
                     Sight::OffSpan { normal: self.normal(if is_off { &off } else { &ray }) }
                 }
-            }
+            };
+            (place, sight)
         })
     }
 
     /// The zonotope contains all points when its generators are so much longer; infinite where none of its multiples does.
     pub(super) fn reach(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
-        self.sights(center, generators).fold(1.0, |reach: f64, sight| match sight {
+        let all = 0..self.frame.points.len();
+        self.sights(center, generators, all).fold(1.0, |reach: f64, (_, sight)| match sight {
             Sight::Facet { gauge, .. } => reach.max(1.0 / gauge),
             Sight::OffSpan { .. } => f64::INFINITY,
             Sight::Center => reach,

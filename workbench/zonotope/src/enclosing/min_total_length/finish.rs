@@ -14,6 +14,8 @@ pub(super) struct Inner<const D: usize> {
     pub(super) upper: f64,
     pub(super) center: [f64; D],
     pub(super) generators: Vec<[f64; D]>,
+    /// Points with coefficients of the generators that put them in their place, where these are known.
+    pub(super) witnesses: Vec<(usize, Vec<f64>)>,
 }
 
 impl<const D: usize> Inner<D> {
@@ -22,7 +24,7 @@ impl<const D: usize> Inner<D> {
         let used = generation.directions().iter().zip(generation.program.coefficients()).filter(|(_, c)| **c > 0.0);
         let generators: Vec<[f64; D]> = used.map(|(v, c)| v.map(|v| v * c)).collect();
         let upper = generators.iter().map(|g| dot(g, g).sqrt()).sum();
-        Self { upper, center: generation.program.center(), generators }
+        Self { upper, center: generation.program.center(), generators, witnesses: Vec::new() }
     }
 }
 
@@ -45,8 +47,7 @@ pub(super) fn finish<const D: usize>(
     progress: Vec<[f64; 2]>,
     directions: usize,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    let (zonotope, length) =
-        around(points, frame, inner.center, &inner.generators).ok_or(MinLengthError::OutOfRange)?;
+    let (zonotope, length) = around(points, frame, &inner).ok_or(MinLengthError::OutOfRange)?;
     let (lower_bound, forces) = best.proven(points, frame);
     let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
     let in_units = |v: f64| scale_by_power_of_two(v, frame.exponent);

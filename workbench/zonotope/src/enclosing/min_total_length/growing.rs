@@ -1,4 +1,4 @@
-//! Forces at more and more points, for more and more sides, until no point is outside and no vertex beyond the unit ball.
+//! Forces at more and more points, for more and more sides, until no point is outside and no vertex beyond the unit ball: a Newton step, the vertices, the points, and again.
 
 use std::collections::BTreeSet;
 
@@ -19,6 +19,8 @@ pub(super) struct Found<const D: usize> {
     pub(super) progress: Vec<[f64; 2]>,
     /// How many sides were tried.
     pub(super) sides: usize,
+    /// The generators that came with the best lower bound.
+    pub(super) sharpest: Vec<[f64; D]>,
 }
 
 /// More rounds than this are not taken.
@@ -26,24 +28,25 @@ const MOST_ROUNDS: usize = 400;
 
 /// Rounds without progress after which rounding is what is left.
 const MOST_IDLE: usize = 40;
-const MOST_IDLE_AT_THE_END: usize = 8;
+
+/// Where rounding ends a step, the gap is widened by this factor, so many times.
+const RESCUE: f64 = 100.0;
+const MOST_RESCUES: usize = 4;
 
 /// More products and sums than this are not spent: half a minute or less.
-const MOST_WORK: f64 = 4e10;
+const MOST_WORK: f64 = 1e11;
 
-/// Beyond this the barrier is within rounding of its limits.
-const SHARPEST: f64 = 1e14;
+/// The gap of the forces for the sets so far is wanted at this multiple of what the vertices are beyond the unit ball.
+const AIM: f64 = 0.3;
 
-/// By how much the barrier may be blunter or sharper in the next round.
-const SLOWEST: f64 = 0.25;
-const FASTEST: f64 = 16.0;
+/// And not below this multiple of ε.
+const ENOUGH: f64 = 0.1;
 
-/// The squared Newton decrements that are small enough on the way and at the end.
-const COARSELY: f64 = 0.2;
-const FINELY: f64 = 1e-6;
+/// Bounds are near enough at this multiple of ε: rounding takes some of the rest.
+const CLOSELY: f64 = 0.25;
 
-/// The gap of the barrier is wanted at this multiple of what the sides and points seen so far are off by.
-const AIM: f64 = 2.0;
+/// Vertices that are inside the unit ball by at most the gap may be beyond it next: their sets are added, but none farther inside than this.
+const NEAR: f64 = 0.05;
 
 /// Points added after a look at them.
 const MOST_POINTS: usize = 16;
@@ -78,66 +81,65 @@ pub(super) fn least_by_sides<const D: usize>(
     let mut inner = even.boxed();
     let mut growing = Growing::new(frame, &even, best, &mut inner);
     let mut sharpest = inner.generators.clone();
-    let (mut progress, mut tried, mut idle, mut is_last) = (Vec::new(), 0, 0, false);
+    let (mut progress, mut tried, mut idle, mut rescues) = (Vec::new(), 0, 0, 0);
+    let (mut beyond, mut least_doubt) = (0.0, f64::INFINITY);
     for _ in 0..MOST_ROUNDS {
         tally.add(Operation::SearchStep, 1);
-        let is_settled = growing.sides.settle(if is_last { FINELY } else { COARSELY });
-        let (center, generators) = growing.zonotope();
+        growing.sides.tidy();
+        let count = growing.sides.sides.len() as f64;
+        let least_gap = f64::max(AIM * beyond, ENOUGH * epsilon) * growing.sides.length;
+        let Some(stepped) = growing.sides.step(least_gap / count) else {
+            // Slacks or loads so near the boundary that rounding takes them beyond it begin anew farther inside.
+            rescues += 1;
+            if rescues > MOST_RESCUES {
+                break;
+            }
+            growing.sides.widen(RESCUE * growing.sides.mu * count);
+            continue;
+        };
+        let (center, sides, generators) = growing.zonotope(stepped.generators);
+        let gap = (stepped.mu * count / growing.sides.length).min(NEAR);
         let looked = growing.look(center, &generators);
         tally.add(Operation::PointRead, frame.points.len() as u64);
         let before = (inner.upper, best.lower);
-        let value = growing.sides.value();
         let length: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum();
         if looked.reach * length < inner.upper {
             let generators = generators.iter().map(|g| g.map(|c| c * looked.reach)).collect();
-            inner = Inner { upper: looked.reach * length, center, generators };
+            let witnesses = growing.witnesses(&sides, 1.0 / looked.reach);
+            inner = Inner { upper: looked.reach * length, center, generators, witnesses };
         }
         let pulls = growing.pulls();
-        // Between the best forces and the last ones there are often better ones.
-        let between = best.mixed(&pulls);
-        let far = best.improve(growing.rank, &frame.points, pulls);
-        let far_between = best.improve(growing.rank, &frame.points, between);
+        let far = best.improve(growing.rank, &frame.points, pulls, 1.0 - gap);
+        beyond = far.radius - 1.0;
         if best.lower > before.1 {
             sharpest = generators;
+            growing.sides.length = best.lower;
         }
         progress.push([inner.upper, best.lower]);
-        if inner.upper <= (1.0 + 0.5 * epsilon) * best.lower {
+        if inner.upper <= (1.0 + CLOSELY * epsilon) * best.lower {
             break;
         }
         let gain = before.0 - inner.upper + best.lower - before.1;
-        idle = if gain > 1e-3 * (inner.upper - best.lower) { 0 } else { idle + 1 };
-        if idle > if is_last { MOST_IDLE_AT_THE_END } else { MOST_IDLE } || growing.sides.work > MOST_WORK {
+        let doubt = stepped.mu * count / growing.sides.length + beyond + looked.reach - 1.0;
+        idle = if gain > 1e-3 * (inner.upper - best.lower) || doubt < 0.98 * least_doubt { 0 } else { idle + 1 };
+        least_doubt = doubt.min(least_doubt);
+        if idle > MOST_IDLE || growing.sides.work > MOST_WORK {
             break;
         }
-        let mut sides = 0;
-        for peak in far.peaks.iter().chain(&far.on_circles).chain(&far_between.peaks) {
-            sides += usize::from(growing.sides.part(peak));
+        let mut others = far.on_circles;
+        others.sort_by(|a, b| dot(b, b).total_cmp(&dot(a, a)));
+        others.truncate(growing.members.len() / 2);
+        for peak in far.peaks.iter().chain(&others) {
+            tried += usize::from(growing.sides.part(peak));
         }
-        tried += sides;
-        if sides > 0 {
-            growing.sides.shrink(far.radius.max(1.0));
-        }
+        growing.sides.widen((looked.reach - 1.0).min(NEAR) * growing.sides.length);
         growing.add_points(looked.outside);
-        let violation = (far.radius - 1.0).max(1.0 - 1.0 / looked.reach);
-        is_last = violation < 0.25 * epsilon || sides == 0 && is_last;
-        let sharpness = growing.sides.sharpness;
-        let factor = AIM * (length / value - 1.0) / violation.max(0.1 * epsilon);
-        let factor = if is_settled { factor.clamp(SLOWEST, FASTEST) } else { SLOWEST };
-        growing.sides.sharpness = (sharpness * factor).min(SHARPEST);
-        growing.sides.forget();
     }
-    if inner.upper > (1.0 + 0.5 * epsilon) * best.lower
-        && let Some(polished) = along_generators(frame, &even, &sharpest)
-        && polished.upper < inner.upper
-    {
-        inner = polished;
-        progress.push([inner.upper, best.lower]);
-    }
-    Found { inner, progress, sides: tried }
+    Found { inner, progress, sides: tried, sharpest }
 }
 
 /// The least zonotope along the directions of generators that are nearly the best ones: what these are off by counts only squared.
-fn along_generators<const D: usize>(frame: &Frame<D>, even: &Even<'_, D>, generators: &[[f64; D]]) -> Option<Inner<D>> {
+pub(super) fn along_generators<const D: usize>(frame: &Frame<D>, generators: &[[f64; D]]) -> Option<Inner<D>> {
     let length = |g: &[f64; D]| dot(g, g).sqrt();
     let mut long: Vec<[f64; D]> = generators.iter().copied().filter(|g| length(g) > 0.0).collect();
     long.sort_by(|a, b| length(b).total_cmp(&length(a)));
@@ -148,14 +150,14 @@ fn along_generators<const D: usize>(frame: &Frame<D>, even: &Even<'_, D>, genera
     let weights = vec![1.0; directions.len()];
     let mut generation = Generation::new(frame.rank(), &frame.points, directions, weights, &mut ());
     generation.run(&mut ()).ok()?;
-    Some(stretched(Inner::along(&generation), even))
+    Some(stretched(Inner::along(&generation), &Even::of(frame)))
 }
 
 /// A zonotope, longer where it does not hold all points.
 fn stretched<const D: usize>(inner: Inner<D>, even: &Even<'_, D>) -> Inner<D> {
     let reach = even.reach(inner.center, &inner.generators);
     let generators = inner.generators.iter().map(|g| g.map(|c| c * reach)).collect();
-    Inner { upper: inner.upper * reach, center: inner.center, generators }
+    Inner { upper: inner.upper * reach, center: inner.center, generators, witnesses: Vec::new() }
 }
 
 /// What a look at all points found.
@@ -179,7 +181,7 @@ impl<'a, const D: usize> Growing<'a, D> {
             frame,
             even,
             rank,
-            sides: Sides::new(rank),
+            sides: Sides::new(rank, best.lower),
             members: Vec::new(),
             is_member: vec![false; frame.points.len()],
         };
@@ -211,18 +213,17 @@ impl<'a, const D: usize> Growing<'a, D> {
         if along_net.upper < inner.upper {
             *inner = along_net;
         }
-        let far = best.improve(rank, &frame.points, forces.clone());
+        let far = best.improve(rank, &frame.points, forces.clone(), 1.0);
+        let forces: Vec<(usize, [f64; D])> = forces.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
         let members: Vec<usize> = forces.iter().map(|(j, _)| *j).collect();
-        let points = members.iter().map(|&j| frame.points[j]).collect();
+        let points: Vec<[f64; D]> = members.iter().map(|&j| frame.points[j]).collect();
         let mut is_member = vec![false; frame.points.len()];
         for &j in &members {
             is_member[j] = true;
         }
-        let cells = (members.len() as f64).sqrt().ceil() as usize * 2;
+        let cells = (2.0 * (members.len() as f64).sqrt()).ceil() as usize;
         let directions: Vec<[f64; D]> = far.peaks.into_iter().chain(cell_corners(cells)).collect();
-        let mut sides = Sides::begun(rank, points, forces.into_iter().map(|(_, f)| f).collect(), &directions);
-        sides.sharpness = sides.sets() as f64 / (far.radius - 1.0).max(1e-4);
-        sides.shrink(far.radius.max(1.0));
+        let sides = Sides::begun(rank, &points, forces.into_iter().map(|(_, f)| f).collect(), &directions);
         Some(Self { frame, even, rank, sides, members, is_member })
     }
 
@@ -254,37 +255,51 @@ impl<'a, const D: usize> Growing<'a, D> {
             let point = self.farthest(&normal);
             self.add(point, &normal);
             added.insert(point);
-            if added.len() >= MOST_POINTS {
+            if added.len() >= MOST_POINTS.max(self.members.len() / 4) {
                 break;
             }
         }
     }
 
     fn pulls(&self) -> Vec<(usize, [f64; D])> {
-        let forces = self.members.iter().copied().zip(self.sides.forces().iter().copied());
+        let forces = self.members.iter().copied().zip(self.sides.forces.iter().copied());
         balanced(&forces.collect::<Vec<_>>())
     }
 
-    fn zonotope(&self) -> ([f64; D], Vec<[f64; D]>) {
-        let generators = self.sides.generators();
+    /// The centre, from which the first point is all generators away, and those generators that are no noise, with their places.
+    fn zonotope(&self, generators: Vec<[f64; D]>) -> ([f64; D], Vec<usize>, Vec<[f64; D]>) {
         let first = self.members.first().map_or([0.0; D], |&j| self.frame.points[j]);
         let center = generators.iter().fold(first, |sum, g| std::array::from_fn(|c| sum[c] + g[c]));
         let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt();
-        let long = generators.into_iter().filter(|g| dot(g, g).sqrt() > NOISE * longest);
-        (center, long.collect())
+        let is_long = |(_, g): &(usize, [f64; D])| dot(g, g).sqrt() > NOISE * longest;
+        let (places, long) = generators.into_iter().enumerate().filter(is_long).unzip();
+        (center, places, long)
+    }
+
+    /// The coefficients of points with forces: one way for the sets that hold them, the other way for the others.
+    fn witnesses(&self, sides: &[usize], size: f64) -> Vec<(usize, Vec<f64>)> {
+        let mut signs = vec![vec![-size; sides.len()]; self.members.len()];
+        for (place, &side) in sides.iter().enumerate() {
+            for member in self.sides.sides[side].members() {
+                signs[member][place] = size;
+            }
+        }
+        self.members.iter().copied().zip(signs).collect()
     }
 
     fn look(&self, center: [f64; D], generators: &[[f64; D]]) -> Looked<D> {
         let mut least: f64 = 1.0;
         let mut outside = Vec::new();
-        for (j, sight) in self.even.sights(center, generators).enumerate() {
+        // Those with a force are vertices.
+        let others = (0..self.is_member.len()).filter(|&j| !self.is_member[j]);
+        for (j, sight) in self.even.sights(center, generators, others) {
             let (gauge, normal) = match sight {
                 Sight::Facet { gauge, normal } => (gauge, normal),
                 Sight::OffSpan { normal } => (0.0, normal),
                 Sight::Center => continue,
             };
             least = least.min(gauge);
-            if gauge < 1.0 - 1e-14 && !self.is_member[j] {
+            if gauge < 1.0 - 1e-14 {
                 outside.push((gauge, j, normal));
             }
         }

@@ -8,9 +8,6 @@ use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::UNIT;
 
-/// A vertex of the zonotope of the forces counts if it is farther than the unit ball by this.
-const WORTH: f64 = 1e-13;
-
 /// The best lower bound so far, and its forces in the frame.
 pub(super) struct Best<const D: usize> {
     pub(super) lower: f64,
@@ -23,22 +20,16 @@ impl<const D: usize> Best<D> {
         Self { lower: 0.0, forces: Vec::new() }
     }
 
-    /// Forces half way between the best ones and others.
-    pub(super) fn mixed(&self, others: &[(usize, [f64; D])]) -> Vec<(usize, [f64; D])> {
-        let halves = |forces: &[(usize, [f64; D])]| forces.iter().map(|(j, f)| (*j, f.map(|c| 0.5 * c))).collect();
-        let both: [Vec<(usize, [f64; D])>; 2] = [halves(&self.forces), halves(others)];
-        balanced(&both.concat())
-    }
-
-    /// Takes forces that add up to zero, made feasible, if they prove more; the vertices beyond the unit ball.
+    /// Takes forces that add up to zero, made feasible, if they prove more; the vertices farther than `least` from the origin.
     pub(super) fn improve(
         &mut self,
         rank: usize,
         points: &[[f64; D]],
         forces: Vec<(usize, [f64; D])>,
+        least: f64,
     ) -> FarVertices<D> {
         let vectors: Vec<[f64; D]> = forces.iter().map(|(_, f)| *f).collect();
-        let far = far_vertices(rank, &vectors, 1.0 + WORTH);
+        let far = far_vertices(rank, &vectors, least);
         let lower = forces.iter().map(|(j, f)| dot(f, &points[*j])).sum::<f64>() / far.radius;
         if lower > self.lower && lower.is_finite() {
             let forces = forces.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();

@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`in_the_plane`] | about 10^4 convex hulls | D = 2: the truth, in floating point |
 //! | [`by_direction_net`] | fixed directions, O(ε^{−(d−1)}) or O(ε^{−(d−1)/2}) of them | Theorem 4.7, and a better net |
-//! | [`by_column_generation`] | some hundred Newton steps; in a plane some fifty convex hulls | generators as they are needed, their directions free; the default |
+//! | [`by_column_generation`] | some ten to hundred Newton steps; in a plane some fifty convex hulls | generators as they are needed, their directions free; the default |
 //!
 //! Every answer contains the points exactly and proves its ratio; [`verify`] checks both. [`direction_net`] holds the nets.
 
@@ -17,6 +17,7 @@ mod best_center;
 pub mod by_column_generation;
 pub mod by_direction_net;
 mod cholesky;
+mod cone;
 mod containment;
 pub mod direction_net;
 mod dual_zonotope;
@@ -25,6 +26,8 @@ mod finish;
 mod frame;
 mod growing;
 pub mod in_the_plane;
+mod inner_points;
+mod interior;
 mod lower_bound;
 mod sides;
 pub mod verify;
