@@ -38,7 +38,7 @@ impl<const D: usize> Sides<D> {
             self.sides.iter().map(|side| Scaling::new(&side.slack, &side.load)).collect::<Option<_>>()?;
         let matrix = self.matrix(&scalings);
         let size = self.rank * (self.points.len() - 1);
-        let vertices = 30.0 * (self.points.len() as f64).powi(self.rank as i32 - 1);
+        let vertices = 30.0 * self.points.len().saturating_pow(self.rank as u32 - 1) as f64;
         self.work += (size * size * size) as f64 / 6.0 + vertices;
         let equations = Equations { sides: self, scalings, factor: matrix.factor()? };
         let residual = self.residual(self.sides.iter().map(|side| side.load.rest));

@@ -1,6 +1,7 @@
 //! The proven ratios, and the optimum where another way to it exists.
 
 use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
 
 use super::*;
 use crate::enclosing::fixed_directions::{FixedDirections, verify};
@@ -14,8 +15,8 @@ fn contains<const D: usize>(answer: &MinLengthZonotope<D>, points: &[[f64; D]]) 
 
 fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
     let answer = min_length_enclosing(points, epsilon).expect("finite points");
-    // A search that ends early says so by its ratio; it never ends far from the optimum.
-    prop_assert!(answer.ratio <= 1.02, "{} of {} {:?}", answer.ratio, epsilon, answer.progress);
+    // Rounding may leave a little more than 1e-9 of sets with many ties.
+    prop_assert!(answer.ratio <= 1.0 + epsilon.max(1e-8), "{} of {} {:?}", answer.ratio, epsilon, answer.progress);
     prop_assert!(answer.length <= answer.ratio * answer.lower_bound || answer.length == 0.0);
     prop_assert!(answer.lower_bound <= answer.length);
     if points.len() * answer.zonotope.generators().len() <= 60 {
@@ -97,6 +98,30 @@ fn four_dimensions_and_flat_sets() {
     assert!((segment.length - 2.5).abs() < 1e-14);
     let point = check(&[[0.5, 0.25]; 3], 1e-9).expect("a point");
     assert_eq!((point.length, point.ratio, point.zonotope.center()), (0.0, 1.0, [0.5, 0.25]));
+}
+
+#[test]
+fn points_on_a_sphere_to_the_last_digits() {
+    let mut rng = rand_pcg::Pcg64::seed_from_u64(4);
+    let points: Vec<[f64; 3]> = (0..60)
+        .map(|_| {
+            let p: [f64; 3] = std::array::from_fn(|_| rng.random_range(-1.0..1.0));
+            let length = p.iter().map(|c| c * c).sum::<f64>().sqrt();
+            p.map(|c| c / length)
+        })
+        .collect();
+    let answer = min_length_enclosing(&points, 1e-9).expect("finite");
+    assert!(answer.ratio <= 1.0 + 1e-9, "{}", answer.ratio);
+    for [upper, lower] in answer.progress {
+        assert!(lower <= answer.length && upper >= answer.lower_bound);
+    }
+}
+
+#[test]
+fn a_best_center_on_the_edge_of_the_box() {
+    // the hull of the points and their reflections in (0, -2): a rhombus with diagonals 4 and 2
+    let answer = min_length_enclosing(&[[-2.0, -2.0], [2.0, -2.0], [0.0, -1.0]], 1e-9).expect("finite");
+    assert!((answer.length - 5f64.sqrt()).abs() < 1e-8 && answer.ratio <= 1.0 + 1e-9, "{answer:?}");
 }
 
 #[test]
