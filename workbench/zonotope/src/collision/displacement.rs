@@ -61,6 +61,11 @@ impl<'a, const D: usize> Displacement<'a, D> {
         Ok(Self { from, to, generators: [generators, &[]] })
     }
 
+    /// [`new`](Self::new) of coordinates that are known to be finite. O(1).
+    pub(crate) fn of_finite(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Self {
+        Self { from, to, generators: [generators, &[]] }
+    }
+
     /// Membership of a point: from the centre of the body to the point. O(1).
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use wide::f64x2;
 
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::numeric::vector::{self, ExactVector};
@@ -10,27 +11,37 @@ use crate::numeric::vector::{self, ExactVector};
 /// Covers the underflow of a dot product of doubles.
 const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
 
+/// A longer vector's square does not underflow.
+const SHORT: f64 = f64::from_bits((1023 - 500) << 52);
+
 /// Generators whose crossings are gathered in one word.
 const WORD: usize = 64;
 
 /// Generators read before their sums join the total.
-const BLOCK: usize = 2 * WORD;
+const BLOCK: usize = WORD;
 
-/// Reaches that differ by no more than this factor are taken for the largest one.
-const ROUND: f64 = 4.0;
+/// What rounding adds to a cell, in terms of its centre, and what makes up for it in products of a few rounded terms.
+const ROUNDING: f64 = 8.0 * UNIT;
+const SLACK: f64 = 1.0 + 32.0 * UNIT;
 
-/// All positive multiples of the directions in a box: those that differ from the centre by at most `reach` in each coordinate.
+/// (a + b)² ≤ (1 + WIDER) a² + (1 + 1 / WIDER) b².
+const WIDER: f64 = 1.0 / 1024.0;
+
+/// All positive multiples of the directions of an ellipse, or of a ball if it has no axes.
+///
+/// The ellipse is center + x axes_0 + y axes_1, x² + y² ≤ 1; with it all that is no farther from it than `ball`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     pub(super) center: [f64; 3],
-    pub(super) reach: [f64; 3],
+    pub(super) axes: Option<[[f64; 3]; 2]>,
+    pub(super) ball: f64,
 }
 
 /// Σ sign · v over generators whose sign is fixed throughout a cell, in doubles.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct FixedSum {
     pub(super) sum: [f64; 3],
-    /// Σ |v|_1 over all generators read, rounded.
+    /// At least Σ |v| over all generators read.
     pub(super) magnitude: f64,
     /// A bound for the error of each coordinate of the sum.
     pub(super) error: f64,
@@ -52,15 +63,12 @@ impl FixedSum {
 impl Cell {
     /// One pass: sums up the generators that are certainly orthogonal to no direction of the cell, and reports the others.
     ///
-    /// The sign of v · center is that throughout the cell if |v · center| exceeds Σ |v_k| reach_k. Both sums of three products of
-    /// doubles are off by at most 3 u Σ |v_k| (|center_k| + reach_k) and an underflow, which a wider reach makes up for.
+    /// The sign of v · center is that throughout the cell if |v · center| exceeds |v| ball + sqrt((v · axes_0)² + (v · axes_1)²). Each
+    /// product with v is off by at most 3 u |v| times the other factor and an underflow, which a wider ball makes up for.
     pub(super) fn split(&self, generators: &[[f64; 3]], report: impl FnMut(usize)) -> FixedSum {
-        let wider = [0, 1, 2].map(|k| self.reach[k] + 8.0 * UNIT * (self.center[k].abs() + self.reach[k]));
-        let largest = wider.iter().fold(0.0f64, |m, r| m.max(*r));
-        if wider.iter().all(|r| r * ROUND >= largest) {
-            split::<true>(&WideCell::new(&self.center, &[largest; 3]), generators, report)
-        } else {
-            split::<false>(&WideCell::new(&self.center, &wider), generators, report)
+        match self.axes {
+            None => split(&WideCell::<0>::new(self, [], 1.0), generators, report),
+            Some(axes) => split(&WideCell::<2>::new(self, axes, 1.0 + 1.0 / WIDER), generators, report),
         }
     }
 
@@ -73,149 +81,187 @@ impl Cell {
 
     /// The cell of the directions that are one direction but for rounding.
     pub(super) fn around(direction: &BoundedVector) -> Self {
-        Self { center: direction.map(|c| c.value), reach: direction.map(|c| c.error) }
+        let ball = length(&direction.map(|c| c.error)) * SLACK;
+        Self { center: direction.map(|c| c.value), axes: None, ball }
+    }
+
+    /// A point of the ellipse near a direction that is scaled such that its product with p is that of the centre; as multiples of the axes.
+    fn nearest(&self, direction: [f64; 3], along: f64, own: f64) -> [f64; 2] {
+        let Some([a, b]) = self.axes else { return [0.0; 2] };
+        let off = [0, 1, 2].map(|k| direction[k] * (own / along) - self.center[k]);
+        let (aa, ab, bb, oa, ob) = (dot(&a, &a), dot(&a, &b), dot(&b, &b), dot(&off, &a), dot(&off, &b));
+        let determinant = aa * bb - ab * ab;
+        let [x, y] = [(oa * bb - ob * ab) / determinant, (ob * aa - oa * ab) / determinant];
+        let size = (x * x + y * y).sqrt().max(1.0) * SLACK;
+        if size.is_finite() { [x / size, y / size] } else { [0.0; 2] }
     }
 
     /// Whether a direction u is certainly in the cell, when scaled such that u · p is center · p.
     pub(super) fn contains(&self, u: &BoundedVector, p: &BoundedVector) -> bool {
         let center = bounded::exact(self.center);
         let (along, own) = (bounded::dot(u, p), bounded::dot(&center, p));
-        let is_near = |k: usize| (u[k] * own - center[k] * along).is_within(along * Bounded::exact(self.reach[k]));
-        along.is_positive() && own.is_positive() && (0..3).all(is_near)
+        let mut nearest = center;
+        if let Some(axes) = self.axes {
+            for (x, axis) in self.nearest(u.map(|c| c.value), along.value, own.value).into_iter().zip(axes) {
+                nearest = [0, 1, 2].map(|k| nearest[k] + Bounded::exact(x) * Bounded::exact(axis[k]));
+            }
+        }
+        let off = [0, 1, 2].map(|k| u[k] * own - nearest[k] * along);
+        let ball = along * Bounded::exact(self.ball);
+        along.is_positive() && own.is_positive() && bounded::dot(&off, &off).is_within(ball * ball)
     }
 
     /// Whether a direction u with u · p > 0 is in the cell, when scaled such that u · p is center · p.
     pub(super) fn contains_exactly(&self, u: &ExactVector, p: &ExactVector) -> bool {
-        let (center, reach) = (vector::exact(self.center), vector::exact(self.reach));
+        let center = vector::exact(self.center);
         let (along, own) = (vector::dot(u, p), vector::dot(&center, p));
-        let is_near = |k: usize| (&u[k] * &own - &center[k] * &along).abs() <= &along * &reach[k];
-        along.sign().is_gt() && own.sign().is_gt() && (0..3).all(is_near)
+        let mut nearest = center;
+        if let Some(axes) = self.axes {
+            let direction = u.each_ref().map(|c| c.ratio(&along));
+            for (x, axis) in self.nearest(direction, 1.0, own.to_f64()).into_iter().zip(axes) {
+                nearest = vector::sum(&nearest, &vector::multiple(&Dyadic::from_f64(x), &vector::exact(axis)));
+            }
+        }
+        let off = vector::difference(&vector::multiple(&own, u), &vector::multiple(&along, &nearest));
+        let ball = &along * &Dyadic::from_f64(self.ball);
+        along.sign().is_gt() && own.sign().is_gt() && vector::dot(&off, &off) <= &ball * &ball
     }
 }
 
-/// A cell in the order in which the coordinates of two vectors lie in memory: x y, z x, y z.
-struct WideCell {
-    center: [f64x2; 3],
-    reach: [f64x2; 3],
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-impl WideCell {
-    fn new(center: &[f64; 3], reach: &[f64; 3]) -> Self {
-        let twice = |[x, y, z]: &[f64; 3]| [[*x, *y], [*z, *x], [*y, *z]].map(f64x2::new);
-        Self { center: twice(center), reach: twice(reach) }
-    }
-
-    /// v · center in the lane of either vector.
-    #[inline(always)]
-    fn values(&self, pair: &[f64x2; 3]) -> f64x2 {
-        across([0, 1, 2].map(|k| pair[k] * self.center[k]))
-    }
+fn length(a: &[f64; 3]) -> f64 {
+    dot(a, a).sqrt()
 }
 
-/// The sum over the coordinates of either of two vectors.
+/// A vector in the order in which the coordinates of two vectors lie in memory: x y, z x, y z.
+type Twice = [f64x2; 3];
+
+fn twice([x, y, z]: [f64; 3]) -> Twice {
+    [[x, y], [z, x], [y, z]].map(f64x2::new)
+}
+
+/// Either of two vectors times the same vector.
 #[inline(always)]
-fn across([first, middle, last]: [f64x2; 3]) -> f64x2 {
+fn products(pair: &Twice, other: &Twice) -> f64x2 {
+    let [first, middle, last] = [pair[0] * other[0], pair[1] * other[1], pair[2] * other[2]];
     let [ends, others] = f64x2::transpose([first, last]);
     ends + others + middle
+}
+
+/// A cell of `AXES` axes in the order of memory, with the square of its ball.
+struct WideCell<const AXES: usize> {
+    center: Twice,
+    axes: [Twice; AXES],
+    square: f64x2,
+}
+
+impl<const AXES: usize> WideCell<AXES> {
+    fn new(cell: &Cell, axes: [[f64; 3]; AXES], factor: f64) -> Self {
+        let size = length(&cell.center) + axes.iter().map(length).sum::<f64>() + cell.ball;
+        let ball = (cell.ball + ROUNDING * size) * SLACK;
+        let wider = (1.0 + WIDER).sqrt() * SLACK;
+        Self {
+            center: twice(cell.center),
+            axes: axes.map(|axis| twice(axis.map(|c| c * wider))),
+            square: f64x2::splat(ball * ball * factor * SLACK),
+        }
+    }
 }
 
 /// Sums in the order of memory.
 #[derive(Default)]
 struct Sums {
-    sum: [f64x2; 3],
-    magnitude: [f64x2; 3],
+    sum: Twice,
+    /// Σ |v|².
+    squares: f64x2,
 }
 
 impl Sums {
-    /// Adds two vectors with the signs of their values; a bit for each that may cross the cell. With one reach for all coordinates the first
-    /// magnitude is that of both vectors.
+    /// Adds two vectors with the signs of their values; a bit for each that may cross the cell, and one for each that has a minus.
     #[inline(always)]
-    fn read<const ROUND: bool>(&mut self, cell: &WideCell, pair: &[f64x2; 3]) -> u32 {
-        let values = cell.values(pair);
-        let sizes = pair.map(f64x2::abs);
-        let reach = if ROUND {
-            let total = across(sizes);
-            self.magnitude[0] += total;
-            total * cell.reach[0]
-        } else {
-            for (sum, size) in self.magnitude.iter_mut().zip(sizes) {
-                *sum += size;
-            }
-            across([0, 1, 2].map(|k| sizes[k] * cell.reach[k]))
-        };
+    fn read<const AXES: usize>(&mut self, cell: &WideCell<AXES>, pair: &Twice) -> [u64; 2] {
+        let values = products(pair, &cell.center);
+        let squares = products(pair, pair);
+        self.squares += squares;
+        let mut reach = squares * cell.square + f64x2::splat(TINY);
+        for axis in &cell.axes {
+            let value = products(pair, axis);
+            reach += value * value;
+        }
         let signs = values & f64x2::splat(-0.0);
         let [first, second] = f64x2::transpose([signs, signs]);
-        for ((sum, c), sign) in self.sum.iter_mut().zip(pair).zip([first, signs, second]) {
-            *sum += *c ^ sign;
-        }
-        // not less: NaN crosses
-        !values.abs().simd_gt(reach + f64x2::splat(TINY)).to_bitmask() & 0b11
+        self.sum[0] += pair[0] ^ first;
+        self.sum[1] += pair[1] ^ signs;
+        self.sum[2] += pair[2] ^ second;
+        // not "less": NaN crosses
+        let missing = (values * values).simd_gt(reach).to_bitmask();
+        [u64::from(missing ^ 0b11), u64::from(values.to_bitmask())]
     }
 
-    /// Takes a vector out that was added, in the lane where it was.
-    fn take(&mut self, v: &[f64; 3], value: f64) {
-        let sign = f64x2::splat(-f64::copysign(1.0, value));
-        for (sum, c) in self.sum.iter_mut().zip([[v[0], v[1]], [v[2], 0.0]]) {
-            *sum += sign * f64x2::new(c);
-        }
-    }
-
-    fn vector(&self) -> [f64; 3] {
+    /// The sum, and what bounds the sum of the lengths.
+    fn total(&self, count: usize) -> ([f64; 3], f64) {
         let [[x, y], [z, other_x], [other_y, other_z]] = self.sum.map(f64x2::to_array);
-        [x + other_x, y + other_y, z + other_z]
-    }
-
-    fn size(&self) -> f64 {
-        self.magnitude.iter().map(|m| m.reduce_add()).sum()
+        let size = (self.squares.reduce_add() * count as f64).sqrt() + count as f64 * SHORT;
+        ([x + other_x, y + other_y, z + other_z], size)
     }
 }
 
-fn split<const ROUND: bool>(cell: &WideCell, generators: &[[f64; 3]], mut report: impl FnMut(usize)) -> FixedSum {
+fn split<const AXES: usize>(cell: &WideCell<AXES>, generators: &[[f64; 3]], mut report: impl FnMut(usize)) -> FixedSum {
     // the sums of blocks, and what their rounding leaves behind
     let (mut total, mut rest) = ([0.0; 3], [0.0; 3]);
     let (mut magnitude, mut error) = (0.0, 0.0);
     for (number, block) in generators.chunks(BLOCK).enumerate() {
         let mut sums = Sums::default();
-        let mut crossing = 0u32;
+        let mut taken = [0.0; 3];
+        let mut crossing = 0;
         for (word, part) in block.chunks(WORD).enumerate() {
-            let mut bits = 0u64;
+            let (mut bits, mut signs) = (0, 0);
             let (pairs, last) = part.as_chunks::<2>();
             for (place, pair) in pairs.iter().enumerate() {
-                bits |= u64::from(sums.read::<ROUND>(cell, &wide(*pair))) << (2 * place);
+                let [crosses, minus] = sums.read(cell, &wide(*pair));
+                bits |= crosses << (2 * place);
+                signs |= minus << (2 * place);
             }
             if let [last] = last {
-                bits |= u64::from(sums.read::<ROUND>(cell, &wide([*last, [0.0; 3]])) & 1) << (2 * pairs.len());
+                let [crosses, minus] = sums.read(cell, &wide([*last, [0.0; 3]]));
+                bits |= (crosses & 1) << (2 * pairs.len());
+                signs |= minus << (2 * pairs.len());
             }
             crossing += bits.count_ones();
             while bits != 0 {
                 let place = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
-                let v = &part[place];
-                // in the lane where it was read: a sum in another order may have another sign
-                let pair = if place.is_multiple_of(2) { [*v, [0.0; 3]] } else { [[0.0; 3], *v] };
-                sums.take(v, cell.values(&wide(pair)).to_array()[place % 2]);
+                let sign = if signs >> place & 1 == 1 { -1.0 } else { 1.0 };
+                for (taken, c) in taken.iter_mut().zip(part[place]) {
+                    *taken += sign * c;
+                }
                 report(number * BLOCK + word * WORD + place);
             }
         }
-        for ((total, rest), sum) in total.iter_mut().zip(&mut rest).zip(sums.vector()) {
-            let (sum, left) = exact_sum(*total, sum);
-            *total = sum;
-            *rest += left;
+        let (sum, size) = sums.total(block.len());
+        for k in 0..3 {
+            let (sum, left) = exact_sum(total[k], sum[k] - taken[k]);
+            total[k] = sum;
+            rest[k] += left;
         }
-        let size = sums.size();
         magnitude += size;
-        // a term goes through an addition for each pair, for each that is taken out, which at most doubles the terms, and one for both lanes
-        error += size * (f64::from(crossing) * 2.0 + if crossing == 0 { 1.0 } else { 2.0 } * (BLOCK / 2 + 1) as f64);
+        // a term goes through an addition for each pair, one for both lanes and one for what is taken out; those that are taken out, which at
+        // most double the terms, through one for each
+        let additions = (BLOCK / 2 + 2) as f64 + 2.0 * f64::from(crossing);
+        error += size * additions;
     }
     let sum = [0, 1, 2].map(|k| total[k] + rest[k]);
     let blocks = generators.len().div_ceil(BLOCK) as f64;
     let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
     // what the blocks leave behind is summed up with less than one more rounding of the whole, and added with another
-    FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (error + 4.0 * magnitude) * slack }
+    FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (error + 6.0 * magnitude) * slack }
 }
 
 /// Two vectors in the order of memory.
 #[inline(always)]
-fn wide([[a, b, c], [d, e, f]]: [[f64; 3]; 2]) -> [f64x2; 3] {
+fn wide([[a, b, c], [d, e, f]]: [[f64; 3]; 2]) -> Twice {
     [[a, b], [c, d], [e, f]].map(f64x2::new)
 }

@@ -7,10 +7,12 @@
 //! - If δ_a and δ_b are within [−1, 1], λ p is in the body: the gauge is at most 1 / λ, and u is optimal. If they leave it by ε_a and ε_b,
 //!   λ p less ε_a v_a + ε_b v_b is in the body, and the gauge is at most (1 + ε_a ‖v_a‖ + ε_b ‖v_b‖) / λ, ‖v‖ ≤ 1 the gauge of v.
 //!
-//! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices is the optimum.
+//! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices is the optimum. Where many
+//! generators are parallel to the facet, or nearly so, what each contributes is chosen such that δ_a and δ_b have room (`shares`).
 
-use super::cell::Cell;
+use super::cell::{Cell, FixedSum};
 use super::reduced::Reduced;
+use super::shares::shares;
 use crate::numeric::bounded::{Bounded, BoundedVector, cross, dot, exact};
 use crate::numeric::tolerance::UNIT;
 
@@ -25,6 +27,10 @@ pub(super) struct Certain {
     pub(super) direction: BoundedVector,
     /// g, without a and b.
     pub(super) sum: BoundedVector,
+    /// The other generators whose sign is not certain, by their index in the question, and what each contributes to g, in [−1, 1]; in order.
+    pub(super) shares: Vec<(usize, f64)>,
+    /// At least Σ |v|_1 over those.
+    pub(super) shared: f64,
     /// g · u.
     pub(super) reach: Bounded,
     /// p · u.
@@ -33,7 +39,7 @@ pub(super) struct Certain {
     pub(super) missing: f64,
     /// By how much δ_a and δ_b may leave [−1, 1].
     pub(super) excess: [f64; 2],
-    /// Σ |v|_1, rounded.
+    /// At least Σ |v|.
     pub(super) magnitude: f64,
 }
 
@@ -44,6 +50,8 @@ pub(super) enum Unproved {
     Doubt,
     /// Perhaps outside the cells.
     Astray,
+    /// Many lines meet in the vertex, and the objective falls along this one of the level.
+    Falls(usize),
 }
 
 impl Certain {
@@ -61,19 +69,13 @@ impl Certain {
         let cell = Cell::around(&direction);
         let mut near = Vec::new();
         let fixed = level.fixed.plus(&cell.split(&level.vectors, |i| near.push(i)));
-        let mut sum = fixed.bounded();
-        let mut missing = 0.0;
-        for i in near.into_iter().filter(|&i| i != first && i != second) {
-            let v = level.vectors[i];
-            let sign = if cell.value(&v) < 0.0 { -1.0 } else { 1.0 };
-            for (total, c) in sum.iter_mut().zip(v) {
-                *total = *total + Bounded::exact(sign * c);
-            }
-            missing += 2.0 * dot(&exact(v), &direction).magnitude();
-        }
+        near.retain(|&i| i != first && i != second);
         let along = dot(&direction, p);
         let least = (along.value - along.error) * (1.0 - 4.0 * UNIT);
-        let across = [dot(&sum, &cross(&b, p)), dot(&sum, &cross(p, &a))];
+        let duals = [cross(&b, p), cross(p, &a)];
+        let Near { sum, shares, shared, missing } =
+            Near::new(level, [first, second], near, &direction, &duals, &fixed)?;
+        let across = duals.map(|dual| dot(&sum, &dual));
         let sizes = across.map(|value| value.magnitude() / least * (1.0 + 4.0 * UNIT));
         let excess = sizes.map(|size| (size - 1.0).max(0.0));
         let reach = dot(&sum, &direction);
@@ -84,9 +86,8 @@ impl Certain {
             return Err(Unproved::Doubt);
         }
         let basis = [first, second].map(|i| level.indices[i] as usize);
-        let missing = missing * (1.0 + level.vectors.len() as f64 * 4.0 * UNIT);
         let magnitude = fixed.magnitude;
-        Ok(Self { basis, vectors, reversed, direction, sum, reach, along, missing, excess, magnitude })
+        Ok(Self { basis, vectors, reversed, direction, sum, shares, shared, reach, along, missing, excess, magnitude })
     }
 
     /// Whether the vertex is the optimum for sure, not only nearly.
@@ -109,5 +110,51 @@ impl Certain {
         let gauge = |v: &[f64; 3]| (size * v.iter().map(|c| c.abs()).sum::<f64>()).min(1.0);
         let terms = self.excess.iter().zip(&self.vectors).map(|(excess, v)| excess * gauge(v));
         terms.sum::<f64>() * (1.0 + 8.0 * UNIT)
+    }
+}
+
+/// The generators whose sign at a vertex is not certain, with their part of the sum g.
+struct Near {
+    sum: BoundedVector,
+    shares: Vec<(usize, f64)>,
+    shared: f64,
+    missing: f64,
+}
+
+impl Near {
+    /// From the positions of the generators in a level; `duals` are b × p and p × a, so that their products with x give x in terms of a and b.
+    fn new(
+        level: &Reduced,
+        [first, second]: [usize; 2],
+        near: Vec<usize>,
+        direction: &BoundedVector,
+        duals: &[BoundedVector; 2],
+        fixed: &FixedSum,
+    ) -> Result<Self, Unproved> {
+        if near.is_empty() {
+            return Ok(Self { sum: fixed.bounded(), shares: Vec::new(), shared: 0.0, missing: 0.0 });
+        }
+        let product = |v: &[f64; 3], dual: &BoundedVector| (0..3).map(|k| v[k] * dual[k].value).sum::<f64>();
+        let own = [product(&level.vectors[first], &duals[0]), product(&level.vectors[second], &duals[1])];
+        let plane = |v: &[f64; 3]| [0, 1].map(|k| product(v, &duals[k]) / own[k]);
+        let members: Vec<usize> = near.iter().copied().chain([first, second]).collect();
+        let vectors: Vec<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
+        let target = plane(&fixed.sum).map(|c| -c);
+        let parts = shares(&vectors, target).map_err(|place| Unproved::Falls(members[place]))?;
+        let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);
+        for (&i, part) in near.iter().zip(&parts) {
+            let v = level.vectors[i];
+            for (total, c) in total.iter_mut().zip(v) {
+                *total += part * c;
+            }
+            shared += v.iter().map(|c| c.abs()).sum::<f64>();
+            missing += 2.0 * dot(&exact(v), direction).magnitude();
+        }
+        let slack = 1.0 + (near.len() + 8) as f64 * 4.0 * UNIT;
+        // a rounding for each product, which may underflow, and one for each addition
+        let error = (near.len() + 1) as f64 * (UNIT * shared * slack + f64::MIN_POSITIVE);
+        let sum = [0, 1, 2].map(|k| fixed.bounded()[k] + Bounded { value: total[k], error });
+        let shares = near.iter().zip(&parts).map(|(&i, &part)| (level.indices[i] as usize, part)).collect();
+        Ok(Self { sum, shares, shared: shared * slack, missing: missing * slack })
     }
 }

@@ -9,6 +9,9 @@ use super::smooth::Guess;
 /// The smallest reach of a cell, in terms of its centre.
 const LEAST_REACH: f64 = 1e-11;
 
+/// An ellipse with the square of its shorter axis no less than so much of that of its longer one is taken for a ball.
+const ROUND: f64 = 0.1;
+
 /// Coordinates (x, y) = (u_i, u_j) of the plane, k the axis along which p is longest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Chart {
@@ -80,13 +83,22 @@ impl Chart {
         self.direction(point, 1.0)
     }
 
-    /// The smallest box around the parallelogram of a guess, stretched.
+    /// The ellipse of a guess, stretched; a ball around it where that is hardly larger.
     pub(super) fn cell(&self, guess: &Guess, stretch: f64) -> Cell {
-        let [first, second] = guess.sides.map(|side| self.direction(side, 0.0));
+        let [first, second] = guess.sides.map(|side| self.direction(side, 0.0).map(|c| stretch * c));
         let center = self.point(guess.point);
         // not so small that a vertex in which many lines meet is missed by rounding
         let least = LEAST_REACH * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-        let reach = [0, 1, 2].map(|k| least.max(stretch * (first[k].abs() + second[k].abs())));
-        Cell { center, reach }
+        let (xx, xy, yy) = (dot(first, first), dot(first, second), dot(second, second));
+        let (middle, half) = ((xx + yy) / 2.0, ((xx - yy) * (xx - yy) / 4.0 + xy * xy).sqrt());
+        if middle - half >= ROUND * (middle + half) {
+            Cell { center, axes: None, ball: least.max((middle + half).sqrt()) }
+        } else {
+            Cell { center, axes: Some([first, second]), ball: least }
+        }
     }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

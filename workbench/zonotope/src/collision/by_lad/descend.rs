@@ -4,35 +4,29 @@
 //! others; here rounding may at worst end the search at the wrong vertex.
 
 use super::lines::Lines;
+use super::median::{Crossing, select};
 
 /// The most line searches.
 const SEARCHES: usize = 40;
 
-/// A crossing of the searched line: where, and half of what the slope gains there.
-#[derive(Debug, Clone, Copy)]
-struct Crossing {
-    position: f64,
-    weight: f64,
-    line: usize,
+/// The most of them that do not move the vertex.
+const STILL: usize = 2;
+
+/// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it; none if no line crosses the one that is
+/// searched. Where many lines meet, it may be a vertex along both of whose lines the objective rises, but not along another.
+pub(super) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
+    descend_along(lines, linear, start, nearest(lines, start)?)
 }
 
-/// Why a search ends without a vertex.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Stop {
-    /// There is no line, or none that crosses the one that is searched.
-    NoVertex,
-    /// Many lines meet near a vertex, and rounding does not tell which to follow.
-    Undecided,
-}
-
-/// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it.
-pub(super) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Result<[usize; 2], Stop> {
-    let mut line = nearest(lines, start).ok_or(Stop::NoVertex)?;
+/// The same, along a line first.
+pub(super) fn descend_along(lines: &Lines, linear: [f64; 2], start: [f64; 2], mut line: usize) -> Option<[usize; 2]> {
     let mut point = start;
     let mut before = usize::MAX;
+    let mut still = 0;
     let mut ahead = Vec::with_capacity(lines.len());
     for _ in 0..SEARCHES {
-        let (other, vertex) = search(lines, linear, line, point, &mut ahead).ok_or(Stop::NoVertex)?;
+        let (other, vertex) = search(lines, linear, line, point, &mut ahead)?;
+        still = if is_same(point, vertex) { still + 1 } else { 0 };
         point = vertex;
         // the slope along the other line at the vertex, without the two lines through it
         let [mut gx, mut gy] = linear;
@@ -46,16 +40,17 @@ pub(super) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Resul
         let ([a, b, ..], [other_a, other_b, ..]) = (lines.line(line), lines.line(other));
         let (dx, dy) = (-other_b, other_a);
         let turn = (a * dx + b * dy).abs();
-        if (gx * dx + gy * dy).abs() <= turn {
-            return Ok([line, other]);
-        }
-        // least along both lines: where rounding would go on, it goes in circles
-        if other == before {
-            return Ok([line, other]);
+        // where the line before comes again, or the vertex stays, rounding would go on in circles
+        if (gx * dx + gy * dy).abs() <= turn || other == before || still > STILL {
+            return Some([line, other]);
         }
         (before, line) = (line, other);
     }
-    Err(Stop::Undecided)
+    Some([before, line])
+}
+
+fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
+    (a[0] - b[0]).abs() + (a[1] - b[1]).abs() <= 64.0 * f64::EPSILON * (b[0].abs() + b[1].abs())
 }
 
 fn nearest(lines: &Lines, [x, y]: [f64; 2]) -> Option<usize> {
@@ -99,22 +94,4 @@ fn search(
     }
     let found = select(ahead, -slope / 2.0)?;
     Some((found.line, [foot[0] + found.position * dx, foot[1] + found.position * dy]))
-}
-
-/// The first crossing at which the weights up to it reach `target`; the last one if they never do.
-fn select(crossings: &mut [Crossing], target: f64) -> Option<Crossing> {
-    let mut range = crossings;
-    let mut missing = target;
-    while range.len() > 1 {
-        let middle = (range.len() - 1) / 2;
-        range.select_nth_unstable_by(middle, |a, b| a.position.total_cmp(&b.position).then(a.line.cmp(&b.line)));
-        let below: f64 = range[..=middle].iter().map(|c| c.weight).sum();
-        if below >= missing {
-            range = &mut range[..=middle];
-        } else {
-            missing -= below;
-            range = &mut range[middle + 1..];
-        }
-    }
-    range.first().copied()
 }

@@ -5,11 +5,14 @@ use std::cmp::Ordering;
 use super::basis::Basis;
 use super::certain::Certain;
 use super::exit::Exit;
+use super::flat::spare_axis;
 use super::inside::witness;
+use super::lift::Prism;
 use super::search::{Found, rounded_displacement, search};
 use super::thickness::thickness;
 use super::trail::Trail;
 use crate::collision::{Displacement, Gauge, Location, Separation, Witness};
+use crate::numeric::Rational;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::tally::Tally;
 
@@ -30,7 +33,21 @@ enum Kind {
     Certain(Proof),
     /// Solved exactly.
     Exact(Box<Exit>),
+    /// Of the prism over a flat body without a coordinate.
+    Flat(Box<Flat>),
 }
+
+/// A flat body's prism, and the answer for it.
+#[derive(Debug)]
+struct Flat {
+    /// The coordinate that was dropped.
+    axis: usize,
+    prism: Prism,
+    kind: Kind,
+}
+
+/// The thickness of a part of the body, one generator in so many, is tried before that of all of it.
+const PARTS: [usize; 2] = [16, 1];
 
 /// What doubles prove of the optimum.
 #[derive(Debug)]
@@ -53,9 +70,11 @@ impl Proof {
     ) -> Result<Self, (Box<Certain>, Trail)> {
         let mut slack = certain.slack(f64::INFINITY);
         let mut judged = judge(&certain, slack, sharp);
-        if judged.is_none() && slack > 0.0 {
-            slack = certain.slack(thickness(question));
-            judged = judge(&certain, slack, sharp);
+        for share in PARTS {
+            if judged.is_none() && slack > 0.0 {
+                slack = certain.slack(thickness(question, share));
+                judged = judge(&certain, slack, sharp);
+            }
         }
         match judged {
             Some(order) => Ok(Self { certain, trail, slack, order }),
@@ -90,52 +109,22 @@ fn gauge(certain: &Certain, slack: f64) -> (f64, f64) {
 impl<'q> Facet<'q> {
     /// Finds the facet, or, `until_separated`, a separating direction if that is found first.
     pub(super) fn find(question: &'q Displacement<'q, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
-        let p = rounded_displacement(question);
-        if p.iter().all(|c| c.value == 0.0) {
-            return Self { question, kind: Kind::Center };
-        }
-        let kind = match search(question, &p, until_separated, tally) {
-            Found::Separated(direction) => Kind::Separated(direction),
-            Found::Certain(certain, trail) => match Proof::new(question, certain, trail, !until_separated) {
-                Ok(proof) => Kind::Certain(proof),
-                Err((certain, trail)) => Kind::Exact(Box::new(if certain.is_vertex() {
-                    Exit::of_certain(question, &question.exact(), &certain, &trail)
-                } else {
-                    Exit::near(question, &question.exact(), &trail, tally)
-                })),
-            },
-            Found::Narrowed(trail) => Kind::Exact(Box::new(Exit::near(question, &question.exact(), &trail, tally))),
-        };
-        Self { question, kind }
+        Self { question, kind: Kind::find(question, until_separated, tally) }
     }
 
     /// The gauge within a bound of its error; infinite where no multiple of the body holds the displacement. O(1).
     pub fn value(&self) -> (f64, f64) {
-        match &self.kind {
-            Kind::Center => (0.0, 0.0),
-            Kind::Separated(_) => (f64::INFINITY, f64::INFINITY),
-            Kind::Certain(proof) => proof.value(),
-            Kind::Exact(exit) => exit.value(),
-        }
+        self.kind.value()
     }
 
     /// The generators, at most two, that span the facet where the ray leaves; near an edge of it, perhaps the neighbour. O(1).
     pub fn basis(&self) -> &[usize] {
-        match &self.kind {
-            Kind::Center | Kind::Separated(_) => &[],
-            Kind::Certain(proof) => &proof.certain.basis,
-            Kind::Exact(exit) => &exit.basis,
-        }
+        self.kind.basis()
     }
 
     /// Whether the displacement is in the closed body. O(1).
     pub fn is_member(&self) -> bool {
-        match &self.kind {
-            Kind::Center => true,
-            Kind::Separated(_) => false,
-            Kind::Certain(proof) => proof.order.is_le(),
-            Kind::Exact(exit) => exit.along <= exit.reach,
-        }
+        self.kind.is_member()
     }
 
     /// The gauge with where the displacement lies. O(n).
@@ -146,46 +135,138 @@ impl<'q> Facet<'q> {
 
     /// Where the displacement lies, with its proof. O(n) for a member, else O(1) nearly always.
     pub fn location(&self) -> Location<3> {
-        match &self.kind {
-            Kind::Center => self.center(),
-            Kind::Separated(direction) => Location::Outside(Separation::Rounded(*direction)),
-            Kind::Exact(exit) => exit.location(self.question, &self.question.exact()),
-            Kind::Certain(proof) => {
-                let p = rounded_displacement(self.question);
-                let location = match proof.order {
-                    Ordering::Greater => separation(&proof.certain, &p).map(Location::Outside),
-                    _ => witness(self.question, &proof.certain, &proof.trail, &p).map(Location::Inside),
-                };
-                location.unwrap_or_else(|| {
-                    let exact = self.question.exact();
-                    let exit = if proof.certain.is_vertex() {
-                        Exit::of_certain(self.question, &exact, &proof.certain, &proof.trail)
-                    } else {
-                        Exit::near(self.question, &exact, &proof.trail, &mut ())
-                    };
-                    exit.location(self.question, &exact)
-                })
+        self.kind.location(self.question)
+    }
+}
+
+impl Kind {
+    fn find(question: &Displacement<'_, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
+        let p = rounded_displacement(question);
+        if p.iter().all(|c| c.value == 0.0) {
+            return Self::Center;
+        }
+        match search(question, &p, until_separated, tally) {
+            Found::Separated(direction) => Self::Separated(direction),
+            Found::Certain(certain, trail) => match Proof::new(question, certain, trail, !until_separated) {
+                Ok(proof) => Self::Certain(proof),
+                Err((certain, trail)) => Self::Exact(Box::new(if certain.is_vertex() {
+                    Exit::of_certain(question, &question.exact(), &certain, &trail)
+                } else {
+                    Exit::near(question, &question.exact(), &trail, tally)
+                })),
+            },
+            Found::Narrowed(trail) => {
+                let p = question.exact();
+                if let Some(axis) = spare_axis(question, &p) {
+                    return Self::Flat(Box::new(Flat::find(axis, question, until_separated, tally)));
+                }
+                Self::Exact(Box::new(Exit::near(question, &p, &trail, tally)))
             }
         }
     }
 
-    /// The centre is a member with all coefficients 0, inside just when the generators span space.
-    fn center(&self) -> Location<3> {
-        let witness = Witness { coefficients: vec![0.0; self.question.len()], basis: Vec::new() };
-        if Basis::spanning(self.question, Basis::new(Vec::new())).0.rank() == 3 {
-            Location::Inside(witness)
-        } else {
-            Location::Boundary(witness)
+    fn value(&self) -> (f64, f64) {
+        match self {
+            Self::Center => (0.0, 0.0),
+            Self::Separated(_) => (f64::INFINITY, f64::INFINITY),
+            Self::Certain(proof) => proof.value(),
+            Self::Exact(exit) => exit.value(),
+            Self::Flat(flat) => flat.kind.value(),
+        }
+    }
+
+    fn basis(&self) -> &[usize] {
+        match self {
+            Self::Center | Self::Separated(_) => &[],
+            Self::Certain(proof) => &proof.certain.basis,
+            Self::Exact(exit) => &exit.basis,
+            Self::Flat(flat) => flat.basis(),
+        }
+    }
+
+    fn is_member(&self) -> bool {
+        match self {
+            Self::Center => true,
+            Self::Separated(_) => false,
+            Self::Certain(proof) => proof.order.is_le(),
+            Self::Exact(exit) => exit.along <= exit.reach,
+            Self::Flat(flat) => flat.kind.is_member(),
+        }
+    }
+
+    fn location(&self, question: &Displacement<'_, 3>) -> Location<3> {
+        match self {
+            Self::Center => center(question),
+            Self::Separated(direction) => Location::Outside(Separation::Rounded(*direction)),
+            Self::Exact(exit) => exit.location(question, &question.exact()),
+            Self::Flat(flat) => flat.location(),
+            Self::Certain(proof) => {
+                let p = rounded_displacement(question);
+                let location = match proof.order {
+                    Ordering::Greater => separation(&proof.certain, &p).map(Location::Outside),
+                    _ => witness(question, &proof.certain, &proof.trail, &p).map(Location::Inside),
+                };
+                location.unwrap_or_else(|| {
+                    let exact = question.exact();
+                    let exit = if proof.certain.is_vertex() {
+                        Exit::of_certain(question, &exact, &proof.certain, &proof.trail)
+                    } else {
+                        Exit::near(question, &exact, &proof.trail, &mut ())
+                    };
+                    exit.location(question, &exact)
+                })
+            }
         }
     }
 }
 
-/// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap.
+impl Flat {
+    fn find(axis: usize, question: &Displacement<'_, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
+        let prism = Prism::without(axis, question);
+        let kind = Kind::find(&prism.question(), until_separated, tally);
+        Self { axis, prism, kind }
+    }
+
+    /// Without the generator that is the prism's.
+    fn basis(&self) -> &[usize] {
+        match self.kind.basis() {
+            [rest @ .., new] | [new, rest @ ..] if self.prism.is_new(*new) => rest,
+            all => all,
+        }
+    }
+
+    /// A flat body has no inside.
+    fn location(&self) -> Location<3> {
+        match self.prism.lower(self.kind.location(&self.prism.question())) {
+            Location::Inside(witness) | Location::Boundary(witness) => Location::Boundary(witness),
+            Location::Outside(Separation::Rounded(mut u)) => {
+                u[self.axis] = 0.0;
+                Location::Outside(Separation::Rounded(u))
+            }
+            Location::Outside(Separation::Exact(mut u)) => {
+                u[self.axis] = Rational::ZERO;
+                Location::Outside(Separation::Exact(u))
+            }
+        }
+    }
+}
+
+/// The centre is a member with all coefficients 0, inside just when the generators span space.
+fn center(question: &Displacement<'_, 3>) -> Location<3> {
+    let witness = Witness { coefficients: vec![0.0; question.len()], basis: Vec::new() };
+    if Basis::spanning(question, Basis::new(Vec::new())).0.rank() == 3 {
+        Location::Inside(witness)
+    } else {
+        Location::Boundary(witness)
+    }
+}
+
+/// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2 |v|.
 fn separation(certain: &Certain, p: &BoundedVector) -> Option<Separation<3>> {
     let error = certain.direction.iter().fold(0.0f64, |m, c| m.max(c.error));
     let size: f64 = p.iter().map(|c| c.magnitude()).sum();
     let gap = certain.along - certain.support();
-    let lost = Bounded::exact(error) * (Bounded::exact(2.0 * certain.magnitude) + Bounded::exact(2.0 * size));
+    let lost = Bounded::exact(error) * (Bounded::exact(4.0 * certain.magnitude) + Bounded::exact(2.0 * size));
     let direction = certain.direction.map(|c| c.value);
     (gap - lost).is_positive().then_some(Separation::Rounded(direction))
 }

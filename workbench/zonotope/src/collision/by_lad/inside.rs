@@ -8,6 +8,7 @@ use super::certain::Certain;
 use super::trail::Trail;
 use crate::collision::{Displacement, Witness};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::tolerance::UNIT;
 
 /// How many generators are tried as the third.
 const PICKS: usize = 32;
@@ -36,7 +37,8 @@ pub(super) fn witness(
     let n = question.len();
     let last = certain.cell();
     let sign = |index: usize| trail.sign(question, &last, index);
-    let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i));
+    let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
+    let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
     let best = picks
         .flat_map(|third| {
             let sign = sign(third);
@@ -56,10 +58,15 @@ pub(super) fn witness(
     let determinant = bounded::dot(&c, &normals[2]);
     let negative = determinant.sign()? < 0;
     let determinant = if negative { determinant.negated() } else { determinant };
-    let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor));
+    // the coefficients of those that share are rounded
+    let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
+    let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
     let numerators = [0, 1, 2].map(|i| bounded::dot(&rest, &normals[i]));
     numerators.iter().all(|n| n.is_within(determinant)).then_some(())?;
     let mut coefficients = trail.signed(question, Some(&last), [-factor, 0.0, factor]);
+    for &(index, share) in &certain.shares {
+        coefficients[index] = share * factor;
+    }
     let mut basis = vec![certain.basis[0], certain.basis[1], third];
     for (&index, numerator) in basis.iter().zip(numerators) {
         let value = numerator.value / determinant.value;

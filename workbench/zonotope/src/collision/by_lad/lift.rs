@@ -5,11 +5,16 @@
 //! proof for the prism is one for Z: the coefficient of a new generator is 0, and a direction loses its new coordinates.
 
 use std::array;
+use std::ops::Range;
 
 use crate::collision::{Displacement, Location, Separation, Witness};
 use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
 
+/// A longer body's prism has only the width of its longest generator.
+const LARGEST: f64 = f64::from_bits((1023 + 500) << 52);
+
 /// The points and generators of a prism.
+#[derive(Debug)]
 pub(in crate::collision) struct Prism {
     from: [f64; 3],
     to: [f64; 3],
@@ -20,16 +25,35 @@ pub(in crate::collision) struct Prism {
 
 impl Prism {
     pub(in crate::collision) fn over<const D: usize>(question: &Displacement<'_, D>) -> Self {
-        let mut generators: Vec<[f64; 3]> = question.generators().map(padded).collect();
+        let generators = question.generators().map(padded).collect();
+        Self::with_axes(padded(&question.from()), padded(&question.to()), generators, D..3)
+    }
+
+    /// The prism over what is left of a body of space when a coordinate is dropped, which is 0 in all points and generators but the new one.
+    pub(super) fn without(axis: usize, question: &Displacement<'_, 3>) -> Self {
+        let dropped = |v: &[f64; 3]| array::from_fn(|i| if i == axis { 0.0 } else { v[i] });
+        let generators = question.generators().map(dropped).collect();
+        Self::with_axes(dropped(&question.from()), dropped(&question.to()), generators, axis..axis + 1)
+    }
+
+    fn with_axes(from: [f64; 3], to: [f64; 3], mut generators: Vec<[f64; 3]>, axes: Range<usize>) -> Self {
         let own = generators.len();
-        let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        let size = scale_by_power_of_two(1.0, binary_exponent(largest).map_or(0, i64::from));
-        generators.extend((D..3).map(|axis| array::from_fn(|i| if i == axis { size } else { 0.0 })));
-        Self { from: padded(&question.from()), to: padded(&question.to()), generators, own }
+        let total: f64 = generators.as_flattened().iter().map(|c| c.abs()).sum();
+        // as wide along the new axis as the body is long, or nearly
+        let size =
+            if total < LARGEST { total } else { generators.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs())) };
+        let size = scale_by_power_of_two(1.0, binary_exponent(size).map_or(0, i64::from));
+        generators.extend(axes.map(|axis| array::from_fn(|i| if i == axis { size } else { 0.0 })));
+        Self { from, to, generators, own }
     }
 
     pub(in crate::collision) fn question(&self) -> Displacement<'_, 3> {
-        Displacement::new(self.from, self.to, &self.generators).expect("the body's coordinates are finite")
+        Displacement::of_finite(self.from, self.to, &self.generators)
+    }
+
+    /// Whether a generator is not one of the body.
+    pub(super) fn is_new(&self, generator: usize) -> bool {
+        generator >= self.own
     }
 
     /// The answer for the body.

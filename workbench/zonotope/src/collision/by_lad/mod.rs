@@ -11,14 +11,16 @@
 //! beside the projection Q is not needed: no data are rotated, the plane may be any.
 //!
 //! # Method
-//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`); one of R^4 goes to [`by_lad_in_r4`]. Of a few generators the shortest combination may prove it all (`small`).
-//! 2. The optimum of a sample with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all is likely
-//!    to be. Where that is all that is asked: does its centre separate? (`support`)
+//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`), and so does a flat one, without a coordinate (`flat`); one of R^4 goes to
+//!    [`by_lad_in_r4`]. Of a few generators the shortest combination may prove it all (`small`).
+//! 2. The optimum of a sample (`sample`) with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all
+//!    is likely to be; where generators have few directions, that of the sums of each direction (`bundles`). Where that is all that is asked: does its centre separate? (`support`)
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
 //!    are left with that sum make a problem (`reduced`) whose optimum, if it lies in the cell, is that of the whole.
 //! 4. The same again on those few, then exact descent from vertex to vertex (`descend`). Bounds on all rounding errors prove the
 //!    vertex (`certain`): u is optimal and Σ δ_i v_i = λ p with δ_i in [−1, 1], where 1 / λ is the gauge; or both nearly, so that the gauge is
-//!    between two bounds: a point at an edge of a facet, or lines that nearly meet in one point, are no doubt yet (`thickness`).
+//!    between two bounds: a point at an edge of a facet, or lines that nearly meet in one point, are no doubt yet (`thickness`). Where many
+//!    generators are parallel to the facet, each has a share (`shares`).
 //! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
 //!    in exact coordinates of the plane (`plane`, `exit`); where that does not help, the whole problem. The signs of all
 //!    generators follow from the cells (`trail`).
@@ -55,19 +57,24 @@
 //! ```
 
 pub(super) mod basis;
+mod bundles;
 mod cell;
 mod certain;
 mod chart;
 mod descend;
 mod exit;
 mod facet;
+mod flat;
 mod inside;
 pub(super) mod lift;
 mod lines;
+mod median;
 mod plane;
 mod reduced;
+mod sample;
 mod search;
 pub(super) mod separation;
+mod shares;
 mod small;
 mod smooth;
 pub(super) mod sums;

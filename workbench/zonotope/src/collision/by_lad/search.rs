@@ -1,13 +1,12 @@
 //! The optimum in a few passes over the generators: a sample, a cell around its optimum, and what crosses the cell.
 
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
-
+use super::bundles::Bundles;
 use super::certain::{Certain, Unproved};
 use super::chart::Chart;
-use super::descend::{Stop, descend};
+use super::descend::{descend, descend_along};
 use super::lines::Lines;
 use super::reduced::Reduced;
+use super::sample::Sample;
 use super::smooth::{Aim, Guess};
 use super::support::support;
 use super::trail::Trail;
@@ -23,8 +22,23 @@ const SMALL: usize = 128;
 /// At most this many lines are searched without a smaller cell.
 const FEW: usize = 40;
 
+/// How much larger the second sample is.
+const LARGER: usize = 4;
+
+/// The most meetings of bundles.
+const MEETINGS: usize = 5;
+
+/// How often the descent goes on from a vertex in which many lines meet.
+const TURNS: usize = 8;
+
+/// More lines are not searched by descent where fewer did not have the optimum, unless a second sample did not help.
+const MANY: usize = 600;
+
 /// How many cells are tried around optima of samples.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 4;
+
+/// The cell around an optimum that seemed to be outside its cell, in terms of that cell.
+const AROUND: f64 = 8.0;
 
 /// The cell of a sample in standard deviations, that of a band in the same sense.
 const SAMPLE_DEVIATIONS: f64 = 2.7;
@@ -32,13 +46,11 @@ const BAND_DEVIATIONS: f64 = 3.0;
 
 /// Lines in the thinnest band.
 const THICKNESS: f64 = 10.0;
+const SHARE: f64 = 0.16;
 
 /// Magnitudes between which nothing overflows and underflow is below every bound's floor.
 const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
-
-/// The seed of the sample: it decides the time, never the answer.
-const SEED: u64 = 0x7a;
 
 /// How the search ends.
 #[derive(Debug)]
@@ -49,6 +61,15 @@ pub(super) enum Found {
     Separated([f64; 3]),
     /// The cells on the way to a problem with few generators left to be solved exactly; no cell, no progress.
     Narrowed(Trail),
+}
+
+/// Why an optimum is not found in a cell.
+#[derive(Debug)]
+enum Missed {
+    /// It seems to be elsewhere.
+    At(Guess),
+    /// Nothing is known of where it is.
+    Lost,
 }
 
 /// `to` − `from` as doubles.
@@ -75,10 +96,20 @@ pub(super) fn search(
     let chart = Chart::new(rounded);
     if question.len() <= SMALL {
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        let found = finish(Reduced::whole(question), &chart, p, None);
+        let found = finish(Reduced::whole(question), &chart, p, None, MANY);
         return found.unwrap_or_else(|_| Found::Narrowed(Trail::default()));
     }
-    let Some(mut guess) = sample_guess(question, &chart, tally) else { return Found::Narrowed(Trail::default()) };
+    let sample = Sample::of(question, 1, tally);
+    let part = sample.vectors.len() as f64 / question.len() as f64;
+    if sample.longest == f64::INFINITY
+        && let Some(bundles) = Bundles::of(&sample.vectors, part, &chart)
+        && let Some(found) = search_bundles(question, p, until_separated, &chart, bundles, tally)
+    {
+        return found;
+    }
+    let Some(mut guess) = sample_guess(&sample, question.len(), false, &chart) else {
+        return Found::Narrowed(Trail::default());
+    };
     if until_separated {
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let direction = chart.point(guess.point);
@@ -86,34 +117,45 @@ pub(super) fn search(
             return Found::Separated(direction);
         }
     }
+    let mut stretch = 1.0;
     for round in 0..ROUNDS {
         tally.add(Operation::SearchStep, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        let cell = chart.cell(&guess, f64::from(1 << round));
-        let reduced = Reduced::of_question(question, cell, question.len() / 16 + 64);
-        if reduced.fixed.magnitude.is_nan() || reduced.fixed.magnitude > LARGEST {
+        let reduced = Reduced::of_question(question, chart.cell(&guess, stretch), question.len() / 16 + 64);
+        if !is_moderate(&reduced) {
             return Found::Narrowed(Trail::default());
         }
-        match finish(reduced, &chart, p, Some(&guess)) {
+        let many = if round + 1 < ROUNDS { MANY } else { usize::MAX };
+        match finish(reduced, &chart, p, Some(&guess), many) {
             Ok(found) => return found,
-            Err(point) => guess.point = point,
+            Err(Missed::At(nearer)) => (guess, stretch) = (nearer, AROUND),
+            Err(Missed::Lost) => {
+                let sample = Sample::of(question, LARGER, tally);
+                let second = sample_guess(&sample, question.len(), true, &chart);
+                (guess, stretch) = (second.unwrap_or(guess), f64::from(1 << round));
+            }
         }
     }
     Found::Narrowed(Trail::default())
 }
 
-/// Solves a reduced problem, or says where its optimum seems to be instead.
+/// Solves a reduced problem, or says what is known of its optimum.
 ///
 /// Smaller and smaller cells leave fewer and fewer lines. Where the vertex found seems to be outside the last cell, the lines of
-/// the one before it are searched.
-fn finish(reduced: Reduced, chart: &Chart, p: &BoundedVector, start: Option<&Guess>) -> Result<Found, [f64; 2]> {
+/// the one before it are searched, if they are not too `many`.
+fn finish(
+    reduced: Reduced,
+    chart: &Chart,
+    p: &BoundedVector,
+    start: Option<&Guess>,
+    many: usize,
+) -> Result<Found, Missed> {
     let mut levels = vec![reduced];
     let mut guess = start.copied();
     let mut lines = levels[0].lines(chart);
     while lines.len() > FEW {
         let last = levels.last().expect("there is always the first");
-        let thickness = THICKNESS.max(lines.len().isqrt() as f64);
-        let aim = Aim { thickness, population: lines.len(), deviations: BAND_DEVIATIONS };
+        let aim = aim(lines.len(), lines.len(), BAND_DEVIATIONS);
         let Some(next) = lines.guess(last.linear(chart), guess.as_ref(), aim) else { break };
         guess = Some(next);
         let few = last.split(chart.cell(&next, 1.0));
@@ -125,28 +167,64 @@ fn finish(reduced: Reduced, chart: &Chart, p: &BoundedVector, start: Option<&Gue
     }
     let least_squares = |lines: &Lines| lines.least_squares().map_or([0.0; 2], |(point, _)| point);
     let mut point = guess.map_or_else(|| least_squares(&lines), |guess| guess.point);
+    let mut is_found = false;
+    if lines.len() > many {
+        return Err(Missed::Lost);
+    }
     loop {
         let level = levels.last().expect("the first problem is never taken away");
-        let doubt = match descend(&lines, level.linear(chart), point) {
-            Ok(basis) => match Certain::at(&levels, p, basis) {
-                Ok(certain) => return Ok(Found::Certain(Box::new(certain), trail(levels))),
-                Err(Unproved::Doubt) => true,
-                Err(Unproved::Astray) => {
-                    point = lines.meet(basis[0], basis[1]);
-                    false
-                }
-            },
-            Err(stop) => stop == Stop::Undecided,
+        let linear = level.linear(chart);
+        let mut vertex = descend(&lines, linear, point);
+        let mut turns = 0;
+        let doubt = loop {
+            match vertex {
+                Some(basis) => match Certain::at(&levels, p, basis) {
+                    Ok(certain) => return Ok(Found::Certain(Box::new(certain), trail(levels))),
+                    Err(Unproved::Doubt) => break true,
+                    Err(Unproved::Astray) => {
+                        (point, is_found) = (lines.meet(basis[0], basis[1]), true);
+                        break false;
+                    }
+                    Err(Unproved::Falls(line)) => {
+                        turns += 1;
+                        if turns > TURNS {
+                            break true;
+                        }
+                        vertex = descend_along(&lines, linear, lines.meet(basis[0], basis[1]), line);
+                    }
+                },
+                None => break false,
+            }
         };
         if doubt {
             return Ok(Found::Narrowed(trail(levels)));
         }
-        if levels.len() == 1 {
-            return Err(point);
+        let wider = levels.len().checked_sub(2).map_or(0, |place| levels[place].vectors.len());
+        if !(1..=many).contains(&wider) {
+            let at = |guess| Missed::At(Guess { point, ..guess });
+            return Err(if is_found { guess.map_or(Missed::Lost, at) } else { Missed::Lost });
         }
         levels.pop();
         lines = levels[levels.len() - 1].lines(chart);
     }
+}
+
+/// Whether nothing overflowed, or will.
+fn is_moderate(reduced: &Reduced) -> bool {
+    // false for NaN as well
+    reduced.fixed.magnitude <= LARGEST
+}
+
+/// What the guess from some lines is to allow for.
+fn aim(len: usize, population: usize, deviations: f64) -> Aim {
+    let thinnest = THICKNESS.max((len as f64).sqrt());
+    let thickness = thinnest.max(SHARE * len as f64);
+    Aim { thickness, thinnest, population, longest: f64::INFINITY, deviations }
+}
+
+/// The same with a band as thin as can be: where generators are uneven, a wide band hides what is in it.
+fn careful(aim: Aim) -> Aim {
+    Aim { thickness: aim.thinnest, ..aim }
 }
 
 /// The cells of problems that were reduced one from the other.
@@ -154,19 +232,51 @@ fn trail(levels: Vec<Reduced>) -> Trail {
     Trail::new(levels.into_iter().filter_map(|level| Some((level.cell?, level.indices))).collect())
 }
 
-/// The optimum of a sample: one generator from each of many equal stretches.
-fn sample_guess(question: &Displacement<'_, 3>, chart: &Chart, tally: &mut impl Tally) -> Option<Guess> {
-    let n = question.len();
-    let size = (6 * n.isqrt() + n / 128).min(n);
-    tally.add(Operation::GeneratorRead, size as u64);
-    let mut random = Pcg64Mcg::seed_from_u64(SEED);
-    let picks = (0..size).map(|i| {
-        let (start, end) = (i * n / size, (i + 1) * n / size);
-        start + ((u64::from(random.random::<u32>()) * (end - start) as u64) >> 32) as usize
-    });
-    let lines = chart.lines(picks.map(|pick| question.generator(pick)));
-    let thickness = THICKNESS.max((size.isqrt()) as f64);
-    lines.guess([0.0; 2], None, Aim { thickness, population: n, deviations: SAMPLE_DEVIATIONS })
+/// The optimum of a sample, with a thin band if it is to be `sure` or lengths are uneven.
+fn sample_guess(sample: &Sample, population: usize, sure: bool, chart: &Chart) -> Option<Guess> {
+    let lines = chart.lines(sample.vectors.iter().copied());
+    let aim = Aim { longest: sample.longest, ..aim(lines.len(), population, SAMPLE_DEVIATIONS) };
+    // all lines are parallel: there is no other guess either
+    lines.least_squares()?;
+    lines.guess([0.0; 2], None, if sure || sample.longest < f64::INFINITY { careful(aim) } else { aim })
+}
+
+/// The optimum where two of few bundles of parallel generators meet; none if it is not found there.
+fn search_bundles(
+    question: &Displacement<'_, 3>,
+    p: &BoundedVector,
+    until_separated: bool,
+    chart: &Chart,
+    mut bundles: Bundles,
+    tally: &mut impl Tally,
+) -> Option<Found> {
+    for round in 0..MEETINGS {
+        let meeting = bundles.meeting(chart)?;
+        if until_separated && round == 0 {
+            tally.add(Operation::GeneratorRead, question.len() as u64);
+            let direction = chart.point(meeting.guess.point);
+            if certainly_separates(question, p, direction) {
+                return Some(Found::Separated(direction));
+            }
+        }
+        tally.add(Operation::SearchStep, 1);
+        tally.add(Operation::GeneratorRead, question.len() as u64);
+        let reduced = Reduced::of_question(question, chart.cell(&meeting.guess, 1.0), question.len() / 8 + 64);
+        if !is_moderate(&reduced) {
+            return None;
+        }
+        if !bundles.is_corrected(&meeting, &reduced, chart) {
+            let levels = [reduced];
+            let vertex = bundles.vertex(&meeting, &levels[0]);
+            let certain = vertex.and_then(|vertex| Certain::at(&levels, p, vertex).ok());
+            let [reduced] = levels;
+            return match certain {
+                Some(certain) => Some(Found::Certain(Box::new(certain), trail(vec![reduced]))),
+                None => finish(reduced, chart, p, Some(&meeting.guess), usize::MAX).ok(),
+            };
+        }
+    }
+    None
 }
 
 /// Whether u · p > h(u), proved by one pass in doubles.

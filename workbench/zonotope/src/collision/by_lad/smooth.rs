@@ -21,10 +21,13 @@ pub(super) struct Guess {
 /// What a guess is to allow for.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Aim {
-    /// Lines in the thinnest band.
+    /// Lines in a band that is thin enough if the minimum hardly moved when it became so thin, and in the thinnest.
     pub(super) thickness: f64,
+    pub(super) thinnest: f64,
     /// How many lines the columns stand for.
     pub(super) population: usize,
+    /// Those of longer generators stand for themselves alone.
+    pub(super) longest: f64,
     /// Standard deviations of the gradient that lines of the band and those that are missing may contribute.
     pub(super) deviations: f64,
 }
@@ -40,6 +43,12 @@ const MOST_SHORTENED: usize = 3;
 
 /// The band is thin enough with so many times the lines it must have.
 const ENOUGH: f64 = 3.0;
+
+/// A step is the last one for its band if it changes the lines' distances, in terms of the band, by no more than this in the mean square.
+const STRICT: f64 = 1e-4;
+
+/// The minimum hardly moves if its last step is no longer than this, in terms of what the guess allows for.
+const SETTLED: f64 = 0.5;
 
 /// A symmetric matrix [[xx, xy], [xy, yy]].
 type Symmetric = [f64; 3];
@@ -73,14 +82,17 @@ impl Lines {
         Some((point, (rest.max(0.0) / self.length).sqrt()))
     }
 
-    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others.
-    fn spread(&self, point: [f64; 2], band: f64, share: f64) -> Symmetric {
+    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others but those of generators longer than `longest`.
+    fn spread(&self, point: [f64; 2], band: f64, share: f64, longest: f64) -> Symmetric {
         let mut sums = [f64x2::splat(0.0); 3];
         let [x, y] = point.map(f64x2::splat);
-        let (band, share, rest) = (f64x2::splat(band), f64x2::splat(share), f64x2::splat(1.0 - share));
+        let [band, share, one] = [band, share, 1.0].map(f64x2::splat);
+        // a little less than the longest's inverse length, which was rounded
+        let least = f64x2::splat(0.999 / longest);
         for [a, b, c, w] in self.pairs() {
             let within = ((a * x + b * y + c).abs() * w).simd_lt(band);
-            let part = share + (rest & within);
+            let share = share & w.simd_gt(least);
+            let part = share + ((one - share) & within);
             let (pa, pb) = (part * a, part * b);
             for (sum, term) in sums.iter_mut().zip([pa * a, pa * b, pb * b]) {
                 *sum += term;
@@ -111,7 +123,7 @@ impl Lines {
     /// The guess from vertex to vertex, slower but sure: for lines in few bundles, where the rounded-off objective is still all edges.
     fn by_descent(&self, linear: [f64; 2], aim: Aim) -> Option<Guess> {
         let start = self.least_squares().map_or([0.0; 2], |(point, _)| point);
-        let [first, second] = descend(self, linear, start).ok()?;
+        let [first, second] = descend(self, linear, start)?;
         let point = self.meet(first, second);
         let distance = |[a, b, c, w]: [f64; 4]| (a * point[0] + b * point[1] + c).abs() * w;
         let mut distances: Vec<f64> = self.iter().map(distance).collect();
@@ -131,6 +143,7 @@ impl Lines {
         let mut best: Option<(Moments, f64, [f64; 2])> = None;
         let mut pending: Option<Step> = None;
         let mut anchor: Option<(f64, [f64; 2])> = None;
+        let mut limit = 1.0;
         let mut shortened = 0;
         let mut steps = 0;
         loop {
@@ -146,7 +159,10 @@ impl Lines {
                 match best {
                     None if moments.count as usize == self.len() => return None,
                     None => band *= 4.0,
-                    Some((wider, size, _)) if wider.count < ENOUGH * thickness || band > 0.7 * size => break,
+                    Some((wider, ..)) if wider.count < ENOUGH * thickness => break,
+                    // the minimum of the wider band itself, not one step towards it, before a thinner one is tried again
+                    Some((_, size, from)) if limit > STRICT => (point, band, limit) = (from, size, STRICT),
+                    Some((_, size, _)) if band > 0.7 * size => break,
                     Some((_, size, from)) => (point, band) = (from, (band * size).sqrt()),
                 }
                 continue;
@@ -169,11 +185,19 @@ impl Lines {
                 continue;
             }
             best = Some((moments, band, point));
-            if moments.count < ENOUGH * thickness || band < thinnest {
+            if change >= limit {
+                continue;
+            }
+            // the gradient's deviation in the same terms, each normal as long as its generator is wide on average
+            let deviation = aim.deviations * (self.len() as f64 / 3.0).sqrt() / moments.count;
+            let is_settled = change < (SETTLED * deviation).powi(2) || moments.count < ENOUGH * aim.thinnest;
+            if (moments.count < ENOUGH * thickness && is_settled) || band < thinnest {
                 break;
             }
             let steady = change < 0.25;
-            let thinner = band * (1.5 * thickness / moments.count).max(if steady { 0.125 } else { 0.5 });
+            let thinner = band
+                * (1.5 * if moments.count < ENOUGH * thickness { aim.thinnest } else { thickness } / moments.count)
+                    .max(if steady { 0.125 } else { 0.5 });
             let before = anchor.replace((band, point)).filter(|(before, _)| steady && *before > 1.01 * band);
             if let Some((before, from)) = before {
                 let ahead = (band - thinner) / (before - band);
@@ -188,7 +212,7 @@ impl Lines {
     /// The guess at a point, given the moments of the band there.
     fn around(&self, moments: &Moments, band: f64, point: [f64; 2], aim: Aim) -> Option<Guess> {
         let missing = 1.0 - self.len() as f64 / aim.population as f64;
-        let [first, second] = factor(&self.spread(point, band, missing))?;
+        let [first, second] = factor(&self.spread(point, band, missing, aim.longest))?;
         let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * aim.deviations));
         let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
         let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();

@@ -7,24 +7,20 @@
 use crate::collision::Displacement;
 use crate::numeric::tolerance::UNIT;
 
-/// Generators read side by side, and how many of them at most.
+/// Generators read side by side.
 const RUN: usize = 8;
-const RUNS: usize = 1 << 14;
-
-/// One run of this many, if there are fewer.
-const SHARE: usize = 4;
 
 /// Between these the sum of the generators' lengths is not touched by overflow and underflow.
 const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
 
-/// s such that the gauge of any x is at most s |x|_1; infinite if none is found.
-pub(super) fn thickness(question: &Displacement<'_, 3>) -> f64 {
+/// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
+pub(super) fn thickness(question: &Displacement<'_, 3>, share: usize) -> f64 {
     let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
     let mut count = 0;
     for run in question.runs() {
-        let step = (run.len() / (RUN * RUNS)).max(SHARE);
-        for part in run.chunks(RUN).step_by(step) {
+        // the last ones are always read: they may be the only ones that lead out of a plane
+        for part in run.chunks(RUN).rev().step_by(share) {
             count += part.len();
             for &[x, y, z] in part {
                 let weight = 1.0 / x.abs().max(y.abs()).max(z.abs()).max(f64::MIN_POSITIVE);

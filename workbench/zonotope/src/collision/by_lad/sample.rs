@@ -1,0 +1,74 @@
+//! A part of the generators that stands for all of them.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::collision::Displacement;
+use crate::tally::{Operation, Tally};
+
+/// So many of the last generators are always in the sample: they may be the only ones that lead out of a plane, those of a prism.
+const LAST: usize = 2;
+
+/// Where the mean square of the lengths exceeds the square of their mean by this factor, long generators are more likely to be picked.
+const UNEVEN: f64 = 4.0;
+
+/// The seed of the sample: it decides the time, never the answer.
+const SEED: u64 = 0x7a;
+
+/// Generators, or multiples of some.
+pub(super) struct Sample {
+    pub(super) vectors: Vec<[f64; 3]>,
+    /// Those longer than this stand for themselves alone.
+    pub(super) longest: f64,
+}
+
+impl Sample {
+    /// Of more than a few generators, one from each of many equal stretches; where lengths are very uneven, one from each of many stretches of the same length in all.
+    ///
+    /// `factor` times as many as is usual.
+    pub(super) fn of(question: &Displacement<'_, 3>, factor: usize, tally: &mut impl Tally) -> Self {
+        let n = question.len();
+        let size = (factor * (6 * n.isqrt() + n / 128)).min(n);
+        tally.add(Operation::GeneratorRead, size as u64);
+        let mut random = Pcg64Mcg::seed_from_u64(SEED);
+        let picks = (0..size).map(|i| {
+            let (start, end) = (i * n / size, (i + 1) * n / size);
+            let within = (u64::from(random.random::<u32>()) * (end - start) as u64) >> 32;
+            question.generator(if i + LAST >= size { n - size + i } else { start + within as usize })
+        });
+        let vectors: Vec<[f64; 3]> = picks.collect();
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for v in &vectors[..size - LAST] {
+            let length = length(v);
+            sum += length;
+            squares += length * length;
+        }
+        let is_uneven = squares * size as f64 > UNEVEN * sum * sum;
+        if !is_uneven {
+            return Self { vectors, longest: f64::INFINITY };
+        }
+        tally.add(Operation::GeneratorRead, n as u64);
+        Self::by_length(question, sum * n as f64 / (size * size) as f64, size)
+    }
+
+    /// One generator for each `stretch` of length, made as long as that; those that are longer all the same.
+    fn by_length(question: &Displacement<'_, 3>, stretch: f64, expected: usize) -> Self {
+        let mut vectors = Vec::with_capacity(2 * expected);
+        let mut missing = stretch / 2.0;
+        for v in question.generators().take(question.len() - LAST) {
+            let length = length(v);
+            missing -= length;
+            if missing <= 0.0 {
+                let factor = stretch / length;
+                vectors.push(if factor > 1.0 { v.map(|c| factor * c) } else { *v });
+                missing = if missing > -stretch { missing + stretch } else { missing.rem_euclid(stretch) };
+            }
+        }
+        vectors.extend((question.len() - LAST..question.len()).map(|i| question.generator(i)));
+        Self { vectors, longest: stretch }
+    }
+}
+
+fn length([x, y, z]: &[f64; 3]) -> f64 {
+    x.abs() + y.abs() + z.abs()
+}
