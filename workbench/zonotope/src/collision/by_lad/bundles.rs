@@ -168,3 +168,43 @@ fn is_along(v: &[f64; 3], unit: &[f64; 3]) -> bool {
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart() -> Chart {
+        Chart::new([0.0, 0.0, 1.0])
+    }
+
+    #[test]
+    fn few_directions_are_told_from_many() {
+        let few: Vec<[f64; 3]> = (0..60)
+            .map(|i| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [1.0, 1.0, 1.0]][i % 3].map(|c| c * (1.0 + i as f64)))
+            .collect();
+        let bundles = Bundles::of(&few, 1.0, &chart()).expect("three directions");
+        assert_eq!(bundles.bundles.len(), 3);
+        let many: Vec<[f64; 3]> = (0..60).map(|i| [1.0, f64::from(i), f64::from(i * i)]).collect();
+        assert!(Bundles::of(&many, 1.0, &chart()).is_none());
+    }
+
+    #[test]
+    fn a_wrong_meeting_is_corrected() {
+        // lines x = −0.2, y = −0.3 of weight 1 and x + y = −1 of weight w: with w = 3 the optimum is where the heavy one meets another
+        let body = |w: f64| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [w, w, w]];
+        let sample = body(0.1);
+        let repeated: Vec<[f64; 3]> = sample.iter().copied().cycle().take(24).collect();
+        let mut bundles = Bundles::of(&repeated, 1.0, &chart()).expect("three directions");
+        let first = bundles.meeting(&chart()).expect("there is one");
+        let mut pair = [first.first, first.second];
+        pair.sort_unstable();
+        assert_eq!(pair, [0, 1]);
+        let truth: Vec<[f64; 3]> = body(3.0).iter().copied().cycle().take(24).collect();
+        let question = crate::collision::Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &truth).expect("finite");
+        let reduced = Reduced::of_question(&question, chart().cell(&first.guess, 1.0), 24);
+        assert_eq!(reduced.vectors.len(), 16);
+        assert!(bundles.is_corrected(&first, &reduced, &chart()));
+        let second = bundles.meeting(&chart()).expect("there is one");
+        assert!(second.first == 2 || second.second == 2, "{second:?}");
+    }
+}

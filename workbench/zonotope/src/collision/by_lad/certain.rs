@@ -158,3 +158,63 @@ impl Near {
         Ok(Self { sum, shares, shared: shared * slack, missing: missing * slack })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Displacement;
+
+    const X: [f64; 3] = [1.0, 0.0, 0.0];
+    const Y: [f64; 3] = [0.0, 1.0, 0.0];
+    const Z: [f64; 3] = [0.0, 0.0, 1.0];
+
+    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<Cell>) -> Result<Certain, Unproved> {
+        let question = Displacement::new([0.0; 3], p, generators).expect("finite");
+        let level = Reduced { cell, ..Reduced::whole(&question) };
+        Certain::at(&[level], &exact(p), [0, 1])
+    }
+
+    #[test]
+    fn a_facet_of_the_cube_worked_out_by_hand() {
+        // the ray along (0.3, 0.2, 2) leaves [−1, 1]³ through its top at λ = 1/2
+        let certain = at(&[X, Y, Z], [0.3, 0.2, 2.0], None).expect("inside the top");
+        assert!(certain.is_vertex());
+        assert_eq!((certain.reach.value, certain.along.value, certain.reversed), (1.0, 2.0, false));
+        assert_eq!(certain.slack(f64::INFINITY), 0.0);
+        let below = at(&[X, Y, Z], [0.3, 0.2, -2.0], None).expect("inside the bottom");
+        assert!(below.reversed && below.along.value == 2.0);
+    }
+
+    #[test]
+    fn at_an_edge_the_gauge_is_between_two_bounds() {
+        // (0.1 + 0.2, 0.1, 0.3) leaves the box of half-sides 1, 1, 1 at an edge, but for rounding
+        let certain = at(&[X, Y, Z], [0.1 + 0.2, 0.1, 0.3], None).expect("at an edge");
+        let slack = certain.slack(f64::INFINITY);
+        assert!(!certain.is_vertex() && slack > 0.0 && slack < 1e-13, "{slack}");
+        assert!(certain.slack(1e-3) < 2e-3 * slack);
+    }
+
+    #[test]
+    fn vertices_that_are_not_the_optimum_are_not_proved() {
+        let failure = |p, cell| at(&[X, Y, Z], p, cell).map(|_| ()).expect_err("no proof");
+        // the ray leaves through a side; p in the plane of the basis; a cell around another direction
+        assert_eq!(failure([9.0, 0.0, 1.0], None), Unproved::Doubt);
+        assert_eq!(failure([1.0, 1.0, 0.0], None), Unproved::Doubt);
+        let elsewhere = Cell { center: [1.0, 0.0, 0.0], axes: None, ball: 0.5 };
+        assert_eq!(failure([0.1, 0.2, 1.0], Some(elsewhere)), Unproved::Astray);
+    }
+
+    #[test]
+    fn generators_of_the_facet_share_what_the_basis_cannot_make() {
+        // the top of X, Y, Z, (1, 1, 0), (1, −1, 0) is an octagon: it holds (2, 1), not (5, 0)
+        let body = [X, Y, Z, [1.0, 1.0, 0.0], [1.0, -1.0, 0.0]];
+        let certain = at(&body, [2.0, 1.0, 1.0], None).expect("in the octagon");
+        assert_eq!(certain.shares.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [3, 4]);
+        assert!(certain.shares.iter().all(|(_, share)| share.abs() <= 1.0));
+        assert!(certain.excess.iter().all(|excess| *excess < 1e-12));
+        // what the sum lacks to be a multiple of p is a combination of X and Y with coefficients in [−1, 1]
+        let [x, y, z] = certain.sum.map(|c| c.value);
+        assert!(z == 1.0 && (2.0 - x).abs() <= 1.0 + 1e-12 && (1.0 - y).abs() <= 1.0 + 1e-12, "{x} {y}");
+        assert!(matches!(at(&body, [5.0, 0.0, 1.0], None), Err(Unproved::Falls(_))));
+    }
+}

@@ -95,3 +95,53 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Location;
+    use crate::collision::by_lad::reduced::Reduced;
+    use crate::collision::verify::verify;
+
+    /// The proof from the vertex of the first two generators, checked exactly.
+    fn prove(generators: &[[f64; 3]], p: [f64; 3]) -> Option<Witness> {
+        let question = Displacement::new([0.0; 3], p, generators).expect("finite");
+        let p = bounded::exact(p);
+        let certain = Certain::at(&[Reduced::whole(&question)], &p, [0, 1]).ok()?;
+        let witness = witness(&question, &certain, &Trail::default(), &p)?;
+        assert_eq!(verify(&question, &Location::Inside(witness.clone())), Ok(()));
+        Some(witness)
+    }
+
+    const BODY: [[f64; 3]; 6] =
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.1, 1.0], [0.3, 0.0, 1.0], [0.1, -0.2, 1.0], [-0.2, 0.1, 0.7]];
+
+    #[test]
+    fn points_below_a_facet_are_proved() {
+        let top = BODY[2..].iter().fold([0.0; 3], |sum, v| [0, 1, 2].map(|k| sum[k] + v[k]));
+        for (x, y) in [(0.0, 0.0), (0.5, -0.25), (0.999, 0.0), (1.0, 1.0), (-1.0, 0.3)] {
+            for factor in [0.5, 0.9, 1.0 - 1e-9] {
+                let p = [top[0] + x, top[1] + y, top[2]].map(|c| c * factor);
+                let witness = prove(&BODY, p).unwrap_or_else(|| panic!("{x} {y} {factor}"));
+                assert!(witness.basis.len() == 3 && witness.basis[..2] == [0, 1], "{witness:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn shares_of_a_facet_are_part_of_the_proof() {
+        let body: Vec<[f64; 3]> =
+            BODY.into_iter().chain([[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.3, 0.0, 0.0]]).collect();
+        let top = BODY[2..].iter().fold([0.0; 3], |sum, v| [0, 1, 2].map(|k| sum[k] + v[k]));
+        for (x, y) in [(0.0, 0.0), (2.5, 0.7), (-3.2, 0.1), (0.0, 2.9)] {
+            let p = [top[0] + x, top[1] + y, top[2]].map(|c| c * 0.99);
+            let witness = prove(&body, p).unwrap_or_else(|| panic!("{x} {y}"));
+            assert!(witness.basis.iter().all(|index| *index < 6), "{witness:?}");
+        }
+    }
+
+    #[test]
+    fn points_outside_are_not() {
+        assert!(prove(&BODY, [0.2, 0.0, 4.0]).is_none());
+    }
+}

@@ -68,3 +68,22 @@ impl Lines {
         [(b * f - c * e) / determinant, (c * d - a * f) / determinant]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_odd_number_of_lines_is_padded_by_one_that_counts_for_nothing() {
+        let columns = [[1.0, 0.0, -1.0, 1.0], [0.0, 1.0, -2.0, 1.0], [1.0, 1.0, 0.0, 0.5]];
+        let mut lines = Lines::with_capacity(3);
+        lines.push_pair([0, 1, 2, 3].map(|k| f64x2::new([columns[0][k], columns[1][k]])), f64x2::new([1.0, 1.0]));
+        lines.push_last(columns[2], 2.0);
+        assert_eq!((lines.len(), lines.pairs().len(), lines.length), (3, 2, 4.0));
+        assert_eq!(lines.iter().collect::<Vec<_>>(), columns);
+        assert_eq!([0, 1, 2].map(|i| lines.line(i)), columns);
+        // x = 1 and y = 2; y = 2 and x + y = 0
+        assert_eq!(lines.meet(0, 1), [1.0, 2.0]);
+        assert_eq!(lines.meet(1, 2), [-2.0, 2.0]);
+    }
+}

@@ -31,10 +31,12 @@ impl Sample {
         let size = (factor * (6 * n.isqrt() + n / 128)).min(n);
         tally.add(Operation::GeneratorRead, size as u64);
         let mut random = Pcg64Mcg::seed_from_u64(SEED);
+        // places in units of 2^-32, so that one division does for all
+        let step = ((n as u64) << 32) / size as u64;
         let picks = (0..size).map(|i| {
-            let (start, end) = (i * n / size, (i + 1) * n / size);
-            let within = (u64::from(random.random::<u32>()) * (end - start) as u64) >> 32;
-            question.generator(if i + LAST >= size { n - size + i } else { start + within as usize })
+            let within = (u64::from(random.random::<u32>() >> 16) * step) >> 16;
+            let place = ((i as u64 * step + within) >> 32) as usize;
+            question.generator(if i + LAST >= size { n - size + i } else { place })
         });
         let vectors: Vec<[f64; 3]> = picks.collect();
         let (mut sum, mut squares) = (0.0, 0.0);
@@ -71,4 +73,32 @@ impl Sample {
 
 fn length([x, y, z]: &[f64; 3]) -> f64 {
     x.abs() + y.abs() + z.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn even_lengths_are_sampled_by_place() {
+        let body: Vec<[f64; 3]> = (0..4096).map(|i| [1.0, f64::from(i), 5000.0]).collect();
+        let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
+        let sample = Sample::of(&question, 1, &mut ());
+        assert_eq!((sample.vectors.len(), sample.longest), (6 * 64 + 32, f64::INFINITY));
+        assert!(sample.vectors.is_sorted_by(|a, b| a[1] < b[1]));
+        assert_eq!(sample.vectors[sample.vectors.len() - 1], body[4095]);
+    }
+
+    #[test]
+    fn uneven_lengths_are_sampled_by_length() {
+        // one in a hundred is a thousand times as long as the others
+        let length = |i: usize| if i.is_multiple_of(100) { 1000.0 } else { 1.0 };
+        let body: Vec<[f64; 3]> = (0..10_000).map(|i| [length(i), 0.0, 0.0]).collect();
+        let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
+        let sample = Sample::of(&question, 1, &mut ());
+        let total: f64 = body.iter().map(|v| v[0]).sum();
+        let own: f64 = sample.vectors.iter().map(|v| v[0]).sum();
+        assert!((own / total - 1.0).abs() < 0.05, "{own} for {total}");
+        assert!(sample.longest < 1000.0 && sample.vectors.iter().filter(|v| v[0] == 1000.0).count() == 100);
+    }
 }

@@ -236,8 +236,6 @@ fn trail(levels: Vec<Reduced>) -> Trail {
 fn sample_guess(sample: &Sample, population: usize, sure: bool, chart: &Chart) -> Option<Guess> {
     let lines = chart.lines(sample.vectors.iter().copied());
     let aim = Aim { longest: sample.longest, ..aim(lines.len(), population, SAMPLE_DEVIATIONS) };
-    // all lines are parallel: there is no other guess either
-    lines.least_squares()?;
     lines.guess([0.0; 2], None, if sure || sample.longest < f64::INFINITY { careful(aim) } else { aim })
 }
 

@@ -117,7 +117,12 @@ impl Lines {
     /// it; where it gets too thin the search goes back and thins it less, and where it follows the minimum steadily the
     /// next one is extrapolated.
     pub(super) fn guess(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
-        self.by_newton(linear, start, aim).or_else(|| self.by_descent(linear, aim))
+        // where all lines are parallel there is no guess at all
+        let (point, band) = match start {
+            Some(guess) => (guess.point, guess.band),
+            None => self.least_squares()?,
+        };
+        self.by_newton(linear, point, band, aim).or_else(|| self.by_descent(linear, aim))
     }
 
     /// The guess from vertex to vertex, slower but sure: for lines in few bundles, where the rounded-off objective is still all edges.
@@ -133,12 +138,8 @@ impl Lines {
         self.around(&self.moments(point, band), band, point, aim)
     }
 
-    fn by_newton(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
+    fn by_newton(&self, linear: [f64; 2], mut point: [f64; 2], mut band: f64, aim: Aim) -> Option<Guess> {
         let thickness = aim.thickness;
-        let (mut point, mut band) = match start {
-            Some(guess) => (guess.point, guess.band),
-            None => self.least_squares()?,
-        };
         let thinnest = band * THINNEST;
         let mut best: Option<(Moments, f64, [f64; 2])> = None;
         let mut pending: Option<Step> = None;

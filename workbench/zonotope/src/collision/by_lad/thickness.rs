@@ -58,3 +58,35 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(generators: &[[f64; 3]], share: usize) -> f64 {
+        thickness(&Displacement::new([0.0; 3], [0.0; 3], generators).expect("finite"), share)
+    }
+
+    #[test]
+    fn boxes_worked_out_by_hand() {
+        // the gauge of e_k in the box of half-sides 2, 4, 8 is 1/2, 1/4, 1/8
+        let sides = [[2.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 8.0]];
+        assert!((0.5..0.5 + 1e-12).contains(&of(&sides, 1)));
+        // eighty times as thick, of which one run in ten is read: the last
+        let many: Vec<[f64; 3]> = sides.iter().copied().cycle().take(240).collect();
+        assert!((0.5 / 80.0..0.5 / 80.0 + 1e-12).contains(&of(&many, 1)));
+        let part = of(&many, 10);
+        assert!((0.5 / 80.0..0.5).contains(&part), "{part}");
+    }
+
+    #[test]
+    fn nothing_is_said_of_flat_bodies_and_extreme_ones() {
+        assert_eq!(of(&[], 1), f64::INFINITY);
+        assert_eq!(of(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]], 1), f64::INFINITY);
+        assert_eq!(of(&[[1.0, 0.1, 0.0], [0.0, 1.0, 0.1], [1.0, 1.1, 0.1]], 1), f64::INFINITY);
+        for size in [1e300, 1e-300] {
+            let sides = [[size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]];
+            assert_eq!(of(&sides, 1), f64::INFINITY);
+        }
+    }
+}

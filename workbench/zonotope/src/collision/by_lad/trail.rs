@@ -60,3 +60,27 @@ impl Trail {
         signs
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_cell_that_a_generator_misses_decides_its_sign() {
+        let generators = [[1.0, 0.0, 0.0], [-1.0, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.1]];
+        let question = Displacement::new([0.0; 3], [1.0; 3], &generators).expect("finite");
+        let cell = |center, ball| Cell { center, axes: None, ball };
+        // 2 and 3 cross the first cell, 3 the second as well
+        let wide = (cell([1.0, 0.1, 0.0], 0.2), vec![2, 3]);
+        let narrow = (cell([1.0, 0.1, 0.9], 0.01), vec![3]);
+        let trail = Trail::new(vec![wide, narrow]);
+        let last = cell([1.0, 0.1, 2.0], 0.0);
+        let expected = [1, -1, 1, 1];
+        assert_eq!(trail.signed(&question, Some(&last), [-1, 0, 1]), expected);
+        assert_eq!([0, 1, 2, 3].map(|i| trail.sign(&question, &last, i)), expected.map(f64::from));
+        assert_eq!(trail.signed(&question, None, [-1, 0, 1]), [1, -1, 1, 0]);
+        // without the second cell the last direction decides for both
+        assert_eq!(trail.up_to(1).signed(&question, None, [-1, 0, 1]), [1, -1, 0, 0]);
+        assert_eq!(Trail::default().signed(&question, None, [-1, 0, 1]), [0; 4]);
+    }
+}
