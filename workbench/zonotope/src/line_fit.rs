@@ -151,8 +151,9 @@ fn at_facet(points: &[FitPoint], tally: &mut impl Tally) -> Option<Minimizer> {
     let generators: Vec<[f64; 3]> = points.iter().map(|point| [point.x, 1.0, -point.y]).collect();
     let question = Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &generators).ok()?;
     let facet = by_lad::facet_counted(&question, tally);
+    let is_best = facet.is_sharp() && facet.value().0 < f64::MAX;
     match *facet.basis() {
-        [first, second] if facet.value().0 < f64::MAX && points[first].x != points[second].x => {
+        [first, second] if is_best && points[first].x != points[second].x => {
             let index = |point| u32::try_from(point).ok().map(LineIndex);
             Some(Minimizer::Vertex(index(first)?, index(second)?))
         }

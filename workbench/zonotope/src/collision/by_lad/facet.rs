@@ -122,6 +122,11 @@ impl<'q> Facet<'q> {
         self.kind.basis()
     }
 
+    /// Whether [`basis`](Self::basis) is that of the facet for sure, not only nearly. O(1).
+    pub fn is_sharp(&self) -> bool {
+        self.kind.is_sharp()
+    }
+
     /// Whether the displacement is in the closed body. O(1).
     pub fn is_member(&self) -> bool {
         self.kind.is_member()
@@ -181,6 +186,15 @@ impl Kind {
             Self::Certain(proof) => &proof.certain.basis,
             Self::Exact(exit) => &exit.basis,
             Self::Flat(flat) => flat.basis(),
+        }
+    }
+
+    fn is_sharp(&self) -> bool {
+        match self {
+            Self::Center | Self::Separated(_) => false,
+            Self::Certain(proof) => proof.certain.is_vertex(),
+            Self::Exact(_) => true,
+            Self::Flat(flat) => flat.kind.is_sharp(),
         }
     }
 
