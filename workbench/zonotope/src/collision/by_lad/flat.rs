@@ -64,8 +64,8 @@ fn is_zero_sum([a, b, c]: [f64; 3]) -> bool {
 /// False only if v · n is certainly not zero, where n is rounded and its largest coordinate is 1.
 fn is_orthogonal(v: &[f64; 3], n: &[f64; 3]) -> bool {
     let [x, y, z] = [v[0] * n[0], v[1] * n[1], v[2] * n[2]];
-    // not greater: NaN is no certainty
-    !((x + y + z).abs() > 8.0 * f64::EPSILON * (x.abs() + y.abs() + z.abs()) + f64::MIN_POSITIVE)
+    let value = (x + y + z).abs();
+    value.is_nan() || value <= 8.0 * f64::EPSILON * (x.abs() + y.abs() + z.abs()) + f64::MIN_POSITIVE
 }
 
 #[cfg(test)]
