@@ -1,8 +1,11 @@
 //! Checks an answer in exact arithmetic, with code that shares nothing with the search.
 //!
 //! The forces add up to zero, and lower bound · |w| ≤ Σ λ_j · p_j for every vertex w of Σ [−1, 1] λ_j. In coordinates in which the r-dimensional span of the forces is
-//! all of space, each vertex lies on the side of some direction orthogonal to r − 1 independent forces; those orthogonal to it as well may have any signs.
+//! all of space, each vertex lies on the side of some direction orthogonal to r − 1 independent forces; those orthogonal to it as well are a zonotope in a hyperplane, whose
+//! vertices are found in the same way.
 //! So the vertices are enumerated by subsets, with exact normals and exact signs. Containment is decided for each point by a rational program.
+
+use std::cmp::Ordering;
 
 use thiserror::Error;
 
@@ -29,13 +32,10 @@ pub enum MinLengthDefect {
     /// The ratio is below that of the length to the lower bound.
     #[error("the ratio is below that of the two bounds")]
     Ratio,
-    /// More forces lie in one hyperplane than can be tried with all signs.
-    #[error("{0} forces in one hyperplane are too many to check")]
-    TooManyTies(usize),
 }
 
-/// So many forces in one hyperplane are tried with all signs.
-const MOST_TIES: usize = 16;
+/// Up to so many forces in one hyperplane are tried with all signs; of more, the vertices in that hyperplane.
+const FEW_TIES: usize = 4;
 
 /// Checks everything about an answer: a rational program for each point, exact vertices of all forces. For small answers.
 ///
@@ -81,7 +81,8 @@ pub fn verify_bounds<const D: usize>(
         return Err(MinLengthDefect::LowerBound);
     }
     let (bound, gain) = (&bound * &bound, &gain * &gain);
-    if is_positive && farthest_vertex(&forces)?.is_none_or(|square| &bound * &square > gain) {
+    let origin: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
+    if is_positive && &bound * &farthest_vertex(&origin, &forces) > gain {
         return Err(MinLengthDefect::LowerBound);
     }
     let is_ratio = exact(answer.length) <= &exact(answer.ratio) * &exact(answer.lower_bound);
@@ -112,31 +113,39 @@ fn is_at_least_length<const D: usize>(length: f64, generators: &[[f64; D]]) -> b
     length.is_finite() && sum <= Dyadic::from_f64(length)
 }
 
-/// The squared distance of the farthest vertex of Σ [−1, 1] λ_j; `None` without a force that is not zero.
-fn farthest_vertex<const D: usize>(forces: &[[Dyadic; D]]) -> Result<Option<Dyadic>, MinLengthDefect> {
+/// The squared distance of the farthest vertex of base + Σ [−1, 1] λ_j.
+fn farthest_vertex<const D: usize>(base: &[Dyadic; D], forces: &[[Dyadic; D]]) -> Dyadic {
     let forces: Vec<[Dyadic; D]> = forces.iter().filter(|f| f.iter().any(|c| !c.is_zero())).cloned().collect();
     let axes = independent_coordinates(&forces);
     let flat: Vec<Vec<Dyadic>> = forces.iter().map(|f| axes.iter().map(|&c| f[c].clone()).collect()).collect();
-    let Some(size) = axes.len().checked_sub(1) else { return Ok(None) };
-    let mut farthest: Option<Dyadic> = None;
+    let Some(size) = axes.len().checked_sub(1) else { return dot(base, base) };
+    let mut farthest = Dyadic::zero();
     let mut subset: Vec<usize> = (0..size).collect();
     loop {
         let rows: Vec<&[Dyadic]> = subset.iter().map(|&j| &flat[j][..]).collect();
         let normal = normal_of(&rows, axes.len());
         if normal.iter().any(|c| !c.is_zero()) {
-            let mut vertex: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
-            let mut tied = Vec::new();
-            for (force, flat) in forces.iter().zip(&flat) {
-                match dot(flat, &normal).sign() {
-                    std::cmp::Ordering::Greater => vertex = std::array::from_fn(|c| &vertex[c] + &force[c]),
-                    std::cmp::Ordering::Less => vertex = std::array::from_fn(|c| &vertex[c] - &force[c]),
-                    std::cmp::Ordering::Equal => tied.push(force),
+            let sides: Vec<Ordering> = flat.iter().map(|flat| dot(flat, &normal).sign()).collect();
+            let tied: Vec<usize> = (0..forces.len()).filter(|&j| sides[j].is_eq()).collect();
+            // Forces within one line apart, a hyperplane is met first by the first of its forces.
+            if tied.first() == subset.first() {
+                let ties: Vec<[Dyadic; D]> = tied.iter().map(|&j| forces[j].clone()).collect();
+                for sign in [Ordering::Greater, Ordering::Less] {
+                    let vertex = forces.iter().zip(&sides).filter(|(_, side)| side.is_ne()).fold(
+                        base.clone(),
+                        |sum, (force, side)| {
+                            std::array::from_fn(
+                                |c| if *side == sign { &sum[c] + &force[c] } else { &sum[c] - &force[c] },
+                            )
+                        },
+                    );
+                    let distance = if ties.len() <= FEW_TIES {
+                        farthest_of_signs(&vertex, &ties)
+                    } else {
+                        farthest_vertex(&vertex, &ties)
+                    };
+                    farthest = farthest.max(distance);
                 }
-            }
-            // A subset met again through others of its hyperplane is done once, by the first that span it.
-            let is_first = tied.iter().zip(&subset).all(|(force, &j)| std::ptr::eq(*force, &forces[j]));
-            if is_first || tied.len() > size {
-                farthest = farthest.max(Some(farthest_of_signs(&vertex, &tied)?));
             }
         }
         let Some(moving) = (0..size).rev().find(|&i| subset[i] + size - i < forces.len()) else { break };
@@ -145,13 +154,10 @@ fn farthest_vertex<const D: usize>(forces: &[[Dyadic; D]]) -> Result<Option<Dyad
             subset[i] = subset[i - 1] + 1;
         }
     }
-    Ok(farthest)
+    farthest
 }
 
-fn farthest_of_signs<const D: usize>(vertex: &[Dyadic; D], tied: &[&[Dyadic; D]]) -> Result<Dyadic, MinLengthDefect> {
-    if tied.len() > MOST_TIES {
-        return Err(MinLengthDefect::TooManyTies(tied.len()));
-    }
+fn farthest_of_signs<const D: usize>(vertex: &[Dyadic; D], tied: &[[Dyadic; D]]) -> Dyadic {
     let squares = (0..1usize << tied.len()).map(|choice| {
         let mut corner = vertex.clone();
         for (i, force) in tied.iter().enumerate() {
@@ -160,7 +166,7 @@ fn farthest_of_signs<const D: usize>(vertex: &[Dyadic; D], tied: &[&[Dyadic; D]]
         }
         dot(&corner, &corner)
     });
-    Ok(squares.fold(Dyadic::zero(), Dyadic::max))
+    squares.fold(Dyadic::zero(), Dyadic::max)
 }
 
 /// Coordinates in which vectors keep their independence, as many as they span dimensions.
@@ -229,11 +235,33 @@ mod tests {
 
     #[test]
     fn the_farthest_vertex_by_hand() {
+        let exact = |vector: [f64; 3]| vector.map(Dyadic::from_f64);
+        let origin = exact([0.0; 3]);
         // ±(2, 0) ± (0, 1) ± (1, 1): the farthest is (3, 2)
-        let forces = [[2.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|f: [f64; 2]| f.map(Dyadic::from_f64));
-        assert_eq!(farthest_vertex(&forces), Ok(Some(Dyadic::from_f64(13.0))));
+        let forces = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(exact);
+        assert_eq!(farthest_vertex(&origin, &forces), Dyadic::from_f64(13.0));
         // in a plane of space, two of them parallel: ±(1, 1, 0) ± (2, 2, 0) ± (0, 1, 0)
-        let forces = [[1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, 1.0, 0.0]].map(|f: [f64; 3]| f.map(Dyadic::from_f64));
-        assert_eq!(farthest_vertex(&forces), Ok(Some(Dyadic::from_f64(25.0))));
+        let forces = [[1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, 1.0, 0.0]].map(exact);
+        assert_eq!(farthest_vertex(&origin, &forces), Dyadic::from_f64(25.0));
+        // from (0, 1, 0), two segments of a line: the farthest is (−3, 1, 0) or its mirror image
+        assert_eq!(
+            farthest_vertex(&exact([0.0, 1.0, 0.0]), &[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(exact)),
+            Dyadic::from_f64(10.0)
+        );
+    }
+
+    #[test]
+    fn many_forces_in_one_plane_are_no_more_than_their_signs() {
+        // six forces in the plane z = 0, two in a line, and two across it
+        let plane = [[1.0, 2.0], [3.0, -1.0], [2.0, 4.0], [-1.0, 1.0], [0.0, 3.0], [5.0, 1.0]];
+        let forces: Vec<[Dyadic; 3]> = plane
+            .iter()
+            .map(|&[x, y]| [x, y, 0.0])
+            .chain([[1.0, 1.0, 2.0], [0.0, -2.0, 1.0]])
+            .map(|force| force.map(Dyadic::from_f64))
+            .collect();
+        let origin: [Dyadic; 3] = std::array::from_fn(|_| Dyadic::zero());
+        assert_eq!(farthest_vertex(&origin, &forces), farthest_of_signs(&origin, &forces));
+        assert_eq!(farthest_vertex(&origin, &forces[..6]), farthest_of_signs(&origin, &forces[..6]));
     }
 }
