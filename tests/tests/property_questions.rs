@@ -197,6 +197,19 @@ proptest! {
     }
 }
 
+/// The area of this rectangle lies between the largest double and the next power of two, less than half a unit above: rounded up it
+/// is infinite, rounded to the nearest it is not.
+#[test]
+fn an_area_just_above_the_largest_double_is_infinite_and_verifies() {
+    let share = 1.25 / f64::from(1 << 27);
+    let (width, height) = (2f64.powi(512) * (1.0 - share), 2f64.powi(512) * (1.0 + share));
+    let points = json!([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]]);
+    let question = question("min_area", &json!({ "points": points }));
+    let answer = answered(question.to_string().as_bytes());
+    assert_eq!(answer["result"]["area"], "Infinity", "{answer}");
+    assert!(matches!(check(&tree(&question), &tree(&answer)), Verdict::Right(_)), "{answer}");
+}
+
 /// A small JSON value of any shape.
 fn shape() -> impl Strategy<Value = Value> {
     let leaf = prop_oneof![
