@@ -194,16 +194,12 @@ impl<'h> CenteredZonogon<'h> {
 struct Starts(Vec<BoundaryVertex>);
 
 impl EdgeVisitor for Starts {
-    fn hull_edge(&mut self, from: BoundaryVertex, _: usize, is_edge: bool) {
-        if is_edge {
-            self.0.push(from);
-        }
+    fn hull_edge(&mut self, from: BoundaryVertex, _: usize) {
+        self.0.push(from);
     }
 
-    fn bridge(&mut self, from: BoundaryVertex, _: usize, is_edge: bool) {
-        if is_edge {
-            self.0.push(from);
-        }
+    fn bridge(&mut self, from: BoundaryVertex, _: usize) {
+        self.0.push(from);
     }
 }
 

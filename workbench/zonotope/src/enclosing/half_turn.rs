@@ -5,8 +5,7 @@
 //! reflected. In the direction normal to edge t the boundary of Z(O) is that edge if O is not to the right of ℓ_t, else the reflection of its
 //! farthest vertex, which is on the other chain. So at each edge the boundary is on one of the two chains, which the side of one line tells;
 //! where that changes from an edge to the next, a bridge leads from the vertex that has been reached on one chain to the one reached on the
-//! other. Sides and chains are as good as random on round hulls, so the walk has no branch on them: the visitor is offered every edge and every
-//! bridge, and told whether it is one of the boundary.
+//! other.
 //!
 //! Where a centre on ℓ_t puts two parallel edges on one line, the face is spanned by the outermost of their four ends.
 
@@ -21,10 +20,10 @@ use crate::numeric::exact_sum::exact_sum;
 /// What is done with the edges of half of the boundary, in counter-clockwise order.
 pub(crate) trait EdgeVisitor {
     /// An edge along one of the hull, or of its reflection, from a vertex to another one of that kind.
-    fn hull_edge(&mut self, from: BoundaryVertex, to: usize, is_edge: bool);
+    fn hull_edge(&mut self, from: BoundaryVertex, to: usize);
 
     /// An edge from a vertex of the hull to a reflected one, or the other way round.
-    fn bridge(&mut self, from: BoundaryVertex, to: usize, is_edge: bool);
+    fn bridge(&mut self, from: BoundaryVertex, to: usize);
 }
 
 /// A hull with area, a centre, and the side of each ℓ_t on which the centre lies.
@@ -50,12 +49,14 @@ struct Reached {
 }
 
 impl Reached {
-    /// Offers the bridge to the other chain, if that is the one wanted.
+    /// Crosses the bridge to the other chain, if that is the one wanted.
     #[inline(always)]
     fn switch(&mut self, to_upper: bool, visitor: &mut impl EdgeVisitor) {
-        let (from, to) = if to_upper { (self.lower, self.upper) } else { (self.upper, self.lower) };
-        visitor.bridge(BoundaryVertex::new(from, !to_upper), to, self.is_upper != to_upper);
-        self.is_upper = to_upper;
+        if self.is_upper != to_upper {
+            let (from, to) = if to_upper { (self.lower, self.upper) } else { (self.upper, self.lower) };
+            visitor.bridge(BoundaryVertex::new(from, !to_upper), to);
+            self.is_upper = to_upper;
+        }
     }
 }
 
@@ -87,6 +88,7 @@ impl<'h, 'a> HalfTurn<'h, 'a> {
     }
 
     /// Visits half of the boundary, from a vertex to its reflection. O(h).
+    #[inline(always)]
     pub(crate) fn walk(&self, visitor: &mut impl EdgeVisitor) {
         let first_upper = self.farthest[0].vertex().get();
         let is_pair = self.is_collinear_pair(0);
@@ -105,9 +107,9 @@ impl<'h, 'a> HalfTurn<'h, 'a> {
                 let from = BoundaryVertex::new(if starts_upper { at.upper } else { edge }, starts_upper);
                 let to = if ends_upper { opposite_end } else { end };
                 if starts_upper == ends_upper {
-                    visitor.hull_edge(from, to, true);
+                    visitor.hull_edge(from, to);
                 } else {
-                    visitor.bridge(from, to, true);
+                    visitor.bridge(from, to);
                 }
                 at = Reached { lower: end, upper: opposite_end, is_upper: ends_upper };
                 left -= 1;
@@ -115,7 +117,9 @@ impl<'h, 'a> HalfTurn<'h, 'a> {
             }
             let is_edge = self.sides[edge] >= 0;
             at.switch(is_lower != is_edge, visitor);
-            visitor.hull_edge(BoundaryVertex::new(edge, !is_lower), end, is_edge);
+            if is_edge {
+                visitor.hull_edge(BoundaryVertex::new(edge, !is_lower), end);
+            }
             *(if is_lower { &mut at.lower } else { &mut at.upper }) = end;
         }
         at.switch(!starts_upper, visitor);

@@ -27,9 +27,8 @@ pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outwa
         vertices: hull.vertices(),
         center: half_turn.center(),
         scale: frame.scaled_length(1.0),
-        // half the boundary has at most one edge for each of the hull; one place more is written before it is known to be kept
-        generators: vec![[0.0; 2]; hull.vertex_count() + 4],
-        count: 0,
+        // half the boundary has at most one edge for each of the hull
+        generators: Vec::with_capacity(hull.vertex_count() + 3),
         extent: [0.0; 2],
         area: BlockedSum::default(),
     };
@@ -43,9 +42,7 @@ struct Gathered<'a> {
     center: [f64; 2],
     /// A power of two that takes coordinates to magnitude 1.
     scale: f64,
-    /// The first `count` are generators, the others room.
     generators: Vec<[f64; 2]>,
-    count: usize,
     /// Σ |half-edge|, scaled.
     extent: [f64; 2],
     /// Half the area, scaled.
@@ -53,13 +50,13 @@ struct Gathered<'a> {
 }
 
 impl Gathered<'_> {
-    /// Adds a half-edge that starts at a vertex of the hull or its reflection, if it is one at all: without a branch on that.
+    /// Adds a half-edge that starts at a vertex of the hull or its reflection.
     #[inline(always)]
-    fn add(&mut self, start: [f64; 2], sense: f64, half_edge: [f64; 2], is_edge: bool) {
-        self.generators[self.count] = half_edge;
-        self.count += usize::from(is_edge & (half_edge != [0.0, 0.0]));
-        let scale = if is_edge { self.scale } else { 0.0 };
-        let [x, y] = half_edge.map(|v| v * scale);
+    fn add(&mut self, start: [f64; 2], sense: f64, half_edge: [f64; 2]) {
+        if half_edge != [0.0, 0.0] {
+            self.generators.push(half_edge);
+        }
+        let [x, y] = half_edge.map(|v| v * self.scale);
         let arm = [0, 1].map(|axis| (start[axis] - self.center[axis]) * self.scale);
         self.extent[0] += x.abs();
         self.extent[1] += y.abs();
@@ -67,13 +64,12 @@ impl Gathered<'_> {
     }
 
     fn finish(self, frame: &Frame) -> Option<Outward> {
-        let Self { center, mut generators, count, extent, .. } = self;
-        generators.truncate(count);
+        let Self { center, generators, extent, .. } = self;
         let sums = 1.0 + (8.0 + 2.0 * self.vertices.len() as f64) * UNIT;
         let extent = extent.map(|v| v * sums);
         // each half-edge is off by at most 2 UNIT of it and the smallest double
         let unscaled = |v: f64| v / self.scale;
-        let slack = extent.map(|v| above(unscaled(2.0 * UNIT * v) + (count + 2) as f64 * f64::from_bits(1)));
+        let slack = extent.map(|v| above(unscaled(2.0 * UNIT * v) + (self.area.terms + 2) as f64 * f64::from_bits(1)));
         let [a, b] = slack.map(|v| 2.0 * frame.scaled_length(v));
         let [width, height] = [2.0 * extent[0] + 2.0 * (a + b), 2.0 * extent[1] + 2.0 * (a + b)];
         // No arm is longer than half the zonogon is wide or high, which bounds all products together by width · height, and an edge off by ε moves
@@ -95,14 +91,14 @@ impl Gathered<'_> {
 
 impl EdgeVisitor for Gathered<'_> {
     #[inline(always)]
-    fn hull_edge(&mut self, from: BoundaryVertex, to: usize, is_edge: bool) {
+    fn hull_edge(&mut self, from: BoundaryVertex, to: usize) {
         let (a, b) = (self.vertices[from.vertex.get()], self.vertices[to]);
         let half = sense(from) / 2.0;
-        self.add(a, sense(from), [half * (b[0] - a[0]), half * (b[1] - a[1])], is_edge);
+        self.add(a, sense(from), [half * (b[0] - a[0]), half * (b[1] - a[1])]);
     }
 
     #[inline(always)]
-    fn bridge(&mut self, from: BoundaryVertex, to: usize, is_edge: bool) {
+    fn bridge(&mut self, from: BoundaryVertex, to: usize) {
         let (a, b) = (self.vertices[from.vertex.get()], self.vertices[to]);
         let half = sense(from) / 2.0;
         let half_edge = |axis: usize| {
@@ -110,7 +106,7 @@ impl EdgeVisitor for Gathered<'_> {
             let (sum, sum_tail) = exact_sum(2.0 * self.center[axis], -head);
             half * (sum + (sum_tail - tail))
         };
-        self.add(a, sense(from), [half_edge(0), half_edge(1)], is_edge);
+        self.add(a, sense(from), [half_edge(0), half_edge(1)]);
     }
 }
 
@@ -137,6 +133,7 @@ impl BlockedSum {
         }
     }
 
+    #[inline(always)]
     fn settle(&mut self) {
         let (total, tail) = exact_sum(self.total, self.block);
         self.total = total;
