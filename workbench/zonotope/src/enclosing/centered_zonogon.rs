@@ -10,7 +10,7 @@
 //! Section 4.1, Z(O) and 𝒮. Departure: built in O(n) from the farthest vertices, without a second convex hull.
 //!
 //! # Method
-//! 1. The edges of the hull and of its reflection in the order of their directions, for half a turn: [`half_turn`](super::half_turn).
+//! 1. The edges of the hull and of its reflection in the order of their directions, for half a turn (`half_turn.rs`).
 //! 2. The edges of the boundary, as far as they come up there; by symmetry half a turn suffices.
 //!
 //! # Complexity
