@@ -49,7 +49,8 @@ fn main() -> anyhow::Result<()> {
     if arguments.add {
         let text = std::fs::read_to_string(&arguments.out)
             .with_context(|| format!("cannot read {}", arguments.out.display()))?;
-        record.cells = serde_json::from_str::<PeersRecord>(&text)?.cells;
+        let PeersRecord { cells: kept, line_fits, .. } = serde_json::from_str(&text)?;
+        (record.cells, record.line_fits) = (kept, line_fits);
         let again = |old: &Cell| cells.iter().any(|new| new.is_about_the_same(old));
         record.cells.retain(|old| !again(old));
     }
@@ -57,8 +58,12 @@ fn main() -> anyhow::Result<()> {
     let sizes = [1_000, 10_000, 100_000, 1_000_000]
         .into_iter()
         .filter(|n| (arguments.smallest..=arguments.largest).contains(n));
-    record.line_fits =
-        sizes.map(|n| line_fit::compare(n, arguments.repetitions, plan.seed)).collect::<anyhow::Result<_>>()?;
+    for n in sizes {
+        let fit = line_fit::compare(n, arguments.repetitions, plan.seed)?;
+        record.line_fits.retain(|old| old.n != n);
+        record.line_fits.push(fit);
+    }
+    record.line_fits.sort_by_key(|fit| fit.n);
     let text = serde_json::to_string(&record)?.replace("},{\"family\"", "},\n{\"family\"") + "\n";
     std::fs::write(&arguments.out, text).with_context(|| format!("cannot write {}", arguments.out.display()))?;
     for table in tables(&record) {
