@@ -6,7 +6,7 @@ use experiments::seed;
 use palb::{Floating, PrimalPoint, l1line};
 use std::hint::black_box;
 use std::time::Instant;
-use zonotope::line_fit::{self, FitPoint};
+use zonotope::line_fit;
 
 /// Slope and intercept of a line.
 type Line = [f64; 2];
@@ -17,7 +17,7 @@ type Line = [f64; 2];
 /// Points that one of the two cannot fit a line to.
 pub fn compare(n: usize, repetitions: usize, seed: u64) -> anyhow::Result<LineFit> {
     let points = points(n, seed::seed_of(seed, &format!("line_fit/n={n}")));
-    let weighted: Vec<FitPoint> = points.iter().map(|&[x, y]| FitPoint::unweighted(x, y)).collect();
+    let weighted: Vec<[f64; 3]> = points.iter().map(|&[x, y]| [x, y, 1.0]).collect();
     let mut record = LineFit { n, palb_ns: Vec::new(), ours_ns: Vec::new(), pass_ns: Vec::new(), ..LineFit::default() };
     let (mut by_palb, mut by_kernel) = ([0.0; 2], [0.0; 2]);
     for _ in 0..repetitions {

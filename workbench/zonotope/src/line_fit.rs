@@ -1,17 +1,17 @@
 //! The line y ≈ slope · x + intercept of least absolute deviations through weighted points, by the kernel.
 //!
 //! # Statement
-//! Input: points with weights w_i ≥ 0 ([`FitPoint`]). Output: an exact minimiser of Σ w_i |slope · x_i + intercept − y_i| with its proof. When the best
+//! Input: points (x_i, y_i) with weights w_i ≥ 0. Output: an exact minimiser of Σ w_i |slope · x_i + intercept − y_i| with its proof. When the best
 //! line is not unique it is a vertex of the set of best lines, one through two points. If all points of positive weight have
 //! the same x, any line through their weighted median is best: the answer is the one whose (slope, intercept) is nearest to the
 //! origin, and so for one point. Without points of positive weight it is y = 0.
 //!
 //! # Source
-//! Beyond the paper: the points are generators (x, 1, −y) of a zonotope, and the fit is the kernel's problem for them.
+//! Beyond the paper: the points are generators (x, y, w) of a zonotope, and the fit is the kernel's problem for them.
 //!
 //! # Method
-//! 1. Points of equal weights are generators (x_i, 1, −y_i), and the facet of their zonotope in which the ray along the third axis leaves
-//!    ([`by_lad::facet`]) is spanned by the two points that the best line goes through.
+//! 1. Points of one weight w are generators (x_i, y_i, w) as they are, and the facet of their zonotope in which the ray along the second axis
+//!    leaves ([`by_lad::facet`]) is spanned by the two points that the best line goes through.
 //! 2. Where there is no such facet (all points on one line, one abscissa), and for other weights, in the plane of (slope, intercept) each
 //!    point is the line x_i · slope + intercept − y_i = 0 with the weight w_i: minimise by [`by_pruning`].
 //!
@@ -19,7 +19,7 @@
 //! n points: expected O(n), space O(n). The [proof](LineFit::proof) with its O(n) coefficients is made when it is asked for.
 //!
 //! # Shapes
-//! `points`: n of them in any order, duplicates allowed.
+//! `points`: n × 3, the rows (x, y, weight) in any order, duplicates allowed; weight 1 throughout for a fit without weights.
 //!
 //! # Numerics
 //! The line is the exact optimum, with rational slope and intercept; [`LineFit::rounded`] rounds them.
@@ -36,9 +36,9 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::line_fit::{FitPoint, fit};
+//! use zonotope::line_fit::fit;
 //! // three points on y = 2 x + 1 and one far off: least absolute deviations ignore it
-//! let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 5.0), (1.5, 40.0)].map(|(x, y)| FitPoint::unweighted(x, y));
+//! let points = [[0.0, 1.0, 1.0], [1.0, 3.0, 1.0], [2.0, 5.0, 1.0], [1.5, 40.0, 1.0]];
 //! let fit = fit(&points).unwrap();
 //! assert_eq!(fit.rounded(), [2.0, 1.0]);
 //! assert_eq!(fit.deviation(), 36.into());
@@ -55,24 +55,6 @@ use crate::tally::Tally;
 
 /// The seed of the kernel's sample: it decides the time, never the line.
 const SEED: u64 = 0x11;
-
-/// A point with a weight.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FitPoint {
-    /// The abscissa.
-    pub x: f64,
-    /// The value that the line is to approximate.
-    pub y: f64,
-    /// The weight, not negative.
-    pub weight: f64,
-}
-
-impl FitPoint {
-    /// A point of weight 1.
-    pub fn unweighted(x: f64, y: f64) -> Self {
-        Self { x, y, weight: 1.0 }
-    }
-}
 
 /// Why points are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -107,7 +89,7 @@ pub enum LineFitError {
 /// The best line.
 #[derive(Debug)]
 pub struct LineFit<'p> {
-    points: &'p [FitPoint],
+    points: &'p [[f64; 3]],
     minimizer: Minimizer,
 }
 
@@ -124,7 +106,7 @@ pub struct LineFitProof {
 ///
 /// # Errors
 /// [`LineFitError`] names the first point that is no point.
-pub fn fit(points: &[FitPoint]) -> Result<LineFit<'_>, LineFitError> {
+pub fn fit(points: &[[f64; 3]]) -> Result<LineFit<'_>, LineFitError> {
     fit_counted(points, &mut ())
 }
 
@@ -132,7 +114,7 @@ pub fn fit(points: &[FitPoint]) -> Result<LineFit<'_>, LineFitError> {
 ///
 /// # Errors
 /// Those of [`fit`].
-pub fn fit_counted<'p>(points: &'p [FitPoint], tally: &mut impl Tally) -> Result<LineFit<'p>, LineFitError> {
+pub fn fit_counted<'p>(points: &'p [[f64; 3]], tally: &mut impl Tally) -> Result<LineFit<'p>, LineFitError> {
     if let Some(minimizer) = at_facet(points, tally) {
         return Ok(LineFit { points, minimizer });
     }
@@ -143,17 +125,16 @@ pub fn fit_counted<'p>(points: &'p [FitPoint], tally: &mut impl Tally) -> Result
 }
 
 /// The two points that the best line goes through, for finite points of one positive weight that are not on one line.
-fn at_facet(points: &[FitPoint], tally: &mut impl Tally) -> Option<Minimizer> {
-    let weight = points.first()?.weight;
-    if !(weight > 0.0 && weight.is_finite() && points.iter().all(|point| point.weight == weight)) {
+fn at_facet(points: &[[f64; 3]], tally: &mut impl Tally) -> Option<Minimizer> {
+    let [.., weight] = *points.first()?;
+    if weight <= 0.0 || !are_finite_with_weight(points, weight) {
         return None;
     }
-    let generators: Vec<[f64; 3]> = points.iter().map(|point| [point.x, 1.0, -point.y]).collect();
-    let question = Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &generators).ok()?;
+    let question = Displacement::of_finite([0.0; 3], [0.0, 1.0, 0.0], points);
     let facet = by_lad::facet_counted(&question, tally);
     let is_best = facet.is_sharp() && facet.value().0 < f64::MAX;
     match *facet.basis() {
-        [first, second] if is_best && points[first].x != points[second].x => {
+        [first, second] if is_best && points[first][0] != points[second][0] => {
             let index = |point| u32::try_from(point).ok().map(LineIndex);
             Some(Minimizer::Vertex(index(first)?, index(second)?))
         }
@@ -161,8 +142,26 @@ fn at_facet(points: &[FitPoint], tally: &mut impl Tally) -> Option<Minimizer> {
     }
 }
 
-fn problem_of(points: &[FitPoint]) -> Result<LadProblem<'static>, LineFitError> {
-    let line = |&FitPoint { x, y, weight }: &FitPoint| WeightedLine { normal: [x, 1.0], offset: -y, weight };
+/// Whether all coordinates are finite and all weights are the one given. Two points at a time.
+fn are_finite_with_weight(points: &[[f64; 3]], weight: f64) -> bool {
+    let expected = weight.to_bits();
+    let mut zeros = [0.0; 6];
+    let mut unlike = [0; 2];
+    let (pairs, last) = points.as_flattened().as_chunks::<6>();
+    for pair in pairs {
+        for (zero, v) in zeros.iter_mut().zip(pair) {
+            *zero += 0.0 * v;
+        }
+        unlike = [unlike[0] | (pair[2].to_bits() ^ expected), unlike[1] | (pair[5].to_bits() ^ expected)];
+    }
+    zeros == [0.0; 6]
+        && unlike == [0; 2]
+        && last.iter().all(|v| v.is_finite())
+        && last.get(2).is_none_or(|last| last.to_bits() == expected)
+}
+
+fn problem_of(points: &[[f64; 3]]) -> Result<LadProblem<'static>, LineFitError> {
+    let line = |&[x, y, weight]: &[f64; 3]| WeightedLine { normal: [x, 1.0], offset: -y, weight };
     let lines: Vec<WeightedLine> = points.iter().map(line).collect();
     LadProblem::new(&lines, [0.0, 0.0]).map_err(|error| LineFitError::of(error, points.len()))
 }
@@ -200,7 +199,7 @@ impl LineFit<'_> {
     /// Σ w_i |slope · x_i + intercept − y_i|, exactly. O(n) exact operations.
     pub fn deviation(&self) -> Rational {
         let point = self.homogeneous();
-        let deviations = self.points.iter().map(|p| line_of(p).evaluate(&point).abs() * Dyadic::from_f64(p.weight));
+        let deviations = self.points.iter().map(|p| line_of(p).evaluate(&point).abs() * Dyadic::from_f64(p[2]));
         let total = deviations.fold(Dyadic::zero(), |sum, deviation| sum + deviation);
         total.to_rational() / point[2].to_rational()
     }
@@ -219,8 +218,8 @@ impl LineFit<'_> {
 }
 
 /// The lines through a point, as a line of the plane of (slope, intercept).
-fn line_of(point: &FitPoint) -> ExactLine {
-    let [x, one, y] = [point.x, 1.0, -point.y].map(Dyadic::from_f64);
+fn line_of(&[x, y, _]: &[f64; 3]) -> ExactLine {
+    let [x, one, y] = [x, 1.0, -y].map(Dyadic::from_f64);
     ExactLine { normal: [x, one], offset: y }
 }
 
@@ -230,14 +229,14 @@ mod tests {
     use crate::lad::{LadOutcome, brute_force, verify::verify};
     use proptest::prelude::*;
 
-    fn points() -> impl Strategy<Value = Vec<FitPoint>> {
+    fn points() -> impl Strategy<Value = Vec<[f64; 3]>> {
         (any::<bool>(), any_points()).prop_map(|(equal, mut points)| {
-            points.iter_mut().filter(|_| equal).for_each(|point| point.weight = 0.5);
+            points.iter_mut().filter(|_| equal).for_each(|point| point[2] = 0.5);
             points
         })
     }
 
-    fn any_points() -> impl Strategy<Value = Vec<FitPoint>> {
+    fn any_points() -> impl Strategy<Value = Vec<[f64; 3]>> {
         let coordinate = || {
             prop_oneof![
                 3 => (-4i32..5).prop_map(f64::from),
@@ -248,8 +247,7 @@ mod tests {
             ]
         };
         let weight = prop_oneof![4 => Just(1.0), 1 => Just(0.0), 1 => 0.0..10.0f64];
-        let point = (coordinate(), coordinate(), weight).prop_map(|(x, y, weight)| FitPoint { x, y, weight });
-        proptest::collection::vec(point, 0..10)
+        proptest::collection::vec((coordinate(), coordinate(), weight).prop_map(Into::into), 0..10)
     }
 
     proptest! {
@@ -266,8 +264,8 @@ mod tests {
             let [slope, intercept] = fit.exact();
             let exact = |v: f64| Rational::try_from(v).expect("finite");
             let sum = points.iter().fold(Rational::ZERO, |sum, p| {
-                let off = &slope * exact(p.x) + &intercept - exact(p.y);
-                sum + exact(p.weight) * if off < Rational::ZERO { -off } else { off }
+                let off = &slope * exact(p[0]) + &intercept - exact(p[1]);
+                sum + exact(p[2]) * if off < Rational::ZERO { -off } else { off }
             });
             prop_assert_eq!(sum, fit.deviation());
         }
@@ -276,7 +274,7 @@ mod tests {
     #[test]
     fn few_points_and_one_abscissa() {
         let rounded = |points: &[(f64, f64)]| {
-            let points: Vec<FitPoint> = points.iter().map(|&(x, y)| FitPoint::unweighted(x, y)).collect();
+            let points: Vec<[f64; 3]> = points.iter().map(|&(x, y)| [x, y, 1.0]).collect();
             fit(&points).expect("finite").rounded()
         };
         assert_eq!(rounded(&[]), [0.0, 0.0]);
@@ -287,13 +285,12 @@ mod tests {
 
     #[test]
     fn refusals_name_the_point() {
-        let bad = FitPoint { x: 0.0, y: f64::INFINITY, weight: 1.0 };
-        let good = FitPoint::unweighted(0.0, 0.0);
-        let refused = fit(&[good, bad]).expect_err("not finite");
+        let good = [0.0, 0.0, 1.0];
+        let refused = fit(&[good, [0.0, f64::INFINITY, 1.0]]).expect_err("not finite");
         assert_eq!(refused, LineFitError::NonFinite { point: 1, field: "y", value: f64::INFINITY });
-        let refused = fit(&[FitPoint { weight: -1.0, ..good }]).expect_err("negative");
-        assert_eq!(refused, LineFitError::NegativeWeight { point: 0, weight: -1.0 });
-        let nan = fit(&[FitPoint { x: f64::NAN, ..good }]).expect_err("not a number");
-        assert!(matches!(nan, LineFitError::NonFinite { point: 0, field: "x", .. }));
+        let refused = fit(&[good, good, [0.0, 0.0, -1.0]]).expect_err("negative");
+        assert_eq!(refused, LineFitError::NegativeWeight { point: 2, weight: -1.0 });
+        let nan = fit(&[good, [f64::NAN, 0.0, 1.0], good]).expect_err("not a number");
+        assert!(matches!(nan, LineFitError::NonFinite { point: 1, field: "x", .. }));
     }
 }

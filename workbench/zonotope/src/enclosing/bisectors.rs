@@ -219,15 +219,14 @@ impl ExactLines for Lines<'_> {
         true
     }
 
-    fn certainly_passes(&self, t: usize, point: [f64; 2]) -> bool {
-        let ends = [self.hull.vertices()[t], self.hull.vertex(self.farthest[t].vertex())];
-        let [from, far] = ends.map(|end| self.frame.scaled(end));
-        ends.iter().all(|&end| self.frame.scales_exactly(end))
-            && (0..2).all(|axis| {
-                let (sum, tail) = exact_sum(far[axis], from[axis]);
-                let (shifted, shifted_tail) = exact_sum(point[axis], self.frame.reference[axis]);
-                sum == shifted && tail == shifted_tail
-            })
+    fn certainly_passing(&self, point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {
+        let shifted = [0, 1].map(|axis| exact_sum(point[axis], self.frame.reference[axis]));
+        Box::new(move |t| {
+            let ends = [self.hull.vertices()[t], self.hull.vertex(self.farthest[t].vertex())];
+            let [from, far] = ends.map(|end| self.frame.scaled(end));
+            (0..2).all(|axis| exact_sum(far[axis], from[axis]) == shifted[axis])
+                && ends.iter().all(|&end| self.frame.scales_exactly(end))
+        })
     }
 
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {

@@ -62,14 +62,13 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::cell::{Cell, Frame, Split};
-use super::instance::{ExactLinear, Instance};
+use super::instance::Instance;
 use super::line_search::{SearchLine, weighted_select};
 use super::optimum::LadOutcome;
 use super::problem::LadProblem;
 use super::solution::{Near, Optimal, Solution};
 use super::solve::{descend, descend_from, solve_with};
 use super::vertex::Vertex;
-use crate::numeric::dyadic::Dyadic;
 use crate::tally::{Operation, Tally};
 
 /// At most this many lines are solved by line searches alone, and a quarter of them where a cell is expected to contain the optimum.
@@ -216,7 +215,7 @@ fn sample<'p>(small: usize, instance: &Instance<'p>, random: &mut Pcg64Mcg) -> I
         .collect();
     let share = size as f64 / n as f64;
     let linear = instance.linear.map(|v| v * share);
-    instance.selection(&lines, linear, ExactLinear::known(linear.map(Dyadic::from_f64)))
+    instance.sample(&lines, linear)
 }
 
 fn integer_cube_root(n: usize) -> usize {
@@ -280,6 +279,6 @@ fn lift(optimal: Optimal, remainder: &Instance, near: Near) -> Optimal {
         signs[line as usize] = sign;
     }
     let rename = |lines: Vec<u32>| lines.into_iter().map(|line| crossing[line as usize]).collect();
-    let (defining, basis) = (rename(optimal.defining), rename(optimal.basis));
-    Optimal { defining, basis, signs, near: Some(near), ..optimal }
+    let [defining, through, basis] = [optimal.defining, optimal.through, optimal.basis].map(rename);
+    Optimal { defining, through, signs, basis, near: Some(near), ..optimal }
 }

@@ -12,6 +12,9 @@ const UNEVENNESS: [f64; 2] = [0.05, 0.5];
 /// The lines that cross a cell around an expected point can make up for so many standard deviations of the gradient there.
 const DEVIATIONS: f64 = 3.0;
 
+/// There is room for one line in so many to cross a cell before more must be made.
+const FEW: usize = 4;
+
 /// The parallelogram { center + frame · z : |z_x|, |z_y| ≤ radius } with a lower triangular frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cell {
@@ -171,7 +174,8 @@ impl Cell {
         let [wx, wy] = [self.radius * xx, self.radius * (yx.abs() + yy)];
         let floor = UNDERFLOW * (1.0 + cx.abs() + cy.abs() + wx + wy);
         let radius = self.radius;
-        let (mut crossing, mut rows, mut signs) = (Vec::new(), Rows::with_capacity(0), Vec::new());
+        let few = instance.len() / FEW;
+        let (mut crossing, mut rows, mut signs) = (Vec::with_capacity(few), Rows::with_capacity(few), Vec::new());
         let mut bend = Bend::default();
         let sides = read_sides(
             &instance.lines,
@@ -189,6 +193,7 @@ impl Cell {
                 crossing.push(line as u32);
                 rows.push([x, y, b], error);
                 bend.add(self.frame, [x, y], x * cx + y * cy + b);
+                0
             },
         );
         Split { crossing, rows, signs, sum: sides.sum, sum_error: sides.sum_error, bend }

@@ -35,14 +35,14 @@ pub(crate) fn decide(instance: &Instance, around: &Surroundings, seed: u64, tall
     }
 }
 
-/// Where all lines meet and their normals sum to zero, as the edges of a centrally symmetric polygon do, all coefficients may be 1.
-/// Normals that sum to zero and are not all parallel span the plane positively, so the minimiser is unique.
+/// Where all lines meet and there is no linear term, as for a centrally symmetric polygon: the objective is zero there. The edges of a polygon
+/// sum to zero, so all coefficients may be 1; those of a sample are not asked for.
 fn decide_where_all_meet(instance: &Instance, around: &Surroundings) -> Option<Decision> {
     let lines = &around.through;
     let first = lines[0];
     let crossing = lines.iter().copied().find(|&line| instance.cross_sign(first, line) != Ordering::Equal)?;
     let sign = |line| i8::from(line != first && line != crossing);
-    (lines.len() == instance.len() && instance.has_normals_that_cancel()).then(|| Decision::Optimal {
+    (lines.len() == instance.len() && instance.is_balanced()).then(|| Decision::Optimal {
         through: lines.iter().map(|&line| (line, sign(line))).collect(),
         basis: vec![first, crossing],
         face_dimension: 0,
@@ -91,7 +91,7 @@ fn decide_among_many(instance: &Instance, around: &Surroundings, seed: u64, tall
     let moved = instance.moved_apart(lines, instance.exact_gradient(&around.signs), offsets);
     match solve(&moved, random.random(), tally) {
         Solution::Optimal(optimal) => Decision::Optimal {
-            face_dimension: face_dimension(&moved, &optimal),
+            face_dimension: if instance.is_sample() { 0 } else { face_dimension(&moved, &optimal) },
             through: lines.iter().copied().zip(optimal.signs).collect(),
             basis: optimal.basis.iter().map(|&i| lines[i as usize]).collect(),
         },

@@ -16,9 +16,9 @@ pub(crate) trait ExactLines: Debug + Sync {
         false
     }
 
-    /// Whether a line passes through a point, where that is seen at a glance; `false` decides nothing.
-    fn certainly_passes(&self, _position: usize, _point: [f64; 2]) -> bool {
-        false
+    /// Tells of a line whether it passes through a point, where that is seen at a glance; `false` decides nothing.
+    fn certainly_passing(&self, _point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {
+        Box::new(|_| false)
     }
 
     /// Σ sign · normal over the given positions, exactly.

@@ -66,6 +66,8 @@ pub(crate) struct Instance<'p> {
     members: Option<Rc<[u32]>>,
     /// Whether the rounded offsets stand for themselves rather than for the problem's.
     own_offsets: bool,
+    /// Whether only the place of the optimum is asked for, not its coefficients.
+    is_sample: bool,
     pub(crate) linear: [f64; 2],
     linear_error: f64,
     linear_source: ExactLinear,
@@ -83,6 +85,25 @@ pub(crate) struct Surroundings {
     pub(crate) gradient: [f64; 2],
     /// How far each coordinate of the gradient may be off.
     pub(crate) gradient_error: f64,
+}
+
+/// Lines whose side floating point does not tell.
+#[derive(Debug, Default)]
+struct Undecided {
+    count: usize,
+    /// Σ side · normal.
+    sum: [f64; 2],
+    /// Σ |normal|.
+    size: f64,
+}
+
+impl Undecided {
+    fn add(&mut self, side: i8, [x, y]: [f64; 2]) {
+        self.count += 1;
+        self.sum[0] += f64::from(side) * x;
+        self.sum[1] += f64::from(side) * y;
+        self.size += x.abs() + y.abs();
+    }
 }
 
 impl Rows {
@@ -122,7 +143,14 @@ impl<'p> Instance<'p> {
     fn part(&self, lines: &[u32], rows: Rows, linear: [f64; 2], source: ExactLinear) -> Self {
         let mut part = Self::new(self.problem, rows.into_lines(), Some(self.positions(lines)), linear, source);
         part.own_offsets = self.own_offsets;
+        part.is_sample = self.is_sample;
         part
+    }
+
+    /// Some lines of an instance that stand for all of them, with a linear term in proportion.
+    pub(crate) fn sample(&self, lines: &[u32], linear: [f64; 2]) -> Self {
+        let source = ExactLinear::known(linear.map(Dyadic::from_f64));
+        Self { is_sample: true, ..self.selection(lines, linear, source) }
     }
 
     /// Some lines of the instance, with their rows, in its own objective: the others have the given fixed signs, whose normals sum to
@@ -166,6 +194,7 @@ impl<'p> Instance<'p> {
             lines,
             members,
             own_offsets: false,
+            is_sample: false,
             linear,
             linear_error: 8.0 * UNIT * (linear[0].abs() + linear[1].abs()) + UNDERFLOW,
             linear_source,
@@ -228,17 +257,26 @@ impl<'p> Instance<'p> {
         [cx + &x, cy + &y]
     }
 
-    fn exact_side(&self, line: u32, vertex: &Vertex) -> i8 {
-        let certainly_on = !self.own_offsets
-            && vertex.as_doubles().is_some_and(|point| self.problem.exact.certainly_passes(self.position(line), point));
-        if certainly_on { 0 } else { vertex.exact_side(&self.exact_line(line)) }
+    /// Tells the exact side of a line on which a vertex lies.
+    fn exact_sides<'a>(&'a self, vertex: &'a Vertex) -> impl Fn(u32) -> i8 + 'a {
+        let passing = OnceCell::new();
+        move |line| {
+            let point = || if self.own_offsets { None } else { vertex.as_doubles() };
+            let passing = passing.get_or_init(|| point().map(|point| self.problem.exact.certainly_passing(point)));
+            let certainly_on = passing.as_ref().is_some_and(|passes| passes(self.position(line)));
+            if certainly_on { 0 } else { vertex.exact_side(&self.exact_line(line)) }
+        }
     }
 
-    /// Whether this is the whole of a problem without a linear term whose normals are known to sum to zero.
-    pub(crate) fn has_normals_that_cancel(&self) -> bool {
-        self.members.is_none()
-            && self.problem.exact.normals_sum_to_zero()
-            && self.exact_linear().iter().all(Dyadic::is_zero)
+    /// Whether there is no linear term and coefficients are not asked for, or may all be 1: the normals are known to sum to zero.
+    pub(crate) fn is_balanced(&self) -> bool {
+        let all_cancel = || self.members.is_none() && self.problem.exact.normals_sum_to_zero();
+        (self.is_sample || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
+    }
+
+    /// Whether only the place of the optimum is asked for, not its coefficients.
+    pub(crate) fn is_sample(&self) -> bool {
+        self.is_sample
     }
 
     /// Whether the normal of a line is exactly zero.
@@ -264,41 +302,39 @@ impl<'p> Instance<'p> {
     /// UNIT of its result, each result being at most |a x| + |a y| + |b| in magnitude.
     pub(crate) fn read_at(&self, vertex: &Vertex, around: &mut Surroundings, tally: &mut impl Tally) {
         self.count_pass(tally);
-        around.through.clear();
+        let Surroundings { signs, through, .. } = around;
+        through.clear();
         let ([px, py], [vx, vy]) = (vertex.point, vertex.error);
         let floor = UNDERFLOW * (1.0 + px.abs() + py.abs());
-        let mut undecided = Vec::new();
+        let exact_side = self.exact_sides(vertex);
+        let mut undecided = Undecided::default();
         let sides = read_sides(
             &self.lines,
-            &mut around.signs,
+            signs,
             |error| {
                 let per_normal = |value: f64, off: f64| off + 8.0 * UNIT * value.abs() + error.offset_per_normal;
                 let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), error.offset_relative + 8.0 * UNIT);
                 move |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
             },
-            |line, row, _| undecided.push((line as u32, row)),
+            |line, [x, y, _], _| {
+                let line = line as u32;
+                let side = if vertex.is_on(line) {
+                    0
+                } else {
+                    tally.add(Operation::ExactFallback, 1);
+                    exact_side(line)
+                };
+                if side == 0 && !([x, y] == [0.0, 0.0] && self.has_zero_normal(line)) {
+                    through.push(line);
+                }
+                undecided.add(side, [x, y]);
+                side
+            },
         );
-        let mut gradient = [self.linear[0] + sides.sum[0], self.linear[1] + sides.sum[1]];
-        let additions = (undecided.len() + 8) as f64;
-        let mut undecided_size = 0.0;
-        for (line, [x, y, _]) in undecided {
-            let side = if vertex.is_on(line) {
-                0
-            } else {
-                tally.add(Operation::ExactFallback, 1);
-                self.exact_side(line, vertex)
-            };
-            if side == 0 && !([x, y] == [0.0, 0.0] && self.has_zero_normal(line)) {
-                around.through.push(line);
-            }
-            around.signs[line as usize] = side;
-            gradient[0] += f64::from(side) * x;
-            gradient[1] += f64::from(side) * y;
-            undecided_size += x.abs() + y.abs();
-        }
-        around.gradient = gradient;
+        around.gradient = [0, 1].map(|axis| self.linear[axis] + sides.sum[axis] + undecided.sum[axis]);
+        let additions = (undecided.count + 8) as f64;
         // |sides.sum| is at most the sum of the sizes that its error is a multiple of.
-        let size = undecided_size + self.linear[0].abs() + self.linear[1].abs() + sides.sum_error / UNIT;
+        let size = undecided.size + self.linear[0].abs() + self.linear[1].abs() + sides.sum_error / UNIT;
         around.gradient_error = self.linear_error + sides.sum_error + UNIT * additions * size + UNDERFLOW;
     }
 }

@@ -41,6 +41,8 @@ pub struct LadOptimum {
     pub face_dimension: u8,
     /// The proof.
     pub certificate: LadCertificate,
+    /// The lines through the minimiser whose normal is not zero.
+    through: Vec<u32>,
     near: Option<Near>,
 }
 
@@ -113,7 +115,8 @@ impl LadOptimum {
         };
         let basis = optimal.basis.into_iter().map(LineIndex).collect();
         let certificate = LadCertificate { signs: optimal.signs, basis };
-        Self { minimizer, face_dimension: optimal.face_dimension, certificate, near: optimal.near }
+        let Optimal { face_dimension, through, near, .. } = optimal;
+        Self { minimizer, face_dimension, certificate, through, near }
     }
 
     /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is the point
@@ -122,9 +125,14 @@ impl LadOptimum {
         self.minimizer.homogeneous_point(|line| problem.exact_line(line))
     }
 
-    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. Near the minimiser only
-    /// the lines are read that may pass between the two.
+    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. At the minimiser no line
+    /// is read, near it only those that may pass between the two.
     pub(crate) fn signs_at(&self, problem: &LadProblem, point: &[Dyadic; 3]) -> Vec<i8> {
+        if self.is_at(problem, point) {
+            let mut signs = self.certificate.signs.clone();
+            self.through.iter().for_each(|&line| signs[line as usize] = 0);
+            return signs;
+        }
         let vertex = Vertex::at(point.clone());
         let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.cell.contains(vertex.point)) else {
             return problem.signs_at(point);
@@ -138,6 +146,12 @@ impl LadOptimum {
             signs[line as usize] = sign;
         }
         signs
+    }
+
+    /// Whether a point of the scaled frame is the minimiser.
+    pub(crate) fn is_at(&self, problem: &LadProblem, [x, y, w]: &[Dyadic; 3]) -> bool {
+        let [own_x, own_y, own_w] = self.minimizer.homogeneous_point(|line| problem.exact.line(line.position()));
+        &own_x * w == x * &own_w && &own_y * w == y * &own_w
     }
 
     /// The minimiser, exactly.

@@ -15,15 +15,15 @@ pub(crate) struct SidesSum {
     pub(crate) sum_error: f64,
 }
 
-/// Writes 1 or −1 for each line whose value exceeds its bound in magnitude, else 0 and calls `uncertain` with the line, its
-/// coefficients x, y and offset, and how far it may be off.
+/// Writes 1 or −1 for each line whose value exceeds its bound in magnitude, else what `uncertain` makes of the line, its
+/// coefficients x, y and offset, and how far they may be off.
 ///
 /// `reader` is given how far lines may be off, and makes what takes the coefficients of such a line to its value and the bound.
 pub(crate) fn read_sides<R: Fn(f64, f64, f64) -> (f64, f64)>(
     lines: &RoundedLines,
     signs: &mut Vec<i8>,
     reader: impl Fn(LineError) -> R,
-    mut uncertain: impl FnMut(usize, [f64; 3], LineError),
+    mut uncertain: impl FnMut(usize, [f64; 3], LineError) -> i8,
 ) -> SidesSum {
     let n = lines.len();
     signs.clear();
@@ -61,8 +61,8 @@ pub(crate) fn read_sides<R: Fn(f64, f64, f64) -> (f64, f64)>(
         total.sum[0] += sum[0];
         total.sum[1] += sum[1];
         magnitude += lanes.magnitude.iter().sum::<f64>();
-        for &position in &zeros.positions[..zeros.count] {
-            uncertain(start + usize::from(position), block.row(position.into()), block.error);
+        for position in zeros.positions[..zeros.count].iter().map(|&position| usize::from(position)) {
+            signs[start + position] = uncertain(start + position, block.row(position), block.error);
         }
     });
     total.sum_error = UNIT * (BLOCK + n / BLOCK + 8) as f64 * magnitude + UNDERFLOW;

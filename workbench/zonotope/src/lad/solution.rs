@@ -25,6 +25,8 @@ pub(crate) struct Optimal {
     pub(crate) vertex: Option<Vertex>,
     /// The lines that define it: two, or one when all lines are parallel, or none.
     pub(crate) defining: Vec<u32>,
+    /// The lines through the minimiser whose normal is not zero.
+    pub(crate) through: Vec<u32>,
     /// 1 or −1 for each line, 0 for the basis and for lines without any coefficient.
     pub(crate) signs: Vec<i8>,
     /// The lines, at most two, whose coefficients solve the equation exactly.

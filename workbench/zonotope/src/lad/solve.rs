@@ -85,12 +85,20 @@ pub(crate) fn at_vertex(
 ) -> Solution {
     let first = around.through[0];
     let crossing = around.through.iter().copied().find(|&line| instance.cross_sign(first, line) != Ordering::Equal);
-    let mut signs = around.signs;
+    let Surroundings { mut signs, through: lines_through, .. } = around;
     for (line, sign) in through {
         signs[line as usize] = sign;
     }
     let defining = [Some(first), crossing].into_iter().flatten().collect();
-    Solution::Optimal(Box::new(Optimal { vertex: Some(vertex), defining, signs, basis, face_dimension, near: None }))
+    Solution::Optimal(Box::new(Optimal {
+        vertex: Some(vertex),
+        defining,
+        through: lines_through,
+        signs,
+        basis,
+        face_dimension,
+        near: None,
+    }))
 }
 
 fn without_lines(instance: &Instance) -> Solution {
@@ -99,6 +107,7 @@ fn without_lines(instance: &Instance) -> Solution {
         return Solution::Optimal(Box::new(Optimal {
             vertex: None,
             defining: Vec::new(),
+            through: Vec::new(),
             signs: (0..instance.len() as u32).map(|line| instance.exact_line(line).offset.sign() as i8).collect(),
             basis: Vec::new(),
             face_dimension: 2,

@@ -57,6 +57,9 @@ impl RoundedCenter {
         let point = kernel.rounded_center();
         let kernel_point = kernel.bisectors.kernel_point(&homogeneous(point));
         let sides = kernel.optimum.signs_at(kernel.problem, &kernel_point);
+        if kernel.optimum.is_at(kernel.problem, &kernel_point) {
+            return Self { point, sides, gap: Dyadic::zero() };
+        }
         let unlike = unlike_certificate(&sides, &kernel.optimum.certificate);
         let gap = unlike
             .filter(|&line| sides[line] != 0)
