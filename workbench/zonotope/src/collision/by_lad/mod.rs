@@ -12,9 +12,9 @@
 //!
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lift`), and so does a flat one, without a coordinate (`flat`); one of R^4 goes to
-//!    [`by_lad_in_r4`]. Of a few generators the shortest combination may prove it all (`small`).
+//!    [`by_lad_in_r4`]. Where all that is asked is the location, a point far inside or far outside is told and proved first (`clear`, `dual`).
 //! 2. The optimum of a sample (`sample`) with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all
-//!    is likely to be; where generators have few directions, that of the sums of each direction (`bundles`). Where that is all that is asked: does its centre separate? (`support`)
+//!    is likely to be; where generators have few directions, that of the sums of each direction (`bundles`). Where the location is all that is asked: does its centre separate?
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
 //!    are left with that sum make a problem (`reduced`) whose optimum, if it lies in the cell, is that of the whole.
 //! 4. The same again on those few, then exact descent from vertex to vertex (`descend`). Bounds on all rounding errors prove the
@@ -61,7 +61,9 @@ mod bundles;
 mod cell;
 mod certain;
 mod chart;
+mod clear;
 mod descend;
+mod dual;
 mod exit;
 mod facet;
 mod flat;
@@ -75,10 +77,8 @@ mod sample;
 mod search;
 pub(super) mod separation;
 mod shares;
-mod small;
 mod smooth;
 pub(super) mod sums;
-mod support;
 mod thickness;
 mod trail;
 mod walk;
@@ -92,9 +92,6 @@ mod tests;
 use self::lift::{Prism, lowered};
 use super::{Displacement, Gauge, Location, by_lad_in_r4};
 use crate::tally::Tally;
-
-/// With at most this many generators a proof is tried before the search.
-const AT_ONCE: usize = 32;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
 pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
@@ -117,8 +114,7 @@ pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mu
 }
 
 fn locate_in_space(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Location<3> {
-    let at_once = if question.len() <= AT_ONCE { small::locate(question) } else { None };
-    at_once.unwrap_or_else(|| Facet::find(question, true, tally).location())
+    clear::locate(question, tally).unwrap_or_else(|| Facet::find(question, true, tally).location())
 }
 
 /// The gauge of a displacement and where it lies.

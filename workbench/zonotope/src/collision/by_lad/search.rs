@@ -3,15 +3,15 @@
 use super::bundles::Bundles;
 use super::certain::{Certain, Unproved};
 use super::chart::Chart;
+use super::clear::separates;
 use super::descend::{descend, descend_along};
 use super::lines::Lines;
 use super::reduced::Reduced;
 use super::sample::Sample;
 use super::smooth::{Aim, Guess};
-use super::support::support;
 use super::trail::Trail;
 use crate::collision::Displacement;
-use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::{Operation, Tally};
@@ -113,7 +113,7 @@ pub(super) fn search(
     if until_separated {
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let direction = chart.point(guess.point);
-        if certainly_separates(question, p, direction) {
+        if separates(question, p, &direction) {
             return Found::Separated(direction);
         }
     }
@@ -253,7 +253,7 @@ fn search_bundles(
         if until_separated && round == 0 {
             tally.add(Operation::GeneratorRead, question.len() as u64);
             let direction = chart.point(meeting.guess.point);
-            if certainly_separates(question, p, direction) {
+            if separates(question, p, &direction) {
                 return Some(Found::Separated(direction));
             }
         }
@@ -275,11 +275,4 @@ fn search_bundles(
         }
     }
     None
-}
-
-/// Whether u · p > h(u), proved by one pass in doubles.
-fn certainly_separates(question: &Displacement<'_, 3>, p: &BoundedVector, u: [f64; 3]) -> bool {
-    let [first, second] = question.runs();
-    let reach = support(first, &u) + support(second, &u);
-    (bounded::dot(p, &bounded::exact(u)) - reach).is_positive()
 }

@@ -1,0 +1,328 @@
+//! Points far inside and far outside, told and proved in few passes: by the smooth problem of `dual`, on a sample first.
+//!
+//! The y that solves it for a sample either separates, so that one pass over all generators proves it, or all generators' sums at this y give
+//! coefficients. Where the sample says that the point is near the boundary, nothing is tried.
+
+use super::dual::{Combination, Lengths, Moments, Runs, dot};
+use super::search::rounded_displacement;
+use crate::collision::{Displacement, Location, Separation};
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::tally::{Operation, Tally};
+use crate::zonotope::passes::bounded_sum;
+
+/// With at most so many generators no sample is taken.
+const ALL: usize = 128;
+
+/// At most so many are tried without regard to how large coefficients are likely to be.
+const FEW: usize = 16;
+
+/// Of more than these a second sample is taken.
+const MANY: usize = 1024;
+
+/// A point whose gauge seems to be between these is near the boundary.
+const INSIDE: f64 = 0.9;
+const OUTSIDE: f64 = 1.0;
+
+/// How many deviations a sample must see between a point outside and the boundary.
+const DEVIATIONS: f64 = 1.0;
+
+/// A step that ends with a slope of more than this, in terms of that at its start, goes too far.
+const FAR: f64 = 0.3;
+
+/// The most steps on a sample, and on all generators.
+const STEPS: [usize; 2] = [12, 6];
+
+/// What the smooth problem says of a point.
+enum Sign {
+    Inside(Combination),
+    Outside([f64; 3]),
+    Neither,
+}
+
+/// The status of p with its proof, if that is clear.
+pub(super) fn locate(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Option<Location<3>> {
+    let p = rounded_displacement(question);
+    match question.len() {
+        0..=FEW => locate_by_all(question, &p, Lengths::Own, tally),
+        0..=ALL => locate_by_all(question, &p, Lengths::of(question.runs()), tally),
+        _ => locate_by_sample(question, &p, tally),
+    }
+}
+
+fn locate_by_all(
+    question: &Displacement<'_, 3>,
+    p: &BoundedVector,
+    lengths: Lengths,
+    tally: &mut impl Tally,
+) -> Option<Location<3>> {
+    tally.add(Operation::GeneratorRead, question.len() as u64);
+    let own = p.map(|c| c.value);
+    let (y, is_thick) = Moments::at_zero(question.runs(), lengths).solve(&own);
+    let reach = reach(question, &y);
+    let along = bounded::dot(p, &bounded::exact(y));
+    if (along - reach).is_positive() {
+        return Some(Location::Outside(Separation::Rounded(y)));
+    }
+    // at least that of p; NaN is nowhere
+    let gauge = along.value / reach.value;
+    if !(is_thick && gauge < INSIDE) {
+        return None;
+    }
+    let first = question.runs()[0];
+    let among = &first[..first.len().min(ALL)];
+    let is_tried = question.len() <= FEW || Combination::least(y, lengths, among).is_some();
+    let least = is_tried.then(|| Combination::of(y, lengths));
+    let location = least.and_then(|least| inside(question, p, &least, tally));
+    location.or_else(|| State::new(&y, gauge).prove(question, p, lengths, among, tally))
+}
+
+fn locate_by_sample(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Location<3>> {
+    let few = sample(question, ALL / 4 + question.len().isqrt());
+    tally.add(Operation::GeneratorRead, few.len() as u64);
+    let part = |sample: &[[f64; 3]]| p.map(|c| c.value * sample.len() as f64 / question.len() as f64);
+    let (own, lengths) = (part(&few), Lengths::of([&few, &[]]));
+    let (y, is_thick) = Moments::at_zero([&few, &[]], lengths).solve(&own);
+    let gauge = dot(&own, &y) / bounded_sum(&few, &y).value;
+    if gauge > OUTSIDE + DEVIATIONS / (few.len() as f64).sqrt()
+        && let Some(location) = outside(question, p, y, tally)
+    {
+        return Some(location);
+    }
+    if lengths == Lengths::Own {
+        // the longest are not in the sample
+        return locate_by_all(question, p, lengths, tally);
+    }
+    if !(is_thick && gauge < INSIDE) {
+        return None;
+    }
+    if Combination::least(y, lengths, &few).is_some() {
+        tally.add(Operation::GeneratorRead, question.len() as u64);
+        let (z, is_thick) = Moments::at_zero(question.runs(), lengths).solve(&p.map(|c| c.value));
+        let least = Combination::least(z, lengths, &few).filter(|_| is_thick);
+        let location = least.and_then(|least| inside(question, p, &least, tally));
+        return location.or_else(|| State::new(&z, gauge).prove(question, p, lengths, &few, tally));
+    }
+    let more;
+    let sample = if question.len() <= MANY {
+        &few
+    } else {
+        more = sample(question, ALL + question.len() / 16);
+        &more
+    };
+    tally.add(Operation::GeneratorRead, sample.len() as u64);
+    let mut state = State::new(&y, gauge);
+    match state.settle([sample, &[]], lengths, &part(sample), &few, STEPS[0]) {
+        Sign::Inside(_) => state.prove(question, p, lengths, &few, tally),
+        Sign::Outside(_) | Sign::Neither => None,
+    }
+}
+
+/// A Newton step, and the slope along it where it starts.
+struct Step {
+    from: [f64; 3],
+    step: [f64; 3],
+    slope: f64,
+}
+
+impl Step {
+    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
+    fn shortened(self, end: &Moments, target: &[f64; 3]) -> Option<[f64; 3]> {
+        let slope = end.slope(&self.step, target);
+        let part = (self.slope / (self.slope - slope)).max(0.02);
+        (slope > -FAR * self.slope).then(|| [0, 1, 2].map(|k| self.from[k] + part * self.step[k]))
+    }
+}
+
+/// Where the Newton steps are, and how large the gauge of p is at least.
+#[derive(Debug, Clone, Copy)]
+struct State {
+    y: [f64; 3],
+    gauge: f64,
+}
+
+impl State {
+    /// From the y that makes up p without clipping.
+    fn new(y: &[f64; 3], gauge: f64) -> Self {
+        let state = Self { y: *y, gauge };
+        Self { y: y.map(|c| c * state.aim()), gauge }
+    }
+
+    /// How far beyond p the coefficients are made for: half the way to the boundary, so that they can be made smaller.
+    fn aim(&self) -> f64 {
+        (1.0 + 1.0 / self.gauge) / 2.0
+    }
+
+    /// The proof of a point by clipped coefficients.
+    fn prove(
+        mut self,
+        question: &Displacement<'_, 3>,
+        p: &BoundedVector,
+        lengths: Lengths,
+        among: &[[f64; 3]],
+        tally: &mut impl Tally,
+    ) -> Option<Location<3>> {
+        tally.add(Operation::GeneratorRead, question.len() as u64);
+        match self.settle(question.runs(), lengths, &p.map(|c| c.value), among, STEPS[1]) {
+            Sign::Inside(combination) => inside(question, p, &combination, tally),
+            Sign::Outside(y) => outside(question, p, y, tally),
+            Sign::Neither => None,
+        }
+    }
+
+    /// Newton steps until there are coefficients for p or a direction that separates.
+    fn settle(&mut self, runs: Runs<'_>, lengths: Lengths, p: &[f64; 3], among: &[[f64; 3]], steps: usize) -> Sign {
+        let mut before: Option<Step> = None;
+        for _ in 0..steps {
+            let at = Moments::at(runs, lengths, &self.y);
+            let gauge = dot(p, &self.y) / at.reach;
+            if gauge > 1.0 {
+                return Sign::Outside(self.y);
+            }
+            self.gauge = self.gauge.max(gauge);
+            let factor = self.aim();
+            let target = p.map(|c| factor * c);
+            if let Some(shorter) = before.take().and_then(|step| step.shortened(&at, &target)) {
+                self.y = shorter;
+                continue;
+            }
+            let (found, step) = at.combination(lengths, &self.y, p, &target, among);
+            if let Some(combination) = found {
+                return Sign::Inside(combination);
+            }
+            before = Some(Step { from: self.y, step, slope: at.slope(&step, &target) });
+            self.y = [0, 1, 2].map(|k| self.y[k] + step[k]);
+        }
+        Sign::Neither
+    }
+}
+
+fn outside(
+    question: &Displacement<'_, 3>,
+    p: &BoundedVector,
+    y: [f64; 3],
+    tally: &mut impl Tally,
+) -> Option<Location<3>> {
+    tally.add(Operation::GeneratorRead, question.len() as u64);
+    separates(question, p, &y).then_some(Location::Outside(Separation::Rounded(y)))
+}
+
+fn inside(
+    question: &Displacement<'_, 3>,
+    p: &BoundedVector,
+    combination: &Combination,
+    tally: &mut impl Tally,
+) -> Option<Location<3>> {
+    tally.add(Operation::GeneratorRead, question.len() as u64);
+    combination.witness(question, p).map(Location::Inside)
+}
+
+/// Whether u · p > h(u), proved by one pass in doubles.
+pub(super) fn separates(question: &Displacement<'_, 3>, p: &BoundedVector, u: &[f64; 3]) -> bool {
+    (bounded::dot(p, &bounded::exact(*u)) - reach(question, u)).is_positive()
+}
+
+/// h(u).
+fn reach(question: &Displacement<'_, 3>, u: &[f64; 3]) -> Bounded {
+    let [first, second] = question.runs();
+    if second.is_empty() { bounded_sum(first, u) } else { bounded_sum(first, u) + bounded_sum(second, u) }
+}
+
+/// A few generators from all over the question, one from each of many equal stretches.
+fn sample(question: &Displacement<'_, 3>, size: usize) -> Vec<[f64; 3]> {
+    /// 2^32 over the golden ratio: multiples of it are spread evenly.
+    const GOLDEN: u32 = 0x9e37_79b9;
+    let n = question.len();
+    // places in units of 2^-32
+    let step = ((n as u64) << 32) / size as u64;
+    let place = |i: usize| {
+        let within = (u64::from((i as u32).wrapping_mul(GOLDEN) >> 16) * step) >> 16;
+        ((i as u64 * step + within) >> 32) as usize
+    };
+    (0..size).map(|i| question.generator(place(i))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::brute_force;
+    use crate::collision::verify::verify;
+    use crate::tally::OperationCounts;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// Generators of three kinds: even, of lengths from 1 to thousands, nearly all nearly in a plane.
+    fn body(kind: usize, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
+        let mut vector = || {
+            let [x, y, z] = [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+            match kind {
+                0 => [x, y, z],
+                1 => [x, y, z].map(|c| c / (1.0 - random.random_range(0.0..1.0f64))),
+                _ => [x, y, if random.random_range(0..10) == 0 { z } else { 1e-6 * z }],
+            }
+        };
+        (0..n).map(|_| vector()).collect()
+    }
+
+    /// The point at which the ray along u leaves the body, taken so many times.
+    fn point(body: &[[f64; 3]], u: [f64; 3], factor: f64) -> [f64; 3] {
+        let p = body.iter().fold([0.0; 3], |sum, v| {
+            let sign = f64::copysign(1.0, dot(v, &u));
+            [0, 1, 2].map(|k| sum[k] + sign * v[k])
+        });
+        p.map(|c| factor * c)
+    }
+
+    #[test]
+    fn what_is_clear_is_told_with_a_proof_and_mostly_at_once() {
+        let random = &mut Pcg64Mcg::seed_from_u64(5);
+        for kind in 0..3 {
+            for n in [6, 15, 40, 129, 1100] {
+                let (mut told, mut reads) = (0, 0);
+                for i in 0..20 {
+                    let body = body(kind, n, random);
+                    let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
+                    let factor = [0.0, 0.2, 0.6, 1.6, 9.0][i % 5];
+                    let question = Displacement::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
+                    let mut counts = OperationCounts::default();
+                    let Some(location) = locate(&question, &mut counts) else { continue };
+                    assert_eq!(verify(&question, &location), Ok(()));
+                    assert_eq!(location.status(), if factor < 1.0 { "inside" } else { "outside" });
+                    (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
+                }
+                assert!(told >= 14 && reads <= 4 * told * n as u64, "{kind} {n}: {told}, {reads}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_told_that_is_not_so() {
+        let random = &mut Pcg64Mcg::seed_from_u64(7);
+        for i in 0..300 {
+            let body = body(i % 3, 3 + i % 7, random);
+            let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
+            let p = point(&body, u, random.random_range(0.7..1.4));
+            let question = Displacement::new([0.0; 3], p, &body).expect("finite");
+            if let Some(location) = locate(&question, &mut ()) {
+                assert_eq!(verify(&question, &location), Ok(()));
+                assert_eq!(location.status(), brute_force::locate(&question).status());
+            }
+        }
+    }
+
+    #[test]
+    fn flat_and_extreme_bodies_are_left_to_others() {
+        let is_told = |size: f64, body: &[[f64; 3]]| {
+            let (p, body) = ([0.2, 0.3, 0.0].map(|c| size * c), body.iter().map(|v| v.map(|c| size * c)));
+            let body: Vec<[f64; 3]> = body.collect();
+            locate(&Displacement::new([0.0; 3], p, &body).expect("finite"), &mut ()).is_some()
+        };
+        let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        assert!(is_told(1.0, &cube) && is_told(1e60, &cube) && is_told(1e-60, &cube));
+        assert!(!is_told(f64::MAX, &cube) && !is_told(1e-200, &cube));
+        assert!(!is_told(1.0, &[]) && !is_told(1.0, &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]));
+        // beside a flat body a direction separates all the same
+        let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let question = Displacement::new([0.0; 3], [0.5, 0.0, 1e-3], &square).expect("finite");
+        assert!(matches!(locate(&question, &mut ()), Some(Location::Outside(_))));
+    }
+}
