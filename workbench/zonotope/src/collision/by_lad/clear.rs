@@ -42,10 +42,12 @@ enum Sign {
 /// The status of p with its proof, if that is clear.
 pub(super) fn locate(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Option<Location<3>> {
     let p = rounded_displacement(question);
-    match question.len() {
-        0..=FEW => locate_by_all(question, &p, Lengths::Own, tally),
-        0..=ALL => locate_by_all(question, &p, Lengths::of(question.runs()), tally),
-        _ => locate_by_sample(question, &p, tally),
+    let n = question.len();
+    if n <= ALL {
+        let lengths = if n <= FEW { Lengths::Own } else { Lengths::of(question.runs()) };
+        locate_by_all(question, &p, lengths, tally)
+    } else {
+        locate_by_sample(question, &p, tally)
     }
 }
 
