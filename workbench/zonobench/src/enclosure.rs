@@ -95,3 +95,27 @@ pub fn exact_to_json(exact: &ExactZonogon) -> Value {
         "generators": exact.generators.iter().map(vector).collect::<Vec<_>>(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn answers_pass_the_check_where_doubles_are_coarse() {
+        let around = |center: [f64; 2], radius: f64, count: usize| -> Vec<[f64; 2]> {
+            let angle = |i: usize| i as f64 * std::f64::consts::TAU / count as f64;
+            let point = |i: usize| [center[0] + radius * libm::cos(angle(i)), center[1] + radius * libm::sin(angle(i))];
+            (0..count).map(point).collect()
+        };
+        let mut cases = vec![
+            vec![[0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]],
+            vec![[1e16, 0.0], [1.000_000_000_000_000_2e16, 0.0], [1e16, 2.0]],
+        ];
+        cases.extend([1e-309, 1e-310, 1e-318, 1e-323].map(|radius| around([0.0; 2], radius, 300)));
+        cases.extend([1.0, 1e-3, 1e-9].map(|radius| around([5e5, 5.2e6], radius, 300)));
+        for points in cases {
+            let enclosure = Enclosure::of(&points, Method::default(), 0).expect("finite points");
+            assert!(enclosure.check(&points).is_ok(), "{:?} {:?}", enclosure.check(&points), points[0]);
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
 use tempfile::{Builder, NamedTempFile};
 use thiserror::Error;
@@ -14,6 +14,15 @@ pub enum OutputError {
     /// The file exists and may not be replaced.
     #[error("{}: exists already; --force replaces it", .0.display())]
     Exists(PathBuf),
+    /// The file is read as well.
+    #[error("{}: is read, so it is not written over", .0.display())]
+    Input(PathBuf),
+    /// Two results would be written to the file.
+    #[error("{}: two results cannot be written to one file", .0.display())]
+    Twice(PathBuf),
+    /// A result would be written to standard output, where the summary is.
+    #[error("-: a result needs a file; standard output has the summary")]
+    StandardOutput,
     /// The file cannot be written.
     #[error("{}: cannot be written: {source}", .file.display())]
     Unwritable {
@@ -40,13 +49,41 @@ impl Existing {
     }
 }
 
-/// Refuses early, before the work is done, what [`write_whole`] would refuse after it.
-pub fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
+/// Refuses early, before the work is done, what [`write_whole`] would refuse after it, and files that are named twice or are read as well.
+pub fn check_outputs<'a>(
+    outputs: impl IntoIterator<Item = &'a PathBuf>,
+    inputs: &[&Path],
+    existing: Existing,
+) -> Result<(), OutputError> {
+    let place = |file: &Path| file.canonicalize().or_else(|_| absolute(file)).unwrap_or_else(|_| file.to_path_buf());
+    let inputs: Vec<PathBuf> = inputs.iter().map(|input| place(input)).collect();
+    let mut taken = Vec::new();
+    for output in outputs {
+        if output == Path::new("-") {
+            return Err(OutputError::StandardOutput);
+        }
+        check_free(output, existing)?;
+        let place = place(output);
+        if inputs.contains(&place) {
+            return Err(OutputError::Input(output.clone()));
+        }
+        if taken.contains(&place) {
+            return Err(OutputError::Twice(output.clone()));
+        }
+        taken.push(place);
+    }
+    Ok(())
+}
+
+fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
     if existing == Existing::Keep && file.symlink_metadata().is_ok() {
         return Err(OutputError::Exists(file.to_path_buf()));
     }
     if file.is_dir() {
         return Err(unwritable(file)(io::Error::from(io::ErrorKind::IsADirectory)));
+    }
+    if file.exists() && !file.is_file() {
+        return Err(unwritable(file)(io::Error::other("is not an ordinary file")));
     }
     Ok(())
 }
@@ -110,6 +147,26 @@ mod tests {
         assert_eq!(fs::read(&file).expect("readable"), b"two");
         let names: Vec<_> = fs::read_dir(file.parent().expect("a folder")).expect("listed").collect();
         assert_eq!(names.len(), 1, "no temporary file stays behind");
+    }
+
+    #[test]
+    fn a_file_has_one_use() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let [input, free] = ["input", "free"].map(|name| folder.path().join(name));
+        fs::write(&input, "1").expect("writable");
+        let check = |outputs: &[&PathBuf], existing| {
+            let checked = check_outputs(outputs.iter().copied(), &[&input], existing);
+            checked.map_err(|error| error.to_string().rsplit(": ").next().unwrap_or_default().to_owned())
+        };
+        assert_eq!(check(&[&free], Existing::Keep), Ok(()));
+        let complaint = |text: &str| Err(text.to_owned());
+        assert_eq!(check(&[&input], Existing::Replace), complaint("is read, so it is not written over"));
+        assert_eq!(check(&[&free, &free], Existing::Keep), complaint("two results cannot be written to one file"));
+        let dash = PathBuf::from("-");
+        assert_eq!(
+            check(&[&dash], Existing::Keep),
+            complaint("a result needs a file; standard output has the summary")
+        );
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! Progress bars on standard error; silent when that is no terminal.
 
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread::{JoinHandle, spawn};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -8,11 +10,15 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// What is done sooner needs no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
+/// How often the elapsed time is drawn anew.
+const TICK: Duration = Duration::from_millis(250);
+
 /// A bar that appears after a second and vanishes when it is dropped.
 #[derive(Debug)]
 pub struct Progress {
     bar: ProgressBar,
-    shown: OnceLock<()>,
+    /// Shows the bar in time, unless the other end of its channel is dropped before.
+    waiting: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
 impl Progress {
@@ -32,19 +38,15 @@ impl Progress {
         bar.set_draw_target(ProgressDrawTarget::hidden());
         bar.set_style(style);
         bar.set_prefix(what.to_owned());
-        Self { bar, shown: OnceLock::new() }
+        let (sender, receiver) = channel();
+        let own = bar.clone();
+        let waiting = Some((sender, spawn(move || show_in_time(&own, &receiver))));
+        Self { bar, waiting }
     }
 
     /// One more is done.
     pub fn step(&self) {
         self.bar.inc(1);
-        self.show_in_time();
-    }
-
-    fn show_in_time(&self) {
-        if self.bar.elapsed() >= PATIENCE {
-            self.shown.get_or_init(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
-        }
     }
 
     /// A part is done, and the next one has another name.
@@ -56,13 +58,24 @@ impl Progress {
     /// So many are done.
     pub fn reach(&self, done: u64) {
         self.bar.set_position(done);
-        self.show_in_time();
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
+        if let Some((sender, thread)) = self.waiting.take() {
+            drop(sender);
+            // a thread that could not draw leaves nothing to clear
+            let _ = thread.join();
+        }
         self.bar.finish_and_clear();
+    }
+}
+
+fn show_in_time(bar: &ProgressBar, ended: &Receiver<()>) {
+    if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+        bar.set_draw_target(ProgressDrawTarget::stderr());
+        bar.enable_steady_tick(TICK);
     }
 }
 

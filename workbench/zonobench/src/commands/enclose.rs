@@ -17,7 +17,7 @@ use super::Ending;
 use super::asking::{Asking, Objective, Usage};
 use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
-use crate::output::{Existing, check_free, write_whole};
+use crate::output::{Existing, check_outputs, write_whole};
 use crate::progress::Progress;
 
 /// Options of `enclose`.
@@ -57,9 +57,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     if objective == Objective::Length && options.exact {
         return Err(Usage("--exact: only the least area is computed in exact numbers".to_owned()).into());
     }
-    for file in [&options.svg, &options.json, &options.obj].into_iter().flatten() {
-        check_free(file, existing)?;
-    }
+    let outputs = [&options.svg, &options.json, &options.obj].into_iter().flatten();
+    check_outputs(outputs, &[&options.file], existing)?;
     match objective {
         Objective::Area => by_area(options, existing),
         Objective::Length => by_length::run(options, existing),

@@ -9,7 +9,7 @@ use clap::Args;
 use super::asking::{Asking, Objective};
 use super::{Ending, open};
 use crate::batch::MAX_LINE_BYTES;
-use crate::input::Format;
+use crate::input::{Format, on_one_line};
 use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
 use crate::verify::{Verdict, check};
 
@@ -28,10 +28,13 @@ pub struct Options {
 
 /// Checks every answer: a line each on standard output.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let questions = questions(options)?;
+    let Questions { trees: mut questions, are_data } = questions(options)?;
     let answers = lines(&options.answers)?;
     let mut output = BufWriter::new(io::stdout().lock());
     let mut wrong = 0;
+    if are_data && let (Some(Some(question)), Some(Some(answer))) = (questions.first_mut(), answers.first()) {
+        rename(question, answer);
+    }
     for (index, question) in questions.iter().enumerate() {
         let verdict = match (question, answers.get(index)) {
             (_, None) => Verdict::Wrong("there is no answer".to_owned()),
@@ -40,14 +43,14 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
             (Some(question), Some(Some(answer))) => check(question, answer),
         };
         let name = |name| question.as_ref().and_then(|question| question.field(name)).and_then(Tree::text);
-        write!(output, "{}", name("id").map_or_else(|| format!("question {}", index + 1), str::to_owned))?;
-        write!(output, "\t{}\t", name("kind").unwrap_or("-"))?;
+        write!(output, "{}", name("id").map_or_else(|| format!("question {}", index + 1), on_one_line))?;
+        write!(output, "\t{}\t", name("kind").map_or_else(|| "-".to_owned(), on_one_line))?;
         match verdict {
             Verdict::Right(proved) => writeln!(output, "right\t{proved}")?,
-            Verdict::Unchecked(reason) => writeln!(output, "unchecked\t{reason}")?,
+            Verdict::Unchecked(reason) => writeln!(output, "unchecked\t{}", on_one_line(&reason))?,
             Verdict::Wrong(reason) => {
                 wrong += 1;
-                writeln!(output, "WRONG\t{reason}")?;
+                writeln!(output, "WRONG\t{}", on_one_line(&reason))?;
             }
         }
     }
@@ -67,34 +70,59 @@ fn unread_question(answer: &Tree) -> Verdict {
     }
 }
 
+/// What answers are checked against.
+struct Questions {
+    trees: Vec<Option<Tree>>,
+    /// Whether they are one question made of a data file.
+    are_data: bool,
+}
+
+impl Questions {
+    fn of_data(question: Option<Tree>) -> Self {
+        Self { trees: vec![question], are_data: true }
+    }
+
+    fn of_lines(file: &Path) -> anyhow::Result<Self> {
+        Ok(Self { trees: lines(file)?, are_data: false })
+    }
+}
+
+/// Data are asked about under whatever name the answer has.
+fn rename(question: &mut Tree, answer: &Tree) {
+    if let (Tree::Object(fields), Some(id)) = (question, answer.field("id")) {
+        fields.iter_mut().filter(|(name, _)| name == "id").for_each(|(_, own)| *own = id.clone());
+    }
+}
+
 /// The questions; a data file is one question, named after the file.
-fn questions(options: &Options) -> anyhow::Result<Vec<Option<Tree>>> {
+fn questions(options: &Options) -> anyhow::Result<Questions> {
     let file = &options.questions;
     let asking = &options.asking;
     let source = asking.source(file);
     let format = source.known_format();
     if format.is_none() {
-        return lines(file);
+        return Questions::of_lines(file);
     }
     if asking.format.is_none() && format == Some(Format::Json) {
         // What the name does not tell, the content does: data have no kind.
-        let questions = lines(file)?;
-        if questions.first().is_some_and(|first| first.as_ref().is_some_and(|first| first.field("kind").is_some())) {
+        let questions = Questions::of_lines(file)?;
+        let first = questions.trees.first();
+        if first.is_some_and(|first| first.as_ref().is_some_and(|first| first.field("kind").is_some())) {
             return Ok(questions);
         }
     }
     if asking.objective(file)? == Objective::Length {
         let question = asking.question_of_length(&question_name(file), &source.read_any()?)?;
-        return Ok(vec![json::read(question.to_string().as_bytes(), MAX_VALUES).ok()]);
+        return Ok(Questions::of_data(json::read(question.to_string().as_bytes(), MAX_VALUES).ok()));
     }
     let points = source.read()?;
     let points = points.into_iter().map(|point| Tree::List(point.map(Tree::Number).into())).collect();
     let text = |text: &str| Tree::Text(text.to_owned());
-    Ok(vec![Some(Tree::Object(vec![
+    Ok(Questions::of_data(Some(Tree::Object(vec![
         ("id".to_owned(), text(&question_name(file))),
         ("kind".to_owned(), text("min_area")),
         ("input".to_owned(), Tree::Object(vec![("points".to_owned(), Tree::List(points))])),
-    ]))])
+    ]))))
 }
 
 /// The id of the question that a data file stands for.

@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn complaints_name_the_place() {
         assert_eq!(read("z.csv", "1,0\n0,north\n"), Err("z.csv: line 2, column 2: 'north' is not a number".into()));
-        assert_eq!(read("z.csv", "1,0\n2\n"), Err("z.csv: line 2: the row has 1 cells, not 2".into()));
+        assert_eq!(read("z.csv", "1,0\n2\n"), Err("z.csv: line 2, column 2: the row has 1 cells, not 2".into()));
         assert_eq!(read("z.csv", ""), Err("z.csv: holds no zonotope".into()));
         assert_eq!(read("z.json", r#"{"generators":[]}"#), Err("z.json: holds no zonotope".into()));
         assert_eq!(

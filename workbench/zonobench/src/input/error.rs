@@ -100,6 +100,9 @@ pub enum Problem {
         /// The names of the header.
         available: String,
     },
+    /// Two columns have the name of a coordinate.
+    #[error("two columns are named '{0}'; choose with --columns by number")]
+    TwoColumns(String),
     /// A numbered column does not exist.
     #[error("there is no column {number}; the row has {cells} cells")]
     NoColumnNumber {
@@ -141,6 +144,12 @@ pub enum Problem {
     Table(String),
 }
 
+/// A text without line breaks, tabs and other control characters: they are spelled out.
+pub fn on_one_line(text: &str) -> String {
+    let spelled = |c: char| if c.is_control() { c.escape_debug().collect() } else { String::from(c) };
+    text.chars().map(spelled).collect()
+}
+
 impl Problem {
     /// The complaint about `file` at `place`.
     pub fn at(self, file: &Path, place: Place) -> InputError {
@@ -154,8 +163,12 @@ impl Problem {
             let ellipsis = if text.chars().count() > longest { "…" } else { "" };
             text.chars().take(longest).collect::<String>() + ellipsis
         };
-        let tidy = |text: String| cut(&text, LONGEST).chars().flat_map(char::escape_debug).collect::<String>();
+        let tidy = |text: String| on_one_line(&cut(&text, LONGEST));
         match self {
+            Self::NoSuchColumn { name, available } => {
+                Self::NoSuchColumn { name: tidy(name), available: on_one_line(&cut(&available, 4 * LONGEST)) }
+            }
+            Self::TwoColumns(name) => Self::TwoColumns(tidy(name)),
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
             Self::Mesh { format, complaint } => {

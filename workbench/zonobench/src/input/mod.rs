@@ -22,7 +22,7 @@ use clap::ValueEnum;
 pub use body::{Body, BodySource};
 pub use bytes::MAX_FILE_BYTES;
 pub use columns::{Column, Columns};
-pub use error::{InputError, Place, Problem};
+pub use error::{InputError, Place, Problem, on_one_line};
 pub use points::Points;
 
 use points::Wanted;

@@ -113,6 +113,7 @@ impl<'a> Table<'a> {
         let position = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
         if let Some(Columns(chosen)) = columns {
             let place = |column: &Column| match column {
+                Column::Name(name) if is_repeated(&names, name) => Err(Problem::TwoColumns(name.clone())),
                 Column::Number(number) if *number <= names.len() => Ok(number - 1),
                 Column::Number(number) => Err(Problem::NoColumnNumber { number: *number, cells: names.len() }),
                 Column::Name(name) => position(name)
@@ -124,7 +125,13 @@ impl<'a> Table<'a> {
         let known = |names: &[&str]| names.iter().map(|name| position(name)).collect::<Option<Vec<usize>>>();
         let in_space = (wanted == Wanted::Any).then(|| known(&SPACE_NAMES)).flatten();
         if let Some(columns) = in_space.or_else(|| KNOWN_NAMES.iter().find_map(|pair| known(pair))) {
-            return Ok(columns);
+            return match columns.iter().find(|&&column| is_repeated(&names, &names[column])) {
+                Some(&column) => {
+                    let place = Place::Line(self.line(first));
+                    Err(Problem::TwoColumns(names[column].clone()).at(self.file, place))
+                }
+                None => Ok(columns),
+            };
         }
         if wanted.takes_all(first.len()) {
             return Ok((0..first.len()).collect());
@@ -144,7 +151,8 @@ impl<'a> Table<'a> {
         let width = self.width.unwrap_or(row.len());
         if row.len() != width {
             let problem = Problem::Ragged { found: row.len(), expected: width };
-            return Err(problem.at(self.file, Place::Line(self.line(row))));
+            let place = Place::Cell { line: self.line(row), column: row.len().min(width) as u64 + 1 };
+            return Err(problem.at(self.file, place));
         }
         let problem = match (parse(&row[column]), std::str::from_utf8(&row[column])) {
             (Some(number), _) if number.is_finite() => return Ok(number),
@@ -165,6 +173,10 @@ impl<'a> Table<'a> {
         let start = offset + rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
         1 + self.content[..start].iter().filter(|&&byte| byte == b'\n').count() as u64
     }
+}
+
+fn is_repeated(names: &[String], name: &str) -> bool {
+    names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() > 1
 }
 
 fn is_blank(row: &ByteRecord) -> bool {
@@ -207,6 +219,12 @@ mod tests {
             read("7,8\n2,1\n4,3\n", Some("8,7")),
             Err("points.csv: line 1: there is no column 8; the row has 2 cells".into())
         );
+        let twice = "points.csv: line 1: two columns are named 'x'; choose with --columns by number";
+        assert_eq!(read("x,y,x\n1,2,0\n3,4,0\n", None), Err(twice.into()));
+        assert_eq!(read("x,y,x\n1,2,0\n3,4,0\n", Some("x,y")), Err(twice.into()));
+        assert_eq!(read("x,y,x\n1,2,0\n3,4,0\n", Some("1,2")), expected);
+        let broken = "points.csv: line 1: there is no column 'x'; the columns are a\\nb, c";
+        assert_eq!(read("\"a\nb\",c\n1,2\n", Some("x,c")), Err(broken.into()));
     }
 
     #[test]
@@ -228,8 +246,8 @@ mod tests {
             "points.csv: line 5, column 1: 'nan' is not a finite number"
         );
         assert_eq!(complaint("1,2\n1e999,2\n", None), "points.csv: line 2, column 1: '1e999' is not a finite number");
-        assert_eq!(complaint("1,2\n3\n", None), "points.csv: line 2: the row has 1 cells, not 2");
-        assert_eq!(complaint("1,2\n3,4,5\n", None), "points.csv: line 2: the row has 3 cells, not 2");
+        assert_eq!(complaint("1,2\n3\n", None), "points.csv: line 2, column 2: the row has 1 cells, not 2");
+        assert_eq!(complaint("1,2\n3,4,5\n", None), "points.csv: line 2, column 3: the row has 3 cells, not 2");
         assert_eq!(complaint("1,2\n3,\n", None), "points.csv: line 2, column 2: the cell is empty");
         assert_eq!(complaint("1,2,3\n3,4,5\n", None), "points.csv: has 3 column(s); choose two with --columns");
         assert_eq!(

@@ -4,8 +4,8 @@ use paper_checks::{ClaimResult, Verdict};
 
 use super::html::{Escaped, badge, prose, table};
 
-/// The claims with their verdicts.
-pub(super) fn claim_table(results: &[&ClaimResult]) -> String {
+/// The claims with their verdicts. A row's place on the page is named `prefix` and the claim.
+pub(super) fn claim_table(prefix: &str, results: &[&ClaimResult]) -> String {
     let rows: Vec<Vec<String>> = results
         .iter()
         .map(|result| {
@@ -17,7 +17,7 @@ pub(super) fn claim_table(results: &[&ClaimResult]) -> String {
             }
             vec![
                 format!(
-                    "<span id=\"claim-{}\">{}</span><br><small>{}</small>",
+                    "<span id=\"{prefix}-{}\">{}</span><br><small>{}</small>",
                     claim.id,
                     prose(claim.statement),
                     Escaped(&place)

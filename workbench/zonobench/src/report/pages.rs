@@ -140,7 +140,7 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
         text.push_str(&format!("<dt><code>{}</code></dt><dd>{}</dd>\n", Escaped(command), Escaped(effect)));
     }
     text.push_str("</dl>\n<h3>What the paper says of it</h3>\n");
-    text.push_str(&claim_table(&results));
+    text.push_str(&claim_table(&format!("{}-claim", chapter.id), &results));
     text.push_str("</section>\n");
     text
 }
@@ -268,10 +268,10 @@ fn ledger_section(evidence: &Evidence) -> String {
             tally(&marks)
         ));
         if !judged.is_empty() {
-            text.push_str(&claim_table(&judged));
+            text.push_str(&claim_table("claim", &judged));
         }
         if !waiting.is_empty() {
-            let table = claim_table(&waiting);
+            let table = claim_table("claim", &waiting);
             text.push_str(&match (judged.is_empty(), waiting.len()) {
                 (true, _) => table,
                 (false, count) => {

@@ -23,7 +23,7 @@ mod tests;
 use std::cmp::Ordering;
 
 use dashu_int::IBig;
-use dashu_int::ops::Abs;
+use dashu_int::ops::{Abs, Gcd};
 
 use super::RELATIVE_ERROR;
 use super::grid::Grid;
@@ -73,9 +73,9 @@ pub struct MinAreaProof {
 /// or says what fails.
 ///
 /// `area` may differ from the exact area by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
-/// The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since thin bodies cannot be rounded outward any
-/// closer, by 2^-45 · (largest coordinate, at least the smallest normal double) · (width + height); it may exceed `lower_bound` by as much, but for values that leave
-/// the range of normal doubles.
+/// The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since the centre and the generators of thin bodies and of those far
+/// from the origin cannot be rounded any closer, by (2^-49 · largest coordinate + 2^-1068) · (width + height); it may exceed `lower_bound` by as much, but
+/// for values that leave the range of normal doubles.
 pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, String> {
     if points.is_empty() {
         return Err("there is no point to enclose".to_owned());
@@ -94,7 +94,8 @@ pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<Min
     let allowed = area.times(&Proportion::of_double(RELATIVE_ERROR));
     check_figure("area", answer.area, &area, &allowed)?;
 
-    let bound = proven_bound(&placed, &center, &answer.certificate, grid)?;
+    let half_unit = Proportion::whole(IBig::ONE, 2 * grid.exponent() - 1);
+    let bound = proven_bound(&placed, &center, &answer.certificate)?.times(&half_unit);
     if answer.lower_bound.is_nan() || answer.lower_bound == f64::INFINITY {
         return Err(format!("lower_bound is {}", answer.lower_bound));
     }
@@ -133,6 +134,56 @@ pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<Min
     })
 }
 
+/// An optimum without any rounding; every number is a numerator with a positive denominator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExactMinArea {
+    /// The area of the zonogon.
+    pub area: (IBig, IBig),
+    /// Its centre.
+    pub center: [(IBig, IBig); 2],
+    /// Its generators.
+    pub generators: Vec<[(IBig, IBig); 2]>,
+}
+
+/// Proves that a zonogon contains every point, has exactly the area it is said to have, and that the certificate proves exactly this area
+/// to be the least; or says what fails.
+pub fn check_exact_min_area(
+    points: &[[f64; 2]],
+    certificate: &Certificate,
+    exact: &ExactMinArea,
+) -> Result<(), String> {
+    let exponent = Grid::of(points.iter().flatten().copied()).exponent().min(0);
+    let numbers = || exact.generators.iter().chain([&exact.center]).flatten();
+    // every coordinate is a whole number of units 2^exponent / common
+    let common = numbers().fold(IBig::ONE, |common, (_, denominator)| {
+        let shared = IBig::from((&common).gcd(denominator));
+        common / shared * denominator
+    });
+    let up = exponent.unsigned_abs() as usize;
+    let of_double = |point: &[f64; 2]| Grid::at(exponent).point(*point).map(|units| units * &common);
+    let of_fraction = |vector: &[(IBig, IBig); 2]| {
+        vector.each_ref().map(|(numerator, denominator)| (numerator * (&common / denominator)) << up)
+    };
+    let placed: Vec<Point> = points.iter().map(of_double).collect();
+    let center = of_fraction(&exact.center);
+    let generators: Vec<Point> = exact.generators.iter().map(of_fraction).collect();
+
+    let zonogon = ConvexPolygon::zonogon(&center, &generators);
+    if let Some(outside) = placed.iter().position(|point| !zonogon.contains(point)) {
+        return Err(format!("exact: point {} lies outside the zonogon", outside + 1));
+    }
+    let doubled = Proportion::whole(zonogon.doubled_area(), 0);
+    let claimed = Proportion::new(exact.area.0.clone(), exact.area.1.clone(), 0);
+    let unit = Proportion::new(IBig::ONE, &common * &common, 2 * exponent - 1);
+    if doubled.times(&unit).compare(&claimed) != Ordering::Equal {
+        return Err("exact: `area` is not that of the zonogon".to_owned());
+    }
+    if proven_bound(&placed, &center, certificate)?.compare(&doubled) != Ordering::Equal {
+        return Err("exact: the certificate does not prove that the area is the least".to_owned());
+    }
+    Ok(())
+}
+
 fn rounding_allowance(points: &[[f64; 2]]) -> Proportion {
     let extent = |axis: usize| {
         let values = points.iter().map(|point| point[axis]);
@@ -140,12 +191,13 @@ fn rounding_allowance(points: &[[f64; 2]]) -> Proportion {
         let high = values.fold(f64::NEG_INFINITY, f64::max);
         Proportion::of_double(high).minus(&Proportion::of_double(low))
     };
-    let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, coordinate| largest.max(coordinate.abs()));
-    extent(0).plus(&extent(1)).times(&Proportion::of_double(largest)).times(&Proportion::of_double(2.0_f64.powi(-45)))
+    let largest = points.iter().flatten().fold(0.0f64, |largest, coordinate| largest.max(coordinate.abs()));
+    let [units, floor] = [2.0_f64.powi(-49), 64.0 * f64::from_bits(1)].map(Proportion::of_double);
+    extent(0).plus(&extent(1)).times(&Proportion::of_double(largest).times(&units).plus(&floor))
 }
 
-/// The bound that the certificate proves for every zonogon around the points; 0 for points on a line.
-fn proven_bound(points: &[Point], center: &Point, certificate: &Certificate, grid: Grid) -> Result<Proportion, String> {
+/// Twice the bound that the certificate proves for every zonogon around the points; 0 for points on a line.
+fn proven_bound(points: &[Point], center: &Point, certificate: &Certificate) -> Result<Proportion, String> {
     let hull = checked_hull(points, &certificate.hull)?;
     let vertices = hull.vertices();
     if vertices.len() < 3 {
@@ -168,8 +220,7 @@ fn proven_bound(points: &[Point], center: &Point, certificate: &Certificate, gri
     let symmetric = ConvexPolygon::hull(vertices.iter().cloned().chain(reflected).collect());
     let loss = loss(&edges, &offsets, certificate)?;
     let at_center = Proportion::whole(symmetric.doubled_area(), 0);
-    let half_unit = Proportion::whole(IBig::ONE, 2 * grid.exponent() - 1);
-    Ok(at_center.minus(&loss).times(&half_unit))
+    Ok(at_center.minus(&loss))
 }
 
 /// The polygon of the hull's vertices, if it is convex and contains every point.

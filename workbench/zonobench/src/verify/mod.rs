@@ -31,7 +31,7 @@ pub use combinatorics::{CombinatoricsAnswer, CombinatoricsProof, check_combinato
 pub use gauge::{GaugeAnswer, GaugeProof, check_gauge};
 pub use location::{Displaced, LocationAnswer, LocationCertificate, check_location};
 pub use member_batch::check_member_batch;
-pub use min_area::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+pub use min_area::{Certificate, ExactMinArea, MinAreaAnswer, MinAreaProof, check_exact_min_area, check_min_area};
 pub use min_length_all::{MinLengthAnswer, MinLengthProof, check_min_length_all};
 pub use min_length_dirs::{Directed, DirectedAnswer, DirectedProof, check_min_length_dirs};
 pub use separator::check_separator;

@@ -93,7 +93,9 @@ impl Proportion {
 /// exact value is beyond the range of doubles.
 pub(super) fn check_figure(name: &str, claimed: f64, exact: &Proportion, allowed: &Proportion) -> Result<(), String> {
     let near = exact.near();
-    let accepted = if claimed.is_finite() {
+    let accepted = if claimed.is_nan() {
+        false
+    } else if claimed.is_finite() {
         let error = Proportion::of_double(claimed).minus(exact).magnitude();
         let allowed = allowed.plus(&Proportion::of_double(f64::from_bits(1)));
         error.compare(&allowed) != Ordering::Greater
@@ -139,6 +141,18 @@ mod tests {
         assert_eq!(of(1, 3, 0).compare(&Proportion::of_double(1.0 / 3.0)), Ordering::Greater);
         assert_eq!(of(-7, 2, 0).magnitude().over(&of(7, 4, 0)).map(|q| q.near()), Some(2.0));
         assert!(of(1, 1, 0).over(&of(0, 5, 0)).is_none());
+    }
+
+    #[test]
+    fn figures() {
+        let allowed = of(1, 8, 0);
+        let accepts = |claimed: f64, exact: &Proportion| check_figure("it", claimed, exact, &allowed).is_ok();
+        assert!(accepts(2.125, &of(2, 1, 0)) && !accepts(2.25, &of(2, 1, 0)));
+        assert!(accepts(f64::INFINITY, &of(1, 1, 1024)) && !accepts(f64::NEG_INFINITY, &of(1, 1, 1024)));
+        assert!(!accepts(f64::INFINITY, &of(2, 1, 0)));
+        for exact in [of(2, 1, 0), of(0, 1, 0), of(-1, 1, 1024)] {
+            assert!(!accepts(f64::NAN, &exact), "{exact:?}");
+        }
     }
 
     #[test]

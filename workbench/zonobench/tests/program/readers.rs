@@ -32,8 +32,8 @@ fn tables() {
     refused("p.csv", "x,y\r\n1,2\r\nNaN,3\r\n", &[], "p.csv: line 3, column 1: 'NaN' is not a finite number");
     refused("p.csv", "x,y\n-inf,2\n", &[], "p.csv: line 2, column 1: '-inf' is not a finite number");
     refused("p.csv", "x,y\n1,1e400\n", &[], "p.csv: line 2, column 2: '1e400' is not a finite number");
-    refused("p.csv", "1,2\n3\n", &[], "p.csv: line 2: the row has 1 cells, not 2");
-    refused("p.csv", "1,2\n3,4,5\n", &[], "p.csv: line 2: the row has 3 cells, not 2");
+    refused("p.csv", "1,2\n3\n", &[], "p.csv: line 2, column 2: the row has 1 cells, not 2");
+    refused("p.csv", "1,2\n3,4,5\n", &[], "p.csv: line 2, column 3: the row has 3 cells, not 2");
     refused("p.csv", "1,2\n,4\n", &[], "p.csv: line 2, column 1: the cell is empty");
     refused("p.csv", "a,b,c\n1,2,3\n", &[], "p.csv: has 3 column(s); choose two with --columns");
     let missing = "p.csv: line 1: there is no column 'z'; the columns are a, b, c";

@@ -48,6 +48,7 @@ use crate::hull::antipodal::FarthestVertex;
 use crate::hull::{ConvexHull, VertexIndex};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::orientation::{Turn, orientation};
+use crate::tally::{Operation, Tally};
 
 use super::bisectors::Bisectors;
 use super::half_turn::{EdgeVisitor, HalfTurn};
@@ -96,11 +97,26 @@ impl<'h> CenteredZonogon<'h> {
     /// # Panics
     /// When `farthest` does not have one vertex for each edge of the hull, or the centre is not finite.
     pub fn new(hull: &'h ConvexHull, farthest: &'h [FarthestVertex], center: [f64; 2]) -> Self {
+        Self::new_counted(hull, farthest, center, &mut ())
+    }
+
+    /// [`new`](Self::new), counting its operations: sides of lines and edges walked.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    pub fn new_counted(
+        hull: &'h ConvexHull,
+        farthest: &'h [FarthestVertex],
+        center: [f64; 2],
+        tally: &mut impl Tally,
+    ) -> Self {
         assert!(center.iter().all(|v| v.is_finite()), "the centre has finite coordinates");
         let bisectors = Bisectors::new(hull, farthest);
         let exact_center = homogeneous(center);
-        let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&exact_center));
-        Self::from_sides(hull, farthest, center, &exact_center, &sides)
+        let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&exact_center), tally);
+        let zonogon = Self::from_sides(hull, farthest, center, &exact_center, &sides);
+        tally.add(Operation::Comparison, zonogon.half.len() as u64);
+        zonogon
     }
 
     /// The zonogon whose exact centre, in homogeneous coordinates, lies on the given side of each ℓ_t: 1 or 0 where edge t belongs

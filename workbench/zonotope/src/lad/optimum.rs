@@ -135,7 +135,7 @@ impl LadOptimum {
         }
         let vertex = Vertex::at(point.clone());
         let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.cell.contains(vertex.point)) else {
-            return problem.signs_at(point);
+            return problem.signs_at(point, &mut ());
         };
         let no_linear_term = ExactLinear::known([Dyadic::zero(), Dyadic::zero()]);
         let mut around = Surroundings::default();

@@ -12,6 +12,7 @@ use super::vertex::Vertex;
 use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+use crate::tally::Tally;
 
 /// One term weight · |normal · x + offset| of the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -165,9 +166,9 @@ impl<'a> LadProblem<'a> {
     }
 
     /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. O(n).
-    pub(crate) fn signs_at(&self, point: &[Dyadic; 3]) -> Vec<i8> {
+    pub(crate) fn signs_at(&self, point: &[Dyadic; 3], tally: &mut impl Tally) -> Vec<i8> {
         let mut around = Surroundings::default();
-        Instance::whole(self).read_at(&Vertex::at(point.clone()), &mut around, &mut ());
+        Instance::whole(self).read_at(&Vertex::at(point.clone()), &mut around, tally);
         around.signs
     }
 

@@ -19,7 +19,7 @@ use super::verify::question_name;
 use crate::batch::{self, MAX_DIMENSION};
 use crate::input::{BodySource, Format};
 use crate::json::{self, Line, MAX_VALUES, rows_to_json};
-use crate::output::{Existing, check_free, write_whole};
+use crate::output::{Existing, check_outputs, write_whole};
 use crate::verify::{Verdict, check};
 
 /// Options of `inspect`.
@@ -58,9 +58,8 @@ pub struct Options {
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let existing = Existing::from_force(options.force);
     let meshes = [&options.obj, &options.ply, &options.stl];
-    for file in [&options.svg, &options.json, &options.question].into_iter().chain(meshes).flatten() {
-        check_free(file, existing)?;
-    }
+    let outputs = [&options.svg, &options.json, &options.question].into_iter().chain(meshes).flatten();
+    check_outputs(outputs, &[&options.file], existing)?;
     let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
     let measures = match body.center.len() {
         1 => Measures::of::<1>(&body),

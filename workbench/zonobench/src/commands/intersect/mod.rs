@@ -13,7 +13,7 @@ use self::meeting::Meeting;
 use super::Ending;
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
-use crate::output::{Existing, check_free, write_whole};
+use crate::output::{Existing, check_outputs, write_whole};
 use crate::verify::Verdict;
 
 /// Options of `intersect`.
@@ -44,9 +44,8 @@ pub struct Options {
 /// Reads, solves, checks, and prints the answer with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let existing = Existing::from_force(options.force);
-    for file in options.svg.iter().chain(&options.json).chain(&options.question) {
-        check_free(file, existing)?;
-    }
+    let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
+    check_outputs(outputs, &[&options.a, &options.b], existing)?;
     let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read();
     let bodies = [read(&options.a)?, read(&options.b)?];
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));

@@ -26,7 +26,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
     experiments: &[],
     commands: &[(
-        "zonobench solve separators.jsonl",
-        "answers questions of the kinds separator, upper_hull and slope_selection",
+        "cargo run --release -- solve tests/goldens/questions.jsonl",
+        "answers questions of every kind, those of separator, upper_hull and slope_selection among them",
     )],
 };

@@ -35,5 +35,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "erratum-3-independent-generators",
     ],
     experiments: &["faces-scaling"],
-    commands: &[("zonobench inspect body.json --svg body.svg", "counts, measures and draws the body of a file")],
+    commands: &[(
+        "echo '{\"generators\":[[1,0,0],[0,1,0],[0,0,1],[1,1,1]]}' | cargo run --release -- inspect - --format json --svg body.svg",
+        "counts, measures and draws a body: the rhombic dodecahedron",
+    )],
 };

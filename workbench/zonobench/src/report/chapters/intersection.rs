@@ -32,7 +32,13 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
     experiments: &["collision-scaling", "gauge-passes", "fallback-rate", "wrong-answers"],
     commands: &[
-        ("zonobench intersect first.json second.json --svg meeting.svg", "decides for two bodies, and draws the proof"),
-        ("zonobench solve questions.jsonl", "answers many questions of the kinds member, intersect and gauge"),
+        (
+            "cargo run --release -- intersect first.json second.json --svg meeting.svg",
+            "decides for two bodies of your own, files with center and generators, and draws the proof",
+        ),
+        (
+            "cargo run --release -- solve tests/goldens/questions.jsonl",
+            "answers questions of every kind, those of member, intersect and gauge among them",
+        ),
     ],
 };

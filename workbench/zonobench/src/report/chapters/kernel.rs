@@ -22,7 +22,10 @@ pub(super) static CHAPTER: Chapter = Chapter {
     claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "halving-search"],
     experiments: &["lad-scaling", "methods-agree", "pruning-passes", "slope-selection-scaling"],
     commands: &[
-        ("zonobench list methods", "names the methods"),
-        ("zonobench solve questions.jsonl --seed 7", "answers questions that name a method"),
+        ("cargo run --release -- list methods", "names the methods"),
+        (
+            "cargo run --release -- solve tests/goldens/questions.jsonl --seed 7",
+            "answers questions of every kind; one of min_area may name a method of the kernel",
+        ),
     ],
 };

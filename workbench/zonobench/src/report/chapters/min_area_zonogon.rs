@@ -37,9 +37,12 @@ pub(super) static CHAPTER: Chapter = Chapter {
     experiments: &["min-area-scaling", "min-area-stages", "area-ratio", "hull-scaling"],
     commands: &[
         (
-            "zonobench enclose points.csv --svg points.svg --json points.answer.json",
+            "cargo run --release -- enclose experiments/data/outline_italy.csv --svg italy.svg --json italy.json",
             "solves it for the points of a file",
         ),
-        ("zonobench verify points.csv points.answer.json", "checks the proof that the answer carries"),
+        (
+            "cargo run --release -- verify experiments/data/outline_italy.csv italy.json",
+            "checks the proof that the answer carries",
+        ),
     ],
 };

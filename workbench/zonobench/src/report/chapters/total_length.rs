@@ -41,13 +41,16 @@ pub(super) static CHAPTER: Chapter = Chapter {
     experiments: &["directions-scaling", "points-scaling", "length-ratio", "enclosing-quality"],
     commands: &[
         (
-            "zonobench enclose teapot.obj --objective length --epsilon 0.001 --json teapot.answer.json",
+            "cargo run --release -- enclose experiments/data/teapot.obj --epsilon 0.001 --json teapot.answer.json",
             "finds a zonotope around a mesh with a proven ratio to the shortest one",
         ),
         (
-            "zonobench enclose points.csv --objective length --directions axes",
+            "cargo run --release -- enclose experiments/data/outline_italy.csv --objective length --directions axes",
             "solves it along given directions, here those of the axes",
         ),
-        ("zonobench solve questions.jsonl", "answers questions of the kinds min_length_dirs and min_length_all"),
+        (
+            "cargo run --release -- solve tests/goldens/questions.jsonl",
+            "answers questions of every kind, min_length_dirs and min_length_all among them",
+        ),
     ],
 };

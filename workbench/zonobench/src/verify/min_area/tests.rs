@@ -51,6 +51,7 @@ fn every_false_statement_is_caught() {
     caught(|answer| answer.generators[1][1] = 1.0 - f64::EPSILON, "point 1 lies outside");
     caught(|answer| answer.area = 4.0 + 1e-11, "area is 4.00000000001");
     caught(|answer| answer.area = f64::INFINITY, "area is inf");
+    caught(|answer| answer.area = f64::NAN, "area is NaN");
     caught(|answer| answer.lower_bound = 4.0 + 1e-15, "all that the certificate proves");
     caught(|answer| answer.lower_bound = 4.0 - 1e-11, "says less than");
     caught(|answer| answer.lower_bound = f64::NAN, "lower_bound is NaN");
@@ -120,4 +121,29 @@ fn the_area_differs_from_half_the_sum_of_offsets_by_a_constant() {
         });
         assert_eq!(constants.next(), constants.next());
     }
+}
+
+#[test]
+fn exact_optima() {
+    let (points, MinAreaAnswer { certificate, .. }) = triangle();
+    let number = |numerator: i32, denominator: i32| (IBig::from(numerator), IBig::from(denominator));
+    let square = ExactMinArea {
+        area: number(4, 1),
+        center: [number(2, 2), number(1, 1)],
+        generators: vec![[number(3, 3), number(0, 1)], [number(0, 7), number(1, 1)]],
+    };
+    let check = |change: &dyn Fn(&mut ExactMinArea)| {
+        let mut exact = square.clone();
+        change(&mut exact);
+        check_exact_min_area(&points, &certificate, &exact)
+    };
+    assert_eq!(check(&|_| ()), Ok(()));
+    let complaint = |text: &str| Err(format!("exact: {text}"));
+    assert_eq!(check(&|exact| exact.center[0] = number(7, 6)), complaint("point 1 lies outside the zonogon"));
+    assert_eq!(check(&|exact| exact.area = number(13, 3)), complaint("`area` is not that of the zonogon"));
+    let larger = |exact: &mut ExactMinArea| {
+        exact.generators[0][0] = number(4, 3);
+        exact.area = number(16, 3);
+    };
+    assert_eq!(check(&larger), complaint("the certificate does not prove that the area is the least"));
 }

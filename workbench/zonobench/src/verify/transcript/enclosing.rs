@@ -1,18 +1,40 @@
 //! Bodies around points.
 
+use dashu_int::IBig;
+
 use super::Verdict;
-use super::reading::{exact_numbers, float, index, indices, member, planar, text, vector, vectors};
+use super::reading::{exact_numbers, float, fraction, index, indices, member, planar, text, vector, vectors};
 use crate::json::Tree;
 use crate::verify::{
-    Certificate, Directed, DirectedAnswer, DirectedProof, MinAreaAnswer, MinLengthAnswer, check_min_area,
-    check_min_length_all, check_min_length_dirs,
+    Certificate, Directed, DirectedAnswer, DirectedProof, ExactMinArea, MinAreaAnswer, MinLengthAnswer,
+    check_exact_min_area, check_min_area, check_min_length_all, check_min_length_dirs,
 };
 
 pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<String, String> {
     let points = planar(member(input, "points")?, "points")?;
-    let proof = check_min_area(&points, &min_area_answer(result)?)?;
+    let answer = min_area_answer(result)?;
+    let proof = check_min_area(&points, &answer)?;
     let count = points.len();
-    Ok(format!("contains all {count} points; area {:?} is within {:.1e} of the proven bound", proof.area, proof.gap))
+    let mut proved =
+        format!("contains all {count} points; area {:?} is within {:.1e} of the proven bound", proof.area, proof.gap);
+    if let Some(exact) = result.field("exact") {
+        check_exact_min_area(&points, &answer.certificate, &exact_min_area(exact)?)?;
+        proved.push_str("; the exact optimum is one");
+    }
+    Ok(proved)
+}
+
+fn exact_min_area(exact: &Tree) -> Result<ExactMinArea, String> {
+    let point = |value: &Tree, name: &str| {
+        let numbers = exact_numbers(value).and_then(|numbers| <[(IBig, IBig); 2]>::try_from(numbers).ok());
+        numbers.ok_or_else(|| format!("exact: `{name}` holds something else than pairs of exact numbers"))
+    };
+    let generators = member(exact, "generators")?.list().ok_or("exact: `generators` is not a list")?;
+    Ok(ExactMinArea {
+        area: fraction(text(exact, "area")?).ok_or("exact: `area` is not an exact number")?,
+        center: point(member(exact, "center")?, "center")?,
+        generators: generators.iter().map(|value| point(value, "generators")).collect::<Result<_, _>>()?,
+    })
 }
 
 fn min_area_answer(result: &Tree) -> Result<MinAreaAnswer, String> {

@@ -19,6 +19,21 @@ pub enum Verdict {
     Unchecked(String),
 }
 
+/// The codes of refusals.
+const CODES: [&str; 11] = [
+    "non_finite",
+    "dimension_mismatch",
+    "length_mismatch",
+    "empty",
+    "negative_weight",
+    "bad_epsilon",
+    "too_large",
+    "unknown_kind",
+    "unknown_method",
+    "bad_input",
+    "bad_json",
+];
+
 /// Checks an answer against its question.
 pub fn check(question: &Tree, answer: &Tree) -> Verdict {
     match checked(question, answer) {
@@ -36,6 +51,12 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     }
     if let Some(error) = answer.field("error") {
         let text = |name| error.field(name).and_then(Tree::text).unwrap_or("?");
+        if answer.field("result").is_some() {
+            return Err("there is a result beside the refusal".to_owned());
+        }
+        if !CODES.contains(&text("code")) {
+            return Err(format!("there is no code `{}`", text("code")));
+        }
         return Ok(Verdict::Unchecked(format!("refused: {}: {}", text("code"), text("message"))));
     }
     let input = member(question, "input")?;
@@ -85,6 +106,10 @@ mod tests {
     fn refusals_and_unknown_kinds_are_not_judged() {
         let refusal = r#"{"id":"t","kind":"min_area","error":{"code":"too_large","message":"m"}}"#;
         assert_eq!(verdict(QUESTION, refusal), Verdict::Unchecked("refused: too_large: m".into()));
+        let unknown = refusal.replace("too_large", "nonsense");
+        assert_eq!(verdict(QUESTION, &unknown), Verdict::Wrong("there is no code `nonsense`".into()));
+        let both = refusal.replace("\"error\"", "\"result\":{},\"error\"");
+        assert_eq!(verdict(QUESTION, &both), Verdict::Wrong("there is a result beside the refusal".into()));
         let line = r#"{"id":"t","kind":"weather","input":{},"result":{}}"#;
         assert!(matches!(verdict(line, line), Verdict::Unchecked(_)));
     }

@@ -20,7 +20,7 @@ pub struct ExactZonogon {
 /// The exact optimum behind an answer. O(h) rational operations for h hull vertices.
 pub fn exact_optimum(answer: &MinAreaZonogon) -> ExactZonogon {
     let bisectors = Bisectors::new(&answer.hull, &answer.farthest);
-    let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&answer.optimal_center));
+    let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&answer.optimal_center), &mut ());
     let rounded_center = answer.zonogon.center();
     let boundary =
         CenteredZonogon::from_sides(&answer.hull, &answer.farthest, rounded_center, &answer.optimal_center, &sides);

@@ -7,6 +7,7 @@ use super::*;
 use crate::lad::Method;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::Zonotope;
 
 fn check(points: &[[f64; 2]]) -> Result<(), TestCaseError> {
     let (least, centers) = brute_force::least_area(points);
@@ -127,4 +128,43 @@ fn centers_at_the_largest_double() {
             }
         }
     }
+}
+
+#[test]
+fn many_vertices_at_the_smallest_doubles() {
+    for (count, radius) in [(129, 1e-310), (200, 1e-318), (700, 1e-309), (700, 1e-318)] {
+        let point = |i: usize| {
+            let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / count as f64);
+            [radius * cos, radius * sin]
+        };
+        let points: Vec<[f64; 2]> = (0..count).map(point).collect();
+        let answer = min_area_enclosing_zonogon(&points).expect("finite points");
+        assert_eq!(verify::verify(&points, &answer), Ok(()), "{count} points at {radius:e}");
+    }
+}
+
+#[test]
+fn falsified_answers_are_rejected() {
+    let points = [[0.0, 0.0], [6.0, 0.0], [2.0, 5.0], [7.0, 3.0]];
+    let rejected = |change: &dyn Fn(&mut MinAreaZonogon), expected: verify::MinAreaDefect| {
+        let mut answer = min_area_enclosing_zonogon(&points).expect("finite points");
+        assert_eq!(verify::verify(&points, &answer), Ok(()));
+        change(&mut answer);
+        assert_eq!(verify::verify(&points, &answer), Err(expected));
+    };
+    use verify::MinAreaDefect::{Area, Center, LowerBound, NotLeast};
+    for area in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.0, 1e9] {
+        rejected(&|answer| answer.area = area, Area);
+    }
+    for bound in [f64::NAN, f64::INFINITY, 1e9] {
+        rejected(&|answer| answer.lower_bound = bound, LowerBound);
+    }
+    rejected(&|answer| answer.optimal_center[0] = answer.optimal_center[0].clone() + Dyadic::from_f64(9.0), Center);
+    let larger = |answer: &mut MinAreaZonogon| {
+        let mut generators = answer.zonogon.generators().to_vec();
+        generators.push([1e-9, 0.0]);
+        answer.zonogon = Zonotope::new(answer.zonogon.center(), generators).expect("finite");
+        answer.area = answer.zonogon.exact_area().to_f64().next_up();
+    };
+    rejected(&larger, NotLeast);
 }

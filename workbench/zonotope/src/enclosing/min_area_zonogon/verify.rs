@@ -34,9 +34,17 @@ pub enum MinAreaDefect {
     /// The lower bound is above what the certificate proves.
     #[error("the lower bound is above what the certificate proves")]
     LowerBound,
+    /// The area is above what the certificate proves by more than rounding.
+    #[error("the area is above what the certificate proves by more than rounding")]
+    NotLeast,
+    /// At the optimal centre the certificate proves less than the area.
+    #[error("the optimal centre is not optimal")]
+    Center,
 }
 
-/// Checks everything about an answer. O(n log n) exact operations for n points.
+/// Checks hull, containment, area, lower bound and optimal centre, and that the area is the least possible within
+/// 1e-12 of it and (2^-49 · largest coordinate + 2^-1068) · (width + height): the centre and the generators are doubles. The dimension of the set of
+/// optimal centres is taken on trust. O(n log n) exact operations for n points.
 ///
 /// # Errors
 /// The first defect found.
@@ -47,13 +55,33 @@ pub fn verify(points: &[[f64; 2]], answer: &MinAreaZonogon) -> Result<(), MinAre
     let reported = |value: f64| Dyadic::from_f64(value).to_rational();
     let denormal_step = reported(f64::from_bits(1));
     let tolerated = &area + &area / Rational::from(1_000_000_000_000u64) + denormal_step;
-    if answer.area.is_finite() && !(area..=tolerated).contains(&reported(answer.area)) {
+    let is_right = match answer.area {
+        claimed if claimed.is_finite() => (&area..=&tolerated).contains(&&reported(claimed)),
+        claimed => claimed == f64::INFINITY && tolerated > reported(f64::MAX),
+    };
+    if !is_right {
         return Err(MinAreaDefect::Area);
     }
-    if reported(answer.lower_bound) > proven_lower_bound(answer)? {
+    let proven = proven_lower_bound(answer)?;
+    if !answer.lower_bound.is_finite() || reported(answer.lower_bound) > proven {
         return Err(MinAreaDefect::LowerBound);
     }
+    if area - proven > tolerated / Rational::from(1_000_000_000_000u64) + rounding_allowance(answer.hull.vertices()) {
+        return Err(MinAreaDefect::NotLeast);
+    }
     Ok(())
+}
+
+/// (2^-49 · largest coordinate + 2^-1068) · (width + height).
+fn rounding_allowance(vertices: &[[f64; 2]]) -> Rational {
+    let exact = |v: f64| Dyadic::from_f64(v);
+    let extent = |axis: usize| {
+        let values = || vertices.iter().map(|vertex| vertex[axis]);
+        exact(values().fold(f64::NEG_INFINITY, f64::max)) - exact(values().fold(f64::INFINITY, f64::min))
+    };
+    let largest = vertices.iter().flatten().fold(0.0f64, |largest, v| largest.max(v.abs()));
+    let unit = exact(largest).scaled(-49) + exact(64.0 * f64::from_bits(1));
+    (unit * (extent(0) + extent(1))).to_rational()
 }
 
 /// Walks around hull and zonogon together: over each edge of the zonogon no hull vertex is farther out.
@@ -92,15 +120,20 @@ fn proven_lower_bound(answer: &MinAreaZonogon) -> Result<Rational, MinAreaDefect
     }
     let coefficients = coefficients(answer, &hull)?;
     let farthest = farthest(&answer.hull);
-    let mut loss = Rational::ZERO;
-    for (t, coefficient) in coefficients.iter().enumerate() {
-        let (from, edge, far) = (&hull[t], edge(&hull, t), &hull[farthest[t]]);
-        let d = [0, 1].map(|i| &center[i] + &center[i] - &far[i] - &from[i]);
-        let value = &edge[0] * &d[1] - &edge[1] * &d[0];
-        let size = if value < Rational::ZERO { -value.clone() } else { value.clone() };
-        loss += size - coefficient * value;
+    let loss_at = |center: &[Rational; 2]| {
+        coefficients.iter().enumerate().fold(Rational::ZERO, |loss, (t, coefficient)| {
+            let (from, edge, far) = (&hull[t], edge(&hull, t), &hull[farthest[t]]);
+            let d = [0, 1].map(|i| &center[i] + &center[i] - &far[i] - &from[i]);
+            let value = &edge[0] * &d[1] - &edge[1] * &d[0];
+            let size = if value < Rational::ZERO { -value.clone() } else { value.clone() };
+            loss + size - coefficient * value
+        })
+    };
+    let [x, y, w] = answer.optimal_center.each_ref().map(|v| v.to_rational());
+    if w == Rational::ZERO || loss_at(&[x / &w, y / w]) != Rational::ZERO {
+        return Err(MinAreaDefect::Center);
     }
-    Ok(centered_area(&hull, &center) - loss / Rational::from(2))
+    Ok(centered_area(&hull, &center) - loss_at(&center) / Rational::from(2))
 }
 
 /// The coefficients δ_t with those of the basis solved for.

@@ -1,4 +1,8 @@
-//! Z(O) rounded outward with the exact error of each half-edge, and exact areas.
+//! Z(O) rounded outward with exact errors, and exact areas.
+//!
+//! Where sums of coordinates leave the range of doubles a rounding may be as large as an edge, so each half-edge takes over what those before it
+//! have left behind. Let E_k be the sum of the first k errors g − γ, and E_n that of all. The vertex of Z(O) at which the first k edges have been
+//! walked is off by 2 E_k − E_n from a sum of ± g_k, a point of the rounded zonogon; so that, widened by max |2 E_k − E_n|, contains Z(O).
 
 use super::{Outward, above, rounded_towards, widened};
 use crate::enclosing::bisectors::Frame;
@@ -16,21 +20,9 @@ struct Rounded {
 
 /// Rounds Z(O) outward. O(h) exact operations.
 pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
-    let rounding = Rounding { exact, doubled_center: exact.center().map(|v| 2.0 * v), safe: frame.sums_are_doubles() };
-    let half = exact.half_boundary();
-    let mut generators = Vec::with_capacity(half.len() + 2);
-    let mut slack = [0.0; 2];
-    for pair in half.windows(2) {
-        let edge = [0, 1].map(|axis| rounding.half_edge(pair[0], pair[1], axis));
-        for axis in 0..2 {
-            slack[axis] += edge[axis].error;
-        }
-        if edge.iter().any(|coordinate| coordinate.value != 0.0) {
-            generators.push(edge.map(|coordinate| coordinate.value));
-        }
-    }
-    let sums = 1.0 + (8.0 + half.len() as f64) * UNIT;
-    let zonogon = widened(exact.center(), generators, slack.map(|v| above(v * sums)));
+    let (mut generators, slack) = if frame.sums_are_doubles() { one_by_one(exact) } else { carried_on(exact) };
+    generators.retain(|generator| *generator != [0.0, 0.0]);
+    let zonogon = widened(exact.center(), generators, slack);
     Outward {
         area_below: rounded_towards(&exact.exact_area(), f64::NEG_INFINITY),
         area_above: rounded_towards(&zonogon.exact_area(), f64::INFINITY),
@@ -38,18 +30,52 @@ pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
     }
 }
 
+/// Every half-edge rounded by itself, and the sums of the errors.
+fn one_by_one(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
+    let rounding = Rounding { exact, doubled_center: exact.center().map(|v| 2.0 * v) };
+    let half = exact.half_boundary();
+    let mut slack = [0.0; 2];
+    let half_edge = |pair: &[BoundaryVertex]| {
+        [0, 1].map(|axis| {
+            let Rounded { value, error } = rounding.half_edge(pair[0], pair[1], axis);
+            slack[axis] += error;
+            value
+        })
+    };
+    let generators = half.windows(2).map(half_edge).collect();
+    let sums = 1.0 + (8.0 + half.len() as f64) * UNIT;
+    (generators, slack.map(|v| above(v * sums)))
+}
+
+/// Every half-edge rounded with what has been left behind, and how far a vertex may be off.
+fn carried_on(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
+    let half = exact.half_boundary();
+    let mut generators = vec![[0.0; 2]; half.len() - 1];
+    let slack = [0, 1].map(|axis| {
+        let [mut off, mut least, mut most] = [(); 3].map(|()| Dyadic::zero());
+        for (pair, generator) in half.windows(2).zip(&mut generators) {
+            let [from, to] = [pair[0], pair[1]].map(|v| exact.exact_vertex(v)[axis].clone());
+            let wanted = (to - from).scaled(-1) - off;
+            let value = wanted.to_f64().clamp(-f64::MAX, f64::MAX);
+            generator[axis] = value;
+            off = Dyadic::from_f64(value) - wanted;
+            least = least.min(off.clone());
+            most = most.max(off.clone());
+        }
+        let farthest = [least, most].map(|extreme| (extreme.scaled(1) - off.clone()).abs());
+        let [a, b] = farthest.map(|distance| rounded_towards(&distance, f64::INFINITY));
+        a.max(b)
+    });
+    (generators, slack)
+}
+
 struct Rounding<'a, 'h> {
     exact: &'a CenteredZonogon<'h>,
     doubled_center: [f64; 2],
-    /// Whether sums of three coordinates stay in the range of doubles.
-    safe: bool,
 }
 
 impl Rounding<'_, '_> {
     fn half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
-        if !self.safe {
-            return self.exact_half_edge(from, to, axis);
-        }
         let hull = self.exact.hull();
         let (a, b) = (hull.vertex(from.vertex)[axis], hull.vertex(to.vertex)[axis]);
         let edge = match (from.reflected, to.reflected) {
@@ -73,14 +99,6 @@ impl Rounding<'_, '_> {
         let (tail, lost) = exact_sum(head_tail, -sum_tail);
         let (value, rounded) = exact_sum(head, tail);
         Rounded { value, error: if lost == 0.0 { rounded.abs() } else { above(rounded.abs() + lost.abs()) } }
-    }
-
-    fn exact_half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
-        let [from, to] = [from, to].map(|v| self.exact.exact_vertex(v)[axis].clone());
-        let exact = (to - from).scaled(-1);
-        let value = exact.to_f64().clamp(-f64::MAX, f64::MAX);
-        let error = (exact - Dyadic::from_f64(value)).abs();
-        Rounded { value, error: rounded_towards(&error, f64::INFINITY) }
     }
 }
 

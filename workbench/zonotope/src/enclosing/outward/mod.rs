@@ -5,7 +5,7 @@
 //! itself in Z(O) ⊕ box(2 Σ ε_k), which bounds its area.
 //!
 //! Many edges in an ordinary range are rounded as they are met, with one bound for all errors ([`as_met`]); where that, or doubles at all, are
-//! not precise enough, each error is taken exactly and the areas are measured exactly ([`exactly`]).
+//! not precise enough, errors are taken exactly and the areas are measured exactly ([`exactly`]).
 
 mod as_met;
 mod exactly;
