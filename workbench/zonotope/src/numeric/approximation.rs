@@ -12,6 +12,8 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
 
 use super::dyadic::Dyadic;
+use super::exact_product::exact_product;
+use super::exact_sum::exact_sum;
 use super::tolerance::{UNDERFLOW, UNIT};
 
 /// Bounds the relative rounding error of one operation: 2^-98 = 256 u².
@@ -113,29 +115,6 @@ impl Div for Approximation {
 fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
-}
-
-/// a + b as its rounded value and the error.
-fn exact_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let part = sum - a;
-    (sum, (a - (sum - part)) + (b - part))
-}
-
-/// a · b as its rounded value and the error (Dekker).
-fn exact_product(a: f64, b: f64) -> (f64, f64) {
-    let product = a * b;
-    let (a_head, a_tail) = halves(a);
-    let (b_head, b_tail) = halves(b);
-    (product, ((a_head * b_head - product) + a_head * b_tail + a_tail * b_head) + a_tail * b_tail)
-}
-
-/// A double as the sum of two with at most 26 bits each.
-fn halves(a: f64) -> (f64, f64) {
-    const SPLITTER: f64 = 134_217_729.0;
-    let scaled = SPLITTER * a;
-    let head = scaled - (scaled - a);
-    (head, a - head)
 }
 
 fn pair_sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {

@@ -5,6 +5,7 @@
 //! | `approximation` | values within a known error, to about 98 bits |
 //! | `bounded` | doubles with a bound on their error, for filters of a few operations |
 //! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
+//! | `exact_product` | the product of two doubles without rounding |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
@@ -13,6 +14,7 @@
 pub(crate) mod approximation;
 pub(crate) mod bounded;
 pub mod dyadic;
+pub(crate) mod exact_product;
 pub mod exact_sum;
 pub mod orientation;
 pub mod tolerance;

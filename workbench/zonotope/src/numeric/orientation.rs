@@ -65,6 +65,8 @@ use std::cmp::Ordering;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_product::exact_product;
+use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::{Operation, Tally};
 
@@ -237,7 +239,7 @@ struct ExactEdge {
 
 impl ExactEdge {
     fn new(from: [f64; 2], to: [f64; 2]) -> Self {
-        let [x, y] = [0, 1].map(|axis| exact_difference(to[axis], from[axis]));
+        let [x, y] = [0, 1].map(|axis| exact_sum(to[axis], -from[axis]));
         ExactEdge { head: [x.0, y.0], tail: [x.1, y.1] }
     }
 
@@ -247,30 +249,6 @@ impl ExactEdge {
         (self.head == other.head && self.tail == other.tail)
             || (self.head == opposite(other.head) && self.tail == opposite(other.tail))
     }
-}
-
-/// p − q as head + tail with head the rounded difference (Knuth); exact unless it overflows, and then the tail is NaN.
-fn exact_difference(p: f64, q: f64) -> (f64, f64) {
-    let head = p - q;
-    let q_virtual = p - head;
-    let p_virtual = head + q_virtual;
-    (head, (p - p_virtual) + (q_virtual - q))
-}
-
-/// p · q as head + tail with head the rounded product (Dekker, Veltkamp); exact in the range of the expansions.
-fn exact_product(p: f64, q: f64) -> (f64, f64) {
-    let head = p * q;
-    let ((p_high, p_low), (q_high, q_low)) = (split(p), split(q));
-    let tail = p_low * q_low - (((head - p_high * q_high) - p_low * q_high) - p_high * q_low);
-    (head, tail)
-}
-
-/// A double as the sum of two of at most 26 bits each.
-fn split(value: f64) -> (f64, f64) {
-    const SPLITTER: f64 = ((1_u64 << 27) + 1) as f64;
-    let big = SPLITTER * value;
-    let high = big - (big - value);
-    (high, value - high)
 }
 
 #[cfg(test)]
