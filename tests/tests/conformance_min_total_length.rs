@@ -77,6 +77,54 @@ fn in_space() {
     for_all(&sets::<3>(plain, 40), 12, |points| solved(&points, 1e-7).map(|_| ()));
 }
 
+/// A set of points of space with many ties.
+fn tied(choice: usize, at: i32, half: [f64; 3]) -> Vec<[f64; 3]> {
+    let golden = (1.0 + 5f64.sqrt()) / 2.0;
+    let signs = |p: [f64; 3]| (0..8).map(move |s| std::array::from_fn(|c| if s >> c & 1 == 0 { p[c] } else { -p[c] }));
+    let turned = |p: [f64; 3]| [p, [p[1], p[2], p[0]], [p[2], p[0], p[1]]];
+    let all = |p: [f64; 3]| -> Vec<[f64; 3]> { turned(p).into_iter().flat_map(signs).collect() };
+    match choice {
+        0 => signs(half).collect(),
+        1 => all([half[0], 0.0, 0.0]),
+        2 => all([0.0, 1.0, golden]),
+        3 => [signs([1.0; 3]).collect(), all([0.0, 1.0 / golden, golden])].concat(),
+        4 => all([1.0, 1.0, 0.0]),
+        5 => [all([0.0, 1.0, 2.0]), all([0.0, 2.0, 1.0])].concat(),
+        6 => all([1.0, 1.0, 3.0]),
+        // half a lattice of three points each way, by a rule that looks arbitrary
+        7 => (0..27)
+            .filter(|i| (i * 7919 + at).rem_euclid(11) < 7)
+            .map(|i| [i % 3, i / 3 % 3, i / 9].map(f64::from))
+            .collect(),
+        // prisms over regular polygons with corners in doubles
+        8 => (3..9)
+            .flat_map(|k| {
+                let angle = std::f64::consts::TAU / f64::from(at.rem_euclid(6) + 3);
+                let t = angle * f64::from(k);
+                [half[0], -half[0]].map(|z| [libm::cos(t), libm::sin(t), z])
+            })
+            .collect(),
+        // a lattice in a plane, with a step off it
+        _ => (0..12).map(|i| [f64::from(i % 4), f64::from(i / 4), f64::from((i + at).rem_euclid(5) / 4)]).collect(),
+    }
+}
+
+#[test]
+fn sets_with_many_ties_to_the_last_digits() {
+    let sizes = uniform::<_, 3>(proptest::sample::select(vec![0.125, 0.3, 0.5, 0.7, 1.0, 1.5]));
+    for_all(&(0..10usize, 0..1000i32, sizes, -900..=900i32), 120, |(choice, at, half, exponent)| {
+        let power = if exponent % 3 == 0 { power_of_two(exponent) } else { 1.0 };
+        let points: Vec<[f64; 3]> = tied(choice, at, half).iter().map(|p| p.map(|c| c * power)).collect();
+        solved(&points, 1e-9).map(|_| ())
+    });
+    for_all(&sets::<3>(lattice, 12), 120, |points| solved(&points, 1e-9).map(|_| ()));
+    for_all(&sets::<3>(plain, 9), 60, |points| solved(&points, 1e-9).map(|_| ()));
+    for_all(&sets::<3>(lattice, 6), 60, |points| {
+        let both = points.iter().flat_map(|p| [*p, p.map(|c| -c)]).collect::<Vec<_>>();
+        solved(&both, 1e-9).map(|_| ())
+    });
+}
+
 #[test]
 fn in_four_dimensions() {
     for_all(&sets::<4>(plain, 8), 24, |points| solved(&points, 1e-4).map(|_| ()));

@@ -11,22 +11,23 @@
 //!
 //! # Method
 //! 1. The span exactly; points off it make the problem infeasible. One direction for each line, coordinates of ordinary size.
-//! 2. Begin with the axes as normals. Solve by a revised simplex method that keeps its basis when normals are added.
-//! 3. For each point that mattered so far, and when these are inside for each point, the facet that its ray from the centre meets: a point outside
-//!    adds the normal of that facet, with the farthest point along it. Again from 2 until no point is outside.
+//! 2. Begin with the axes as normals, and of many points with some two thousand. Solve by a revised simplex method that keeps its basis when normals are added.
+//! 3. For each point that mattered so far, and when these are inside for each point, the facet that its ray from the centre meets. Which directions span a facet does not depend
+//!    on coefficients: facets met before are kept with their neighbours, and a ray is followed from one met near it. A point outside adds the normal of
+//!    its facet, with the farthest point along it; for all such normals together the points are read once. Again from 2 until no point is outside.
 //! 4. Round the centre; prove each point inside, and enlarge the coefficients of a basis of directions by what any point still misses.
 //! 5. The multipliers pull at the points with forces that add up to zero; scaled to the limits w_i they prove the lower bound.
 //! 6. Small programs whose bounds differ by more than rounding are solved again in rationals.
 //!
 //! # Complexity
-//! n points, k directions, r rows found (in practice a few times k + d): a pass costs O(n k d) a few times over, a pivot O((k + d)²), space
-//! O(n + r k). The paper: O(n k^{d−1}) for all normals and a program of k n' + k + d unknowns.
+//! n points, k directions, r rows found (in practice a few times k + d), f ≤ min(2 C(k, d − 1), points looked at) facets met: a pass costs O(n d²) and O(k d) for each facet, both a few
+//! times over, the farthest points O(n) for each normal that a pass adds, a pivot O((k + d)²), space O(n + r k + f k). The paper: O(n k^{d−1}) for all normals and a program of k n' + k + d unknowns.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `directions`: k × D of any length; `coefficients`: half-lengths in units of their directions.
 //!
 //! # Numerics
-//! Whether there is an answer is decided exactly, and so is that every point is inside. The relative gap is about 1e-14 for 20 directions, 1.5e-12 for 200, where they are neither nearly
+//! Whether there is an answer is decided exactly, and so is that every point is inside. The relative gap is about 1e-14 for 20 directions, 5e-14 for 200, where they are neither nearly
 //! dependent nor points far from the origin for their spread; it is always proven by `lower_bound`. For flat point sets the centre must be a point of doubles in their affine
 //! span; where none is near the optimal one the gap says so. A direction of weight zero is certified only in small programs.
 //!

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::facet_descent::dot;
+use super::farthest::farthest;
 use super::normals::facet_normals;
 use crate::tally::{Operation, Tally};
 
@@ -14,20 +14,9 @@ pub(crate) fn extreme_points<const D: usize>(
     directions: &[[f64; D]],
     tally: &mut impl Tally,
 ) -> Vec<usize> {
-    let mut found = BTreeSet::new();
-    for normal in facet_normals(rank, directions) {
-        tally.add(Operation::PointRead, points.len() as u64);
-        let (mut low, mut high) = ((f64::INFINITY, 0), (f64::NEG_INFINITY, 0));
-        for (j, point) in points.iter().enumerate() {
-            let height = dot(&normal, point);
-            if height < low.0 {
-                low = (height, j);
-            }
-            if height > high.0 {
-                high = (height, j);
-            }
-        }
-        found.extend([low.1, high.1]);
-    }
+    let normals = facet_normals(rank, directions);
+    tally.add(Operation::PointRead, (points.len() * normals.len()) as u64);
+    let found = farthest(points, 0..points.len(), &normals);
+    let found: BTreeSet<usize> = found.into_iter().flatten().map(|far| far.point).collect();
     found.into_iter().collect()
 }

@@ -1,8 +1,10 @@
 //! Normals as they are needed: solve, find the points outside the zonotope so far and the facets that they see, add those normals, repeat.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::facet_descent::{FacetDescent, dot};
+use super::facet_descent::dot;
+use super::facet_map::FacetMap;
+use super::farthest::{Far, farthest};
 use super::normal_program::{NormalProgram, NormalRow, Stuck};
 use crate::tally::{Operation, Tally};
 
@@ -11,6 +13,7 @@ pub(crate) struct Generation<'a, const D: usize> {
     rank: usize,
     points: &'a [[f64; D]],
     directions: Vec<[f64; D]>,
+    pub(crate) map: FacetMap<D>,
     pub(crate) program: NormalProgram<D>,
     /// The points that have been far along some normal: they are looked at first.
     working: Vec<usize>,
@@ -33,6 +36,12 @@ struct Outside<const D: usize> {
 /// Rounds after which rounding errors must be what keeps the search from ending.
 const MOST_ROUNDS: usize = 2000;
 
+/// A point whose ray leaves the zonotope beyond this multiple is inside for sure.
+const SURELY: f64 = 1.0 + 1e-9;
+
+/// Of many points about so many are looked at first.
+const SAMPLE: usize = 2048;
+
 /// A length that counts as nothing beside the longest generator: it makes generators that are not used yet span the space.
 const NOTHING: f64 = 1e-12;
 
@@ -46,16 +55,17 @@ impl<'a, const D: usize> Generation<'a, D> {
         tally: &mut impl Tally,
     ) -> Self {
         let axes: Vec<[f64; D]> = (0..rank).map(|a| std::array::from_fn(|c| f64::from(u8::from(a == c)))).collect();
-        let opposite = axes.iter().map(|u| u.map(|c| -c));
-        let all: Vec<usize> = (0..points.len()).collect();
-        let (forward, back): (Vec<_>, Vec<_>) = (
-            axes.iter().map(|u| farthest(points, &all, *u)).collect(),
-            opposite.map(|u| farthest(points, &all, u)).collect(),
-        );
+        let ends = farthest(points, 0..points.len(), &axes);
+        let (back, forward): (Vec<_>, Vec<_>) = axes
+            .iter()
+            .zip(ends)
+            .map(|(u, [low, high])| (row_of(u.map(|c| -c), Far { height: -low.height, ..low }), row_of(*u, high)))
+            .unzip();
         tally.add(Operation::PointRead, 2 * (rank * points.len()) as u64);
         let mut generation = Self {
             rank,
             points,
+            map: FacetMap::new(rank, &directions),
             program: NormalProgram::new(rank, forward.clone(), directions.clone(), weights),
             directions,
             working: Vec::new(),
@@ -72,6 +82,11 @@ impl<'a, const D: usize> Generation<'a, D> {
             generation.work_on(row.point);
             generation.program.add_row(row);
         }
+        // Of many points some are looked at first, so that few passes over all of them are needed.
+        let stride = points.len() / SAMPLE;
+        if stride >= 4 {
+            (0..points.len()).step_by(stride).for_each(|point| generation.work_on(point));
+        }
         generation
     }
 
@@ -86,11 +101,11 @@ impl<'a, const D: usize> Generation<'a, D> {
     pub(crate) fn add_normal(&mut self, normal: [f64; D], tally: &mut impl Tally) {
         let length = dot(&normal, &normal).sqrt();
         if length > 0.0 && length.is_finite() {
-            let all: Vec<usize> = (0..self.points.len()).collect();
             tally.add(Operation::PointRead, self.points.len() as u64);
-            let row = farthest(self.points, &all, normal.map(|c| c / length));
-            self.work_on(row.point);
-            self.program.add_row(row);
+            let normal = normal.map(|c| c / length);
+            let [_, high] = farthest(self.points, 0..self.points.len(), &[normal])[0];
+            self.work_on(high.point);
+            self.program.add_row(row_of(normal, high));
         }
     }
 
@@ -110,15 +125,11 @@ impl<'a, const D: usize> Generation<'a, D> {
             self.rounds += 1;
             tally.add(Operation::SearchStep, 1);
             self.program.optimize()?;
-            let working = std::mem::take(&mut self.working);
-            let mut outside = self.outside(&working, tally);
-            self.working = working;
-            let mut over_all = false;
-            if outside.is_empty() && self.working.len() < self.points.len() {
-                let others: Vec<usize> = (0..self.points.len()).filter(|&j| !self.is_working[j]).collect();
+            let mut outside = self.outside(false, tally);
+            let over_all = outside.is_empty() && self.working.len() < self.points.len();
+            if over_all {
                 self.passes += 1;
-                over_all = true;
-                outside = self.outside(&others, tally);
+                outside = self.outside(true, tally);
             }
             if !self.add_facets(outside, over_all, tally) && !self.program.settle_weights() {
                 return Ok(());
@@ -127,33 +138,37 @@ impl<'a, const D: usize> Generation<'a, D> {
         Err(Stuck)
     }
 
-    /// The facets that points outside see, the deepest first, each once.
-    fn outside(&self, among: &[usize], tally: &mut impl Tally) -> Vec<Outside<D>> {
+    /// The facets that points outside see, each once, the one with the deepest first: of the points that mattered so far, or of the others.
+    fn outside(&mut self, others: bool, tally: &mut impl Tally) -> Vec<Outside<D>> {
         let (center, coefficients) = (self.program.center(), self.program.coefficients());
         let longest = coefficients.iter().fold(0.0, |max: f64, c| max.max(*c));
         let least = if longest > 0.0 { NOTHING * longest } else { NOTHING };
-        let generators: Vec<[f64; D]> =
-            self.directions.iter().zip(coefficients).map(|(v, c)| v.map(|v| v * c.max(least))).collect();
-        let rounding = self.precision * (1.0 + generators.iter().map(|g| dot(g, g).sqrt()).sum::<f64>());
-        let mut descent = FacetDescent::new(self.rank, &generators);
-        let mut found: Vec<Outside<D>> = Vec::new();
-        tally.add(Operation::PointRead, among.len() as u64);
-        for &j in among {
-            let point: [f64; D] = std::array::from_fn(|c| self.points[j][c] - center[c]);
-            let Some(facet) = descent.facet(&point) else { continue };
-            let length = dot(&facet.normal, &facet.normal).sqrt();
-            let depth = (1.0 - facet.gauge) / length;
+        let coefficients: Vec<f64> = coefficients.iter().map(|c| c.max(least)).collect();
+        let lengths = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, v).sqrt() * c);
+        let rounding = self.precision * (1.0 + lengths.sum::<f64>());
+        self.map.set_coefficients(&coefficients);
+        let (points, is_working, working) = (self.points, &self.is_working, &self.working);
+        let count = if others { points.len() - working.len() } else { working.len() };
+        tally.add(Operation::PointRead, count as u64);
+        let unseen = (0..points.len()).filter(|&j| others && !is_working[j]);
+        let seen = working.iter().copied().filter(|_| !others);
+        let mut deepest: BTreeMap<([usize; D], bool), Outside<D>> = BTreeMap::new();
+        for j in unseen.chain(seen) {
+            let ray: [f64; D] = std::array::from_fn(|c| points[j][c] - center[c]);
+            let Some(exit) = self.map.exit(&ray).filter(|exit| exit.gauge < SURELY) else { continue };
+            let normal = exit.normal;
+            let height: f64 = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, &normal).abs() * c).sum();
+            let depth = dot(&normal, &ray) - height;
             if depth > rounding {
-                let mut basis = facet.basis;
-                basis[..self.rank - 1].sort_unstable();
-                let normal = facet.normal.map(|c| c / length);
                 let upward = normal.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0);
-                found.push(Outside { depth, normal, key: (basis, upward) });
+                let key = (exit.basis, upward);
+                if deepest.get(&key).is_none_or(|outside| outside.depth < depth) {
+                    deepest.insert(key, Outside { depth, normal, key });
+                }
             }
         }
+        let mut found: Vec<Outside<D>> = deepest.into_values().collect();
         found.sort_by(|a, b| b.depth.total_cmp(&a.depth));
-        let mut keys = BTreeSet::new();
-        found.retain(|o| keys.insert(o.key));
         found
     }
 
@@ -161,13 +176,19 @@ impl<'a, const D: usize> Generation<'a, D> {
     fn add_facets(&mut self, outside: Vec<Outside<D>>, over_all: bool, tally: &mut impl Tally) -> bool {
         let most = 2 * (self.rank + self.directions.len()) + 20;
         let mut is_new = false;
-        let all: Vec<usize> = if over_all { (0..self.points.len()).collect() } else { self.working.clone() };
-        for Outside { normal, key, .. } in outside.into_iter().take(most) {
-            tally.add(Operation::PointRead, all.len() as u64);
-            let row = farthest(self.points, &all, normal);
-            if self.seen.insert((key.0, key.1, row.point)) {
-                self.work_on(row.point);
-                self.program.add_row(row);
+        let outside: Vec<Outside<D>> = outside.into_iter().take(most).collect();
+        let normals: Vec<[f64; D]> = outside.iter().map(|outside| outside.normal).collect();
+        let count = if over_all { self.points.len() } else { self.working.len() };
+        tally.add(Operation::PointRead, (count * normals.len()) as u64);
+        let far = if over_all {
+            farthest(self.points, 0..self.points.len(), &normals)
+        } else {
+            farthest(self.points, self.working.iter().copied(), &normals)
+        };
+        for (Outside { normal, key, .. }, [_, high]) in outside.into_iter().zip(far) {
+            if self.seen.insert((key.0, key.1, high.point)) {
+                self.work_on(high.point);
+                self.program.add_row(row_of(normal, high));
                 is_new = true;
             }
         }
@@ -175,14 +196,6 @@ impl<'a, const D: usize> Generation<'a, D> {
     }
 }
 
-/// A normal with the farthest of some points along it.
-fn farthest<const D: usize>(points: &[[f64; D]], among: &[usize], normal: [f64; D]) -> NormalRow<D> {
-    let (mut point, mut height) = (among[0], f64::NEG_INFINITY);
-    for &j in among {
-        let h = dot(&normal, &points[j]);
-        if h > height {
-            (point, height) = (j, h);
-        }
-    }
-    NormalRow { normal, height, point }
+fn row_of<const D: usize>(normal: [f64; D], far: Far) -> NormalRow<D> {
+    NormalRow { normal, height: far.height, point: far.point }
 }

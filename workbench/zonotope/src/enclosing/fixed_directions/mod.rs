@@ -21,7 +21,10 @@ pub mod by_row_generation;
 mod center;
 #[cfg(feature = "linear-programming")]
 mod extreme_points;
+mod facet_chart;
 mod facet_descent;
+mod facet_map;
+mod farthest;
 mod generation;
 mod lower_bound;
 mod normal_program;
@@ -44,6 +47,7 @@ pub(crate) use facet_descent::{FacetDescent, dot, inverse};
 pub(crate) use generation::Generation;
 pub(crate) use lower_bound::balanced;
 pub(crate) use problem::first_non_finite;
+pub(crate) use repair::contain_guess;
 
 pub use by_row_generation::{least_enclosing, least_enclosing_counted};
 pub use problem::{FixedDirections, FixedDirectionsError};

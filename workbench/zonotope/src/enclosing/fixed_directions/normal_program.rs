@@ -56,6 +56,9 @@ const FINEST: f64 = 1e-14;
 /// Pivots after which the inverse is computed anew.
 const STALE: usize = 120;
 
+/// Steps of refinement after the inverse is computed anew.
+const REFINEMENTS: usize = 2;
+
 /// Turns of dual and primal pivots with a new inverse.
 const MOST_TURNS: usize = 12;
 
@@ -129,7 +132,9 @@ impl<const D: usize> NormalProgram<D> {
     /// The true weights from now on; whether they had been nudged.
     pub(crate) fn settle_weights(&mut self) -> bool {
         let nudged = std::mem::replace(&mut self.nudged, false);
-        self.values = self.solve_values();
+        if self.refactor().is_err() {
+            self.values = self.solve_values();
+        }
         nudged
     }
 
@@ -239,11 +244,12 @@ impl<const D: usize> NormalProgram<D> {
             }
             Basic::Normal(j) => {
                 let entries = &self.entries[j];
-                let (sum, size) = entries
-                    .iter()
-                    .zip(&self.prices)
-                    .fold((0.0, 0.0), |(sum, size): (f64, f64), (e, p)| (sum + e * p, size + (e * p).abs()));
-                (self.rows[j].height - sum, self.precision * (size + 0.01))
+                let gain = self.rows[j].height - product(entries, &self.prices);
+                if gain <= 0.01 * self.precision {
+                    return None;
+                }
+                let size = entries.iter().zip(&self.prices).map(|(e, p)| (e * p).abs()).sum::<f64>();
+                (gain, self.precision * (size + 0.01))
             }
         };
         (gain > doubt).then_some(gain)
@@ -360,22 +366,24 @@ impl<const D: usize> NormalProgram<D> {
         }
         self.inverse = inverse;
         self.values = self.solve_values();
-        // One step of refinement each: what the tight directions and the tight normals still miss.
-        let missing: Vec<f64> = tight
-            .iter()
-            .map(|&t| self.bound(t) - normals.iter().map(|&(at, j)| self.values[at] * self.entries[j][t]).sum::<f64>())
-            .collect();
-        for (&(at, _), row) in normals.iter().zip(&block) {
-            self.values[at] += product(row, &missing);
-        }
         let mut prices = vec![0.0; size];
         for &(at, j) in &normals {
             add_multiple(&mut prices, self.rows[j].height, &self.inverse[at]);
         }
-        let missing: Vec<f64> =
-            normals.iter().map(|&(_, j)| self.rows[j].height - product(&self.entries[j], &prices)).collect();
-        for (&(at, _), miss) in normals.iter().zip(missing) {
-            add_multiple(&mut prices, miss, &self.inverse[at]);
+        // What the tight directions and the tight normals still miss.
+        for _ in 0..REFINEMENTS {
+            let missing = |&t: &usize| {
+                self.bound(t) - normals.iter().map(|&(at, j)| self.values[at] * self.entries[j][t]).sum::<f64>()
+            };
+            let missing: Vec<f64> = tight.iter().map(missing).collect();
+            for (&(at, _), row) in normals.iter().zip(&block) {
+                self.values[at] += product(row, &missing);
+            }
+            let missing = |&(_, j): &(usize, usize)| self.rows[j].height - product(&self.entries[j], &prices);
+            let missing: Vec<f64> = normals.iter().map(missing).collect();
+            for (&(at, _), miss) in normals.iter().zip(missing) {
+                add_multiple(&mut prices, miss, &self.inverse[at]);
+            }
         }
         self.prices = prices;
         self.fresh = 0;

@@ -46,11 +46,25 @@ use super::answer::Enclosure;
 use super::extreme_points::extreme_points;
 use super::facet_descent::FacetDescent;
 use super::problem::{FixedDirections, FixedDirectionsError};
+use super::scaled::Scaled;
 use super::solve::solve_with;
+use super::span::Span;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 
 /// A point whose ray leaves the zonotope at less than this multiple may touch it at the optimum.
 const NEARLY_TOUCHES: f64 = 1.0 + 1e-6;
+
+/// The points that the program is about, in increasing order: the scan of all points along all C(k, d − 1) facet normals, none if the directions do not span the
+/// differences of the points.
+pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<usize> {
+    let span = Span::of(problem.directions());
+    if span.first_departure(problem.points()).is_some() || span.dimension() == 0 {
+        return Vec::new();
+    }
+    let scaled = Scaled::new(problem, &span);
+    let directions: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
+    extreme_points(scaled.rank, &scaled.points, &directions, &mut ())
+}
 
 /// The smallest zonotope along the directions around the points, by way of the given engine.
 ///

@@ -5,9 +5,10 @@
 //! For a point near the boundary what is missing is computed exactly, and the coefficients of the basis are enlarged by the most that any point misses.
 
 use super::facet_descent::{FacetDescent, dot, inverse};
+use super::facet_map::{Exit, FacetMap};
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational_simplex::{Column, maximize};
-use super::scaled::Scaled;
+use super::scaled::{KeptDirection, Scaled};
 use super::span::{Span, rational};
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::Rational;
@@ -44,12 +45,31 @@ struct Repair<'a, const D: usize> {
     exact_inverse: Vec<Vec<Rational>>,
 }
 
+/// Coefficients around a centre, in units of the input, enlarged until every point is inside; `None` if the directions do not span or a coefficient is no double.
+pub(crate) fn contain_guess<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    center: [f64; D],
+    coefficients: &[f64],
+) -> Option<Vec<f64>> {
+    let span = Span::of(problem.directions());
+    if span.dimension() < D {
+        return None;
+    }
+    let scaled = Scaled::new(problem, &span);
+    let vectors: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
+    let in_scale = |d: &KeptDirection<D>| scale_by_power_of_two(coefficients[d.index], d.exponent - scaled.exponent);
+    let guess: Vec<f64> = scaled.directions.iter().map(in_scale).collect();
+    let repaired = contain_exactly(problem, &scaled, center, &guess, &mut FacetMap::new(D, &vectors)).ok()?;
+    Some(repaired.coefficients)
+}
+
 /// The nearest doubles to the guess, enlarged until every point is inside.
 pub(crate) fn contain_exactly<const D: usize>(
     problem: &FixedDirections<'_, D>,
     scaled: &Scaled<D>,
     center: [f64; D],
     coefficients: &[f64],
+    map: &mut FacetMap<D>,
 ) -> Result<Repaired<D>, FixedDirectionsError> {
     let mut all = vec![0.0; problem.directions().len()];
     if scaled.rank == 0 {
@@ -72,7 +92,7 @@ pub(crate) fn contain_exactly<const D: usize>(
     let coefficients =
         lengths().zip(coefficients).map(|(l, c)| if l * c < NOISE * longest { 0.0 } else { c }).collect();
     let repair = Repair::new(problem, scaled, center, coefficients);
-    let (enlarge, worst) = repair.enlargements();
+    let (enlarge, worst) = repair.enlargements(map);
     let mut coefficients = repair.coefficients;
     for (&b, more) in repair.basis.iter().zip(enlarge) {
         if !more.is_zero() {
@@ -138,13 +158,16 @@ impl<'a, const D: usize> Repair<'a, D> {
     }
 
     /// For each direction of the basis how much longer its coefficient must be, and the point that needs most.
-    fn enlargements(&self) -> (Vec<Rational>, Option<usize>) {
+    fn enlargements(&self, map: &mut FacetMap<D>) -> (Vec<Rational>, Option<usize>) {
         let rank = self.scaled.rank;
         let mut enlarge = vec![Rational::ZERO; rank];
         let mut worst = None;
         let mut descent = FacetDescent::new(rank, &self.generators);
         let extents: [f64; D] = std::array::from_fn(|c| self.generators.iter().map(|g| g[c].abs()).sum());
         let factor = [1 - self.scaled.exponent, 0];
+        let inside: Vec<f64> = (0..self.generators.len()).map(|i| self.coefficient(i)).collect();
+        map.set_coefficients(&inside);
+        let is_good = self.inverse_is_good();
         for (j, point) in self.problem.points().iter().enumerate() {
             let q: [f64; D] = std::array::from_fn(|i| {
                 self.scaled
@@ -152,6 +175,10 @@ impl<'a, const D: usize> Repair<'a, D> {
                     .get(i)
                     .map_or(0.0, |&c| scale_by_power_of_two(point[c] / 2.0 - self.center[c] / 2.0, factor[0]))
             });
+            let is_clear = |exit: Exit<D>| exit.gauge > 1.0 + NEAR && self.is_clear(&q, &exit, &extents);
+            if is_good && map.exit(&q).is_some_and(is_clear) {
+                continue;
+            }
             let facet = descent.facet(&q);
             let (gauge, mut deltas) = match facet {
                 Some(facet) => (facet.gauge, facet.coefficients),
@@ -160,9 +187,6 @@ impl<'a, const D: usize> Repair<'a, D> {
             if gauge > 1.0 {
                 for delta in &mut deltas {
                     *delta /= gauge;
-                }
-                if gauge > 1.0 + NEAR && self.is_clear(&q, &deltas, &extents) {
-                    continue;
                 }
             } else if gauge == 0.0 && q != [0.0; D] && self.generators.len() <= FEW {
                 deltas = self.exact_deltas(point);
@@ -178,28 +202,26 @@ impl<'a, const D: usize> Repair<'a, D> {
         (enlarge, worst)
     }
 
+    /// In units of the scaled problem.
+    fn coefficient(&self, direction: usize) -> f64 {
+        let exponent = self.scaled.directions[direction].exponent - self.scaled.exponent;
+        scale_by_power_of_two(self.coefficients[direction], exponent)
+    }
+
     /// Whether what Σ δ_i c_i v_i misses of the point, with all rounding errors, fits between δ and 1 in the basis.
-    fn is_clear(&self, q: &[f64; D], deltas: &[f64], extents: &[f64; D]) -> bool {
+    fn is_clear(&self, q: &[f64; D], exit: &Exit<D>, extents: &[f64; D]) -> bool {
         let rank = self.scaled.rank;
         let count = self.generators.len() as f64;
-        let mut sums = [0.0; D];
-        for (g, &delta) in self.generators.iter().zip(deltas) {
-            for c in 0..rank {
-                sums[c] += delta * g[c];
-            }
-        }
         let bound: [f64; D] = std::array::from_fn(|c| {
-            (sums[c] - q[c]).abs()
+            (exit.sum[c] - q[c]).abs()
                 + (count + 8.0) * UNIT * extents[c]
                 + 8.0 * UNIT * q[c].abs()
                 + (count + 8.0) * UNDERFLOW
         });
         self.basis.iter().enumerate().all(|(i, &b)| {
             let reach: f64 = (0..rank).map(|c| self.basis_inverse[i][c].abs() * bound[c]).sum();
-            let coefficient =
-                scale_by_power_of_two(self.coefficients[b], self.scaled.directions[b].exponent - self.scaled.exponent);
-            1.0625 * reach <= coefficient * (1.0 - deltas[b].abs()) * (1.0 - 1e-6)
-        }) && self.inverse_is_good()
+            1.0625 * reach <= self.coefficient(b) * (1.0 - exit.most) * (1.0 - 1e-6)
+        })
     }
 
     /// Whether inverse · basis differs from the identity by little.

@@ -3,6 +3,7 @@
 use super::answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
 use super::brute_force;
 use super::center::double_center;
+use super::facet_map::FacetMap;
 use super::generation::Generation;
 use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
@@ -50,7 +51,7 @@ pub(crate) fn solve_with<const D: usize, T: Tally>(
     let given_rows = seed(&scaled, &mut generation, tally)?;
     // Where it gets stuck, what it has is repaired all the same, and the bounds tell how good that is.
     let _ = generation.run(tally);
-    let mut answer = Proof { problem, scaled: &scaled, span: &span }.of(&generation)?;
+    let mut answer = Proof { problem, scaled: &scaled, span: &span }.of(&mut generation)?;
     answer.effort.rows = answer.effort.rows.max(given_rows);
     Ok(Enclosure::Optimal(answer))
 }
@@ -62,7 +63,7 @@ struct Proof<'a, const D: usize> {
 }
 
 impl<const D: usize> Proof<'_, D> {
-    fn of(&self, generation: &Generation<'_, D>) -> Result<DirectedZonotope<D>, FixedDirectionsError> {
+    fn of(&self, generation: &mut Generation<'_, D>) -> Result<DirectedZonotope<D>, FixedDirectionsError> {
         let program = &generation.program;
         let pulls: Vec<(usize, [f64; D])> =
             program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
@@ -70,7 +71,8 @@ impl<const D: usize> Proof<'_, D> {
         let lower_bound = rounded_towards(&bound, f64::NEG_INFINITY);
         let effort =
             Effort { rows: program.rows().len(), rounds: generation.rounds, passes: generation.passes, exact: false };
-        let (mut answer, _) = self.around(program.center(), program.coefficients())?;
+        let (center, coefficients) = (program.center(), program.coefficients().to_vec());
+        let (mut answer, _) = self.around(center, &coefficients, &mut generation.map)?;
         (answer.lower_bound, answer.forces, answer.effort) = (lower_bound, forces, effort);
         let is_tight = answer.value - answer.lower_bound <= TIGHT * answer.lower_bound;
         if !is_tight || answer.lower_bound == 0.0 && answer.value > 0.0 {
@@ -84,9 +86,10 @@ impl<const D: usize> Proof<'_, D> {
         &self,
         center: [f64; D],
         coefficients: &[f64],
+        map: &mut FacetMap<D>,
     ) -> Result<(DirectedZonotope<D>, Option<usize>), FixedDirectionsError> {
         let center = double_center(self.problem, self.scaled, self.span, &center);
-        let repaired = contain_exactly(self.problem, self.scaled, center, coefficients)?;
+        let repaired = contain_exactly(self.problem, self.scaled, center, coefficients, map)?;
         let value = value_above(self.problem.weights(), &repaired.coefficients);
         let (center, coefficients) = (repaired.center, repaired.coefficients);
         let (forces, effort) = (Vec::new(), Effort::default());
@@ -96,7 +99,7 @@ impl<const D: usize> Proof<'_, D> {
     /// Small programs in rationals: the optimum of the points that matter, then of those that it leaves outside.
     fn improve_exactly(
         &self,
-        generation: &Generation<'_, D>,
+        generation: &mut Generation<'_, D>,
         answer: &mut DirectedZonotope<D>,
     ) -> Result<(), FixedDirectionsError> {
         let kept = &self.scaled.directions;
@@ -133,7 +136,7 @@ impl<const D: usize> Proof<'_, D> {
                 .zip(&optimum.coefficients)
                 .map(|(d, c)| scaled(c, self.scaled.exponent - d.exponent))
                 .collect();
-            let (candidate, worst) = self.around(center, &coefficients)?;
+            let (candidate, worst) = self.around(center, &coefficients, &mut generation.map)?;
             answer.effort.exact = true;
             if lower_bound >= answer.lower_bound {
                 answer.lower_bound = lower_bound;

@@ -47,12 +47,24 @@ pub(super) fn finish<const D: usize>(
     progress: Vec<[f64; 2]>,
     directions: usize,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    let (zonotope, length) = around(points, frame, &inner).ok_or(MinLengthError::OutOfRange)?;
-    let (lower_bound, forces) = best.proven(points, frame);
-    let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
+    let around = around(points, frame, &inner).ok_or(MinLengthError::OutOfRange)?;
     let in_units = |v: f64| scale_by_power_of_two(v, frame.exponent);
     let progress = progress.into_iter().map(|bounds| bounds.map(in_units)).collect();
-    Ok(MinLengthZonotope { zonotope, length, lower_bound, ratio, forces, progress, directions })
+    Ok(proven(points, frame, around, best, progress, directions))
+}
+
+/// A zonotope around the points and its length, with the proof of what is best.
+pub(super) fn proven<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    (zonotope, length): (Zonotope<D>, f64),
+    best: &Best<D>,
+    progress: Vec<[f64; 2]>,
+    directions: usize,
+) -> MinLengthZonotope<D> {
+    let (lower_bound, forces) = best.proven(points, frame);
+    let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
+    MinLengthZonotope { zonotope, length, lower_bound, ratio, forces, progress, directions }
 }
 
 pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {

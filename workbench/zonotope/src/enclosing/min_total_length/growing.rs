@@ -19,7 +19,7 @@ pub(super) struct Found<const D: usize> {
     pub(super) progress: Vec<[f64; 2]>,
     /// How many sides were tried.
     pub(super) sides: usize,
-    /// The generators that came with the best lower bound.
+    /// The directions in which the forces with the best lower bound are near their limits, those that bear most first.
     pub(super) sharpest: Vec<[f64; D]>,
 }
 
@@ -51,9 +51,6 @@ const NEAR: f64 = 0.05;
 /// Points added after a look at them.
 const MOST_POINTS: usize = 16;
 
-/// At the end the search goes along the directions of so many of the longest generators.
-const MOST_DIRECTIONS: usize = 250;
-
 /// Generators shorter than this beside the longest are noise for the search of facets.
 const NOISE: f64 = 1e-12;
 
@@ -70,17 +67,26 @@ struct Growing<'a, const D: usize> {
     is_member: Vec<bool>,
 }
 
+/// The points that have a force at first.
+#[derive(Clone, Copy)]
+pub(super) enum Begin {
+    /// Those that a coarse net touches, or the farthest along the axes.
+    WithFew,
+    WithAll,
+}
+
 /// The least zonotope around points that span at least three dimensions.
 pub(super) fn least_by_sides<const D: usize>(
     frame: &Frame<D>,
     epsilon: f64,
+    begin: Begin,
     best: &mut Best<D>,
     tally: &mut impl Tally,
 ) -> Found<D> {
     let even = Even::of(frame);
     let mut inner = even.boxed();
-    let mut growing = Growing::new(frame, &even, best, &mut inner);
-    let mut sharpest = inner.generators.clone();
+    let mut growing = Growing::new(frame, &even, begin, best, &mut inner);
+    let mut sharpest = Vec::new();
     let (mut progress, mut tried, mut idle, mut rescues) = (Vec::new(), 0, 0, 0);
     let (mut beyond, mut least_doubt) = (0.0, f64::INFINITY);
     for _ in 0..MOST_ROUNDS {
@@ -102,7 +108,7 @@ pub(super) fn least_by_sides<const D: usize>(
         let looked = growing.look(center, &generators);
         tally.add(Operation::PointRead, frame.points.len() as u64);
         let before = (inner.upper, best.lower);
-        let length: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum();
+        let length: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum::<f64>() + stepped.missed.iter().sum::<f64>();
         if looked.reach * length < inner.upper {
             let generators = generators.iter().map(|g| g.map(|c| c * looked.reach)).collect();
             let witnesses = growing.witnesses(&sides, 1.0 / looked.reach);
@@ -112,7 +118,7 @@ pub(super) fn least_by_sides<const D: usize>(
         let far = best.improve(growing.rank, &frame.points, pulls, 1.0 - gap);
         beyond = far.radius - 1.0;
         if best.lower > before.1 {
-            sharpest = generators;
+            sharpest = growing.sides.sharp();
             growing.sides.length = best.lower;
         }
         progress.push([inner.upper, best.lower]);
@@ -138,21 +144,6 @@ pub(super) fn least_by_sides<const D: usize>(
     Found { inner, progress, sides: tried, sharpest }
 }
 
-/// The least zonotope along the directions of generators that are nearly the best ones: what these are off by counts only squared.
-pub(super) fn along_generators<const D: usize>(frame: &Frame<D>, generators: &[[f64; D]]) -> Option<Inner<D>> {
-    let length = |g: &[f64; D]| dot(g, g).sqrt();
-    let mut long: Vec<[f64; D]> = generators.iter().copied().filter(|g| length(g) > 0.0).collect();
-    long.sort_by(|a, b| length(b).total_cmp(&length(a)));
-    long.truncate(MOST_DIRECTIONS);
-    let directions = long.iter().map(|g| g.map(|c| c / length(g)));
-    // these alone may hardly span
-    let directions: Vec<[f64; D]> = frame.long.iter().copied().chain(directions).collect();
-    let weights = vec![1.0; directions.len()];
-    let mut generation = Generation::new(frame.rank(), &frame.points, directions, weights, &mut ());
-    generation.run(&mut ()).ok()?;
-    Some(stretched(Inner::along(&generation), &Even::of(frame)))
-}
-
 /// A zonotope, longer where it does not hold all points.
 fn stretched<const D: usize>(inner: Inner<D>, even: &Even<'_, D>) -> Inner<D> {
     let reach = even.reach(inner.center, &inner.generators);
@@ -170,9 +161,11 @@ struct Looked<const D: usize> {
 
 impl<'a, const D: usize> Growing<'a, D> {
     /// Begins with a coarse net where that is cheap, else with the farthest points along the axes.
-    fn new(frame: &'a Frame<D>, even: &'a Even<'a, D>, best: &mut Best<D>, inner: &mut Inner<D>) -> Self {
+    fn new(frame: &'a Frame<D>, even: &'a Even<'a, D>, begin: Begin, best: &mut Best<D>, inner: &mut Inner<D>) -> Self {
         let rank = frame.rank();
+        let is_few = matches!(begin, Begin::WithFew);
         if rank == 3
+            && is_few
             && let Some(growing) = Self::from_net(frame, even, best, inner)
         {
             return growing;
@@ -189,6 +182,12 @@ impl<'a, const D: usize> Growing<'a, D> {
             for sign in [1.0, -1.0] {
                 let u: [f64; D] = std::array::from_fn(|c| if c == axis { sign } else { 0.0 });
                 growing.add(growing.farthest(&u), &u);
+            }
+        }
+        if !is_few {
+            let center = inner.center;
+            for (j, p) in frame.points.iter().enumerate() {
+                growing.add(j, &std::array::from_fn(|c| p[c] - center[c]));
             }
         }
         growing

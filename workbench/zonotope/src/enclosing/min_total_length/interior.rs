@@ -9,9 +9,19 @@
 use super::cholesky::{Cholesky, Factor};
 use super::cone::{Headed, Scaling, jordan};
 use super::sides::{Sides, plus, sum_over};
+use crate::enclosing::fixed_directions::dot;
 
 /// A step ends before the boundary of the cone by this part of the way.
 const SHORT_OF: f64 = 0.02;
+
+/// How often generators are corrected by what they miss of the points.
+const MOST_CORRECTIONS: usize = 4;
+
+/// What they miss is nothing below this multiple of the gap that is wanted.
+const CLOSELY: f64 = 0.01;
+
+/// For corrections generators count as no shorter than this beside the longest.
+const SHORT: f64 = 1e-6;
 
 /// One step is never asked to bring μ down by more than this.
 const FASTEST: f64 = 1e-4;
@@ -20,6 +30,8 @@ const FASTEST: f64 = 1e-4;
 pub(super) struct Stepped<const D: usize> {
     /// Generators with Σ_{T ∋ j} 2 g_T = p_j − p_0 but for rounding.
     pub(super) generators: Vec<[f64; D]>,
+    /// What they miss of any point along each axis.
+    pub(super) missed: [f64; D],
     /// The average of slack · load.
     pub(super) mu: f64,
 }
@@ -84,7 +96,8 @@ impl<const D: usize> Sides<D> {
         }
         let mu = self.sides.iter().map(|side| side.slack.dot(&side.load)).sum::<f64>() / count;
         self.mu = mu;
-        Some(Stepped { generators, mu })
+        let (generators, missed) = self.closed(generators, CLOSELY * least_mu * count);
+        Some(Stepped { generators, missed, mu })
     }
 
     /// Which parts of the steps of all slacks and of all loads stay inside the cone, all of it at most.
@@ -105,6 +118,66 @@ impl<const D: usize> Sides<D> {
             }
         }
         left
+    }
+
+    /// Generators changed in proportion to their lengths where they miss more than nothing, and what they miss of any point along each axis. To first order it does not
+    /// matter which generators make up for a residual r: as each points along its w_T, that changes their length by Σ λ_j · r_j.
+    fn closed(&self, mut generators: Vec<[f64; D]>, nothing: f64) -> (Vec<[f64; D]>, [f64; D]) {
+        let count = self.points.len() - 1;
+        let mut factor = None;
+        let mut best: Option<(f64, [f64; D], Vec<[f64; D]>)> = None;
+        for _ in 0..=MOST_CORRECTIONS {
+            let left = self.residual(generators.iter().map(|g| g.map(|c| -c)));
+            let missed =
+                left.iter().fold([0.0; D], |most: [f64; D], v| std::array::from_fn(|c| most[c].max(v[c].abs())));
+            let size: f64 = missed.iter().sum();
+            if best.as_ref().is_some_and(|(least, ..)| size >= *least) {
+                break;
+            }
+            best = Some((size, missed, generators.clone()));
+            if size <= nothing {
+                break;
+            }
+            let weights = || {
+                let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt();
+                generators.iter().map(|g| dot(g, g).sqrt().max(SHORT * longest)).collect::<Vec<f64>>()
+            };
+            if factor.is_none() {
+                let weights = weights();
+                factor = self.weighted(&weights).factor().map(|factor| (factor, weights));
+            }
+            let Some((factor, weights)) = &factor else { break };
+            let mut turned = vec![[0.0; D]; count];
+            for axis in 0..self.rank {
+                let right: Vec<f64> = left.iter().map(|v| v[axis]).collect();
+                for (turned, x) in turned.iter_mut().zip(factor.solve(&right)) {
+                    turned[axis] = x;
+                }
+            }
+            for ((side, generator), weight) in self.sides.iter().zip(&mut generators).zip(weights) {
+                *generator = plus(generator, *weight, &sum_before(&side.set, &turned));
+            }
+        }
+        let (_, missed, generators) = best.expect("there is a first one");
+        (generators, missed)
+    }
+
+    /// Σ weight_T a_T a_Tᵀ.
+    fn weighted(&self, weights: &[f64]) -> Cholesky {
+        let count = self.points.len() - 1;
+        let mut sums = vec![0.0; count * count];
+        for (side, weight) in self.sides.iter().zip(weights) {
+            for j in side.members() {
+                for k in side.members().take_while(|&k| k <= j) {
+                    sums[(j - 1) * count + k - 1] += 4.0 * weight;
+                }
+            }
+        }
+        let mut matrix = Cholesky::zero(count);
+        for (j, row) in sums.chunks_exact(count.max(1)).enumerate() {
+            row[..=j].iter().enumerate().for_each(|(k, &entry)| matrix.set(j, k, entry));
+        }
+        matrix
     }
 
     /// H.

@@ -29,6 +29,7 @@ pub mod in_the_plane;
 mod inner_points;
 mod interior;
 mod lower_bound;
+mod sharpening;
 mod sides;
 pub mod verify;
 

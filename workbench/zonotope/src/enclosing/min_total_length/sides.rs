@@ -48,6 +48,9 @@ const MOST_SETS: usize = 4;
 /// The generator of a new set is shorter than the average one by this.
 const SHORTER: f64 = 10.0;
 
+/// A w_T longer than this may be the direction of a generator.
+const SHARP: f64 = 0.999;
+
 /// The gap at the beginning, as a multiple of the length.
 const BEGIN: f64 = 0.5;
 
@@ -157,6 +160,14 @@ impl<const D: usize> Sides<D> {
             let square = dot(&load.rest, &load.rest);
             load.head = load.head.max((square + mu * mu / slack.room()).sqrt());
         }
+    }
+
+    /// The directions of w_T near the unit sphere, those that bear most first.
+    pub(super) fn sharp(&self) -> Vec<[f64; D]> {
+        let length = |side: &Side<D>| dot(&side.slack.rest, &side.slack.rest).sqrt();
+        let mut near: Vec<&Side<D>> = self.sides.iter().filter(|side| length(side) > SHARP).collect();
+        near.sort_by(|a, b| b.load.head.total_cmp(&a.load.head));
+        near.into_iter().map(|side| side.slack.rest.map(|c| c / length(side))).collect()
     }
 
     /// The forces, turned; the first one makes up for the others.
