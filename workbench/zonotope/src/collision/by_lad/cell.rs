@@ -14,11 +14,8 @@ const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
 /// A longer vector's square does not underflow.
 const SHORT: f64 = f64::from_bits((1023 - 500) << 52);
 
-/// Generators whose crossings are gathered in one word.
-const WORD: usize = 64;
-
-/// Generators read before their sums join the total.
-const BLOCK: usize = WORD;
+/// Generators read before their sums join the total: their crossings are gathered in one word.
+const BLOCK: usize = 64;
 
 /// What rounding adds to a cell, in terms of its centre, and what makes up for it in products of a few rounded terms.
 const ROUNDING: f64 = 8.0 * UNIT;
@@ -180,7 +177,7 @@ struct Sums {
 }
 
 impl Sums {
-    /// Adds two vectors with the signs of their values; a bit for each that may cross the cell, and one for each that has a minus.
+    /// Adds two vectors with the signs of their values; a bit for each that certainly misses the cell, and one for each that has a minus.
     #[inline(always)]
     fn read<const AXES: usize>(&mut self, cell: &WideCell<AXES>, pair: &Twice) -> [u64; 2] {
         let values = products(pair, &cell.center);
@@ -196,9 +193,9 @@ impl Sums {
         self.sum[0] += pair[0] ^ first;
         self.sum[1] += pair[1] ^ signs;
         self.sum[2] += pair[2] ^ second;
-        // not "less": NaN crosses
-        let missing = (values * values).simd_gt(reach).to_bitmask();
-        [u64::from(missing ^ 0b11), u64::from(values.to_bitmask())]
+        // NaN does not miss it
+        let misses = (values * values).simd_gt(reach).to_bitmask();
+        [u64::from(misses), u64::from(values.to_bitmask())]
     }
 
     /// The sum, and what bounds the sum of the lengths.
@@ -216,30 +213,28 @@ fn split<const AXES: usize>(cell: &WideCell<AXES>, generators: &[[f64; 3]], mut 
     for (number, block) in generators.chunks(BLOCK).enumerate() {
         let mut sums = Sums::default();
         let mut taken = [0.0; 3];
-        let mut crossing = 0;
-        for (word, part) in block.chunks(WORD).enumerate() {
-            let (mut bits, mut signs) = (0, 0);
-            let (pairs, last) = part.as_chunks::<2>();
-            for (place, pair) in pairs.iter().enumerate() {
-                let [crosses, minus] = sums.read(cell, &wide(*pair));
-                bits |= crosses << (2 * place);
-                signs |= minus << (2 * place);
+        // backwards, so that the first is in the last bit
+        let (mut misses, mut signs) = (0, 0);
+        let (pairs, last) = block.as_chunks::<2>();
+        if let [last] = last {
+            [misses, signs] = sums.read(cell, &wide([*last, [0.0; 3]]));
+            misses &= 1;
+        }
+        for pair in pairs.iter().rev() {
+            let [own, minus] = sums.read(cell, &wide(*pair));
+            misses = misses << 2 | own;
+            signs = signs << 2 | minus;
+        }
+        let mut crosses = !misses & (u64::MAX >> (BLOCK - block.len()));
+        let crossing = crosses.count_ones();
+        while crosses != 0 {
+            let place = crosses.trailing_zeros() as usize;
+            crosses &= crosses - 1;
+            let sign = (signs >> place) << 63;
+            for (taken, c) in taken.iter_mut().zip(block[place]) {
+                *taken += f64::from_bits(c.to_bits() ^ sign);
             }
-            if let [last] = last {
-                let [crosses, minus] = sums.read(cell, &wide([*last, [0.0; 3]]));
-                bits |= (crosses & 1) << (2 * pairs.len());
-                signs |= minus << (2 * pairs.len());
-            }
-            crossing += bits.count_ones();
-            while bits != 0 {
-                let place = bits.trailing_zeros() as usize;
-                bits &= bits - 1;
-                let sign = if signs >> place & 1 == 1 { -1.0 } else { 1.0 };
-                for (taken, c) in taken.iter_mut().zip(part[place]) {
-                    *taken += sign * c;
-                }
-                report(number * BLOCK + word * WORD + place);
-            }
+            report(number * BLOCK + place);
         }
         let (sum, size) = sums.total(block.len());
         for k in 0..3 {

@@ -28,20 +28,14 @@ pub(super) fn descend_along(lines: &Lines, linear: [f64; 2], start: [f64; 2], mu
         let (other, vertex) = search(lines, linear, line, point, &mut ahead)?;
         still = if is_same(point, vertex) { still + 1 } else { 0 };
         point = vertex;
+        let ([a, b, c, _], [other_a, other_b, ..]) = (lines.line(line), lines.line(other));
+        let direction = [-other_b, other_a];
         // the slope along the other line at the vertex, without the two lines through it
-        let [mut gx, mut gy] = linear;
-        for (i, [a, b, c, _]) in lines.iter().enumerate() {
-            if i != line && i != other {
-                let sign = f64::copysign(1.0, a * point[0] + b * point[1] + c);
-                gx += sign * a;
-                gy += sign * b;
-            }
-        }
-        let ([a, b, ..], [other_a, other_b, ..]) = (lines.line(line), lines.line(other));
-        let (dx, dy) = (-other_b, other_a);
-        let turn = (a * dx + b * dy).abs();
+        let turn = a * direction[0] + b * direction[1];
+        let own = f64::copysign(1.0, a * point[0] + b * point[1] + c) * turn;
+        let slope = lines.slope(linear, point, direction) - own;
         // where the line before comes again, or the vertex stays, rounding would go on in circles
-        if (gx * dx + gy * dy).abs() <= turn || other == before || still > STILL {
+        if slope.abs() <= turn.abs() || other == before || still > STILL {
             return Some([line, other]);
         }
         (before, line) = (line, other);
@@ -74,12 +68,8 @@ fn search(
     let off = (a * x + b * y + c) / (a * a + b * b);
     let foot = [x - off * a, y - off * b];
     let (mut dx, mut dy) = (-b, a);
-    let mut slope = linear[0] * dx + linear[1] * dy;
-    for (i, [a, b, c, _]) in lines.iter().enumerate() {
-        if i != line {
-            slope += f64::copysign(1.0, a * foot[0] + b * foot[1] + c) * (a * dx + b * dy);
-        }
-    }
+    // the line itself has no slope along itself
+    let mut slope = lines.slope(linear, foot, [dx, dy]);
     if slope > 0.0 {
         (dx, dy, slope) = (-dx, -dy, -slope);
     }

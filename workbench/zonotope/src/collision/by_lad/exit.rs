@@ -20,9 +20,6 @@ const SEED: u64 = 0x5a;
 /// At most this many lines are solved exactly rather than fewer.
 const FEW: usize = 300;
 
-/// Of a negative dot product, one that is not decided, and a positive one.
-const SIGNS: [i8; 3] = [-1, 0, 1];
-
 /// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in [−1, 1] on it, and
 /// λ = `reach` / `along`. The gauge is 1 / λ.
 #[derive(Debug)]
@@ -73,7 +70,7 @@ impl Exit {
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index as usize)).collect();
-        let mut signs = trail.up_to(count).signed(question, None, SIGNS);
+        let mut signs = trail.up_to(count).signs(question);
         let rest = signed_sum(question.generators().copied().zip(signs.iter().copied()));
         let plane = PlaneProblem::new(Vectors::Few(&vectors, rest.clone()), p.clone());
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
@@ -101,7 +98,8 @@ impl Exit {
     ) -> Self {
         let [a, b] = certain.vectors.map(exact);
         let direction = if certain.reversed { cross(&b, &a) } else { cross(&a, &b) };
-        let mut signs = trail.signed(question, Some(&certain.cell()), SIGNS);
+        let signs = trail.coefficients(question, &certain.cell(), 1.0);
+        let mut signs: Vec<i8> = signs.into_iter().map(|sign| sign as i8).collect();
         for index in certain.basis {
             signs[index] = 0;
         }

@@ -13,6 +13,9 @@ use crate::numeric::tolerance::UNIT;
 /// How many generators are tried as the third.
 const PICKS: usize = 32;
 
+/// A margin of so much of what the other generators leave is enough.
+const ENOUGH: f64 = 0.25;
+
 /// How much of the third's range is left to it when it moves away from its end.
 const MOVE: f64 = 0.5;
 
@@ -39,18 +42,39 @@ pub(super) fn witness(
     let sign = |index: usize| trail.sign(question, &last, index);
     let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
     let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
-    let best = picks
-        .flat_map(|third| {
-            let sign = sign(third);
-            let v = question.generator(third);
-            let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
-            let moved = (inverse * (1.0 + MOVE * height)).min(1.0);
-            [inverse, moved, 1.0]
-                .map(|factor| attempt(question, certain, p, Attempt { third, sign, factor, margin: 0.0 }))
-        })
-        .filter(|attempt| attempt.margin > 0.0)
-        .max_by(|a, b| a.margin.total_cmp(&b.margin))?;
-    let Attempt { third, sign, factor, .. } = best;
+    // far enough from the ends: no other pick is much better, unless rounding forbids this one
+    let mut enough = ENOUGH * (1.0 - inverse);
+    let mut best = Attempt { third: 0, sign: 0.0, factor: 0.0, margin: 0.0 };
+    for third in picks {
+        let sign = sign(third);
+        let v = question.generator(third);
+        let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
+        let moved = (inverse * (1.0 + MOVE * height)).min(1.0);
+        for factor in [moved, inverse, 1.0] {
+            let own = attempt(question, certain, p, Attempt { third, sign, factor, margin: 0.0 });
+            if own.margin > best.margin {
+                best = own;
+            }
+        }
+        if best.margin > enough && enough > 0.0 {
+            if let Some(found) = prove(question, certain, trail, p, best) {
+                return Some(found);
+            }
+            enough = 0.0;
+        }
+    }
+    if best.margin > 0.0 { prove(question, certain, trail, p, best) } else { None }
+}
+
+/// The proof by an attempt, if rounding leaves no doubt of it.
+fn prove(
+    question: &Displacement<'_, 3>,
+    certain: &Certain,
+    trail: &Trail,
+    p: &BoundedVector,
+    attempt: Attempt,
+) -> Option<Witness> {
+    let Attempt { third, sign, factor, .. } = attempt;
     let [a, b] = certain.vectors.map(bounded::exact);
     let c = bounded::exact(question.generator(third));
     let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
@@ -63,7 +87,7 @@ pub(super) fn witness(
     let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
     let numerators = [0, 1, 2].map(|i| bounded::dot(&rest, &normals[i]));
     numerators.iter().all(|n| n.is_within(determinant)).then_some(())?;
-    let mut coefficients = trail.signed(question, Some(&last), [-factor, 0.0, factor]);
+    let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
     for &(index, share) in &certain.shares {
         coefficients[index] = share * factor;
     }

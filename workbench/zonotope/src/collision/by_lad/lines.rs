@@ -61,6 +61,23 @@ impl Lines {
         both.take(self.len)
     }
 
+    /// The slope of linear · x + Σ |a x + b y + c| at a point along a direction, with the sign of each value there. A line has none along itself.
+    pub(super) fn slope(&self, linear: [f64; 2], [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
+        let [wide_x, wide_y, wide_dx, wide_dy] = [x, y, dx, dy].map(f64x2::splat);
+        let mut sum = f64x2::default();
+        for [a, b, c, _] in &self.pairs {
+            let value = *a * wide_x + *b * wide_y + *c;
+            sum += (*a * wide_dx + *b * wide_dy) ^ (value & f64x2::splat(-0.0));
+        }
+        linear[0] * dx + linear[1] * dy + sum.reduce_add()
+    }
+
+    /// Two lines of each so many, which stand for all.
+    pub(super) fn part(&self, share: usize) -> Self {
+        let pairs: Vec<Pair> = self.pairs[..self.len / 2].iter().step_by(share).copied().collect();
+        Self { len: 2 * pairs.len(), pairs, length: self.length / share as f64 }
+    }
+
     /// Where two lines meet.
     pub(super) fn meet(&self, i: usize, j: usize) -> [f64; 2] {
         let ([a, b, c, _], [d, e, f, _]) = (self.line(i), self.line(j));

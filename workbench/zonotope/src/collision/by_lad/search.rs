@@ -15,6 +15,7 @@ use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::{Operation, Tally};
+use crate::zonotope::passes::bounded_sum;
 
 /// At most this many generators are all kept.
 const SMALL: usize = 128;
@@ -24,6 +25,9 @@ const FEW: usize = 40;
 
 /// How much larger the second sample is.
 const LARGER: usize = 4;
+
+/// A point whose gauge exceeds 1 by less than about this, in the sample, is solved for at once.
+const CLEAR: f64 = 0.02;
 
 /// The most meetings of bundles.
 const MEETINGS: usize = 5;
@@ -39,6 +43,12 @@ const ROUNDS: usize = 4;
 
 /// The cell around an optimum that seemed to be outside its cell, in terms of that cell.
 const AROUND: f64 = 8.0;
+
+/// An optimum that seems to be farther from its cell, in terms of it, is none.
+const FAR: f64 = 64.0;
+
+/// How much wider a cell is taken that few lines cross and not the right ones.
+const WIDER: f64 = 8.0;
 
 /// The cell of a sample in standard deviations, that of a band in the same sense.
 const SAMPLE_DEVIATIONS: f64 = 2.7;
@@ -111,10 +121,13 @@ pub(super) fn search(
         return Found::Narrowed(Trail::default());
     };
     if until_separated {
-        tally.add(Operation::GeneratorRead, question.len() as u64);
         let direction = chart.point(guess.point);
-        if separates(question, p, &direction) {
-            return Found::Separated(direction);
+        // one pass: not where the sample says that it would be for nothing
+        if sample.longest < f64::INFINITY || bounded_sum(&sample.vectors, &direction).value < part * (1.0 - CLEAR) {
+            tally.add(Operation::GeneratorRead, question.len() as u64);
+            if separates(question, p, &direction) {
+                return Found::Separated(direction);
+            }
         }
     }
     let mut stretch = 1.0;
@@ -125,10 +138,13 @@ pub(super) fn search(
         if !is_moderate(&reduced) {
             return Found::Narrowed(Trail::default());
         }
+        let crossing = reduced.vectors.len();
         let many = if round + 1 < ROUNDS { MANY } else { usize::MAX };
         match finish(reduced, &chart, p, Some(&guess), many) {
             Ok(found) => return found,
             Err(Missed::At(nearer)) => (guess, stretch) = (nearer, AROUND),
+            // of one bundle, perhaps, or none at all
+            Err(Missed::Lost) if crossing < SMALL => stretch *= WIDER,
             Err(Missed::Lost) => {
                 let sample = Sample::of(question, LARGER, tally);
                 let second = sample_guess(&sample, question.len(), true, &chart);
@@ -182,7 +198,11 @@ fn finish(
                     Ok(certain) => return Ok(Found::Certain(Box::new(certain), trail(levels))),
                     Err(Unproved::Doubt) => break true,
                     Err(Unproved::Astray) => {
-                        (point, is_found) = (lines.meet(basis[0], basis[1]), true);
+                        let found = lines.meet(basis[0], basis[1]);
+                        // lines of one bundle meet far away: where the search started is better
+                        if guess.is_none_or(|guess| guess.is_near(found, FAR)) {
+                            (point, is_found) = (found, true);
+                        }
                         break false;
                     }
                     Err(Unproved::Falls(line)) => {
@@ -248,6 +268,7 @@ fn search_bundles(
     mut bundles: Bundles,
     tally: &mut impl Tally,
 ) -> Option<Found> {
+    let mut before = None;
     for round in 0..MEETINGS {
         let meeting = bundles.meeting(chart)?;
         if until_separated && round == 0 {
@@ -263,7 +284,8 @@ fn search_bundles(
         if !is_moderate(&reduced) {
             return None;
         }
-        if !bundles.is_corrected(&meeting, &reduced, chart) {
+        let is_corrected = bundles.is_corrected(&meeting, &reduced, chart);
+        if !is_corrected || before.replace(meeting.guess.point) == Some(meeting.guess.point) {
             let levels = [reduced];
             let vertex = bundles.vertex(&meeting, &levels[0]);
             let certain = vertex.and_then(|vertex| Certain::at(&levels, p, vertex).ok());

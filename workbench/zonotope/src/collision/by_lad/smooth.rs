@@ -18,6 +18,15 @@ pub(super) struct Guess {
     pub(super) sides: [[f64; 2]; 2],
 }
 
+impl Guess {
+    /// Whether a point is no farther away than so many times the sides.
+    pub(super) fn is_near(&self, point: [f64; 2], times: f64) -> bool {
+        let square = |[x, y]: [f64; 2]| x * x + y * y;
+        let off = [point[0] - self.point[0], point[1] - self.point[1]];
+        square(off) <= times * times * (square(self.sides[0]) + square(self.sides[1]))
+    }
+}
+
 /// What a guess is to allow for.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Aim {
@@ -40,6 +49,9 @@ const THINNEST: f64 = 1e-13;
 
 /// After so many steps that went too far the objective is not smooth enough for this.
 const MOST_SHORTENED: usize = 3;
+
+/// Of more lines than twice this, descent takes a part.
+const MOST: usize = 200;
 
 /// The band is thin enough with so many times the lines it must have.
 const ENOUGH: f64 = 3.0;
@@ -126,7 +138,13 @@ impl Lines {
     }
 
     /// The guess from vertex to vertex, slower but sure: for lines in few bundles, where the rounded-off objective is still all edges.
+    ///
+    /// Of many lines a part stands for all.
     fn by_descent(&self, linear: [f64; 2], aim: Aim) -> Option<Guess> {
+        let share = self.len() / MOST;
+        if share > 1 {
+            return self.part(share).by_descent(linear.map(|c| c / share as f64), aim);
+        }
         let start = self.least_squares().map_or([0.0; 2], |(point, _)| point);
         let [first, second] = descend(self, linear, start)?;
         let point = self.meet(first, second);

@@ -34,30 +34,35 @@ impl Trail {
         if cell.value(&question.generator(index)) < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// What `value` makes of the signs: those of the generators that cross all cells are those of a last direction, if there is one.
-    pub(super) fn signed<T: Copy>(
-        &self,
-        question: &Displacement<'_, 3>,
-        last: Option<&Cell>,
-        [negative, zero, positive]: [T; 3],
-    ) -> Vec<T> {
-        let sign = |cell: Option<&Cell>, v: &[f64; 3]| match cell {
-            Some(cell) if cell.value(v) < 0.0 => negative,
-            Some(_) => positive,
-            None => zero,
-        };
-        let mut cells = self.steps.iter().map(|(cell, _)| Some(cell)).chain([last]);
-        let first = cells.next().expect("the last direction ends the cells");
-        let mut signs = Vec::with_capacity(question.len());
-        for run in question.runs() {
-            signs.extend(run.iter().map(|v| sign(first, v)));
-        }
-        for (cell, (_, crossing)) in cells.zip(&self.steps) {
+    /// The signs of all generators; 0 for those that cross all cells.
+    pub(super) fn signs(&self, question: &Displacement<'_, 3>) -> Vec<i8> {
+        let side = |cell: &Cell, v: &[f64; 3]| if cell.value(v) < 0.0 { -1 } else { 1 };
+        let Some(((first, _), _)) = self.steps.split_first() else { return vec![0; question.len()] };
+        let mut signs: Vec<i8> = question.generators().map(|v| side(first, v)).collect();
+        for (step, (_, crossing)) in self.steps.iter().enumerate() {
+            let next = self.steps.get(step + 1).map(|(cell, _)| cell);
             for &index in crossing {
-                signs[index as usize] = sign(cell, &question.generator(index as usize));
+                signs[index as usize] = next.map_or(0, |cell| side(cell, &question.generator(index as usize)));
             }
         }
         signs
+    }
+
+    /// A factor with the sign of each generator: that of a last direction for those that cross all cells.
+    pub(super) fn coefficients(&self, question: &Displacement<'_, 3>, last: &Cell, factor: f64) -> Vec<f64> {
+        let of = |cell: &Cell, v: &[f64; 3]| factor.copysign(cell.value(v));
+        let first = self.steps.first().map_or(last, |(cell, _)| cell);
+        let mut coefficients = Vec::with_capacity(question.len());
+        for run in question.runs() {
+            coefficients.extend(run.iter().map(|v| of(first, v)));
+        }
+        for (step, (_, crossing)) in self.steps.iter().enumerate() {
+            let next = self.steps.get(step + 1).map_or(last, |(cell, _)| cell);
+            for &index in crossing {
+                coefficients[index as usize] = of(next, &question.generator(index as usize));
+            }
+        }
+        coefficients
     }
 }
 
@@ -76,11 +81,11 @@ mod tests {
         let trail = Trail::new(vec![wide, narrow]);
         let last = cell([1.0, 0.1, 2.0], 0.0);
         let expected = [1, -1, 1, 1];
-        assert_eq!(trail.signed(&question, Some(&last), [-1, 0, 1]), expected);
+        assert_eq!(trail.coefficients(&question, &last, 0.5), expected.map(|sign| 0.5 * f64::from(sign)));
         assert_eq!([0, 1, 2, 3].map(|i| trail.sign(&question, &last, i)), expected.map(f64::from));
-        assert_eq!(trail.signed(&question, None, [-1, 0, 1]), [1, -1, 1, 0]);
-        // without the second cell the last direction decides for both
-        assert_eq!(trail.up_to(1).signed(&question, None, [-1, 0, 1]), [1, -1, 0, 0]);
-        assert_eq!(Trail::default().signed(&question, None, [-1, 0, 1]), [0; 4]);
+        assert_eq!(trail.signs(&question), [1, -1, 1, 0]);
+        // without the second cell neither is decided
+        assert_eq!(trail.up_to(1).signs(&question), [1, -1, 0, 0]);
+        assert_eq!(Trail::default().signs(&question), [0; 4]);
     }
 }
