@@ -213,17 +213,20 @@ fn split<const AXES: usize>(cell: &WideCell<AXES>, generators: &[[f64; 3]], mut 
     for (number, block) in generators.chunks(BLOCK).enumerate() {
         let mut sums = Sums::default();
         let mut taken = [0.0; 3];
-        // backwards, so that the first is in the last bit
+        // the bits of a pair go in at the top and move down as others follow: no shift depends on the place
         let (mut misses, mut signs) = (0, 0);
         let (pairs, last) = block.as_chunks::<2>();
-        if let [last] = last {
-            [misses, signs] = sums.read(cell, &wide([*last, [0.0; 3]]));
-            misses &= 1;
-        }
-        for pair in pairs.iter().rev() {
+        for pair in pairs {
             let [own, minus] = sums.read(cell, &wide(*pair));
-            misses = misses << 2 | own;
-            signs = signs << 2 | minus;
+            misses = misses >> 2 | own << (BLOCK - 2);
+            signs = signs >> 2 | minus << (BLOCK - 2);
+        }
+        let place = 2 * pairs.len();
+        [misses, signs] = [misses, signs].map(|bits: u64| bits.checked_shr((BLOCK - place) as u32).unwrap_or(0));
+        if let [last] = last {
+            let [own, minus] = sums.read(cell, &wide([*last, [0.0; 3]]));
+            misses |= (own & 1) << place;
+            signs |= (minus & 1) << place;
         }
         let mut crosses = !misses & (u64::MAX >> (BLOCK - block.len()));
         let crossing = crosses.count_ones();
