@@ -2,9 +2,9 @@
 
 use crate::definition::Experiment;
 use crate::definitions::{
-    area_ratio, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate, gauge_passes,
-    hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree, min_area_scaling, min_area_stages,
-    points_scaling, pruning_passes, slope_selection_scaling, wrong_answers,
+    area_ratio, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate, gap_curve,
+    gauge_passes, hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree, min_area_scaling, min_area_stages,
+    points_scaling, pruning_passes, scan_race, slope_selection_scaling, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -20,7 +20,9 @@ pub static EXPERIMENTS: &[Experiment] = &[
     area_ratio::EXPERIMENT,
     directions_scaling::EXPERIMENT,
     points_scaling::EXPERIMENT,
+    scan_race::EXPERIMENT,
     length_ratio::EXPERIMENT,
+    gap_curve::EXPERIMENT,
     enclosing_quality::EXPERIMENT,
     collision_scaling::EXPERIMENT,
     gauge_passes::EXPERIMENT,

@@ -3,10 +3,11 @@
 use crate::figure::Figure;
 use crate::gallery::{
     arrangement_and_level_sets, certificates_of_intersection, country_outlines, directions_needed, dual_zonotope,
-    duality_family, length_ratio, mesh_in_zonohedra, named_zonohedra, paper_figure_1, paper_figure_2,
+    duality_family, gap_curve, length_ratio, mesh_in_zonohedra, named_zonohedra, paper_figure_1, paper_figure_2,
     polygon_and_reflection, scaling_collision_operations, scaling_collision_times, scaling_face_counts,
     scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times,
-    scaling_program_rows, search_of_theorem_4_5, search_of_theorem_5_2, separators, zonogons_along_directions,
+    scaling_program_rows, scaling_program_times, search_of_theorem_4_5, search_of_theorem_5_2, separators,
+    zonogons_along_directions,
 };
 
 /// Every figure, in the order of reports.
@@ -30,8 +31,10 @@ pub static FIGURES: &[Figure] = &[
     mesh_in_zonohedra::FIGURE,
     dual_zonotope::FIGURE,
     length_ratio::FIGURE,
+    gap_curve::FIGURE,
     directions_needed::FIGURE,
     scaling_program_rows::FIGURE,
+    scaling_program_times::FIGURE,
     scaling_face_counts::FIGURE,
     scaling_collision_operations::FIGURE,
     scaling_collision_times::FIGURE,

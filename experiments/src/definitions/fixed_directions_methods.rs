@@ -26,11 +26,12 @@ pub(super) const fn variants(papers_program: PerProfile<usize>, support_form: Pe
 }
 
 /// `k` random unit vectors that belong to the instance of a case.
-fn directions<const D: usize>(case: &Case, k: usize) -> Vec<[f64; D]> {
+pub(super) fn directions<const D: usize>(case: &Case, k: usize) -> Vec<[f64; D]> {
     on_sphere(k, seed::seed_of(case.instance_seed, "directions"))
 }
 
-fn solve<const D: usize>(
+/// The answer of a variant.
+pub(super) fn solve<const D: usize>(
     variant: &str,
     problem: &FixedDirections<'_, D>,
     tally: &mut impl Tally,
@@ -47,7 +48,8 @@ fn solve<const D: usize>(
     }
 }
 
-fn digest<const D: usize>(answer: &DirectedZonotope<D>) -> u64 {
+/// The hash of an answer.
+pub(super) fn digest<const D: usize>(answer: &DirectedZonotope<D>) -> u64 {
     let digest = Digest::default().floats(&answer.center).floats(&answer.coefficients);
     digest.floats(&[answer.value, answer.lower_bound]).finish()
 }

@@ -8,6 +8,7 @@ pub mod enclosing_quality;
 pub mod faces_scaling;
 pub mod fallback_rate;
 mod fixed_directions_methods;
+pub mod gap_curve;
 pub mod gauge_passes;
 pub mod hull_scaling;
 mod kernel_methods;
@@ -19,6 +20,7 @@ pub mod min_area_scaling;
 pub mod min_area_stages;
 pub mod points_scaling;
 pub mod pruning_passes;
+pub mod scan_race;
 pub mod slope_selection_scaling;
 pub mod wrong_answers;
 

@@ -28,7 +28,7 @@ pub static CLAIM: Claim = Claim {
         "zonotope::enclosing::fixed_directions::support_form",
         "zonotope::enclosing::fixed_directions::by_row_generation",
     ],
-    figures: &["zonogons-along-directions", "scaling-program-rows"],
+    figures: &["zonogons-along-directions", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
 };
 

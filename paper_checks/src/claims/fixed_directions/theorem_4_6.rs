@@ -23,7 +23,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Theorem,
     statement: "The discrete oriented zonotope of least total length along k directions containing n points can be computed in O(n k^(d-1) + k^O(d)) time",
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::by_row_generation"],
-    figures: &["zonogons-along-directions", "mesh-in-zonohedra", "scaling-program-rows"],
+    figures: &["zonogons-along-directions", "mesh-in-zonohedra", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -21,7 +21,7 @@ pub static CLAIM: Claim = Claim {
         "zonotope::enclosing::min_total_length::by_direction_net",
         "zonotope::enclosing::min_total_length::by_column_generation",
     ],
-    figures: &["length-ratio", "directions-needed", "dual-zonotope"],
+    figures: &["length-ratio", "directions-needed", "dual-zonotope", "gap-curve"],
     check: Check::Run(check),
 };
 

@@ -38,7 +38,14 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "erratum-4.3-containment",
         "erratum-4.3-objective",
     ],
-    experiments: &["directions-scaling", "points-scaling", "length-ratio", "enclosing-quality"],
+    experiments: &[
+        "directions-scaling",
+        "points-scaling",
+        "scan-race",
+        "length-ratio",
+        "gap-curve",
+        "enclosing-quality",
+    ],
     commands: &[
         (
             "cargo run --release -- enclose experiments/data/teapot.obj --epsilon 0.001 --json teapot.answer.json",
