@@ -73,7 +73,7 @@ impl<const D: usize> Chart<D> {
                 continue;
             }
             let turns = (rate >= 0.0, -height.max(0.0) / rate);
-            if first.is_none_or(|(least, _)| turns.0 < least.0 || turns.0 == least.0 && turns.1 < least.1) {
+            if first.is_none_or(|(least, _)| turns < least) {
                 first = Some((turns, j));
             }
         }
