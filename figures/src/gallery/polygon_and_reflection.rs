@@ -17,7 +17,7 @@ pub const FIGURE: Figure = Figure {
     caption: "A zonogon with centre O that contains the points P contains their reflections P' through O as well; \
               Z(O), the convex hull of both, is the smallest one. Its area depends on O: the least area over all \
               centres is that of the minimum-area enclosing zonogon.",
-    claims: &["fixed-center-optimum", "theorem-4.5", "planar-symmetric-is-zonogon"],
+    claims: &["fixed-center-optimum", "theorem-4.5", "planar-symmetric-is-zonogon", "evaluation-in-linear-time"],
     experiments: &[],
     deterministic: true,
     draw,
