@@ -16,6 +16,7 @@
 //! [`verify`] checks both on its own.
 
 mod answer;
+mod basis;
 pub mod brute_force;
 pub mod by_row_generation;
 mod center;
@@ -26,6 +27,7 @@ mod facet_descent;
 mod facet_map;
 mod farthest;
 mod generation;
+mod lengthened;
 mod lower_bound;
 mod normal_program;
 #[cfg(feature = "linear-programming")]

@@ -4,8 +4,10 @@
 //! A point clearly inside needs no more than an error bound: what the sum misses, expressed in a basis of directions, fits between δ and 1.
 //! For a point near the boundary what is missing is computed exactly, and the coefficients of the basis are enlarged by the most that any point misses.
 
-use super::facet_descent::{FacetDescent, dot, inverse};
+use super::basis::{exact_inverse, independent, long_basis};
+use super::facet_descent::{dot, inverse};
 use super::facet_map::{Exit, FacetMap};
+use super::lengthened::Lengthened;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational_simplex::{Column, maximize};
 use super::scaled::{KeptDirection, Scaled};
@@ -26,6 +28,9 @@ pub(crate) struct Repaired<const D: usize> {
 
 /// A point nearer to the boundary than this, relatively, is looked at exactly.
 const NEAR: f64 = 1e-9;
+
+/// A ray that leaves beyond this multiple less than 1, relatively, has reached its point.
+const REACHED: f64 = 1e-12;
 
 /// A generator shorter than this, beside the longest, is left out: what it would have reached others do.
 const NOISE: f64 = 1e-14;
@@ -162,7 +167,8 @@ impl<'a, const D: usize> Repair<'a, D> {
         let rank = self.scaled.rank;
         let mut enlarge = vec![Rational::ZERO; rank];
         let mut worst = None;
-        let mut descent = FacetDescent::new(rank, &self.generators);
+        let basis = self.basis.iter().map(|&b| (b, self.scaled.directions[b].vector));
+        let mut lengthened = Lengthened::new(rank, &self.generators, basis);
         let extents: [f64; D] = std::array::from_fn(|c| self.generators.iter().map(|g| g[c].abs()).sum());
         let factor = [1 - self.scaled.exponent, 0];
         let inside: Vec<f64> = (0..self.generators.len()).map(|i| self.coefficient(i)).collect();
@@ -179,19 +185,7 @@ impl<'a, const D: usize> Repair<'a, D> {
             if is_good && map.exit(&q).is_some_and(is_clear) {
                 continue;
             }
-            let facet = descent.facet(&q);
-            let (gauge, mut deltas) = match facet {
-                Some(facet) => (facet.gauge, facet.coefficients),
-                None => (0.0, vec![0.0; self.generators.len()]),
-            };
-            if gauge > 1.0 {
-                for delta in &mut deltas {
-                    *delta /= gauge;
-                }
-            } else if gauge == 0.0 && q != [0.0; D] && self.generators.len() <= FEW {
-                deltas = self.exact_deltas(point);
-            }
-            let missing = self.missing(point, &mut deltas);
+            let missing = self.least_missing(point, &q, &mut lengthened);
             for (more, need) in enlarge.iter_mut().zip(missing) {
                 if need > *more {
                     *more = need;
@@ -200,6 +194,44 @@ impl<'a, const D: usize> Repair<'a, D> {
             }
         }
         (enlarge, worst)
+    }
+
+    /// What the best coefficients found for a point miss of it, in the basis, exactly.
+    fn least_missing(&self, point: &[f64; D], q: &[f64; D], lengthened: &mut Lengthened<'_, D>) -> Vec<Rational> {
+        let mut least: Option<(f64, Vec<Rational>)> = None;
+        let mut keep = |mut deltas: Vec<f64>| {
+            let missing = self.missing(point, &mut deltas);
+            let size = self.size(&missing);
+            if least.as_ref().is_none_or(|(least, _)| size < *least) {
+                least = Some((size, missing));
+            }
+            least.as_ref().map_or(size, |(least, _)| *least)
+        };
+        let mut size = f64::INFINITY;
+        for step in 0..lengthened.steps() {
+            let Some(facet) = lengthened.facet(step, q) else { continue };
+            let reach = facet.gauge.max(1.0);
+            size = keep(facet.coefficients.iter().map(|delta| delta / reach).collect());
+            if facet.gauge > 1.0 - REACHED {
+                break;
+            }
+        }
+        let extent = q.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
+        if size > NEAR * extent {
+            let few = self.generators.len() <= FEW;
+            keep(if few { self.exact_deltas(point) } else { vec![0.0; self.generators.len()] });
+        }
+        least.map_or_else(|| vec![Rational::ZERO; self.scaled.rank], |(_, missing)| missing)
+    }
+
+    /// The longest of what is missing along each direction of the basis, roughly.
+    fn size(&self, missing: &[Rational]) -> f64 {
+        let exponents = self.basis.iter().map(|&b| self.scaled.directions[b].exponent);
+        let sizes = missing.iter().zip(exponents).map(|(m, exponent)| {
+            let unit = Dyadic::new(1.into(), exponent - self.scaled.exponent).to_rational();
+            (m * unit).to_f64_fast()
+        });
+        sizes.fold(0.0, f64::max)
     }
 
     /// In units of the scaled problem.
@@ -260,15 +292,15 @@ impl<'a, const D: usize> Repair<'a, D> {
             deltas.copy_from_slice(&improved);
             best = residual;
         }
-        let best: Vec<Rational> = best.iter().map(Dyadic::to_rational).collect();
-        let row = |row: &Vec<Rational>| row.iter().zip(&best).fold(Rational::ZERO, |sum, (m, r)| sum + m * r);
-        self.exact_inverse
-            .iter()
-            .map(|r| {
-                let x = row(r);
-                if x < Rational::ZERO { -x } else { x }
-            })
-            .collect()
+        self.in_basis(&best)
+    }
+
+    /// How much of each direction of the basis a vector is, either way.
+    fn in_basis(&self, vector: &[Dyadic]) -> Vec<Rational> {
+        let vector: Vec<Rational> = vector.iter().map(Dyadic::to_rational).collect();
+        let entry = |row: &Vec<Rational>| row.iter().zip(&vector).fold(Rational::ZERO, |sum, (m, v)| sum + m * v);
+        let entries = self.exact_inverse.iter().map(entry);
+        entries.map(|x| if x < Rational::ZERO { -x } else { x }).collect()
     }
 
     /// Adds to the coefficients of independent generators with room what makes up for a residual, as far as the room goes.
@@ -315,118 +347,37 @@ impl<'a, const D: usize> Repair<'a, D> {
         rest
     }
 
-    /// Coefficients from the rational program: maximise t with Σ δ_i c_i v_i = t (point − p); those of t = 1 if it is reached.
+    /// Coefficients from the rational program: what Σ δ_i c_i v_i misses of point − p, in the basis, costs least.
     fn exact_deltas(&self, point: &[f64; D]) -> Vec<f64> {
         let coordinates = &self.scaled.coordinates;
         let count = self.generators.len();
-        let mut columns = Vec::with_capacity(2 * count + 1);
-        for (i, (direction, &c)) in self.scaled.directions.iter().zip(&self.coefficients).enumerate() {
-            let v = &self.problem.directions()[direction.index];
-            let generator: Vec<Rational> = coordinates.iter().map(|&a| rational(c) * rational(v[a])).collect();
-            for sign in [Rational::ONE, -Rational::ONE] {
-                let mut inequalities = vec![Rational::ZERO; count];
-                inequalities[i] = Rational::ONE;
-                let equalities = generator.iter().map(|g| g * &sign).collect();
-                columns.push(Column { inequalities, equalities, gain: Rational::ZERO });
-            }
+        let mut columns = Vec::with_capacity(2 * (count + self.basis.len()) + 1);
+        let mut add = |limited: usize, along: &dyn Fn(usize) -> Rational, gain: &Rational| {
+            let inequalities = (0..=count).map(|i| Rational::from(u8::from(i == limited))).collect();
+            let equalities = coordinates.iter().map(|&a| along(a)).collect();
+            columns.push(Column { inequalities, equalities, gain: gain.clone() });
+        };
+        let index = |i: usize| self.scaled.directions[i].index;
+        let along = |i: usize, a: usize| rational(self.problem.directions()[index(i)][a]);
+        let weight = |i: usize| rational(self.problem.weights()[index(i)]);
+        for (i, &c) in self.coefficients.iter().enumerate() {
+            add(i, &|a| rational(c) * along(i, a), &Rational::ZERO);
+            add(i, &|a| -rational(c) * along(i, a), &Rational::ZERO);
         }
-        let back = coordinates.iter().map(|&a| rational(self.center[a]) - rational(point[a])).collect();
-        columns.push(Column { inequalities: vec![Rational::ZERO; count], equalities: back, gain: Rational::ONE });
-        let Some(optimum) = maximize(&columns, &vec![Rational::ONE; count], coordinates.len()) else {
+        for &b in &self.basis {
+            add(usize::MAX, &|a| along(b, a), &-weight(b));
+            add(usize::MAX, &|a| -along(b, a), &-weight(b));
+        }
+        // Whole at once the basis reaches the point for less than this, so to reach it always pays.
+        let whole = self.in_basis(&self.residual(point, &[]));
+        let cost = self.basis.iter().zip(whole).fold(Rational::ONE, |sum, (&b, x)| sum + weight(b) * x);
+        add(count, &|a| rational(self.center[a]) - rational(point[a]), &cost);
+        let Some(optimum) = maximize(&columns, &vec![Rational::ONE; count + 1], coordinates.len()) else {
             return vec![0.0; count];
         };
-        let reach = optimum.value.max(Rational::ONE);
         let pairs = optimum.solution.chunks_exact(2).take(count);
-        pairs.map(|pair| ((&pair[0] - &pair[1]) / &reach).to_f64_fast().clamp(-1.0, 1.0)).collect()
+        pairs.map(|pair| (&pair[0] - &pair[1]).to_f64_fast().clamp(-1.0, 1.0)).collect()
     }
-}
-
-/// Independent vectors, long ones first: indices, as many as the first `rank` coordinates allow.
-fn independent<const D: usize>(rank: usize, vectors: &[[f64; D]]) -> Vec<usize> {
-    let mut rest = vectors.to_vec();
-    let mut chosen = Vec::with_capacity(rank);
-    for _ in 0..rank {
-        let Some(best) = (0..rest.len()).max_by(|&a, &b| dot(&rest[a], &rest[a]).total_cmp(&dot(&rest[b], &rest[b])))
-        else {
-            break;
-        };
-        let length = dot(&rest[best], &rest[best]).sqrt();
-        if length.is_nan() || length <= 0.0 {
-            break;
-        }
-        let unit = rest[best].map(|c| c / length);
-        for v in &mut rest {
-            let along = dot(v, &unit);
-            *v = std::array::from_fn(|c| v[c] - along * unit[c]);
-        }
-        rest[best] = [0.0; D];
-        chosen.push(best);
-    }
-    chosen
-}
-
-/// A basis of directions with long generators, independent beyond doubt; by exact elimination where floating point leaves any.
-fn long_basis<const D: usize>(
-    problem: &FixedDirections<'_, D>,
-    scaled: &Scaled<D>,
-    generators: &[[f64; D]],
-) -> Vec<usize> {
-    let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt().max(f64::MIN_POSITIVE);
-    let lengthened: Vec<[f64; D]> = generators
-        .iter()
-        .zip(&scaled.directions)
-        .map(|(g, d)| std::array::from_fn(|c| g[c] / longest + 1e-3 * d.vector[c]))
-        .collect();
-    let basis = independent(scaled.rank, &lengthened);
-    let exactly = |basis: &[usize]| {
-        let vectors: Vec<[f64; D]> = basis.iter().map(|&b| problem.directions()[scaled.directions[b].index]).collect();
-        Span::of(&vectors).dimension()
-    };
-    if basis.len() == scaled.rank && exactly(&basis) == scaled.rank {
-        return basis;
-    }
-    let mut basis = Vec::with_capacity(scaled.rank);
-    for candidate in 0..scaled.directions.len() {
-        basis.push(candidate);
-        if exactly(&basis) < basis.len() {
-            basis.pop();
-        }
-    }
-    basis
-}
-
-/// The inverse of the matrix with the basis for columns, row by row, in units of the input.
-fn exact_inverse<const D: usize>(
-    problem: &FixedDirections<'_, D>,
-    scaled: &Scaled<D>,
-    basis: &[usize],
-) -> Vec<Vec<Rational>> {
-    let rank = basis.len();
-    let mut rows: Vec<Vec<Rational>> = scaled
-        .coordinates
-        .iter()
-        .enumerate()
-        .map(|(r, &c)| {
-            let left = basis.iter().map(|&b| rational(problem.directions()[scaled.directions[b].index][c]));
-            left.chain((0..rank).map(|k| if k == r { Rational::ONE } else { Rational::ZERO })).collect()
-        })
-        .collect();
-    for column in 0..rank {
-        let Some(pivot) = (column..rank).find(|&row| !rows[row][column].is_zero()) else { continue };
-        rows.swap(column, pivot);
-        let head = rows[column][column].clone();
-        let pivot_row: Vec<Rational> = rows[column].iter().map(|v| v / &head).collect();
-        for row in rows.iter_mut() {
-            let factor = row[column].clone();
-            if !factor.is_zero() {
-                for (v, p) in row.iter_mut().zip(&pivot_row) {
-                    *v -= &factor * p;
-                }
-            }
-        }
-        rows[column] = pivot_row;
-    }
-    rows.into_iter().map(|row| row[rank..].to_vec()).collect()
 }
 
 /// Σ w_i c_i, rounded up; infinite above the largest double.

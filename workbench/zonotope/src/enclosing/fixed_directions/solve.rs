@@ -124,17 +124,18 @@ impl<const D: usize> Proof<'_, D> {
                 let two = Dyadic::new(1.into(), -exponent).to_rational();
                 (exact * two).to_f64_fast()
             };
+            // Where free directions suffice they do so, twice as long, around the first point, and no rounding of a centre costs anything.
+            let is_free = optimum.value.is_zero();
             let first = self.problem.points()[0];
-            let center = std::array::from_fn(|i| {
-                self.scaled
-                    .coordinates
-                    .get(i)
-                    .map_or(0.0, |&c| scaled(&(&optimum.center[c] - rational(first[c])), self.scaled.exponent))
+            let center = std::array::from_fn(|i| match self.scaled.coordinates.get(i) {
+                Some(&c) if !is_free => scaled(&(&optimum.center[c] - rational(first[c])), self.scaled.exponent),
+                _ => 0.0,
             });
+            let longer = i64::from(is_free);
             let coefficients: Vec<f64> = kept
                 .iter()
                 .zip(&optimum.coefficients)
-                .map(|(d, c)| scaled(c, self.scaled.exponent - d.exponent))
+                .map(|(d, c)| scaled(c, self.scaled.exponent - d.exponent - longer))
                 .collect();
             let (candidate, worst) = self.around(center, &coefficients, &mut generation.map)?;
             answer.effort.exact = true;

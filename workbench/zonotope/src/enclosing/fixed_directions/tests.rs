@@ -119,3 +119,19 @@ dimensions! {
     in_space: 3, 3, 7;
     in_four_dimensions: 4, 4, 7;
 }
+
+#[test]
+fn flat_zonotopes_and_points_off_them_by_rounding() {
+    let points = [[0.0, 3.0, -2.0, 3.0], [0.0, 2.0, 3.0, -3.0], [1.0, 1.0, 1.0, -2.0]];
+    let directions = [[0.0, 0.0, 1.0, 0.0], [-1.0, 0.0, -1.0, 1.0], [3.0, 0.0, 0.0, 0.0], [0.0, 3.0, 1.0, 2.0]];
+    check(&points, &directions, &[0.0, 1.0, 1.0, 1.0], true).expect("the three others hold a triangle");
+    let points = [[3.0, -2.0, -2.0], [0.0, 0.0, 0.0], [3.0, 0.0, -2.0]];
+    let directions = [[-3.0, 1.0, 2.0], [0.0, 0.0, 1.0], [3.0, 2.0, -2.0]];
+    check(&points, &directions, &[1.0; 3], true).expect("two of the three hold a triangle");
+}
+
+#[test]
+fn what_free_directions_reach_costs_nothing() {
+    let points = [[1.0, 3.0, -3.0], [-3.0, -3.0, 3.0]];
+    check(&points, &[[2.0, 3.0, -3.0], [-3.0, 0.0, -2.0]], &[0.0, 1.0], true).expect("the first one holds both");
+}
