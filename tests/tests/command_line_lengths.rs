@@ -181,7 +181,7 @@ fn wrong_answers_do_not_pass_verification() {
 
     let scaled = |value: &Value, factor: f64| Value::from(value.as_f64().expect("a number") * factor);
     type Spoil = fn(&mut Value, &dyn Fn(&Value, f64) -> Value);
-    let spoils: [(usize, &str, Spoil); 14] = [
+    let spoils: [(usize, &str, Spoil); 15] = [
         (0, "value", |r, scaled| r["value"] = scaled(&r["value"], 1.0 + 1e-10)),
         (0, "bound", |r, scaled| r["lower_bound"] = scaled(&r["lower_bound"], 1.0 + 1e-14)),
         (0, "weak bound", |r, scaled| r["lower_bound"] = scaled(&r["lower_bound"], 0.5)),
@@ -194,6 +194,7 @@ fn wrong_answers_do_not_pass_verification() {
         (2, "length", |r, scaled| r["length"] = scaled(&r["length"], 1.0 - 1e-10)),
         (2, "bound", |r, scaled| r["lower_bound"] = scaled(&r["lower_bound"], 1.0 + 1e-9)),
         (2, "ratio", |r, _| r["ratio"] = json!(1.0)),
+        (2, "outcome", |r, _| r["within_epsilon"] = json!(false)),
         (2, "generator", |r, _| r["generators"][0] = json!([0, 0, 0])),
         (2, "force", |r, _| r["certificate"]["forces"][0]["point"] = json!(99)),
     ];
@@ -206,5 +207,26 @@ fn wrong_answers_do_not_pass_verification() {
         let wrong: Vec<usize> =
             (0..).zip(verdicts.lines()).filter(|(_, line)| line.contains("\tWRONG\t")).map(|(at, _)| at).collect();
         assert_eq!(wrong, [index], "{what}: {verdicts}");
+    }
+}
+
+/// Far from the origin no centre in doubles is near enough for a precision of 1e-12: the answer holds, but it is not what was asked for.
+#[test]
+fn an_answer_above_one_plus_epsilon_says_so() {
+    let folder = folder();
+    let [points, answer] = ["far.csv", "answer.json"].map(|name| folder.path().join(name));
+    fs::write(&points, "1e9 0 3\n1000000001 0.5 3\n1e9 1 2.7\n".replace(' ', ",")).expect("written");
+    for (epsilon, is_within) in [("1e-12", false), ("1e-4", true)] {
+        let output = zonobench()
+            .arg("enclose")
+            .arg(&points)
+            .args(["--epsilon", epsilon, "--force", "--json"])
+            .arg(&answer)
+            .assert()
+            .success();
+        let text = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+        assert_eq!(text.contains("above 1 + epsilon: the search ended before"), !is_within, "{text}");
+        let answer: Value = serde_json::from_slice(&fs::read(&answer).expect("written")).expect("JSON");
+        assert_eq!(answer["result"]["within_epsilon"], json!(is_within));
     }
 }

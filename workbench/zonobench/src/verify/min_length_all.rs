@@ -31,6 +31,8 @@ pub struct MinLengthAnswer {
     pub lower_bound: f64,
     /// The claimed `length` / `lower_bound`.
     pub ratio: f64,
+    /// The claim that the length is at most 1 + ε times the lower bound, or that it is not, if there is one.
+    pub within_epsilon: Option<bool>,
     /// The proof of the bound: points, from 0, and the vector that pulls at each.
     pub forces: Vec<(usize, Vec<f64>)>,
 }
@@ -44,9 +46,11 @@ pub struct MinLengthProof {
     pub proven_bound: f64,
     /// The length over that bound, rounded; 1 when both are 0.
     pub ratio: f64,
+    /// Whether the length is at most 1 + ε times the lower bound.
+    pub is_within: bool,
 }
 
-/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the shortest; or says what fails. `None` if there are too many
+/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the shortest or says that it is not; or says what fails. `None` if there are too many
 /// facets, or vertices of the zonotope of the forces, to go through.
 ///
 /// `length` and `ratio` may differ from their exact values by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
@@ -88,6 +92,7 @@ pub fn check_min_length_all(
     let bound = bound.times(&unit);
     check_bound(answer.lower_bound, &bound)?;
     check_ratio(answer)?;
+    let mut is_within = true;
     if answer.length.is_finite() {
         let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
         let rounding = Proportion::of_double(largest)
@@ -96,12 +101,16 @@ pub fn check_min_length_all(
         let allowed = Proportion::of_double(answer.lower_bound)
             .times(&Proportion::of_double(1.0).plus(&Proportion::of_double(epsilon)))
             .plus(&rounding);
-        if Proportion::of_double(answer.length).compare(&allowed) == Ordering::Greater {
+        is_within = Proportion::of_double(answer.length).compare(&allowed) != Ordering::Greater;
+        if !is_within && answer.within_epsilon != Some(false) {
             return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio));
+        }
+        if answer.within_epsilon == Some(false) && answer.ratio < (1.0 + epsilon) * (1.0 - RELATIVE_ERROR) {
+            return Err(format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio));
         }
     }
     let ratio = length.over(&bound).map_or(1.0, |ratio| ratio.near());
-    Ok(Some(MinLengthProof { length: length.near(), proven_bound: bound.near(), ratio }))
+    Ok(Some(MinLengthProof { length: length.near(), proven_bound: bound.near(), ratio, is_within }))
 }
 
 fn check_ratio(answer: &MinLengthAnswer) -> Result<(), String> {
@@ -169,6 +178,7 @@ mod tests {
             generators: vec![vec![0.5, 0.5], vec![0.5, -0.5]],
             lower_bound: 2.0_f64.sqrt().next_down(),
             ratio: 1.0,
+            within_epsilon: Some(true),
             forces: diamond().into_iter().enumerate().collect(),
         }
     }
@@ -187,7 +197,12 @@ mod tests {
         weak.forces.truncate(2);
         weak.lower_bound = 1.0;
         weak.ratio = weak.length;
-        assert!(complaint(weak).contains("above 1 + epsilon"));
+        assert!(complaint(weak.clone()).contains("above 1 + epsilon"));
+        assert!(complaint(MinLengthAnswer { within_epsilon: None, ..weak.clone() }).contains("above 1 + epsilon"));
+        let honest = MinLengthAnswer { within_epsilon: Some(false), ..weak };
+        let proof = check_min_length_all(&diamond(), 1e-9, &honest).expect("right").expect("small");
+        assert!(!proof.is_within && proof.ratio > 1.4);
+        assert!(complaint(MinLengthAnswer { within_epsilon: Some(false), ..answer() }).contains("within_epsilon"));
         assert!(complaint(MinLengthAnswer { length: 1.414_213_563, ..answer() }).contains("length"));
         assert!(complaint(MinLengthAnswer { center: vec![1e-9, 0.0], ..answer() }).contains("outside"));
         let mut unbalanced = answer();
@@ -206,6 +221,7 @@ mod tests {
             generators: vec![],
             lower_bound: 0.0,
             ratio: 1.0,
+            within_epsilon: Some(true),
             forces: vec![],
         };
         assert!(check_min_length_all(&[vec![3.0]], 0.5, &nothing).is_ok());

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use zonotope::enclosing::min_total_length::{
-    MinLengthError, MinLengthZonotope, Net, by_column_generation, by_direction_net,
+    MinLengthError, MinLengthZonotope, Net, Outcome, by_column_generation, by_direction_net,
 };
 
 use super::{Kind, Solution};
@@ -71,6 +71,7 @@ pub(crate) fn result<const D: usize>(found: &MinLengthZonotope<D>) -> Value {
         "generators": generators,
         "lower_bound": to_json(found.lower_bound),
         "ratio": to_json(found.ratio),
+        "within_epsilon": found.outcome == Outcome::WithinEpsilon,
         "certificate": {"forces": forces},
     })
 }

@@ -103,7 +103,9 @@ fn summary(
         let of_all = if directions.is_some() { "along these directions" } else { "around the points" };
         table.row("lower bound", format!("{}, for every zonotope {of_all}", figure(bound)));
         let ratio = if length == bound { 1.0 } else { length / bound };
-        table.row("ratio", format!("{ratio:.12}, proven: none is shorter by more"));
+        let is_short = result["within_epsilon"].as_bool() == Some(false);
+        let above = if is_short { "; above 1 + epsilon: the search ended before" } else { "" };
+        table.row("ratio", format!("{ratio:.12}, proven: none is shorter by more{above}"));
     } else {
         table.row("outcome", "no zonotope along these directions contains the points".to_owned());
     }

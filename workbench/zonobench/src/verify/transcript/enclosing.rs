@@ -3,7 +3,7 @@
 use dashu_int::IBig;
 
 use super::Verdict;
-use super::reading::{exact_numbers, float, fraction, index, indices, member, planar, text, vector, vectors};
+use super::reading::{boolean, exact_numbers, float, fraction, index, indices, member, planar, text, vector, vectors};
 use crate::json::Tree;
 use crate::verify::{
     Certificate, Directed, DirectedAnswer, DirectedProof, ExactMinArea, MinAreaAnswer, MinLengthAnswer,
@@ -103,14 +103,22 @@ pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, Str
         generators: vectors(member(result, "generators")?, "generators")?,
         lower_bound: float(result, "lower_bound")?,
         ratio: float(result, "ratio")?,
+        within_epsilon: result.field("within_epsilon").map(|_| boolean(result, "within_epsilon")).transpose()?,
         forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
     };
     let count = points.len();
     Ok(match check_min_length_all(&points, float(input, "epsilon")?, &answer)? {
-        Some(proof) => Verdict::Right(format!(
-            "contains all {count} points; length {:?}, proven to be at most {:.12} times the least",
-            proof.length, proof.ratio
-        )),
+        Some(proof) => {
+            let proved = format!(
+                "contains all {count} points; length {:?}, proven to be at most {:.12} times the least",
+                proof.length, proof.ratio
+            );
+            if proof.is_within {
+                Verdict::Right(proved)
+            } else {
+                Verdict::Unchecked(format!("{proved}, which is above 1 + epsilon, as the answer says"))
+            }
+        }
         None => Verdict::Unchecked(TOO_MANY.to_owned()),
     })
 }

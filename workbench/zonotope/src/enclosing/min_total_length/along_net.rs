@@ -34,5 +34,5 @@ pub(super) fn least_along<const D: usize>(
     best.improve(rank, &frame.points, balanced(&pulls), f64::INFINITY);
     let inner = Inner::along(&generation);
     let progress = vec![[inner.upper, best.lower]];
-    finish(points, &frame, inner, &best, progress, tried)
+    finish(points, &frame, inner, &best, progress, tried, epsilon)
 }

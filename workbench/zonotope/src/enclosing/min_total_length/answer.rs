@@ -32,6 +32,15 @@ pub enum MinLengthError {
     OutOfRange,
 }
 
+/// Whether the ratio that was asked for is proven.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// The ratio is at most 1 + ε.
+    WithinEpsilon,
+    /// The search ended before, and the ratio is above 1 + ε: proven all the same, but not what was asked for.
+    EndedBefore,
+}
+
 /// A zonotope that contains every point exactly, its total length within a stated ratio of the least possible.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MinLengthZonotope<const D: usize> {
@@ -43,6 +52,8 @@ pub struct MinLengthZonotope<const D: usize> {
     pub lower_bound: f64,
     /// `length` / `lower_bound`, rounded up; 1 when both are zero.
     pub ratio: f64,
+    /// Whether `ratio` is what was asked for.
+    pub outcome: Outcome,
     /// What proves the lower bound.
     pub forces: Vec<LengthForce<D>>,
     /// The length of the best zonotope and the lower bound after each round.

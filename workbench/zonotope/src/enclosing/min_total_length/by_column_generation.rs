@@ -4,7 +4,8 @@
 //! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains every point exactly, its total
 //! length (the sum of the half-lengths of its generators), and a lower bound for all zonotopes around the points, whose ratio is
 //! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 400 points that the zonotope touches; rounding: ε about 1e-9 for bodies thinner than
-//! 1e-6 of their length or with points as near to each other, and a centre in doubles for points far from the origin): the ratio is always proven and told.
+//! 1e-6 of their length or with points as near to each other, and a centre in doubles for points far from the origin): the ratio is always proven and
+//! told, and so is whether it is at most 1 + ε ([`Outcome`]).
 //!
 //! # Source
 //! The problem of Section 4.3, over all directions rather than a net. The dual: vectors λ_j at the points with Σ λ_j = 0 that maximise Σ λ_j · p_j while
@@ -56,7 +57,7 @@
 //! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 //! ```
 
-use super::answer::{MinLengthError, MinLengthZonotope};
+use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::best_center::least_in_plane;
 use super::finish::{around_equal_points, finish, proven, validate};
 use super::frame::Frame;
@@ -112,11 +113,11 @@ fn around_outer<const D: usize>(
         2 => {
             let (inner, progress) = least_in_plane(&frame, epsilon, &mut best);
             let directions = inner.generators.len();
-            finish(points, &frame, inner, &best, progress, directions)
+            finish(points, &frame, inner, &best, progress, directions, epsilon)
         }
         _ => {
             let answer = around_hull(points, &frame, epsilon, Begin::WithFew, &mut best, tally)?;
-            if answer.ratio <= 1.0 + epsilon || points.len() > FEW {
+            if answer.outcome == Outcome::WithinEpsilon || points.len() > FEW {
                 return Ok(answer);
             }
             // Points that join late, near others, may upset the search; it is hardly dearer with all of few from the beginning.
@@ -124,7 +125,7 @@ fn around_outer<const D: usize>(
             let directions = answer.directions + other.directions;
             let shorter = if other.length < answer.length { other } else { answer };
             let around = (shorter.zonotope, shorter.length);
-            Ok(proven(points, &frame, around, &best, shorter.progress, directions))
+            Ok(proven(points, &frame, around, &best, shorter.progress, directions, epsilon))
         }
     }
 }
@@ -143,14 +144,14 @@ fn around_hull<const D: usize>(
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let found = least_by_sides(frame, epsilon, begin, best, tally);
     let starts = starts(&found.inner.generators, found.sharpest);
-    let answer = finish(points, frame, found.inner, best, found.progress, found.sides)?;
-    if answer.ratio <= 1.0 + epsilon {
+    let answer = finish(points, frame, found.inner, best, found.progress, found.sides, epsilon)?;
+    if answer.outcome == Outcome::WithinEpsilon {
         return Ok(answer);
     }
     let other = sharpened(points, frame, starts, epsilon, best);
     let MinLengthZonotope { zonotope, length, progress, .. } = answer;
     let around = other.filter(|other| other.1 < length).unwrap_or((zonotope, length));
-    Ok(proven(points, frame, around, best, progress, found.sides))
+    Ok(proven(points, frame, around, best, progress, found.sides, epsilon))
 }
 
 /// Forces that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.

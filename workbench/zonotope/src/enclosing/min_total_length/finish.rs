@@ -1,6 +1,6 @@
 //! From a zonotope in the frame and forces to a proven answer: what the methods share.
 
-use super::answer::{MinLengthError, MinLengthZonotope};
+use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::containment::around;
 use super::frame::Frame;
 use super::lower_bound::Best;
@@ -46,11 +46,12 @@ pub(super) fn finish<const D: usize>(
     best: &Best<D>,
     progress: Vec<[f64; 2]>,
     directions: usize,
+    epsilon: f64,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let around = around(points, frame, &inner).ok_or(MinLengthError::OutOfRange)?;
     let in_units = |v: f64| scale_by_power_of_two(v, frame.exponent);
     let progress = progress.into_iter().map(|bounds| bounds.map(in_units)).collect();
-    Ok(proven(points, frame, around, best, progress, directions))
+    Ok(proven(points, frame, around, best, progress, directions, epsilon))
 }
 
 /// A zonotope around the points and its length, with the proof of what is best.
@@ -61,10 +62,12 @@ pub(super) fn proven<const D: usize>(
     best: &Best<D>,
     progress: Vec<[f64; 2]>,
     directions: usize,
+    epsilon: f64,
 ) -> MinLengthZonotope<D> {
     let (lower_bound, forces) = best.proven(points, frame);
     let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
-    MinLengthZonotope { zonotope, length, lower_bound, ratio, forces, progress, directions }
+    let outcome = if ratio <= 1.0 + epsilon { Outcome::WithinEpsilon } else { Outcome::EndedBefore };
+    MinLengthZonotope { zonotope, length, lower_bound, ratio, outcome, forces, progress, directions }
 }
 
 pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {
@@ -74,6 +77,7 @@ pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result
         length: 0.0,
         lower_bound: 0.0,
         ratio: 1.0,
+        outcome: Outcome::WithinEpsilon,
         forces: Vec::new(),
         progress: Vec::new(),
         directions: 0,

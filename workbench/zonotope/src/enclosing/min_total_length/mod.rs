@@ -9,7 +9,7 @@
 //! | [`by_direction_net`] | fixed directions, O(ε^{−(d−1)}) or O(ε^{−(d−1)/2}) of them | Theorem 4.7, and a better net |
 //! | [`by_column_generation`] | some ten to hundred Newton steps; in a plane some fifty convex hulls | generators as they are needed, their directions free; the default |
 //!
-//! Every answer contains the points exactly and proves its ratio; [`verify`] checks both. [`direction_net`] holds the nets.
+//! Every answer contains the points exactly, proves its ratio and says whether that is what was asked for ([`Outcome`]); [`verify`] checks it. [`direction_net`] holds the nets.
 
 mod along_net;
 mod answer;
@@ -33,7 +33,7 @@ mod sharpening;
 mod sides;
 pub mod verify;
 
-pub use answer::{LengthForce, MinLengthError, MinLengthZonotope};
+pub use answer::{LengthForce, MinLengthError, MinLengthZonotope, Outcome};
 pub use by_column_generation::{min_length_enclosing, min_length_enclosing_counted};
 pub use by_direction_net::Net;
 

@@ -16,6 +16,7 @@ fn contains<const D: usize>(answer: &MinLengthZonotope<D>, points: &[[f64; D]]) 
 fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
     let answer = min_length_enclosing(points, epsilon).expect("finite points");
     prop_assert!(answer.ratio <= 1.0 + epsilon, "{} of {} {:?}", answer.ratio, epsilon, answer.progress);
+    prop_assert_eq!(answer.outcome, Outcome::WithinEpsilon);
     prop_assert!(answer.length <= answer.ratio * answer.lower_bound || answer.length == 0.0);
     prop_assert!(answer.lower_bound <= answer.length);
     if points.len() * answer.zonotope.generators().len() <= 60 {
@@ -130,4 +131,16 @@ fn what_is_refused() {
     assert!(matches!(min_length_enclosing(&[[f64::NAN]], 0.1), Err(MinLengthError::NonFinite { .. })));
     let far = by_direction_net::least_enclosing(&[[0.0; 3], [1.0; 3]], 1e-3, Net::Paper);
     assert!(matches!(far, Err(MinLengthError::TooManyDirections(_))));
+}
+
+#[test]
+fn an_answer_that_is_not_near_enough_says_so() {
+    // far from the origin no centre in doubles is as good as that of the least one
+    let triangle = [[1e9, 0.0, 3.0], [1e9 + 1.0, 0.5, 3.0], [1e9, 1.0, 2.7]];
+    let answer = min_length_enclosing(&triangle, 1e-12).expect("finite");
+    assert!(contains(&answer, &triangle) && answer.lower_bound <= answer.length);
+    assert!(answer.ratio > 1.0 + 1e-12 && answer.ratio < 1.0 + 1e-5, "{}", answer.ratio);
+    assert_eq!(answer.outcome, Outcome::EndedBefore);
+    let coarse = min_length_enclosing(&triangle, 1e-4).expect("finite");
+    assert_eq!(coarse.outcome, Outcome::WithinEpsilon);
 }
