@@ -6,6 +6,8 @@
 //! - h(u) = g · u, or less than 2 Σ |v · u| more where the signs of some v · u are not certain: the gauge is at least u · p / h(u).
 //! - If δ_a and δ_b are within [−1, 1], λ p is in the body: the gauge is at most 1 / λ, and u is optimal. If they leave it by ε_a and ε_b,
 //!   λ p less ε_a v_a + ε_b v_b is in the body, and the gauge is at most (1 + ε_a ‖v_a‖ + ε_b ‖v_b‖) / λ, ‖v‖ ≤ 1 the gauge of v.
+//! - For any δ_a and δ_b in [−1, 1] and any μ, μ p differs by a vector r from a point of the body, and the gauge is at most (1 + ‖r‖) / μ. Where v_a and v_b
+//!   are nearly parallel their coefficients are not known well, and r is small all the same.
 //!
 //! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices is the optimum. Where many
 //! generators are parallel to the facet, or nearly so, what each contributes is chosen such that δ_a and δ_b have room (`shares`).
@@ -37,10 +39,26 @@ pub(super) struct Certain {
     pub(super) along: Bounded,
     /// h(u) − g · u is at most this.
     pub(super) missing: f64,
-    /// By how much δ_a and δ_b may leave [−1, 1].
+    /// By how much δ_a and δ_b may leave [−1, 1]; infinite where u is only near the vertex.
     pub(super) excess: [f64; 2],
+    /// What is left of λ p where they do not.
+    pub(super) rest: Rest,
     /// At least Σ |v|.
     pub(super) magnitude: f64,
+}
+
+/// More error in the direction of a vertex than this part of it makes it a point near a vertex.
+const BLURRED: f64 = 1e-12;
+
+/// The vector g + δ_a v_a + δ_b v_b − μ p for δ_a and δ_b in [−1, 1] and μ near λ.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rest {
+    /// δ_a and δ_b.
+    pub(super) coefficients: [f64; 2],
+    /// At least |·|_1 of it.
+    size: f64,
+    /// At least λ / μ − 1.
+    stretch: f64,
 }
 
 /// Why a vertex is not proved.
@@ -48,8 +66,8 @@ pub(super) struct Certain {
 pub(super) enum Unproved {
     /// Too near to other lines, or to a change of the basis, for doubles.
     Doubt,
-    /// Perhaps outside the cells.
-    Astray,
+    /// Perhaps outside the cell of this problem, and of none before it.
+    Astray(usize),
     /// Many lines meet in the vertex, and the objective falls along this one of the level.
     Falls(usize),
 }
@@ -62,32 +80,58 @@ impl Certain {
         let [a, b] = vectors.map(exact);
         let product = cross(&a, &b);
         let reversed = dot(&product, p).sign().ok_or(Unproved::Doubt)? < 0;
-        let direction = if reversed { product.map(Bounded::negated) } else { product };
-        if !levels.iter().filter_map(|level| level.cell).all(|cell| cell.contains(&direction, p)) {
-            return Err(Unproved::Astray);
+        let vertex = if reversed { product.map(Bounded::negated) } else { product };
+        let largest = |of: fn(&Bounded) -> f64| vertex.iter().map(of).fold(0.0f64, f64::max);
+        // two lines that are nearly parallel: of their vertex less is known than of a point near it
+        let is_rounded = largest(|c| c.error) > BLURRED * largest(|c| c.value.abs());
+        let direction = if is_rounded { exact(between(&vectors, vertex.map(|c| c.value))) } else { vertex };
+        let is_missed = |level: &Reduced| level.cell.is_some_and(|cell| !cell.contains(&direction, p));
+        if let Some(place) = levels.iter().position(is_missed) {
+            return Err(Unproved::Astray(place));
         }
+        let (along, own) = (dot(&direction, p), dot(&vertex, p));
+        let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
         let cell = Cell::around(&direction);
         let mut near = Vec::new();
         let fixed = level.fixed.plus(&cell.split(&level.vectors, |i| near.push(i)));
         near.retain(|&i| i != first && i != second);
-        let along = dot(&direction, p);
-        let least = (along.value - along.error) * (1.0 - 4.0 * UNIT);
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
             Near::new(level, [first, second], near, &direction, &duals, &fixed)?;
         let across = duals.map(|dual| dot(&sum, &dual));
         let sizes = across.map(|value| value.magnitude() / least * (1.0 + 4.0 * UNIT));
-        let excess = sizes.map(|size| (size - 1.0).max(0.0));
+        let excess = if is_rounded { [f64::INFINITY; 2] } else { sizes.map(|size| (size - 1.0).max(0.0)) };
+        let off = |v: &BoundedVector| dot(v, &direction).magnitude();
+        let missing = if is_rounded { (missing + off(&a) + off(&b)) * (1.0 + 8.0 * UNIT) } else { missing };
         let reach = dot(&sum, &direction);
         // NaN is doubt as well
-        let is_useful =
-            least > 0.0 && reach.is_positive() && sizes.iter().all(|size| *size < 2.0) && missing < reach.value;
+        let is_useful = least > 0.0
+            && along.is_positive()
+            && reach.is_positive()
+            && (is_rounded || sizes.iter().all(|size| *size < 2.0))
+            && missing < reach.value - reach.error;
         if !is_useful {
             return Err(Unproved::Doubt);
         }
         let basis = [first, second].map(|i| level.indices[i] as usize);
         let magnitude = fixed.magnitude;
-        Ok(Self { basis, vectors, reversed, direction, sum, shares, shared, reach, along, missing, excess, magnitude })
+        let divisor = if reversed { along.value } else { -along.value };
+        let rest = Rest::new(&sum, &[a, b], across.map(|value| value.value / divisor), [reach, along], p);
+        Ok(Self {
+            basis,
+            vectors,
+            reversed,
+            direction,
+            sum,
+            shares,
+            shared,
+            reach,
+            along,
+            missing,
+            excess,
+            rest,
+            magnitude,
+        })
     }
 
     /// Whether the vertex is the optimum for sure, not only nearly.
@@ -109,8 +153,49 @@ impl Certain {
     pub(super) fn slack(&self, size: f64) -> f64 {
         let gauge = |v: &[f64; 3]| (size * v.iter().map(|c| c.abs()).sum::<f64>()).min(1.0);
         let terms = self.excess.iter().zip(&self.vectors).map(|(excess, v)| excess * gauge(v));
-        terms.sum::<f64>() * (1.0 + 8.0 * UNIT)
+        let by_ends = terms.sum::<f64>() * (1.0 + 8.0 * UNIT);
+        let by_rest = (size * self.rest.size + (1.0 + size * self.rest.size) * self.rest.stretch) * (1.0 + 8.0 * UNIT);
+        // where one is NaN it is the other
+        by_ends.min(by_rest)
     }
+}
+
+impl Rest {
+    /// From g, the two vectors, their coefficients, g · u and p · u.
+    fn new(
+        sum: &BoundedVector,
+        vectors: &[BoundedVector; 2],
+        coefficients: [f64; 2],
+        [reach, along]: [Bounded; 2],
+        p: &BoundedVector,
+    ) -> Self {
+        let factor = reach.value / along.value;
+        let mut coefficients = coefficients.map(|c| c.clamp(-1.0, 1.0));
+        // one after the other, so that what either is off by is the other's to make up for
+        for (i, own) in vectors.iter().enumerate() {
+            let value = |k: usize| vectors.iter().zip(coefficients).map(|(v, c)| v[k].value * c).sum::<f64>();
+            let rest = [0, 1, 2].map(|k| sum[k].value + value(k) - p[k].value * factor);
+            let own = own.map(|c| c.value);
+            let [part, square] = [&rest, &own].map(|v| (0..3).map(|k| v[k] * own[k]).sum::<f64>());
+            coefficients[i] = (coefficients[i] - part / square).clamp(-1.0, 1.0);
+        }
+        let [first, second] = coefficients.map(Bounded::exact);
+        let rest =
+            [0, 1, 2].map(|k| sum[k] + vectors[0][k] * first + vectors[1][k] * second - p[k] * Bounded::exact(factor));
+        let size = rest.iter().map(|c| c.magnitude()).sum::<f64>() * (1.0 + 8.0 * UNIT);
+        // twice what it is to first order, which is more than enough while that is small
+        let off = reach.error / reach.value + along.error / along.value + 8.0 * UNIT;
+        Self { coefficients, size, stretch: if off < 0.25 { 2.0 * off } else { f64::INFINITY } }
+    }
+}
+
+/// A direction near one that is orthogonal to two vectors but for rounding, more nearly so.
+fn between(vectors: &[[f64; 3]; 2], direction: [f64; 3]) -> [f64; 3] {
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    vectors.iter().fold(direction, |u, v| {
+        let part = dot(v, &u) / dot(v, v);
+        [0, 1, 2].map(|k| u[k] - part * v[k])
+    })
 }
 
 /// The generators whose sign at a vertex is not certain, with their part of the sum g.
@@ -195,13 +280,27 @@ mod tests {
     }
 
     #[test]
+    fn nearly_parallel_generators_leave_the_gauge_sharp() {
+        let a = [1.0, 0.3, 0.1];
+        let b = [a[0] + 0.2e-9, a[1] - 0.7e-9, a[2] + 0.4e-9];
+        // u is about (0.19, −0.38, −0.76): Z and Y have a minus
+        let p = [0, 1, 2].map(|k| 0.5 * (0.3 * a[k] - 0.2 * b[k] - Y[k] - Z[k]));
+        let certain = at(&[a, b, Y, Z], p, None).expect("between the two");
+        assert!(!certain.is_vertex() && certain.excess == [f64::INFINITY; 2]);
+        assert_eq!(certain.slack(f64::INFINITY), f64::INFINITY);
+        assert!(certain.slack(1.0) < 1e-12, "{:e}", certain.slack(1.0));
+        let (gauge, error) = (certain.along.value / certain.reach.value, certain.missing / certain.reach.value);
+        assert!((gauge - 0.5).abs() < 1e-9 && error < 1e-12, "{gauge} {error:e}");
+    }
+
+    #[test]
     fn vertices_that_are_not_the_optimum_are_not_proved() {
         let failure = |p, cell| at(&[X, Y, Z], p, cell).map(|_| ()).expect_err("no proof");
         // the ray leaves through a side; p in the plane of the basis; a cell around another direction
         assert_eq!(failure([9.0, 0.0, 1.0], None), Unproved::Doubt);
         assert_eq!(failure([1.0, 1.0, 0.0], None), Unproved::Doubt);
         let elsewhere = Cell { center: [1.0, 0.0, 0.0], axes: None, ball: 0.5 };
-        assert_eq!(failure([0.1, 0.2, 1.0], Some(elsewhere)), Unproved::Astray);
+        assert_eq!(failure([0.1, 0.2, 1.0], Some(elsewhere)), Unproved::Astray(0));
     }
 
     #[test]

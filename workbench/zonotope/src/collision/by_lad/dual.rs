@@ -357,7 +357,7 @@ impl Combination {
 }
 
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
-fn well_spread(question: &Displacement<'_, 3>) -> Option<[usize; 3]> {
+pub(super) fn well_spread(question: &Displacement<'_, 3>) -> Option<[usize; 3]> {
     let step = question.len().div_ceil(PICKS).max(1);
     let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
         let keyed = (0..question.len()).step_by(step).map(|i| (key(&question.generator(i)), i));

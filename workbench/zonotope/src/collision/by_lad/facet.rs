@@ -68,16 +68,8 @@ impl Proof {
         trail: Trail,
         sharp: bool,
     ) -> Result<Self, (Box<Certain>, Trail)> {
-        let mut slack = certain.slack(f64::INFINITY);
-        let mut judged = judge(&certain, slack, sharp);
-        for share in PARTS {
-            if judged.is_none() && slack > 0.0 {
-                slack = certain.slack(thickness(question, share));
-                judged = judge(&certain, slack, sharp);
-            }
-        }
-        match judged {
-            Some(order) => Ok(Self { certain, trail, slack, order }),
+        match verdict(question, &certain, sharp) {
+            Some((order, slack)) => Ok(Self { certain, trail, slack, order }),
             None => Err((certain, trail)),
         }
     }
@@ -85,6 +77,19 @@ impl Proof {
     fn value(&self) -> (f64, f64) {
         gauge(&self.certain, self.slack)
     }
+}
+
+/// How the gauge compares to 1, and what the gauge times λ exceeds 1 by at most.
+fn verdict(question: &Displacement<'_, 3>, certain: &Certain, sharp: bool) -> Option<(Ordering, f64)> {
+    let mut slack = certain.slack(f64::INFINITY);
+    let mut judged = judge(certain, slack, sharp);
+    for share in PARTS {
+        if judged.is_none() && slack > 0.0 {
+            slack = certain.slack(thickness(question, share));
+            judged = judge(certain, slack, sharp);
+        }
+    }
+    judged.map(|order| (order, slack))
 }
 
 fn judge(certain: &Certain, slack: f64, sharp: bool) -> Option<Ordering> {
@@ -150,7 +155,8 @@ impl Kind {
         if p.iter().all(|c| c.value == 0.0) {
             return Self::Center;
         }
-        match search(question, &p, until_separated, tally) {
+        let is_enough = |certain: &Certain| verdict(question, certain, !until_separated).is_some();
+        match search(question, &p, until_separated, &is_enough, tally) {
             Found::Separated(direction) => Self::Separated(direction),
             Found::Certain(certain, trail) => match Proof::new(question, certain, trail, !until_separated) {
                 Ok(proof) => Self::Certain(proof),
@@ -288,9 +294,13 @@ fn separation(certain: &Certain, p: &BoundedVector) -> Option<Separation<3>> {
 /// The gauge is known to one part in 2^36; where terms of the reach cancel, the exact one is taken instead.
 const SHARP: f64 = 65536.0 * f64::EPSILON;
 
-/// a / b for a and b positive, with a bound for its error.
+/// a / b for a and b positive, with a bound for its error; infinite where b may be zero.
 fn quotient(a: Bounded, b: Bounded) -> (f64, f64) {
     let value = a.value / b.value;
-    let error = (a.error + value * b.error) / (b.value - b.error) + value * f64::EPSILON;
+    let least = b.value - b.error;
+    if least.is_nan() || least <= 0.0 {
+        return (value, f64::INFINITY);
+    }
+    let error = (a.error + value * b.error) / least + value * f64::EPSILON;
     (value, error * (1.0 + 8.0 * f64::EPSILON) + f64::MIN_POSITIVE)
 }

@@ -5,6 +5,7 @@
 //! leaves its own end, which it may as far as c can grow towards 1.
 
 use super::certain::Certain;
+use super::dual::well_spread;
 use super::trail::Trail;
 use crate::collision::{Displacement, Witness};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
@@ -63,7 +64,8 @@ pub(super) fn witness(
             enough = 0.0;
         }
     }
-    if best.margin > 0.0 { prove(question, certain, trail, p, best) } else { None }
+    let proved = if best.margin > 0.0 { prove(question, certain, trail, p, best) } else { None };
+    proved.or_else(|| prove_by_others(question, certain, trail, p, inverse))
 }
 
 /// The proof by an attempt, if rounding leaves no doubt of it.
@@ -78,26 +80,70 @@ fn prove(
     let [a, b] = certain.vectors.map(bounded::exact);
     let c = bounded::exact(question.generator(third));
     let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
-    let normals = [bounded::cross(&b, &c), bounded::cross(&c, &a), bounded::cross(&a, &b)];
-    let determinant = bounded::dot(&c, &normals[2]);
-    let negative = determinant.sign()? < 0;
-    let determinant = if negative { determinant.negated() } else { determinant };
     // the coefficients of those that share are rounded
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
     let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
-    let numerators = [0, 1, 2].map(|i| bounded::dot(&rest, &normals[i]));
-    numerators.iter().all(|n| n.is_within(determinant)).then_some(())?;
+    let own = solve(&[a, b, c], &rest)?;
     let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
     for &(index, share) in &certain.shares {
         coefficients[index] = share * factor;
     }
     let mut basis = vec![certain.basis[0], certain.basis[1], third];
-    for (&index, numerator) in basis.iter().zip(numerators) {
-        let value = numerator.value / determinant.value;
-        coefficients[index] = if negative { -value } else { value };
+    for (&index, value) in basis.iter().zip(own) {
+        coefficients[index] = value;
     }
     basis.sort_unstable();
     Some(Witness { coefficients, basis })
+}
+
+/// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
+fn prove_by_others(
+    question: &Displacement<'_, 3>,
+    certain: &Certain,
+    trail: &Trail,
+    p: &BoundedVector,
+    factor: f64,
+) -> Option<Witness> {
+    let basis = well_spread(question)?;
+    let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
+    basis.iter().all(is_other).then_some(())?;
+    let signs = basis.map(|i| trail.sign(question, &certain.cell(), i));
+    let vectors = basis.map(|i| bounded::exact(question.generator(i)));
+    let pair = certain.vectors.map(bounded::exact);
+    let parts = certain.rest.coefficients;
+    // the coefficients of those that share, and of the two of the vertex, are rounded
+    let size = certain.shared + certain.vectors.as_flattened().iter().map(|c| c.abs()).sum::<f64>();
+    let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * size + f64::MIN_POSITIVE) };
+    let rest = [0, 1, 2].map(|k| {
+        let ends = pair[0][k] * Bounded::exact(parts[0]) + pair[1][k] * Bounded::exact(parts[1]);
+        let own = (0..3).map(|i| vectors[i][k] * Bounded::exact(-signs[i]));
+        let off = own.fold(certain.sum[k] + ends, |sum, term| sum + term);
+        p[k] - off * Bounded::exact(factor) + rounded
+    });
+    let own = solve(&vectors, &rest)?;
+    let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
+    let shares = certain.shares.iter().copied().chain(certain.basis.into_iter().zip(parts));
+    for (index, share) in shares {
+        coefficients[index] = share * factor;
+    }
+    let mut basis = basis.to_vec();
+    for (&index, value) in basis.iter().zip(own) {
+        coefficients[index] = value;
+    }
+    basis.sort_unstable();
+    Some(Witness { coefficients, basis })
+}
+
+/// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).
+fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3]> {
+    let normals = [bounded::cross(b, c), bounded::cross(c, a), bounded::cross(a, b)];
+    let determinant = bounded::dot(c, &normals[2]);
+    let negative = determinant.sign()? < 0;
+    let determinant = if negative { determinant.negated() } else { determinant };
+    let numerators = normals.map(|normal| bounded::dot(rest, &normal));
+    let is_within = numerators.iter().all(|n| n.is_within(determinant));
+    let sign = if negative { -1.0 } else { 1.0 };
+    is_within.then(|| numerators.map(|n| sign * n.value / determinant.value))
 }
 
 /// The attempt with its margin.
@@ -161,6 +207,24 @@ mod tests {
             let p = [top[0] + x, top[1] + y, top[2]].map(|c| c * 0.99);
             let witness = prove(&body, p).unwrap_or_else(|| panic!("{x} {y}"));
             assert!(witness.basis.iter().all(|index| *index < 6), "{witness:?}");
+        }
+    }
+
+    #[test]
+    fn where_the_two_of_the_vertex_are_nearly_parallel_others_make_up_for_them() {
+        let a = [1.0, 0.3, 0.1];
+        let b = [a[0] + 0.2e-9, a[1] - 0.7e-9, a[2] + 0.4e-9];
+        let normal = cross(&a, &b);
+        let others = [[0.3, 0.6, 2.7], [0.0, 3.0, 0.3], [1.2, -0.9, 1.5], [-0.6, 1.8, 0.9]];
+        let body: Vec<[f64; 3]> = [a, b].into_iter().chain(others).collect();
+        let top = others.iter().fold([0.0; 3], |sum, v| {
+            let sign = f64::copysign(1.0, dot(v, &normal));
+            [0, 1, 2].map(|k| sum[k] + sign * v[k])
+        });
+        for factor in [0.5, 0.9, 1.0 - 1e-9] {
+            let p = [0, 1, 2].map(|k| factor * (top[k] + 0.3 * a[k] - 0.2 * b[k]));
+            let witness = prove(&body, p).unwrap_or_else(|| panic!("{factor}"));
+            assert!(witness.basis.len() == 3, "{witness:?}");
         }
     }
 

@@ -72,6 +72,37 @@ impl Lines {
         linear[0] * dx + linear[1] * dy + sum.reduce_add()
     }
 
+    /// The same, and how far ahead along the direction each line is crossed: negative zero where the sign is that behind it already, not finite where it never is.
+    pub(super) fn slope_and_crossings(
+        &self,
+        linear: [f64; 2],
+        [x, y]: [f64; 2],
+        [dx, dy]: [f64; 2],
+        places: &mut Vec<f64>,
+    ) -> f64 {
+        let [wide_x, wide_y, wide_dx, wide_dy] = [x, y, dx, dy].map(f64x2::splat);
+        let mut sum = f64x2::default();
+        places.resize(2 * self.pairs.len(), 0.0);
+        for ([a, b, c, _], place) in self.pairs.iter().zip(places.as_chunks_mut::<2>().0) {
+            let value = *a * wide_x + *b * wide_y + *c;
+            let rate = *a * wide_dx + *b * wide_dy;
+            sum += rate ^ (value & f64x2::splat(-0.0));
+            *place = (-value / rate).to_array();
+        }
+        linear[0] * dx + linear[1] * dy + sum.reduce_add()
+    }
+
+    /// linear · x + Σ |a x + b y + c|.
+    pub(super) fn value(&self, linear: [f64; 2], [x, y]: [f64; 2]) -> f64 {
+        let own: f64 = self.iter().map(|[a, b, c, _]| (a * x + b * y + c).abs()).sum();
+        linear[0] * x + linear[1] * y + own
+    }
+
+    /// The gradient of Σ |a x + b y + c| at a point.
+    pub(super) fn gradient(&self, point: [f64; 2]) -> [f64; 2] {
+        [[1.0, 0.0], [0.0, 1.0]].map(|direction| self.slope([0.0; 2], point, direction))
+    }
+
     /// Two lines of each so many, which stand for all.
     pub(super) fn part(&self, share: usize) -> Self {
         let pairs: Vec<Pair> = self.pairs[..self.len / 2].iter().step_by(share).copied().collect();

@@ -21,6 +21,7 @@
 //!    vertex (`certain`): u is optimal and Σ δ_i v_i = λ p with δ_i in [−1, 1], where 1 / λ is the gauge; or both nearly, so that the gauge is
 //!    between two bounds: a point at an edge of a facet, or lines that nearly meet in one point, are no doubt yet (`thickness`). Where many
 //!    generators are parallel to the facet, each has a share (`shares`).
+//!    Where the first guess is wrong, because many lines nearly meet or lengths are uneven, samples whose gradient is corrected by a pass find the optimum (`settle`).
 //! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
 //!    in exact coordinates of the plane (`plane`, `exit`); where that does not help, the whole problem. The signs of all
 //!    generators follow from the cells (`trail`).
@@ -76,6 +77,7 @@ mod reduced;
 mod sample;
 mod search;
 pub(super) mod separation;
+mod settle;
 mod shares;
 mod smooth;
 pub(super) mod sums;

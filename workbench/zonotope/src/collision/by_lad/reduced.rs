@@ -61,6 +61,18 @@ impl Reduced {
         chart.lines(self.vectors.iter().copied())
     }
 
+    /// The gradient of the whole at a point of the cell.
+    pub(super) fn gradient(&self, chart: &Chart, [x, y]: [f64; 2]) -> [f64; 2] {
+        let mut sum = self.fixed.sum;
+        for v in &self.vectors {
+            let [a, b, c] = chart.line(v);
+            let sign = f64::copysign(1.0, a * x + b * y + c);
+            sum = [0, 1, 2].map(|k| sum[k] + sign * v[k]);
+        }
+        let [x, y, _] = chart.line(&sum);
+        [x, y]
+    }
+
     /// The gradient of the summed-up part.
     pub(super) fn linear(&self, chart: &Chart) -> [f64; 2] {
         let [x, y, _] = chart.line(&self.fixed.sum);

@@ -12,6 +12,9 @@ const LAST: usize = 2;
 /// Where the mean square of the lengths exceeds the square of their mean by this factor, long generators are more likely to be picked.
 const UNEVEN: f64 = 4.0;
 
+/// How often the stretch is made shorter for the generators that are longer.
+const STEPS: usize = 8;
+
 /// The seed of the sample: it decides the time, never the answer.
 const SEED: u64 = 0x7a;
 
@@ -24,11 +27,9 @@ pub(super) struct Sample {
 
 impl Sample {
     /// Of more than a few generators, one from each of many equal stretches; where lengths are very uneven, one from each of many stretches of the same length in all.
-    ///
-    /// `factor` times as many as is usual.
-    pub(super) fn of(question: &Displacement<'_, 3>, factor: usize, tally: &mut impl Tally) -> Self {
+    pub(super) fn of(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Self {
         let n = question.len();
-        let size = (factor * (6 * n.isqrt() + n / 128)).min(n);
+        let size = (6 * n.isqrt() + n / 128).min(n);
         tally.add(Operation::GeneratorRead, size as u64);
         let mut random = Pcg64Mcg::seed_from_u64(SEED);
         // places in units of 2^-32, so that one division does for all
@@ -50,7 +51,12 @@ impl Sample {
             return Self { vectors, longest: f64::INFINITY };
         }
         tally.add(Operation::GeneratorRead, n as u64);
-        Self::by_length(question, sum * n as f64 / (size * size) as f64, size)
+        let lengths: Vec<f64> = vectors.iter().map(length).collect();
+        let share = n as f64 / (size * size) as f64;
+        // those that are longer count for one stretch each
+        let shorter = |stretch: f64| lengths.iter().map(|length| length.min(stretch)).sum::<f64>() * share;
+        let stretch = (0..STEPS).fold(sum * share, |stretch, _| shorter(stretch));
+        Self::by_length(question, stretch, size)
     }
 
     /// One generator for each `stretch` of length, made as long as that; those that are longer all the same.
@@ -83,7 +89,7 @@ mod tests {
     fn even_lengths_are_sampled_by_place() {
         let body: Vec<[f64; 3]> = (0..4096).map(|i| [1.0, f64::from(i), 5000.0]).collect();
         let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
-        let sample = Sample::of(&question, 1, &mut ());
+        let sample = Sample::of(&question, &mut ());
         assert_eq!((sample.vectors.len(), sample.longest), (6 * 64 + 32, f64::INFINITY));
         assert!(sample.vectors.is_sorted_by(|a, b| a[1] < b[1]));
         assert_eq!(sample.vectors[sample.vectors.len() - 1], body[4095]);
@@ -95,7 +101,8 @@ mod tests {
         let length = |i: usize| if i.is_multiple_of(100) { 1000.0 } else { 1.0 };
         let body: Vec<[f64; 3]> = (0..10_000).map(|i| [length(i), 0.0, 0.0]).collect();
         let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
-        let sample = Sample::of(&question, 1, &mut ());
+        let sample = Sample::of(&question, &mut ());
+        assert!((60..1400).contains(&sample.vectors.len()), "{}", sample.vectors.len());
         let total: f64 = body.iter().map(|v| v[0]).sum();
         let own: f64 = sample.vectors.iter().map(|v| v[0]).sum();
         assert!((own / total - 1.0).abs() < 0.05, "{own} for {total}");

@@ -4,10 +4,10 @@ use super::bundles::Bundles;
 use super::certain::{Certain, Unproved};
 use super::chart::Chart;
 use super::clear::separates;
-use super::descend::{descend, descend_along};
 use super::lines::Lines;
 use super::reduced::Reduced;
 use super::sample::Sample;
+use super::settle::{Settling, Unsettled, descend_and_prove};
 use super::smooth::{Aim, Guess};
 use super::trail::Trail;
 use crate::collision::Displacement;
@@ -23,23 +23,17 @@ const SMALL: usize = 128;
 /// At most this many lines are searched without a smaller cell.
 const FEW: usize = 40;
 
-/// How much larger the second sample is.
-const LARGER: usize = 4;
-
 /// A point whose gauge exceeds 1 by less than about this, in the sample, is solved for at once.
 const CLEAR: f64 = 0.02;
 
 /// The most meetings of bundles.
 const MEETINGS: usize = 5;
 
-/// How often the descent goes on from a vertex in which many lines meet.
-const TURNS: usize = 8;
-
-/// More lines are not searched by descent where fewer did not have the optimum, unless a second sample did not help.
-const MANY: usize = 600;
+/// More lines are not searched by descent around a first guess.
+const MANY: usize = 1200;
 
 /// How many cells are tried around optima of samples.
-const ROUNDS: usize = 4;
+const ROUNDS: usize = 2;
 
 /// The cell around an optimum that seemed to be outside its cell, in terms of that cell.
 const AROUND: f64 = 8.0;
@@ -51,7 +45,7 @@ const FAR: f64 = 64.0;
 const WIDER: f64 = 8.0;
 
 /// The cell of a sample in standard deviations, that of a band in the same sense.
-const SAMPLE_DEVIATIONS: f64 = 2.7;
+pub(super) const SAMPLE_DEVIATIONS: f64 = 2.7;
 const BAND_DEVIATIONS: f64 = 3.0;
 
 /// Lines in the thinnest band.
@@ -96,6 +90,7 @@ pub(super) fn search(
     question: &Displacement<'_, 3>,
     p: &BoundedVector,
     until_separated: bool,
+    is_enough: &dyn Fn(&Certain) -> bool,
     tally: &mut impl Tally,
 ) -> Found {
     let rounded = p.map(|c| c.value);
@@ -106,19 +101,19 @@ pub(super) fn search(
     let chart = Chart::new(rounded);
     if question.len() <= SMALL {
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        let found = finish(Reduced::whole(question), &chart, p, None, MANY);
+        let found = finish(Reduced::whole(question), &chart, p, None, MANY, is_enough);
         return found.unwrap_or_else(|_| Found::Narrowed(Trail::default()));
     }
-    let sample = Sample::of(question, 1, tally);
+    let sample = Sample::of(question, tally);
     let part = sample.vectors.len() as f64 / question.len() as f64;
     if sample.longest == f64::INFINITY
         && let Some(bundles) = Bundles::of(&sample.vectors, part, &chart)
-        && let Some(found) = search_bundles(question, p, until_separated, &chart, bundles, tally)
     {
-        return found;
+        let found = search_bundles(question, p, until_separated, &chart, bundles, is_enough, tally);
+        return found.unwrap_or_else(|| settle(question, p, &chart, &sample, is_enough, tally));
     }
-    let Some(mut guess) = sample_guess(&sample, question.len(), false, &chart) else {
-        return Found::Narrowed(Trail::default());
+    let Some(mut guess) = sample_guess(&sample, question.len(), &chart) else {
+        return settle(question, p, &chart, &sample, is_enough, tally);
     };
     if until_separated {
         let direction = chart.point(guess.point);
@@ -131,7 +126,7 @@ pub(super) fn search(
         }
     }
     let mut stretch = 1.0;
-    for round in 0..ROUNDS {
+    for _ in 0..ROUNDS {
         tally.add(Operation::SearchStep, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let reduced = Reduced::of_question(question, chart.cell(&guess, stretch), question.len() / 16 + 64);
@@ -139,20 +134,32 @@ pub(super) fn search(
             return Found::Narrowed(Trail::default());
         }
         let crossing = reduced.vectors.len();
-        let many = if round + 1 < ROUNDS { MANY } else { usize::MAX };
-        match finish(reduced, &chart, p, Some(&guess), many) {
+        match finish(reduced, &chart, p, Some(&guess), MANY, is_enough) {
             Ok(found) => return found,
             Err(Missed::At(nearer)) => (guess, stretch) = (nearer, AROUND),
             // of one bundle, perhaps, or none at all
             Err(Missed::Lost) if crossing < SMALL => stretch *= WIDER,
-            Err(Missed::Lost) => {
-                let sample = Sample::of(question, LARGER, tally);
-                let second = sample_guess(&sample, question.len(), true, &chart);
-                (guess, stretch) = (second.unwrap_or(guess), f64::from(1 << round));
-            }
+            Err(Missed::Lost) => break,
         }
     }
-    Found::Narrowed(Trail::default())
+    settle(question, p, &chart, &sample, is_enough, tally)
+}
+
+/// The optimum where a first guess did not help.
+fn settle(
+    question: &Displacement<'_, 3>,
+    p: &BoundedVector,
+    chart: &Chart,
+    sample: &Sample,
+    is_enough: &dyn Fn(&Certain) -> bool,
+    tally: &mut impl Tally,
+) -> Found {
+    let mut settling = Settling { question, chart, p, is_enough, levels: Vec::new(), tally };
+    match settling.of_sample(sample) {
+        Ok(certain) => Found::Certain(Box::new(certain), trail(settling.levels)),
+        Err(Unsettled::Doubt) => Found::Narrowed(trail(settling.levels)),
+        Err(Unsettled::Outside(..)) => Found::Narrowed(Trail::default()),
+    }
 }
 
 /// Solves a reduced problem, or says what is known of its optimum.
@@ -165,6 +172,7 @@ fn finish(
     p: &BoundedVector,
     start: Option<&Guess>,
     many: usize,
+    is_enough: &dyn Fn(&Certain) -> bool,
 ) -> Result<Found, Missed> {
     let mut levels = vec![reduced];
     let mut guess = start.copied();
@@ -190,31 +198,17 @@ fn finish(
     loop {
         let level = levels.last().expect("the first problem is never taken away");
         let linear = level.linear(chart);
-        let mut vertex = descend(&lines, linear, point);
-        let mut turns = 0;
-        let doubt = loop {
-            match vertex {
-                Some(basis) => match Certain::at(&levels, p, basis) {
-                    Ok(certain) => return Ok(Found::Certain(Box::new(certain), trail(levels))),
-                    Err(Unproved::Doubt) => break true,
-                    Err(Unproved::Astray) => {
-                        let found = lines.meet(basis[0], basis[1]);
-                        // lines of one bundle meet far away: where the search started is better
-                        if guess.is_none_or(|guess| guess.is_near(found, FAR)) {
-                            (point, is_found) = (found, true);
-                        }
-                        break false;
-                    }
-                    Err(Unproved::Falls(line)) => {
-                        turns += 1;
-                        if turns > TURNS {
-                            break true;
-                        }
-                        vertex = descend_along(&lines, linear, lines.meet(basis[0], basis[1]), line);
-                    }
-                },
-                None => break false,
+        let doubt = match descend_and_prove(&levels, &lines, linear, p, point, is_enough) {
+            Some((_, Ok(certain))) => return Ok(Found::Certain(Box::new(certain), trail(levels))),
+            Some((found, Err(Unproved::Astray(_)))) => {
+                // lines of one bundle meet far away: where the search started is better
+                if guess.is_none_or(|guess| guess.is_near(found, FAR)) {
+                    (point, is_found) = (found, true);
+                }
+                false
             }
+            Some(_) => true,
+            None => false,
         };
         if doubt {
             return Ok(Found::Narrowed(trail(levels)));
@@ -230,20 +224,20 @@ fn finish(
 }
 
 /// Whether nothing overflowed, or will.
-fn is_moderate(reduced: &Reduced) -> bool {
+pub(super) fn is_moderate(reduced: &Reduced) -> bool {
     // false for NaN as well
     reduced.fixed.magnitude <= LARGEST
 }
 
 /// What the guess from some lines is to allow for.
-fn aim(len: usize, population: usize, deviations: f64) -> Aim {
+pub(super) fn aim(len: usize, population: usize, deviations: f64) -> Aim {
     let thinnest = THICKNESS.max((len as f64).sqrt());
     let thickness = thinnest.max(SHARE * len as f64);
     Aim { thickness, thinnest, population, longest: f64::INFINITY, deviations }
 }
 
 /// The same with a band as thin as can be: where generators are uneven, a wide band hides what is in it.
-fn careful(aim: Aim) -> Aim {
+pub(super) fn careful(aim: Aim) -> Aim {
     Aim { thickness: aim.thinnest, ..aim }
 }
 
@@ -252,11 +246,11 @@ fn trail(levels: Vec<Reduced>) -> Trail {
     Trail::new(levels.into_iter().filter_map(|level| Some((level.cell?, level.indices))).collect())
 }
 
-/// The optimum of a sample, with a thin band if it is to be `sure` or lengths are uneven.
-fn sample_guess(sample: &Sample, population: usize, sure: bool, chart: &Chart) -> Option<Guess> {
+/// The optimum of a sample, with a thin band if lengths are uneven.
+fn sample_guess(sample: &Sample, population: usize, chart: &Chart) -> Option<Guess> {
     let lines = chart.lines(sample.vectors.iter().copied());
     let aim = Aim { longest: sample.longest, ..aim(lines.len(), population, SAMPLE_DEVIATIONS) };
-    lines.guess([0.0; 2], None, if sure || sample.longest < f64::INFINITY { careful(aim) } else { aim })
+    lines.guess([0.0; 2], None, if sample.longest < f64::INFINITY { careful(aim) } else { aim })
 }
 
 /// The optimum where two of few bundles of parallel generators meet; none if it is not found there.
@@ -266,6 +260,7 @@ fn search_bundles(
     until_separated: bool,
     chart: &Chart,
     mut bundles: Bundles,
+    is_enough: &dyn Fn(&Certain) -> bool,
     tally: &mut impl Tally,
 ) -> Option<Found> {
     let mut before = None;
@@ -292,7 +287,7 @@ fn search_bundles(
             let [reduced] = levels;
             return match certain {
                 Some(certain) => Some(Found::Certain(Box::new(certain), trail(vec![reduced]))),
-                None => finish(reduced, chart, p, Some(&meeting.guess), usize::MAX).ok(),
+                None => finish(reduced, chart, p, Some(&meeting.guess), usize::MAX, is_enough).ok(),
             };
         }
     }

@@ -94,16 +94,21 @@ impl Lines {
         Some((point, (rest.max(0.0) / self.length).sqrt()))
     }
 
-    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others but those of generators longer than `longest`.
-    fn spread(&self, point: [f64; 2], band: f64, share: f64, longest: f64) -> Symmetric {
+    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others but those of generators longer than `longest`; where there is a point
+    /// before, of those only that lie between.
+    fn spread(&self, point: [f64; 2], before: Option<[f64; 2]>, band: f64, share: f64, longest: f64) -> Symmetric {
         let mut sums = [f64x2::splat(0.0); 3];
         let [x, y] = point.map(f64x2::splat);
+        let [other_x, other_y] = before.unwrap_or_default().map(f64x2::splat);
+        let is_any = f64x2::splat(if before.is_some() { 0.0 } else { f64::from_bits(u64::MAX) });
         let [band, share, one] = [band, share, 1.0].map(f64x2::splat);
         // a little less than the longest's inverse length, which was rounded
         let least = f64x2::splat(0.999 / longest);
         for [a, b, c, w] in self.pairs() {
-            let within = ((a * x + b * y + c).abs() * w).simd_lt(band);
-            let share = share & w.simd_gt(least);
+            let value = a * x + b * y + c;
+            let within = (value.abs() * w).simd_lt(band);
+            let is_between = (value * (a * other_x + b * other_y + c)).simd_lt(f64x2::default());
+            let share = share & w.simd_gt(least) & (is_any | is_between);
             let part = share + ((one - share) & within);
             let (pa, pb) = (part * a, part * b);
             for (sum, term) in sums.iter_mut().zip([pa * a, pa * b, pb * b]) {
@@ -134,26 +139,34 @@ impl Lines {
             Some(guess) => (guess.point, guess.band),
             None => self.least_squares()?,
         };
-        self.by_newton(linear, point, band, aim).or_else(|| self.by_descent(linear, aim))
+        self.by_newton(linear, point, band, aim)
     }
 
-    /// The guess from vertex to vertex, slower but sure: for lines in few bundles, where the rounded-off objective is still all edges.
-    ///
-    /// Of many lines a part stands for all.
-    fn by_descent(&self, linear: [f64; 2], aim: Aim) -> Option<Guess> {
+    /// The optimal vertex from vertex to vertex: of a part of many lines first, then of all.
+    pub(super) fn optimum(&self, linear: [f64; 2], start: [f64; 2]) -> Option<[f64; 2]> {
         let share = self.len() / MOST;
-        if share > 1 {
-            return self.part(share).by_descent(linear.map(|c| c / share as f64), aim);
-        }
-        let start = self.least_squares().map_or([0.0; 2], |(point, _)| point);
+        let start = match share {
+            0 | 1 => start,
+            _ => self.part(share).optimum(linear.map(|c| c / share as f64), start).unwrap_or(start),
+        };
         let [first, second] = descend(self, linear, start)?;
         let point = self.meet(first, second);
+        point.iter().all(|c| c.is_finite()).then_some(point)
+    }
+
+    /// The guess at an optimal vertex of lines whose gradient was right at a point before; none where all lines near it are parallel.
+    pub(super) fn guess_at(&self, point: [f64; 2], before: Option<[f64; 2]>, aim: Aim) -> Option<Guess> {
+        let band = self.band(point, aim)?;
+        self.around(&self.moments(point, band), band, point, before, aim)
+    }
+
+    /// Twice the distance of the farthest line of a band that is as thick as it must be, in terms of the length of its generator.
+    fn band(&self, point: [f64; 2], aim: Aim) -> Option<f64> {
         let distance = |[a, b, c, w]: [f64; 4]| (a * point[0] + b * point[1] + c).abs() * w;
         let mut distances: Vec<f64> = self.iter().map(distance).collect();
-        let place = (aim.thickness as usize).min(self.len() - 1);
+        let place = (aim.thickness as usize).min(self.len().checked_sub(1)?);
         let (_, &mut nearest, _) = distances.select_nth_unstable_by(place, f64::total_cmp);
-        let band = 2.0 * nearest;
-        self.around(&self.moments(point, band), band, point, aim)
+        Some(2.0 * nearest)
     }
 
     fn by_newton(&self, linear: [f64; 2], mut point: [f64; 2], mut band: f64, aim: Aim) -> Option<Guess> {
@@ -225,13 +238,20 @@ impl Lines {
             band = thinner;
         }
         let (moments, band, point) = best?;
-        self.around(&moments, band, point, aim)
+        self.around(&moments, band, point, None, aim)
     }
 
     /// The guess at a point, given the moments of the band there.
-    fn around(&self, moments: &Moments, band: f64, point: [f64; 2], aim: Aim) -> Option<Guess> {
+    fn around(
+        &self,
+        moments: &Moments,
+        band: f64,
+        point: [f64; 2],
+        before: Option<[f64; 2]>,
+        aim: Aim,
+    ) -> Option<Guess> {
         let missing = 1.0 - self.len() as f64 / aim.population as f64;
-        let [first, second] = factor(&self.spread(point, band, missing, aim.longest))?;
+        let [first, second] = factor(&self.spread(point, before, band, missing, aim.longest))?;
         let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * aim.deviations));
         let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
         let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();
