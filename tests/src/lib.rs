@@ -1,6 +1,6 @@
 //! What the tests of the workspace share: the source tree, the instances, the exact twins and the program.
 //!
-//! The tests themselves are in `tests/tests/`, one file a subject. Nothing here is used outside of them.
+//! The tests themselves are in `tests/tests/`, one file or folder a subject. Nothing here is used outside of them.
 
 pub mod body_families;
 pub mod direction_families;

@@ -1,7 +1,6 @@
 //! Whatever the line, there is one answer to it: no panic, no refusal without a code, and what is accepted verifies.
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use serde_json::{Value, json};
 use zonobench::batch::{Code, KINDS, answer};
 use zonobench::json::{Line, MAX_VALUES, Tree, read};
@@ -126,7 +125,7 @@ fn holds_text(value: &Value) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(300))]
 
     #[test]
     fn numbers_that_are_not_finite_come_first(

@@ -3,29 +3,13 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use assert_cmd::Command;
 use serde_json::{Value, json};
-use tempfile::TempDir;
 use tests::sources::root;
 
-fn zonobench() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_zonobench_under_test"))
-}
+use crate::program::{contents, folder, zonobench};
 
 fn data(name: &str) -> PathBuf {
     root().join("experiments/data").join(name)
-}
-
-fn folder() -> TempDir {
-    tempfile::tempdir().expect("a temporary folder")
-}
-
-fn contents(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("the folder is there");
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.expect("listed").file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    names
 }
 
 /// Encloses a file, has the answer verified with the same words, and gives the result and the summary.

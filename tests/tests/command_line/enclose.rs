@@ -1,34 +1,10 @@
 //! `enclose`: real inputs with certified answers, files that are replaced only on request, and bad input.
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
-use assert_cmd::Command;
-use tempfile::TempDir;
 use tests::sources::root;
 
-fn zonobench() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_zonobench_under_test"))
-}
-
-fn folder() -> TempDir {
-    tempfile::tempdir().expect("a temporary folder")
-}
-
-/// The file names in a folder, in order.
-fn contents(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).expect("the folder is there");
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.expect("a listed file").file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    names
-}
-
-fn written(folder: &TempDir, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
-    let file = folder.path().join(name);
-    fs::write(&file, content).expect("the input is written");
-    file
-}
+use crate::program::{contents, folder, written, zonobench};
 
 #[test]
 fn every_real_input_has_a_certified_optimum() {

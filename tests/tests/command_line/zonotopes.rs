@@ -1,30 +1,17 @@
 //! `intersect` and `inspect`: answers with their proofs, pictures, and files that are no zonotopes.
 
 use std::fs;
-use std::path::PathBuf;
 
 use assert_cmd::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::program::{folder, output, written};
+
 fn zonobench(folder: &TempDir) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_zonobench_under_test"));
+    let mut command = crate::program::zonobench();
     command.current_dir(folder.path());
     command
-}
-
-fn folder() -> TempDir {
-    tempfile::tempdir().expect("a temporary folder")
-}
-
-fn written(folder: &TempDir, name: &str, content: &str) -> PathBuf {
-    let file = folder.path().join(name);
-    fs::write(&file, content).expect("the input is written");
-    file
-}
-
-fn output(command: &mut Command) -> String {
-    String::from_utf8(command.assert().success().get_output().stdout.clone()).expect("the output is text")
 }
 
 fn complaint(command: &mut Command, status: i32) -> String {
@@ -137,6 +124,19 @@ fn meshes() {
         let complaint = complaint(zonobench(&folder).args(["inspect", name, "--obj", "no.obj"]), 1);
         assert!(complaint.starts_with(&format!("zonobench: {name}: ")), "{complaint}");
         assert!(!folder.path().join("no.obj").exists());
+    }
+}
+
+#[test]
+fn a_mesh_holds_finite_numbers() {
+    let folder = folder();
+    written(&folder, "large.json", "[[1e40,0,0],[0,1e40,0],[0,0,1e40]]");
+    written(&folder, "largest.json", "[[1.7e308,0,0],[1.7e308,1e308,0],[0,0,1e308]]");
+    output(zonobench(&folder).args(["inspect", "large.json", "--obj", "large.obj"]));
+    for (body, switch) in [("large.json", "--stl"), ("largest.json", "--obj"), ("largest.json", "--ply")] {
+        let complaint = complaint(zonobench(&folder).args(["inspect", body, switch, "mesh"]), 1);
+        assert!(complaint.contains("coordinate above"), "{complaint}");
+        assert!(!folder.path().join("mesh").exists());
     }
 }
 

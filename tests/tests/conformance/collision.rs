@@ -17,6 +17,9 @@ use zonotope::numeric::dyadic::Dyadic;
 /// Questions for each of the thirteen families: 21,450 in all.
 const CASES: [u32; 4] = [150, 400, 850, 250];
 
+/// For each family in space, by methods that compute in floating point: 20,150 together.
+const ENGINE_CASES: u32 = 1550;
+
 type Locate<const D: usize> = (&'static str, fn(&Displacement<'_, D>) -> Location<D>);
 type Measure<const D: usize> = (&'static str, fn(&Displacement<'_, D>) -> Gauge<D>);
 
@@ -83,9 +86,9 @@ fn is_within(exact: &RBig, value: f64, error: f64) -> bool {
 }
 
 /// Every family of a dimension, with at most `most` generators.
-fn conform<const D: usize>(most: usize, methods: &Methods<D>) {
+fn conform<const D: usize>(most: usize, cases: u32, methods: &Methods<D>) {
     for (family, generators) in families::<D>(most) {
-        for_all(&asked(generators), CASES[D - 1], |asked| {
+        for_all(&asked(generators), cases, |asked| {
             agrees(&asked, methods).map_err(|error| TestCaseError::fail(format!("{family}: {error}")))
         });
     }
@@ -93,29 +96,40 @@ fn conform<const D: usize>(most: usize, methods: &Methods<D>) {
 
 #[test]
 fn in_one_dimension() {
-    conform::<1>(6, &in_low_dimensions());
+    conform::<1>(6, CASES[0], &in_low_dimensions());
 }
 
 #[test]
 fn in_the_plane() {
-    conform::<2>(9, &in_low_dimensions());
+    conform::<2>(9, CASES[1], &in_low_dimensions());
 }
 
 #[test]
 fn in_space() {
-    conform::<3>(8, &in_low_dimensions());
+    conform::<3>(8, CASES[2], &in_low_dimensions());
 }
 
 #[test]
 fn in_space_and_time() {
-    conform::<4>(7, &in_space_time());
+    conform::<4>(7, CASES[3], &in_space_time());
+}
+
+/// Beyond the sizes for which the kernel has a method of its own.
+#[test]
+fn in_the_plane_with_many_generators() {
+    conform::<2>(40, 60, &in_low_dimensions());
+}
+
+#[test]
+fn in_space_with_many_generators() {
+    conform::<3>(24, 60, &in_low_dimensions());
 }
 
 /// The engines may leave a question undecided, but what they say is right.
 #[test]
 fn linear_programs_are_never_wrong() {
     for (_, generators) in families::<3>(8) {
-        for_all(&asked(generators), 60, |asked| {
+        for_all(&asked(generators), ENGINE_CASES, |asked| {
             let question = asked.displacement();
             let truth = brute_force::locate(&question);
             let engines: [&dyn Engine; 2] = [&Clarabel, &Microlp];
@@ -139,7 +153,7 @@ fn linear_programs_are_never_wrong() {
 #[test]
 fn gjk_always_ends() {
     for (_, generators) in families::<3>(8) {
-        for_all(&asked(generators), 300, |asked| {
+        for_all(&asked(generators), ENGINE_CASES, |asked| {
             by_gjk::locate(&asked.displacement());
             Ok(())
         });

@@ -1,16 +1,8 @@
 //! The command line itself: help, listing, and what makes no sense.
 
-use assert_cmd::Command;
 use paper_checks::catalog::CLAIMS;
 
-fn zonobench() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_zonobench_under_test"))
-}
-
-fn standard_output(command: &mut Command) -> String {
-    let output = command.assert().success().get_output().stdout.clone();
-    String::from_utf8(output).expect("the output is text")
-}
+use crate::program::{output, zonobench};
 
 #[test]
 fn a_command_line_that_makes_no_sense_ends_with_status_2() {
@@ -33,10 +25,10 @@ fn a_command_line_that_makes_no_sense_ends_with_status_2() {
 
 #[test]
 fn help_and_version_are_results() {
-    assert!(standard_output(zonobench().arg("--help")).contains("reproduce"));
-    assert!(standard_output(zonobench().arg("--version")).starts_with("zonobench "));
+    assert!(output(zonobench().arg("--help")).contains("reproduce"));
+    assert!(output(zonobench().arg("--version")).starts_with("zonobench "));
     for command in ["reproduce", "list", "enclose", "intersect", "inspect", "solve", "verify"] {
-        let help = standard_output(zonobench().args([command, "--help"]));
+        let help = output(zonobench().args([command, "--help"]));
         assert!(help.contains("Usage"), "{command}");
     }
 }
@@ -44,7 +36,7 @@ fn help_and_version_are_results() {
 #[test]
 fn everything_is_listed_by_id() {
     let listed = |what: &str| -> Vec<String> {
-        standard_output(zonobench().args(["list", what]))
+        output(zonobench().args(["list", what]))
             .lines()
             .map(|line| line.split('\t').next().unwrap_or_default().to_owned())
             .collect()

@@ -2,12 +2,9 @@
 
 use std::fs;
 
-use assert_cmd::Command;
 use serde_json::Value;
 
-fn zonobench() -> Command {
-    Command::new(env!("CARGO_BIN_EXE_zonobench_under_test"))
-}
+use crate::program::zonobench;
 
 /// The answers to questions given on standard input.
 fn solved(questions: &str) -> Vec<Value> {

@@ -1,0 +1,11 @@
+//! Every fast method against the exact twin of its problem, on all instance families.
+
+mod centered;
+mod collision;
+mod faces;
+mod fixed_directions;
+mod hull;
+mod kernel;
+mod min_area;
+mod min_total_length;
+mod slope_selection;
