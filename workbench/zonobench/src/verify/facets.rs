@@ -68,11 +68,16 @@ pub(super) struct Normal {
 
 /// The normal of every independent subset of `dimension` − 1 of the vectors, which have `dimension` components.
 pub(super) fn normals(dimension: usize, vectors: &[Vector]) -> impl Iterator<Item = Normal> {
-    subsets(vectors.len(), dimension - 1).filter_map(move |subset| {
+    subsets(vectors.len(), dimension - 1).filter_map(move |subset| Normal::of(dimension, &subset, vectors))
+}
+
+impl Normal {
+    /// That of a subset, unless it is dependent.
+    pub(super) fn of(dimension: usize, subset: &[usize], vectors: &[Vector]) -> Option<Self> {
         let rows: Vec<&Vector> = subset.iter().map(|&index| &vectors[index]).collect();
         let exact = orthogonal(dimension, &rows);
-        (!is_zero(&exact)).then(|| Normal { image: own_image(&exact), subset, exact })
-    })
+        (!is_zero(&exact)).then(|| Self { image: own_image(&exact), subset: subset.to_vec(), exact })
+    }
 }
 
 /// The signed minors of dimension − 1 rows.

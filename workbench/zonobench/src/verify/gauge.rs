@@ -3,7 +3,8 @@
 //! The gauge is at least u · p / Σ |u · g_i| for every direction u. Where the certificate is tight it names the d − 1 generators
 //! that span a facet through which p leaves Z: the direction u orthogonal to them gives that bound, and solving
 //! λ p = Σ ± g_i + Σ over the facet of x_j g_j with all |x_j| ≤ 1 shows that the gauge is at most 1/λ, the same number.
-//! Else the facets of a small Z are gone through one by one; of a large one only what the certificate says is known.
+//! Else the facets of a small Z are gone through one by one, in the plane those of any; of a large one only what the certificate says is
+//! known.
 
 use std::cmp::Ordering;
 
@@ -15,6 +16,7 @@ use super::linear::{Echelon, Vector, dot, is_zero};
 use super::location::{Coefficients, Displaced, Located, LocationAnswer, located};
 use super::proportion::{Proportion, check_figure};
 use super::subsets::{count_subsets, subsets};
+use super::turns::edges;
 
 /// So many products of facets and generators are tried where the certificate does not name the facet.
 const MOST_TRIALS: u64 = 3_000_000;
@@ -230,6 +232,9 @@ pub(super) struct Facets {
 impl Facets {
     /// All facets, unless they are too many.
     pub(super) fn of(dimension: usize, generators: &[Vector]) -> Option<Self> {
+        if dimension == 2 {
+            return Some(Self { normals: edges(generators.to_vec()) });
+        }
         if count_subsets(generators.len(), dimension - 1).saturating_mul(generators.len() as u64) > MOST_TRIALS {
             return None;
         }

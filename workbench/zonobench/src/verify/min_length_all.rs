@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 
 use super::RELATIVE_ERROR;
-use super::containment::first_outside;
+use super::containment::one_outside;
 use super::dual_reach::farthest_squared;
 use super::facets::TooMany;
 use super::grid::Grid;
@@ -78,7 +78,7 @@ pub fn check_min_length_all(
     let differences: Vec<Vector> =
         places.iter().map(|place| place.iter().zip(&center).map(|(x, c)| x - c).collect()).collect();
     let generators: Vec<Vector> = answer.generators.iter().map(|generator| placed(generator)).collect();
-    match first_outside(dimension, &generators, &differences) {
+    match one_outside(dimension, &generators, &differences) {
         Ok(None) => {}
         Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1)),
         Err(TooMany) => return Ok(None),

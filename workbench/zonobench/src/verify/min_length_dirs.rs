@@ -10,7 +10,7 @@ use dashu_int::IBig;
 use dashu_int::ops::{Abs, Gcd};
 
 use super::RELATIVE_ERROR;
-use super::containment::first_outside;
+use super::containment::one_outside;
 use super::facets::TooMany;
 use super::grid::Grid;
 use super::linear::{Vector, dot, is_zero};
@@ -156,7 +156,7 @@ fn first_missed(
         .iter()
         .map(|p| p.iter().zip(&center).map(|(&x, c)| (places.units(x) - c) << up(places.exponent())).collect())
         .collect();
-    Ok(first_outside(center.len(), &generators, &differences))
+    Ok(one_outside(center.len(), &generators, &differences))
 }
 
 fn cost(weights: &[f64], coefficients: &[f64]) -> Proportion {

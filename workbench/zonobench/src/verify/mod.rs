@@ -18,6 +18,7 @@ mod member_batch;
 mod min_area;
 mod min_length_all;
 mod min_length_dirs;
+mod pencil;
 mod polygon;
 mod proportion;
 mod separator;
@@ -25,6 +26,7 @@ mod slope_selection;
 mod subsets;
 mod support;
 mod transcript;
+mod turns;
 mod upper_hull;
 
 pub use combinatorics::{CombinatoricsAnswer, CombinatoricsProof, check_combinatorics};

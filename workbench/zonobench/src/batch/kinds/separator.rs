@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use zonotope::arrangement::DualArrangement;
-use zonotope::arrangement::separator::{brute_force, by_slope_selection};
+use zonotope::arrangement::separator::{SeparatorError, brute_force, by_slope_selection};
 
 use super::{Kind, Solution};
 use crate::batch::fields::Fields;
@@ -33,10 +33,24 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
     } else {
         by_slope_selection::separator(&dual, k, seed)
     };
-    let separator = separator.map_err(|error| Refusal::bad_input(error.to_string()))?;
+    let separator = separator.map_err(counted_from_one)?;
     let point = |[x, y]: &[_; 2]| json!([ToString::to_string(x), ToString::to_string(y)]);
     let chain: Vec<Value> = separator.rational_points().iter().map(point).collect();
     Ok(Solution { method, result: json!({"chain": chain}) })
+}
+
+/// The refusal, with generators as people count them.
+fn counted_from_one(error: SeparatorError) -> Refusal {
+    Refusal::bad_input(match error {
+        SeparatorError::Coplanar { k, generators } => {
+            let numbers: Vec<String> = generators.iter().map(|i| (i + 1).to_string()).collect();
+            format!(
+                "{k} tiles end within a facet: generators {} are coplanar, not in general position",
+                numbers.join(", ")
+            )
+        }
+        other => other.to_string(),
+    })
 }
 
 /// Refuses brute force where it would take a quadratic amount of memory.

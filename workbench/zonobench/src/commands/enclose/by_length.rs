@@ -45,7 +45,7 @@ pub(super) fn run(options: &Options, existing: Existing) -> anyhow::Result<Endin
     }
     let drawn = |body: &Body| options.svg.as_ref().map(|file| (file, solid::draw(&name, &points, body)));
     let meshed = |body: &Body| -> anyhow::Result<_> {
-        options.obj.as_ref().map(|file| Ok((file, export::mesh(&name, body)?.to_obj()))).transpose()
+        options.obj.as_ref().map(|file| Ok((file, export::mesh(&name, body, f64::MAX)?.to_obj()))).transpose()
     };
     let picture = body.as_ref().and_then(drawn);
     let mesh = body.as_ref().map(meshed).transpose()?.flatten();

@@ -9,8 +9,8 @@ use crate::input::Body;
 /// Bodies with more generators have too many facets for a mesh: n (n − 1) of them.
 const MOST_GENERATORS: usize = 4000;
 
-/// The faces of a body of space that has facets.
-pub(in crate::commands) fn mesh(name: &str, body: &Body) -> anyhow::Result<FaceLattice> {
+/// The faces of a body of space that has facets and no vertex with a coordinate above `largest`.
+pub(in crate::commands) fn mesh(name: &str, body: &Body, largest: f64) -> anyhow::Result<FaceLattice> {
     let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
     let (Some(center), Some(generators)) = (space(&body.center), body.generators.iter().map(space).collect()) else {
         bail!("{name}: only a body with three coordinates is written as a mesh");
@@ -20,7 +20,13 @@ pub(in crate::commands) fn mesh(name: &str, body: &Body) -> anyhow::Result<FaceL
     }
     let body = Zonotope::new(center, generators)?;
     match faces(&body).with_context(|| name.to_owned())? {
-        Faces::Flat(lattice) | Faces::Solid(lattice) => Ok(lattice),
+        Faces::Flat(lattice) | Faces::Solid(lattice) => {
+            let is_in_range = |coordinate: &f64| coordinate.abs() <= largest;
+            if !lattice.points().iter().flatten().all(is_in_range) {
+                bail!("{name}: a vertex has a coordinate above {largest:e}, the largest number of the mesh format");
+            }
+            Ok(lattice)
+        }
         Faces::Point(_) | Faces::Segment(_) => bail!("{name}: a point or a segment has no facets to be written"),
     }
 }

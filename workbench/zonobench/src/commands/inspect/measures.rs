@@ -41,7 +41,7 @@ impl Measures {
             .filter(|_| D == 3)
             .and_then(|generators| Zonotope::new([0.0; 3], generators).ok())
             .map(|body| body.surface_area().value);
-        let total_length = generators.iter().map(|generator| length(generator)).sum();
+        let total_length = generators.iter().fold(0.0, |sum, generator| sum + length(generator));
         Self { bounds: bounds.collect(), zeros, directions, total_length, surface_area }
     }
 }

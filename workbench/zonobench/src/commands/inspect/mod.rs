@@ -73,7 +73,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
 
     let name = question_name(&options.file);
     let wanted = meshes.iter().any(|file| file.is_some());
-    let lattice = wanted.then(|| export::mesh(&name, &body)).transpose()?;
+    let largest = if options.stl.is_some() { f64::from(f32::MAX) } else { f64::MAX };
+    let lattice = wanted.then(|| export::mesh(&name, &body, largest)).transpose()?;
     let question =
         json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&body.generators)}});
     let answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), 0);

@@ -1,7 +1,7 @@
 //! Points and zonotopes relative to zonotopes.
 
 use super::Verdict;
-use super::reading::{boolean, direction, float, indices, member, text, vector, vectors};
+use super::reading::{boolean, direction, float, index, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use crate::verify::{
     Displaced, GaugeAnswer, GaugeProof, LocationAnswer, LocationCertificate, check_gauge, check_location,
@@ -39,7 +39,7 @@ fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<String, St
     Ok(format!("{}; {proof}", answer.status))
 }
 
-pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let [p, q] = [vector(member(input, "p")?, "p")?, vector(member(input, "q")?, "q")?];
     let generators = vectors(member(input, "generators")?, "generators")?;
     let answer = GaugeAnswer {
@@ -47,11 +47,13 @@ pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<String, String> {
         at_most_one: boolean(result, "at_most_one")?,
         certificate: certificate(member(result, "certificate")?)?,
     };
-    let proof = match check_gauge(&Displaced::new(&p, &q, &generators)?, &answer)? {
-        GaugeProof::Exact => "is the exact gauge, rounded",
-        GaugeProof::Bounded => "agrees with its certificate, which bounds the gauge on one side",
-    };
-    Ok(format!("gauge {:?} {proof}", answer.gauge))
+    let value = answer.gauge;
+    Ok(match check_gauge(&Displaced::new(&p, &q, &generators)?, &answer)? {
+        GaugeProof::Exact => Verdict::Right(format!("gauge {value:?} is the exact gauge, rounded")),
+        GaugeProof::Bounded => Verdict::Unchecked(format!(
+            "gauge {value:?} agrees with its certificate, which bounds the gauge on one side alone"
+        )),
+    })
 }
 
 pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -60,6 +62,9 @@ pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, Strin
     let points = vectors(member(input, "points")?, "points")?;
     let list = |name| member(result, name)?.list().ok_or_else(|| format!("`{name}` is not a list"));
     let (statuses, gauges) = (list("status")?, list("gauge")?);
+    for count in ["build", "query"] {
+        index(result, count)?;
+    }
     if statuses.len() != gauges.len() {
         return Err("`status` and `gauge` have different lengths".to_owned());
     }

@@ -66,14 +66,14 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
         "min_length_dirs" => return enclosing::min_length_dirs(input, result),
         "min_length_all" => return enclosing::min_length_all(input, result),
         "support" => solids::support(input, result),
-        "combinatorics" => solids::combinatorics(input, result),
+        "combinatorics" => return solids::combinatorics(input, result),
         "slope_selection" => solids::slope_selection(input, result),
         "separator" => solids::separator(input, result),
         "upper_hull" => return solids::upper_hull(input, result),
         "member_batch" => return collision::member_batch(input, result),
         "member" => collision::member_of(input, result),
         "intersect" => collision::intersect(input, result),
-        "gauge" => collision::gauge(input, result),
+        "gauge" => return collision::gauge(input, result),
         other => return Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
     }
     .map(Verdict::Right)

@@ -33,7 +33,7 @@ pub(super) fn slope_selection(input: &Tree, result: &Tree) -> Result<String, Str
     Ok(format!("{} abscissas, each with the right numbers of vertices on its sides", ranks.len()))
 }
 
-pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let Tree::Object(sizes) = member(result, "facet_sizes")? else {
         return Err("`facet_sizes` is not an object".to_owned());
@@ -49,9 +49,11 @@ pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<String, Strin
         measure: fraction(text(result, "measure")?).ok_or("`measure` is not an exact number")?,
     };
     let proof = check_combinatorics(&generators, &answer)?;
-    let counts = if proof.counted { "faces counted one by one" } else { "counts satisfy Euler's relation" };
+    let counts =
+        if proof.counted { "every face counted" } else { "the counts satisfy Euler's relation, but were not counted" };
     let measure = if proof.measured { "the measure is exact" } else { "the measure was not computed" };
-    Ok(format!("{counts}; {measure}"))
+    let verdict = if proof.counted && proof.measured { Verdict::Right } else { Verdict::Unchecked };
+    Ok(verdict(format!("{counts}; {measure}")))
 }
 
 pub(super) fn separator(input: &Tree, result: &Tree) -> Result<String, String> {

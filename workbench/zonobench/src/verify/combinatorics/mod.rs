@@ -1,23 +1,26 @@
 //! Answers to "how many faces has the zonotope of these generators, and what does it measure".
 //!
-//! In the coordinates of its span the zonotope has as many vertices as the hyperplanes g_i^⊥ cut space into regions, and the
-//! number of regions grows, hyperplane by hyperplane, by the regions into which the earlier ones cut the new one. The edges
-//! parallel to g_i are the vertices of the projection along g_i. A facet is the zonotope of all the generators in a hyperplane
-//! that they span. The measure is 2^d Σ |det| over all d generators.
+//! The faces are counted in the coordinates of the zonotope's span: in space line by line, in other dimensions subset by subset.
+//! The measure is 2^d Σ |det| over all d generators. Where either would take too long, only what holds for every zonotope is
+//! looked at.
+
+mod cells;
+mod pencils;
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use dashu_int::IBig;
-use dashu_int::ops::Abs;
+use dashu_int::ops::{Abs, BitTest};
 
 use super::grid::Grid;
-use super::linear::{Echelon, Vector, absolute_determinant, dot, is_zero, reduced};
+use super::linear::{Echelon, Vector, absolute_determinant, is_zero, reduced};
 use super::proportion::Proportion;
 use super::slope_selection::Fraction;
 use super::subsets::{count_subsets, subsets};
+use super::turns::turns;
 
-/// So many subsets of generators are gone through for counts, and for the measure.
-const MOST_SUBSETS: u64 = 200_000;
+/// So many steps are made for the counts, and for the measure: a step takes some tenths of a microsecond.
+const MOST_STEPS: u64 = 30_000_000;
 
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,7 +66,7 @@ pub fn check_combinatorics(
     let inside: Vec<Vector> = placed.iter().map(|v| pivots.iter().map(|&axis| v[axis].clone()).collect()).collect();
 
     let lines = directions(&inside);
-    let counted = match counts(span.rank(), &lines) {
+    let counted = match counts(span.rank(), &lines, longest(&inside)) {
         Some(counts) => {
             expect("vertices", answer.vertices, counts.vertices)?;
             expect("edges", answer.edges, counts.edges)?;
@@ -98,6 +101,36 @@ fn expect(name: &str, claimed: u64, exact: u64) -> Result<(), String> {
     if claimed == exact { Ok(()) } else { Err(format!("{name} is {claimed}, exactly it is {exact}")) }
 }
 
+/// How many bits the components take.
+fn longest(vectors: &[Vector]) -> u64 {
+    vectors.iter().flatten().map(|component| component.bit_len() as u64).max().unwrap_or(0)
+}
+
+/// Whether so many products of numbers of so many bits are few enough.
+fn is_quick(products: u64, bits: u64) -> bool {
+    let words = bits / 64 + 1;
+    products.saturating_mul(1 + words.saturating_mul(words) / 16) <= MOST_STEPS
+}
+
+/// n^power times the logarithm of n.
+fn sorted_steps(count: usize, power: u32) -> u64 {
+    (count as u64).saturating_pow(power).saturating_mul(u64::from(count.max(2).ilog2()))
+}
+
+/// The numbers of faces, if counting them is quick.
+fn counts(rank: usize, lines: &[Vector], bits: u64) -> Option<Counts> {
+    let products = match rank {
+        0..=2 => 0,
+        3 => sorted_steps(lines.len(), 2),
+        _ => count_subsets(lines.len(), rank - 1).saturating_mul((lines.len() * rank) as u64),
+    };
+    match rank {
+        _ if !is_quick(products, bits.saturating_mul(rank as u64)) => None,
+        3 => Some(pencils::counts(lines)),
+        _ => cells::counts(rank, lines),
+    }
+}
+
 struct Counts {
     vertices: u64,
     edges: u64,
@@ -125,61 +158,6 @@ fn modulo(vectors: &[Vector], g: &Vector) -> Vec<Vector> {
     vectors.iter().map(along).collect()
 }
 
-/// The number of regions between the hyperplanes orthogonal to distinct directions.
-fn regions(dimension: usize, lines: &[Vector]) -> u64 {
-    match (dimension, lines.len()) {
-        (_, 0) => 1,
-        (1, _) => 2,
-        (2, count) => 2 * count as u64,
-        (_, count) => {
-            (0..count).fold(1, |sum, i| sum + regions(dimension - 1, &directions(&modulo(&lines[..i], &lines[i]))))
-        }
-    }
-}
-
-/// The numbers of faces, if they are not too many to be counted one by one.
-fn counts(rank: usize, lines: &[Vector]) -> Option<Counts> {
-    if rank >= 2 && count_subsets(lines.len(), rank - 1) > MOST_SUBSETS {
-        return None;
-    }
-    let along = |line: &Vector| directions(&modulo(lines, line));
-    let edges = match rank {
-        0 => 0,
-        _ => lines.iter().map(|line| regions(rank - 1, &along(line))).sum(),
-    };
-    let mut facet_sizes = BTreeMap::new();
-    match rank {
-        0 => {}
-        1 => {
-            facet_sizes.insert(1, 2);
-        }
-        2 => {
-            facet_sizes.insert(2, 2 * lines.len() as u64);
-        }
-        _ => {
-            for u in normals(rank, lines) {
-                let in_facet: Vec<Vector> = lines.iter().filter(|line| dot(&u, line) == IBig::ZERO).cloned().collect();
-                let axis = u.iter().position(|component| *component != IBig::ZERO).expect("a normal is not zero");
-                let drop =
-                    |line: &Vector| (0..rank).filter(|&other| other != axis).map(|other| line[other].clone()).collect();
-                let flat: Vec<Vector> = in_facet.iter().map(drop).collect();
-                let size = usize::try_from(regions(rank - 1, &directions(&flat))).ok()?;
-                *facet_sizes.entry(size).or_default() += 2;
-            }
-        }
-    }
-    Some(Counts { vertices: regions(rank, lines), edges, facet_sizes })
-}
-
-/// A normal for each hyperplane that some of the directions span.
-fn normals(rank: usize, lines: &[Vector]) -> Vec<Vector> {
-    let spanned = subsets(lines.len(), rank - 1).filter_map(|subset| {
-        let span = Echelon::spanned(rank, subset.iter().map(|&index| &lines[index]));
-        <[Vector; 1]>::try_from(span.complement(rank)).ok()
-    });
-    directions(&spanned.flatten().collect::<Vec<_>>())
-}
-
 /// What holds for every zonotope: faces come in opposite pairs; in space V − E + F = 2, and each edge belongs to two facets.
 fn relations(rank: usize, answer: &CombinatoricsAnswer) -> Result<(), String> {
     expect("the sum of facet_sizes", answer.facet_sizes.values().sum(), answer.facets)?;
@@ -196,7 +174,7 @@ fn relations(rank: usize, answer: &CombinatoricsAnswer) -> Result<(), String> {
     Ok(())
 }
 
-/// 2^d Σ |det| in units of the grid, if the subsets are few enough.
+/// 2^d Σ |det| in units of the grid, if adding them up is quick.
 fn measure(dimension: usize, generators: &[Vector], rank: usize) -> Option<IBig> {
     if rank < dimension || dimension == 0 {
         return Some(IBig::ZERO);
@@ -213,12 +191,21 @@ fn measure(dimension: usize, generators: &[Vector], rank: usize) -> Option<IBig>
         }
     }
     let merged: Vec<Vector> = merged.into_values().collect();
-    if count_subsets(merged.len(), dimension) > MOST_SUBSETS {
+    let products = match dimension {
+        1 => 0,
+        2 | 3 => sorted_steps(merged.len(), dimension as u32 - 1),
+        _ => count_subsets(merged.len(), dimension).saturating_mul((dimension * dimension * dimension) as u64),
+    };
+    if !is_quick(products, longest(&merged).saturating_mul(dimension as u64)) {
         return None;
     }
-    let sum: IBig = subsets(merged.len(), dimension)
-        .map(|subset| absolute_determinant(subset.into_iter().map(|index| merged[index].clone()).collect()).abs())
-        .sum();
+    let sum: IBig = match dimension {
+        2 => turns(merged),
+        3 => pencils::volumes(&merged),
+        _ => subsets(merged.len(), dimension)
+            .map(|subset| absolute_determinant(subset.into_iter().map(|index| merged[index].clone()).collect()).abs())
+            .sum(),
+    };
     Some(sum << dimension)
 }
 
