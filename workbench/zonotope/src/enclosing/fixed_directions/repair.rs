@@ -170,16 +170,12 @@ impl<'a, const D: usize> Repair<'a, D> {
         let basis = self.basis.iter().map(|&b| (b, self.scaled.directions[b].vector));
         let mut lengthened = Lengthened::new(rank, &self.generators, basis);
         let extents: [f64; D] = std::array::from_fn(|c| self.generators.iter().map(|g| g[c].abs()).sum());
-        let factor = [1 - self.scaled.exponent, 0];
         let inside: Vec<f64> = (0..self.generators.len()).map(|i| self.coefficient(i)).collect();
         map.set_coefficients(&inside);
         let is_good = self.inverse_is_good();
         for (j, point) in self.problem.points().iter().enumerate() {
             let q: [f64; D] = std::array::from_fn(|i| {
-                self.scaled
-                    .coordinates
-                    .get(i)
-                    .map_or(0.0, |&c| scale_by_power_of_two(point[c] / 2.0 - self.center[c] / 2.0, factor[0]))
+                self.scaled.coordinates.get(i).map_or(0.0, |&c| self.scaled.difference(point[c], self.center[c]))
             });
             let is_clear = |exit: Exit<D>| exit.gauge > 1.0 + NEAR && self.is_clear(&q, &exit, &extents);
             if is_good && map.exit(&q).is_some_and(is_clear) {

@@ -34,19 +34,35 @@ pub(crate) struct Scaled<const D: usize> {
 }
 
 impl<const D: usize> Scaled<D> {
+    /// p − q in the units of the points here, rounded once.
+    pub(crate) fn difference(&self, p: f64, q: f64) -> f64 {
+        let whole = p - q;
+        if whole.is_finite() {
+            scale_by_power_of_two(whole, -self.exponent)
+        } else {
+            scale_by_power_of_two(p / 2.0 - q / 2.0, 1 - self.exponent)
+        }
+    }
+
     pub(crate) fn new(problem: &FixedDirections<'_, D>, span: &Span<D>) -> Self {
         let coordinates = span.pivots().to_vec();
         let inside = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| coordinates.get(i).map_or(0.0, |&c| v[c])) };
         let first = inside(&problem.points()[0]);
-        // Halved, a difference of two doubles never overflows.
-        let halves = |p: &[f64; D]| -> [f64; D] {
+        // A difference that overflows is taken of halves; halves of the smallest doubles would be rounded.
+        let difference = |p: &[f64; D], half: bool| -> [f64; D] {
             let p = inside(p);
-            std::array::from_fn(|i| p[i] / 2.0 - first[i] / 2.0)
+            std::array::from_fn(|i| if half { p[i] / 2.0 - first[i] / 2.0 } else { p[i] - first[i] })
         };
-        let largest = problem.points().iter().flat_map(halves).fold(0.0, |max: f64, c| max.max(c.abs()));
-        let exponent = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1);
-        let factor = Factor::new(1 - exponent);
-        let points = problem.points().iter().map(|p| halves(p).map(|c| factor.apply(c))).collect();
+        let largest = |half: bool| {
+            let differences = problem.points().iter().flat_map(|p| difference(p, half));
+            differences.fold(0.0, |max: f64, c| max.max(c.abs()))
+        };
+        let whole = largest(false);
+        let half = whole == f64::INFINITY;
+        let shift = i64::from(half);
+        let exponent = binary_exponent(if half { largest(half) } else { whole }).map_or(0, |e| i64::from(e) + shift);
+        let factor = Factor::new(shift - exponent);
+        let points = problem.points().iter().map(|p| difference(p, half).map(|c| factor.apply(c))).collect();
         let directions = cheapest_of_each_line(problem, &inside);
         let costs = || directions.iter().map(|d| (problem.weights()[d.index], d.exponent)).filter(|(w, _)| *w > 0.0);
         let magnitude = |(w, e): (f64, i64)| i64::from(binary_exponent(w).expect("a positive weight")) - e;

@@ -100,6 +100,14 @@ macro_rules! dimensions {
                 }
 
                 #[test]
+                fn the_smallest_doubles(points in lattice::<$d>(1..7), directions in lattice::<$d>($least..$most), fine in 1i8..9) {
+                    let tiny = |v: [f64; $d]| v.map(|c| c * f64::from(fine) * f64::from_bits(1));
+                    let points: Vec<[f64; $d]> = points.into_iter().map(tiny).collect();
+                    let directions: Vec<[f64; $d]> = directions.into_iter().map(tiny).collect();
+                    check(&points, &directions, &WEIGHTS[..directions.len()], false)?;
+                }
+
+                #[test]
                 fn all_scales_at_once(
                     points in lattice::<$d>(1..6), directions in lattice::<$d>($least..5),
                     s in proptest::collection::vec(prop_oneof![Just(1e-150), Just(1e150), Just(1e-9), Just(1.0)], 12),

@@ -129,16 +129,16 @@ fn repaired<const D: usize>(
 
 /// Σ |g_i|, rounded up.
 pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
-    let mut lengths = generators.iter().map(|g| {
+    let lengths = generators.iter().map(|g| {
         let largest = g.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
         let axes = g.iter().filter(|c| **c != 0.0).count();
         if axes <= 1 {
-            return largest;
+            return Dyadic::from_f64(largest);
         }
         let unit = g.map(|c| c / largest);
-        largest * (dot(&unit, &unit).sqrt() * (1.0 + 8.0 * D as f64 * UNIT)) + f64::from_bits(1)
+        let factor = dot(&unit, &unit).sqrt() * (1.0 + 8.0 * D as f64 * UNIT);
+        // As a double the product might be denormal, with few bits.
+        &Dyadic::from_f64(largest) * &Dyadic::from_f64(factor)
     });
-    let sum =
-        lengths.try_fold(Dyadic::zero(), |sum, length| length.is_finite().then(|| sum + Dyadic::from_f64(length)));
-    sum.map_or(f64::INFINITY, |sum| rounded_towards(&sum, f64::INFINITY))
+    rounded_towards(&lengths.fold(Dyadic::zero(), |sum, length| sum + length), f64::INFINITY)
 }
