@@ -96,19 +96,28 @@ impl GrowthPlot {
             [n, value(n) / self.y_unit]
         });
         let law = match consistent {
-            Some(best) => format!("{} {}", three_digits(best.constant / self.y_unit), model_name(best.model)),
-            None => format!("power law, {}", place_among_models(growth)),
+            Some(best) => format!("{} {}", three_digits(best.constant / self.y_unit), self.model_name(best.model)),
+            None => format!("power law, {}", place_among_models(growth, |model| self.model_name(model))),
         };
         let exponents = format!("exponent {:.2} ({:.2} to {:.2})", exponent.value, exponent.low, exponent.high);
-        let sizes = format!("n = {} to {}", size_name(growth.smallest), size_name(growth.largest));
+        let sizes = format!("{} = {} to {}", self.letter(), size_name(growth.smallest), size_name(growth.largest));
         curve.notes.extend([law, exponents, sizes]);
         curve.fit = points.collect();
+    }
+
+    /// The letter that the horizontal axis gives to the size.
+    fn letter(&self) -> &'static str {
+        self.x_name.split(' ').find(|word| word.len() == 1).unwrap_or("n")
+    }
+
+    fn model_name(&self, model: GrowthModel) -> String {
+        model_name(model).replace('n', self.letter())
     }
 }
 
 /// Between which models the growth lies, when it is consistent with none.
-fn place_among_models(growth: &Growth) -> String {
-    let of = |verdict| growth.models.iter().filter(move |fit| fit.verdict == verdict).map(|fit| model_name(fit.model));
+fn place_among_models(growth: &Growth, name: impl Fn(GrowthModel) -> String) -> String {
+    let of = |verdict| growth.models.iter().filter(move |fit| fit.verdict == verdict).map(|fit| name(fit.model));
     match (of(ModelVerdict::Faster).next_back(), of(ModelVerdict::Slower).next()) {
         (None, Some(above)) => format!("slower than {above}"),
         (Some(below), None) => format!("faster than {below}"),
@@ -164,8 +173,8 @@ mod tests {
             let samples: Vec<(f64, f64)> = (6..16).map(|k| libm::exp2(f64::from(k))).map(|n| (n, y(n))).collect();
             fit::fit_growth(&samples, GrowthModel::RUNNING_TIMES).expect("ten sizes")
         };
-        assert_eq!(place_among_models(&growth(f64::sqrt)), "slower than n");
-        assert_eq!(place_among_models(&growth(|n| n * n * n)), "faster than n²");
+        assert_eq!(place_among_models(&growth(f64::sqrt), model_name), "slower than n");
+        assert_eq!(place_among_models(&growth(|n| n * n * n), model_name), "faster than n²");
     }
 
     #[test]

@@ -115,6 +115,11 @@ impl Reply {
     }
 }
 
+/// Whether a method computes in floating point, so that it answers by [`guess`] alone.
+pub(super) fn is_rounded(variant: &str) -> bool {
+    ["by_gjk", "clarabel", "microlp"].contains(&variant)
+}
+
 /// Whether a method's answers are proven, so that none may be wrong.
 pub(super) fn is_exact(variant: &str) -> bool {
     variant != "by_gjk"

@@ -1,6 +1,6 @@
 //! The record as tables.
 
-use super::{Cell, PeersRecord, median};
+use super::{PeersRecord, median};
 use crate::families::bodies::{self, question::PLACEMENTS};
 use std::collections::BTreeSet;
 
@@ -41,7 +41,7 @@ impl Table {
     }
 }
 
-/// Every table of the record: time near contact and when clear, wrong answers, the gauge family by family, the line fit.
+/// Every table of the record: time near contact and when clear, wrong answers, how far ours is ahead, the gauge family by family, the line fit.
 pub fn tables(record: &PeersRecord) -> Vec<Table> {
     vec![
         times(
@@ -51,6 +51,7 @@ pub fn tables(record: &PeersRecord) -> Vec<Table> {
         ),
         times(record, "Clearly overlapping or separated, in passes", &["overlapping", "separated"]),
         wrong_answers(record),
+        lead(record),
         gauge_by_family(record),
         line_fits(record),
     ]
@@ -64,10 +65,20 @@ fn passes(value: f64) -> String {
     if value < 99.5 { format!("{value:.1}") } else { format!("{value:.0}") }
 }
 
-/// The median over the cells' questions of a contender's time in passes, as text.
-fn median_passes<'a>(cells: impl Iterator<Item = &'a Cell>, method: &str) -> String {
-    let ratios: Vec<f64> = cells.flat_map(|cell| cell.ratios(method, "pass")).collect();
-    median(&ratios).map_or_else(|| "–".to_owned(), passes)
+/// The middle of some ratios, as text.
+fn middle(ratios: &[f64]) -> String {
+    median(ratios).map_or_else(|| "–".to_owned(), passes)
+}
+
+/// The middle of some ratios and another of them, as text.
+fn middle_and(ratios: &[f64], other: fn(f64, f64) -> f64) -> String {
+    let Some(other) = ratios.iter().copied().reduce(other) else { return "–".to_owned() };
+    format!("{} ({})", middle(ratios), passes(other))
+}
+
+/// Whether any of a row's cells says something.
+fn is_known(row: &[String]) -> bool {
+    row[1..].iter().any(|cell| cell != "–")
 }
 
 fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
@@ -79,15 +90,15 @@ fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
         })
     };
     let row = |&(method, title): &(&str, &str)| {
-        let cells = SIZES.iter().map(|&n| median_passes(chosen(n), method));
+        let cells =
+            SIZES.iter().map(|&n| middle(&chosen(n).flat_map(|cell| cell.ratios(method, "pass")).collect::<Vec<_>>()));
         [title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };
-    let is_known = |row: &Vec<String>| row[1..].iter().any(|cell| cell != "–");
     let head = SIZES.iter().map(|&n| if n == SIZES[0] { "n = 6 (two boxes)".to_owned() } else { size_name(n) });
     Table {
         caption: format!("{what}: median over random bodies. A dash: not run at this size."),
         head: ["method".to_owned()].into_iter().chain(head).collect(),
-        rows: TITLES.iter().map(row).filter(is_known).collect(),
+        rows: TITLES.iter().map(row).filter(|row| is_known(row)).collect(),
     }
 }
 
@@ -122,7 +133,40 @@ fn wrong_answers(record: &PeersRecord) -> Table {
                   question's construction."
                 .to_owned(),
         head: ["method"].into_iter().chain(groups.map(|(name, _)| name)).map(str::to_owned).collect(),
-        rows: TITLES.iter().map(row).filter(|row| row[1..].iter().any(|cell| cell != "–")).collect(),
+        rows: TITLES.iter().map(row).filter(|row| is_known(row)).collect(),
+    }
+}
+
+/// How often the time of our location goes into that of others.
+fn lead(record: &PeersRecord) -> Table {
+    const NEAR: &[&str] = &["inside_1e-9", "outside_1e-9"];
+    const PARRY: (&str, &str) = ("parry's GJK", "parry_gjk");
+    const THEOREM: (&str, &str) = ("Theorem 5.2", "by_slope_selection");
+    const COMPARED: [((&str, &str), &str, &[&str], Option<&str>); 6] = [
+        (PARRY, "random bodies near contact", NEAR, Some("random_bodies")),
+        (PARRY, "random bodies overlapping", &["overlapping"], Some("random_bodies")),
+        (PARRY, "random bodies separated", &["separated"], Some("random_bodies")),
+        (PARRY, "all families overlapping", &["overlapping"], None),
+        (PARRY, "all families separated", &["separated"], None),
+        (THEOREM, "random bodies near contact", NEAR, Some("random_bodies")),
+    ];
+    let sizes: BTreeSet<usize> = record.cells.iter().map(|cell| cell.n).collect();
+    let row = |((name, method), what, placements, family): &((&str, &str), &str, &[&str], Option<&str>)| {
+        let cells = sizes.iter().map(|&n| {
+            let of_size = record.cells.iter().filter(|cell| cell.n == n);
+            let chosen = of_size.filter(|cell| {
+                placements.contains(&cell.placement.as_str()) && family.is_none_or(|family| cell.family == family)
+            });
+            middle_and(&chosen.flat_map(|cell| cell.ratios(method, "by_lad")).collect::<Vec<_>>(), f64::min)
+        });
+        [format!("{name}, {what}")].into_iter().chain(cells).collect::<Vec<_>>()
+    };
+    Table {
+        caption: "How often the time of our location with its proof goes into that of others: median (least) over questions; below \
+                  1 the other is faster."
+            .to_owned(),
+        head: ["method"].into_iter().map(str::to_owned).chain(sizes.iter().map(|&n| size_name(n))).collect(),
+        rows: COMPARED.iter().map(row).filter(|row| is_known(row)).collect(),
     }
 }
 
@@ -131,14 +175,14 @@ fn gauge_by_family(record: &PeersRecord) -> Table {
     let row = |family: &bodies::BodyFamily<3>| {
         let cells = sizes.iter().map(|&n| {
             let chosen = record.cells.iter().filter(|cell| cell.n == n && cell.family == family.id);
-            median_passes(chosen, "by_lad_gauge")
+            middle_and(&chosen.flat_map(|cell| cell.ratios("by_lad_gauge", "pass")).collect::<Vec<_>>(), f64::max)
         });
         [family.title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };
     Table {
-        caption: "The exact gauge with its proof, in passes: median over all placements.".to_owned(),
+        caption: "The exact gauge with its proof, in passes: median (largest) over all placements.".to_owned(),
         head: ["family".to_owned()].into_iter().chain(sizes.iter().map(|&n| size_name(n))).collect(),
-        rows: bodies::BODY_FAMILIES.iter().map(row).filter(|row| row[1..].iter().any(|cell| cell != "–")).collect(),
+        rows: bodies::BODY_FAMILIES.iter().map(row).filter(|row| is_known(row)).collect(),
     }
 }
 

@@ -38,11 +38,14 @@ pub(crate) struct Separator {
 
 /// Draws the lines with their crossings numbered from left to right and the vertical line L_k, in a window of the page.
 pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
-    let around = WorldBox::around(pair.crossings.iter().map(|crossing| &crossing.place)).grown(0.16);
-    let width = around.max[0] - around.min[0];
-    let height = around.max[1] - around.min[1];
-    let stretch = window.width() / width / (window.height() / height);
-    let mut panel = Panel::new(scene, Frame::fit_stretched(&around, window, stretch));
+    let height = |x: f64, &[a, b, c]: &[f64; 3]| -(a * x + c) / b;
+    let met = separator.iter().flat_map(|separator| {
+        let x = pair.separator_x(separator.k);
+        pair.generators.iter().map(move |line| [x, height(x, line)])
+    });
+    let places: Vec<[f64; 2]> = pair.crossings.iter().map(|crossing| crossing.place).chain(met).collect();
+    // Equal scales, so that a line is seen at right angles to its generator's edges.
+    let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&places).grown(0.16), window));
     for (index, &[a, b, c]) in pair.generators.iter().enumerate() {
         let color = GENERATORS[index];
         let ends = panel.line([0.0, -c / b], [b, -a], &window, &generator_stroke(index));

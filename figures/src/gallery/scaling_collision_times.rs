@@ -11,7 +11,7 @@ pub const FIGURE: Figure = Figure {
     title: "Time of the collision methods",
     caption: "Time of each method for one question about a random body of n generators: medians of several runs on this machine. The distance \
               between the kernel and the paper's search is the factor by which one is ahead of the other; explicit faces and the \
-              search cross where their curves do.",
+              search cross where their curves do. GJK and the feasibility programs compute in floating point and are wrong on some of these.",
     claims: &["theorem-5.2"],
     experiments: &[collision_scaling::EXPERIMENT.id],
     deterministic: false,
