@@ -59,7 +59,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     for (row, generators) in FAMILY.into_iter().enumerate() {
         let pair = DualPair::new(generators);
         let top = TOP + ROW * row as f64;
-        let window = |column: f64| PageBox::new(COLUMN * column + 24.0, top + 26.0, COLUMN - 48.0, ROW - 50.0);
+        let window = |column: f64| PageBox::new(COLUMN * column + 24.0, top + 34.0, COLUMN - 48.0, ROW - 58.0);
         let style = TextStyle::new(text_size::NOTE, GREY);
         let note = format!("$n$ = {}, {} crossings", generators.len(), pair.crossings.len());
         scene.text(PagePoint::new(COLUMN * 0.5, top + 8.0), Anchor::Middle, &style, &note);
