@@ -137,36 +137,53 @@ fn wrong_answers(record: &PeersRecord) -> Table {
     }
 }
 
+/// A method of others beside our location on some questions.
+struct Race {
+    title: &'static str,
+    method: &'static str,
+    placements: &'static [&'static str],
+    /// Of this family; of all families if there is none.
+    family: Option<&'static str>,
+}
+
 /// How often the time of our location goes into that of others.
 fn lead(record: &PeersRecord) -> Table {
     const NEAR: &[&str] = &["inside_1e-9", "outside_1e-9"];
-    const PARRY: (&str, &str) = ("parry's GJK", "parry_gjk");
-    const THEOREM: (&str, &str) = ("Theorem 5.2", "by_slope_selection");
-    const COMPARED: [((&str, &str), &str, &[&str], Option<&str>); 6] = [
-        (PARRY, "random bodies near contact", NEAR, Some("random_bodies")),
-        (PARRY, "random bodies overlapping", &["overlapping"], Some("random_bodies")),
-        (PARRY, "random bodies separated", &["separated"], Some("random_bodies")),
-        (PARRY, "all families overlapping", &["overlapping"], None),
-        (PARRY, "all families separated", &["separated"], None),
-        (THEOREM, "random bodies near contact", NEAR, Some("random_bodies")),
+    const RANDOM: Option<&str> = Some("random_bodies");
+    const fn parry(title: &'static str, placements: &'static [&'static str], family: Option<&'static str>) -> Race {
+        Race { title, method: "parry_gjk", placements, family }
+    }
+    const RACES: [Race; 6] = [
+        parry("parry's GJK, random bodies near contact", NEAR, RANDOM),
+        parry("parry's GJK, random bodies overlapping", &["overlapping"], RANDOM),
+        parry("parry's GJK, random bodies separated", &["separated"], RANDOM),
+        parry("parry's GJK, all families overlapping", &["overlapping"], None),
+        parry("parry's GJK, all families separated", &["separated"], None),
+        Race {
+            title: "Theorem 5.2, random bodies near contact",
+            method: "by_slope_selection",
+            placements: NEAR,
+            family: RANDOM,
+        },
     ];
     let sizes: BTreeSet<usize> = record.cells.iter().map(|cell| cell.n).collect();
-    let row = |((name, method), what, placements, family): &((&str, &str), &str, &[&str], Option<&str>)| {
+    let row = |race: &Race| {
         let cells = sizes.iter().map(|&n| {
             let of_size = record.cells.iter().filter(|cell| cell.n == n);
             let chosen = of_size.filter(|cell| {
-                placements.contains(&cell.placement.as_str()) && family.is_none_or(|family| cell.family == family)
+                race.placements.contains(&cell.placement.as_str())
+                    && race.family.is_none_or(|family| cell.family == family)
             });
-            middle_and(&chosen.flat_map(|cell| cell.ratios(method, "by_lad")).collect::<Vec<_>>(), f64::min)
+            middle_and(&chosen.flat_map(|cell| cell.ratios(race.method, "by_lad")).collect::<Vec<_>>(), f64::min)
         });
-        [format!("{name}, {what}")].into_iter().chain(cells).collect::<Vec<_>>()
+        [race.title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };
     Table {
         caption: "How often the time of our location with its proof goes into that of others: median (least) over questions; below \
                   1 the other is faster."
             .to_owned(),
         head: ["method"].into_iter().map(str::to_owned).chain(sizes.iter().map(|&n| size_name(n))).collect(),
-        rows: COMPARED.iter().map(row).filter(|row| is_known(row)).collect(),
+        rows: RACES.iter().map(row).filter(|row| is_known(row)).collect(),
     }
 }
 
