@@ -36,12 +36,12 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant {
             id: "clarabel",
             title: "Feasibility by clarabel",
-            largest: PerProfile { quick: 1 << 10, full: 1 << 14 },
+            largest: PerProfile { quick: 1 << 10, full: 1 << 12 },
         },
         Variant {
             id: "microlp",
             title: "Feasibility by microlp",
-            largest: PerProfile { quick: 1 << 10, full: 1 << 14 },
+            largest: PerProfile { quick: 1 << 10, full: 1 << 12 },
         },
     ],
     measure,
