@@ -27,6 +27,7 @@ mod facet_descent;
 mod facet_map;
 mod farthest;
 mod generation;
+mod lattice;
 mod lengthened;
 mod lower_bound;
 mod normal_program;

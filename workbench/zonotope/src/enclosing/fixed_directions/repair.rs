@@ -135,6 +135,11 @@ pub(crate) fn below(exact: &Rational) -> f64 {
     value
 }
 
+/// The generators in the scaled coordinates, from coefficients there.
+pub(super) fn generators<const D: usize>(scaled: &Scaled<D>, coefficients: &[f64]) -> Vec<[f64; D]> {
+    scaled.directions.iter().zip(coefficients).map(|(d, &c)| d.vector.map(|v| v * c)).collect()
+}
+
 impl<'a, const D: usize> Repair<'a, D> {
     fn new(
         problem: &'a FixedDirections<'a, D>,
@@ -142,13 +147,9 @@ impl<'a, const D: usize> Repair<'a, D> {
         center: [f64; D],
         coefficients: Vec<f64>,
     ) -> Self {
-        let short = scaled.directions.iter().zip(&coefficients);
-        let generators: Vec<[f64; D]> = short
-            .map(|(d, &c)| {
-                let c = scale_by_power_of_two(c, d.exponent - scaled.exponent);
-                d.vector.map(|v| v * c)
-            })
-            .collect();
+        let units = scaled.directions.iter().map(|d| d.exponent - scaled.exponent);
+        let in_scale: Vec<f64> = coefficients.iter().zip(units).map(|(&c, u)| scale_by_power_of_two(c, u)).collect();
+        let generators = generators(scaled, &in_scale);
         let basis = long_basis(problem, scaled, &generators);
         let exact_inverse = exact_inverse(problem, scaled, &basis);
         let mut columns = [[0.0; D]; D];

@@ -1,13 +1,14 @@
 //! From a program over normals to a proven answer: what all methods share.
 
 use super::answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
+use super::basis::{exact_inverse, long_basis};
 use super::brute_force;
-use super::center::double_center;
+use super::center::{Wanted, nearest_doubles};
 use super::facet_map::FacetMap;
 use super::generation::Generation;
 use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
-use super::repair::{below, contain_exactly, value_above};
+use super::repair::{below, contain_exactly, generators, value_above};
 use super::scaled::Scaled;
 use super::span::{Span, rational};
 use crate::enclosing::outward::rounded_towards;
@@ -17,6 +18,9 @@ use crate::tally::Tally;
 
 /// A relative gap with which floating point is left alone.
 const TIGHT: f64 = 1e-13;
+
+/// What a miss along a free direction counts for, beside the cheapest that is not.
+const FREE: f64 = 1e-6;
 
 /// Rational programs with more normals than this are not tried.
 const MOST_NORMALS: usize = 130;
@@ -71,7 +75,9 @@ impl<const D: usize> Proof<'_, D> {
         let lower_bound = rounded_towards(&bound, f64::NEG_INFINITY);
         let effort =
             Effort { rows: program.rows().len(), rounds: generation.rounds, passes: generation.passes, exact: false };
-        let (center, coefficients) = (program.center(), program.coefficients().to_vec());
+        let coefficients = program.coefficients().to_vec();
+        let guess = nearest_doubles(self.problem, self.scaled, &program.center());
+        let center = if self.scaled.rank == D { guess } else { self.center(&guess.map(rational), &coefficients) };
         let (mut answer, _) = self.around(center, &coefficients, &mut generation.map)?;
         (answer.lower_bound, answer.forces, answer.effort) = (lower_bound, forces, effort);
         let is_tight = answer.value - answer.lower_bound <= TIGHT * answer.lower_bound;
@@ -81,14 +87,40 @@ impl<const D: usize> Proof<'_, D> {
         if answer.value == f64::INFINITY { Err(FixedDirectionsError::OutOfRange) } else { Ok(answer) }
     }
 
-    /// The zonotope with the nearest doubles that contains all points, and the point that was missed by most.
+    /// Doubles from which the directions with coefficients other than zero have least to make up for, nearly.
+    fn center(&self, place: &[Rational; D], coefficients: &[f64]) -> [f64; D] {
+        let basis = long_basis(self.problem, self.scaled, &generators(self.scaled, coefficients));
+        let weights = basis.iter().map(|&b| rational(self.problem.weights()[self.scaled.directions[b].index]));
+        let weights: Vec<Rational> = weights.collect();
+        // what is free may be missed by more, but not by anything
+        let least = weights.iter().filter(|w| !w.is_zero()).min();
+        let free = least.map_or(Rational::ONE, |least| least * rational(FREE));
+        let mut cost = exact_inverse(self.problem, self.scaled, &basis);
+        for (row, weight) in cost.iter_mut().zip(&weights) {
+            let weight = if weight.is_zero() { &free } else { weight };
+            row.iter_mut().for_each(|entry| *entry *= weight);
+        }
+        let place = self.scaled.coordinates.iter().map(|&c| place[c].clone()).collect();
+        Wanted { problem: self.problem, span: self.span, place, cost }.center()
+    }
+
+    /// Doubles for the centre of the optimum, the most promising first.
+    fn centers(&self, place: &[Rational; D], is_free: bool, coefficients: &[f64]) -> Vec<[f64; D]> {
+        if is_free {
+            return vec![self.problem.points()[0]];
+        }
+        let nearest = place.clone().map(|c| c.to_f64_fast().clamp(-f64::MAX, f64::MAX));
+        let cheap = self.center(place, coefficients);
+        if self.scaled.rank == D && nearest != cheap { vec![nearest, cheap] } else { vec![cheap] }
+    }
+
+    /// The zonotope around a centre that contains all points, and the point that was missed by most.
     fn around(
         &self,
         center: [f64; D],
         coefficients: &[f64],
         map: &mut FacetMap<D>,
     ) -> Result<(DirectedZonotope<D>, Option<usize>), FixedDirectionsError> {
-        let center = double_center(self.problem, self.scaled, self.span, &center);
         let repaired = contain_exactly(self.problem, self.scaled, center, coefficients, map)?;
         let value = value_above(self.problem.weights(), &repaired.coefficients);
         let (center, coefficients) = (repaired.center, repaired.coefficients);
@@ -126,32 +158,34 @@ impl<const D: usize> Proof<'_, D> {
             };
             // Where free directions suffice they do so, twice as long, around the first point, and no rounding of a centre costs anything.
             let is_free = optimum.value.is_zero();
-            let first = self.problem.points()[0];
-            let center = std::array::from_fn(|i| match self.scaled.coordinates.get(i) {
-                Some(&c) if !is_free => scaled(&(&optimum.center[c] - rational(first[c])), self.scaled.exponent),
-                _ => 0.0,
-            });
             let longer = i64::from(is_free);
             let coefficients: Vec<f64> = kept
                 .iter()
                 .zip(&optimum.coefficients)
                 .map(|(d, c)| scaled(c, self.scaled.exponent - d.exponent - longer))
                 .collect();
-            let (candidate, worst) = self.around(center, &coefficients, &mut generation.map)?;
             answer.effort.exact = true;
             if lower_bound >= answer.lower_bound {
                 answer.lower_bound = lower_bound;
                 let forces = optimum.forces.into_iter();
                 answer.forces = forces.map(|(point, vector)| Force { point: active[point], vector }).collect();
             }
-            if candidate.value < answer.value {
-                (answer.center, answer.coefficients, answer.value) =
-                    (candidate.center, candidate.coefficients, candidate.value);
+            let mut missed = None;
+            for center in self.centers(&optimum.center, is_free, &coefficients) {
+                let (candidate, worst) = self.around(center, &coefficients, &mut generation.map)?;
+                let is_tight = candidate.value - lower_bound <= TIGHT * lower_bound;
+                if candidate.value < answer.value {
+                    (answer.center, answer.coefficients, answer.value) =
+                        (candidate.center, candidate.coefficients, candidate.value);
+                }
+                if is_tight {
+                    return Ok(());
+                }
+                missed = worst.filter(|point| !active.contains(point)).or(missed);
             }
-            let is_tight = candidate.value - lower_bound <= TIGHT * lower_bound;
-            match worst {
-                Some(point) if !is_tight && !active.contains(&point) => active.push(point),
-                _ => return Ok(()),
+            match missed {
+                Some(point) => active.push(point),
+                None => return Ok(()),
             }
         }
     }

@@ -3,8 +3,6 @@
 //! Elimination brings the directions to a basis in reduced echelon form: basis vector i is 1 in its pivot coordinate and 0 in those of the others.
 //! So a vector of the span is known by its pivot coordinates, and each other coordinate is a fixed combination of them.
 
-use dashu_int::UBig;
-
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 
@@ -75,17 +73,6 @@ impl<const D: usize> Span<D> {
         })
     }
 
-    /// For each vector of the basis its least multiple whose coordinates are whole numbers.
-    pub(crate) fn whole_multiples(&self) -> Vec<UBig> {
-        let whole = |basis: &[Rational; D]| {
-            basis.iter().fold(UBig::ONE, |multiple, c| {
-                let rest = c * Rational::from(multiple.clone());
-                multiple * rest.denominator()
-            })
-        };
-        self.basis.iter().map(whole).collect()
-    }
-
     /// A basis of the functionals that vanish on the span.
     pub(crate) fn annihilators(&self) -> Vec<[Rational; D]> {
         let others = (0..D).filter(|c| !self.pivots.contains(c));
@@ -142,12 +129,6 @@ mod tests {
         let departure = span.first_departure(&points).expect("the origin leaves it");
         assert_eq!(departure.point, 2);
         assert!(dot(&departure.functional, &[0.0, 2.0, 2.0].map(rational)).is_zero());
-    }
-
-    #[test]
-    fn multiples_of_the_basis_are_whole() {
-        let span = Span::of(&[[3.0, 1.0, 0.5], [0.0, 0.0, 7.0]]);
-        assert_eq!(span.whole_multiples(), [3u8, 1].map(UBig::from));
     }
 
     #[test]
