@@ -21,6 +21,12 @@ pub(crate) trait ExactLines: Debug + Sync {
         Box::new(|_| false)
     }
 
+    /// Tells the sign of a line's value at a point in homogeneous coordinates, W ≥ 0, where something between doubles and exact
+    /// arithmetic does; `None` decides nothing.
+    fn certain_signs(&self, _point: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
+        Box::new(|_| None)
+    }
+
     /// Σ sign · normal over the given positions, exactly.
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
         let mut sum = [Dyadic::zero(), Dyadic::zero()];

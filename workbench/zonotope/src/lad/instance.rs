@@ -259,12 +259,16 @@ impl<'p> Instance<'p> {
 
     /// Tells the exact side of a line on which a vertex lies.
     fn exact_sides<'a>(&'a self, vertex: &'a Vertex) -> impl Fn(u32) -> i8 + 'a {
-        let passing = OnceCell::new();
+        let (passing, signs) = (OnceCell::new(), OnceCell::new());
         move |line| {
             let point = || if self.own_offsets { None } else { vertex.as_doubles() };
             let passing = passing.get_or_init(|| point().map(|point| self.problem.exact.certainly_passing(point)));
-            let certainly_on = passing.as_ref().is_some_and(|passes| passes(self.position(line)));
-            if certainly_on { 0 } else { vertex.exact_side(&self.exact_line(line)) }
+            if passing.as_ref().is_some_and(|passes| passes(self.position(line))) {
+                return 0;
+            }
+            let known = || self.problem.exact.certain_signs(&vertex.exact);
+            let known = if self.own_offsets { None } else { signs.get_or_init(known)(self.position(line)) };
+            known.unwrap_or_else(|| vertex.exact_side(&self.exact_line(line)))
         }
     }
 
@@ -282,6 +286,21 @@ impl<'p> Instance<'p> {
     /// Whether the normal of a line is exactly zero.
     pub(crate) fn has_zero_normal(&self, line: u32) -> bool {
         self.normal(line) == [0.0, 0.0] && self.exact_line(line).normal.iter().all(Dyadic::is_zero)
+    }
+
+    /// Tells the exact sign of the rate at which a line's value grows along a direction.
+    pub(crate) fn exact_rates<'a>(&'a self, direction: impl Fn() -> [Dyadic; 2] + 'a) -> impl Fn(u32) -> i8 + 'a {
+        let known = OnceCell::new();
+        move |line| {
+            let (direction, signs) = known.get_or_init(|| {
+                let [dx, dy] = direction();
+                let at_infinity = [dx, dy, Dyadic::zero()];
+                let signs = self.problem.exact.certain_signs(&at_infinity);
+                (at_infinity, signs)
+            });
+            let exact = || self.exact_line(line).evaluate(direction).sign() as i8;
+            signs(self.position(line)).unwrap_or_else(exact)
+        }
     }
 
     /// The sign of the cross product of the normals of two lines.

@@ -186,6 +186,7 @@ impl SearchLine {
         let n = instance.len();
         instance.count_pass(tally);
         let ([dx, dy], [fx, fy]) = (self.direction(), self.foot());
+        let exact_rate = instance.exact_rates(|| self.exact(instance).direction());
         let mut crossings = Vec::with_capacity(n);
         let mut cross = |line: u32, [x, y, b]: [f64; 3]| {
             let (left, right) = (x * dx, y * dy);
@@ -195,8 +196,11 @@ impl SearchLine {
                 1
             } else if rate < -bound {
                 -1
+            } else if self.index == Some(line) {
+                0
             } else {
-                self.exact_rate_sign(instance, line, tally)
+                tally.add(Operation::ExactFallback, 1);
+                exact_rate(line)
             };
             if rate_sign == 0 {
                 return;
@@ -215,16 +219,6 @@ impl SearchLine {
             }
         });
         crossings
-    }
-
-    fn exact_rate_sign(&self, instance: &Instance, line: u32, tally: &mut impl Tally) -> i8 {
-        if self.index == Some(line) {
-            return 0;
-        }
-        tally.add(Operation::ExactFallback, 1);
-        let [a, b] = instance.exact_line(line).normal;
-        let [dx, dy] = self.exact(instance).direction();
-        (a * dx + b * dy).sign() as i8
     }
 }
 

@@ -122,18 +122,20 @@ impl LadProblem<'static> {
 }
 
 impl<'a> LadProblem<'a> {
-    /// A problem without a linear term whose columns are at most 2 in magnitude and approximate `exact` within `error`.
-    pub(crate) fn from_exact_lines(columns: Columns, error: LineError, exact: Box<dyn ExactLines + 'a>) -> Self {
-        Self::without_linear_term(Rounded::Stored(columns, error), exact)
+    /// A problem whose columns are at most 2 in magnitude and approximate `exact` within `error`.
+    pub(crate) fn from_exact_lines(
+        columns: Columns,
+        error: LineError,
+        linear: [Dyadic; 2],
+        exact: Box<dyn ExactLines + 'a>,
+    ) -> Self {
+        Self { rounded: Rounded::Stored(columns, error), linear, exact, normal_scale: 0, offset_scale: 0 }
     }
 
-    /// The same with lines that are made as they are read.
+    /// A problem without a linear term with lines that are made as they are read.
     pub(crate) fn from_made_lines(made: Box<dyn MadeLines + 'a>, exact: Box<dyn ExactLines + 'a>) -> Self {
-        Self::without_linear_term(Rounded::Made(made), exact)
-    }
-
-    fn without_linear_term(rounded: Rounded<'a>, exact: Box<dyn ExactLines + 'a>) -> Self {
-        Self { rounded, linear: [Dyadic::zero(), Dyadic::zero()], exact, normal_scale: 0, offset_scale: 0 }
+        let linear = [Dyadic::zero(), Dyadic::zero()];
+        Self { rounded: Rounded::Made(made), linear, exact, normal_scale: 0, offset_scale: 0 }
     }
 
     /// The lines in floating point.

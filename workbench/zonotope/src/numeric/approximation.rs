@@ -31,6 +31,27 @@ pub(crate) struct Approximation {
 }
 
 impl Approximation {
+    /// A double.
+    pub(crate) fn exact(value: f64) -> Self {
+        Self { high: value, low: 0.0, error: 0.0 }
+    }
+
+    /// An exact number.
+    pub(crate) fn of(number: &Dyadic) -> Self {
+        let head = number.to_f64();
+        if !head.is_finite() {
+            return Self::unknown();
+        }
+        let (high, low) = ordered_sum(head, (number - &Dyadic::from_f64(head)).to_f64());
+        Self::within(high, low, RELATIVE * high.abs() + UNDERFLOW)
+    }
+
+    /// The sign of the exact value if it is certain and not zero.
+    pub(crate) fn sign(&self) -> Option<i8> {
+        let is_certain = self.high.abs() * (1.0 - 4.0 * UNIT) > self.error * SLACK;
+        is_certain.then_some(if self.high > 0.0 { 1 } else { -1 })
+    }
+
     /// The quotient of two exact numbers, the divisor positive.
     pub(crate) fn of_ratio(numerator: &Dyadic, denominator: &Dyadic) -> Self {
         let head = numerator.ratio(denominator);
@@ -181,6 +202,11 @@ mod tests {
             if y != z {
                 holds((p - q) / (q - r), &((&x - &y) / (&y - &z)))?;
             }
+            if let Some(sign) = (p * q - r).sign() {
+                prop_assert_eq!(sign, (&x * &y).cmp(&z) as i8);
+            }
+            let number = Dyadic::from_f64(a.0) * Dyadic::from_f64(b.0) - Dyadic::from_f64(c.0);
+            holds(Approximation::of(&number), &number.to_rational())?;
             if let Some(order) = (p * q).certain_order(&(q * r)) {
                 prop_assert_eq!(order, (&x * &y).cmp(&(&y * &z)));
             }

@@ -69,6 +69,21 @@ impl Cell {
         }
     }
 
+    /// A vector near the centre, in terms of the cell's size, with no more digits than that takes; not finite where that overflows.
+    pub(super) fn coarse_center(&self) -> [f64; 3] {
+        let size = self.axes.iter().flatten().map(length).fold(self.ball, f64::max);
+        // the power of two not above the size; adding one far above rounds to its multiples
+        let step = f64::from_bits(size.to_bits() & (0x7ff << 52));
+        let far = 1.5 / f64::EPSILON * step;
+        self.center.map(|c| (c + far) - far)
+    }
+
+    /// Whether no coordinate overflowed.
+    pub(super) fn is_finite(&self) -> bool {
+        let axes = self.axes.iter().flat_map(|axes| axes.as_flattened());
+        self.center.iter().chain(axes).chain([&self.ball]).all(|c| c.is_finite())
+    }
+
     /// v · center; its sign is that throughout the cell for every generator that is not reported.
     #[inline(always)]
     pub(super) fn value(&self, [x, y, z]: &[f64; 3]) -> f64 {
@@ -86,11 +101,17 @@ impl Cell {
     fn nearest(&self, direction: [f64; 3], along: f64, own: f64) -> [f64; 2] {
         let Some([a, b]) = self.axes else { return [0.0; 2] };
         let off = [0, 1, 2].map(|k| direction[k] * (own / along) - self.center[k]);
-        let (aa, ab, bb, oa, ob) = (dot(&a, &a), dot(&a, &b), dot(&b, &b), dot(&off, &a), dot(&off, &b));
-        let determinant = aa * bb - ab * ab;
-        let [x, y] = [(oa * bb - ob * ab) / determinant, (ob * aa - oa * ab) / determinant];
+        let is_swapped = dot(&b, &b) > dot(&a, &a);
+        let [long, short] = if is_swapped { [b, a] } else { [a, b] };
+        // the ellipse may be so thin that its axes seem to be parallel
+        let part = dot(&long, &short) / dot(&long, &long);
+        let across = [0, 1, 2].map(|k| short[k] - part * long[k]);
+        let y = dot(&off, &across) / dot(&across, &across);
+        let y = if y.is_finite() { y } else { 0.0 };
+        let x = dot(&off, &long) / dot(&long, &long) - y * part;
         let size = (x * x + y * y).sqrt().max(1.0) * SLACK;
-        if size.is_finite() { [x / size, y / size] } else { [0.0; 2] }
+        let [x, y] = if x.is_finite() && size.is_finite() { [x / size, y / size] } else { [0.0; 2] };
+        if is_swapped { [y, x] } else { [x, y] }
     }
 
     /// Whether a direction u is certainly in the cell, when scaled such that u · p is center · p.
@@ -110,6 +131,9 @@ impl Cell {
 
     /// Whether a direction u with u · p > 0 is in the cell, when scaled such that u · p is center · p.
     pub(super) fn contains_exactly(&self, u: &ExactVector, p: &ExactVector) -> bool {
+        if !self.is_finite() {
+            return false;
+        }
         let center = vector::exact(self.center);
         let (along, own) = (vector::dot(u, p), vector::dot(&center, p));
         let mut nearest = center;
@@ -262,4 +286,45 @@ fn split<const AXES: usize>(cell: &WideCell<AXES>, generators: &[[f64; 3]], mut 
 #[inline(always)]
 fn wide([[a, b, c], [d, e, f]]: [[f64; 3]; 2]) -> Twice {
     [[a, b], [c, d], [e, f]].map(f64x2::new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const P: [f64; 3] = [0.0, 0.0, 1.0];
+
+    fn holds(cell: &Cell, u: [f64; 3]) -> [bool; 2] {
+        [
+            cell.contains(&bounded::exact(u), &bounded::exact(P)),
+            cell.contains_exactly(&vector::exact(u), &vector::exact(P)),
+        ]
+    }
+
+    #[test]
+    fn an_ellipse_without_a_second_dimension_is_a_segment() {
+        for axes in
+            [[[1.0, 1.0, 0.0], [0.5, 0.5, 0.0]], [[0.0; 3], [2.0, 2.0, 0.0]], [[1.0, 1.0, 0.0], [1e-30, 0.0, 0.0]]]
+        {
+            let cell = Cell { center: P, axes: Some(axes), ball: 1e-3 };
+            assert_eq!(holds(&cell, [0.9, 0.9, 1.0]), [true; 2], "{axes:?}");
+            assert_eq!(holds(&cell, [1.8, 1.8, 2.0]), [true; 2], "{axes:?}");
+            assert_eq!(holds(&cell, [0.5, 0.6, 1.0]), [false; 2], "{axes:?}");
+        }
+        let point = Cell { center: P, axes: Some([[0.0; 3]; 2]), ball: 1e-3 };
+        assert_eq!(holds(&point, P), [true; 2]);
+        let overflown = Cell { center: P, axes: Some([[f64::INFINITY, 0.0, 0.0], [0.0, 1.0, 0.0]]), ball: 1e-3 };
+        assert_eq!(holds(&overflown, P), [false; 2]);
+    }
+
+    #[test]
+    fn the_coarse_centre_is_near_and_short() {
+        let cell = Cell { center: [1.0 / 3.0, -0.1, 1e-9], axes: None, ball: 1e-3 };
+        let coarse = cell.coarse_center();
+        for (c, own) in coarse.iter().zip(cell.center) {
+            assert!((c - own).abs() <= 1e-3 && (c * 1024.0).fract() == 0.0, "{coarse:?}");
+        }
+        let fine = Cell { ball: 1e-20, ..cell }.coarse_center();
+        assert!(fine.iter().zip(cell.center).all(|(c, own)| (c - own).abs() <= 1e-20), "{fine:?}");
+    }
 }

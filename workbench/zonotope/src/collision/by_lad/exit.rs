@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::certain::Certain;
-use super::plane::{PlaneProblem, Vectors};
+use super::plane::{Plane, PlaneProblem, Vectors};
 use super::separation::separation;
 use super::sums::signed_sum;
 use super::trail::Trail;
@@ -42,13 +42,18 @@ impl Exit {
     /// Solves the kernel problem of a question whose displacement p is not zero.
     fn find(question: &Displacement<'_, 3>, p: &ExactVector, tally: &mut impl Tally) -> Self {
         tally.add(Operation::ExactFallback, 1);
+        let center = match Self::of_longest(question, p, SEED, tally) {
+            Ok(exit) => return exit,
+            Err(center) => center,
+        };
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        let plane = PlaneProblem::new(Vectors::All(question), p.clone());
+        let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
+        let plane = PlaneProblem::new(Vectors::All(question), &none, Plane::new(p.clone(), center));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
         let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
-        Self::new(question, p, direction, plane.signs(&optimum.certificate.signs), basis)
+        Self::new(question, p, direction, optimum.certificate.signs.clone(), basis)
     }
 
     /// The optimum after a search that left a trail.
@@ -66,19 +71,18 @@ impl Exit {
         // the widest problem that is still small for exact arithmetic has the surest cell
         let steps = trail.steps();
         let count = steps.iter().position(|(_, crossing)| crossing.len() <= FEW).map_or(steps.len(), |step| step + 1);
-        let (_, indices) = steps[..count].last()?;
+        let (cell, indices) = steps[..count].last()?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index as usize)).collect();
         let mut signs = trail.up_to(count).signs(question);
         let rest = signed_sum(question.generators().copied().zip(signs.iter().copied()));
-        let plane = PlaneProblem::new(Vectors::Few(&vectors, rest.clone()), p.clone());
+        let plane = PlaneProblem::new(Vectors::Few(&vectors), &rest, Plane::new(p.clone(), Some(cell.coarse_center())));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum()?;
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
-        let own = plane.signs(&optimum.certificate.signs);
-        let (last, own) = own.split_last()?;
-        let is_inside = *last == 1 && steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
+        let own = &optimum.certificate.signs;
+        let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
         is_inside.then(|| {
             for (&index, &sign) in indices.iter().zip(own) {
                 signs[index as usize] = sign;
@@ -106,7 +110,7 @@ impl Exit {
         Self::new(question, p, direction, signs, certain.basis.to_vec())
     }
 
-    fn new(
+    pub(super) fn new(
         question: &Displacement<'_, 3>,
         p: &ExactVector,
         direction: ExactVector,

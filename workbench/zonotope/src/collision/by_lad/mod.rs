@@ -23,8 +23,9 @@
 //!    generators are parallel to the facet, each has a share (`shares`).
 //!    Where the first guess is wrong, because many lines nearly meet or lengths are uneven, samples whose gradient is corrected by a pass find the optimum (`settle`).
 //! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
-//!    in exact coordinates of the plane (`plane`, `exit`); where that does not help, the whole problem. The signs of all
-//!    generators follow from the cells (`trail`).
+//!    in exact coordinates of the plane around the cell's centre (`plane`, `exit`), in which nearly all signs are certain in doubles, and nearly
+//!    all others in pairs of doubles (`pair_direction`). The signs of all generators follow from the cells (`trail`). Where that does not
+//!    help, the optimum of the longest generators may be that of all (`longest`); if not, the whole problem is solved around it.
 //! 6. λ < 1: the direction u separates; it is rounded to doubles, which is proved to be enough (`facet`, `separation`).
 //! 7. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`inside`, `witness`, `walk`).
 //!
@@ -71,7 +72,9 @@ mod flat;
 mod inside;
 pub(super) mod lift;
 mod lines;
+mod longest;
 mod median;
+mod pair_direction;
 mod plane;
 mod reduced;
 mod sample;

@@ -1,20 +1,22 @@
-//! The plane { u : u · p = 1 } in coordinates, and the line that each generator v makes of v · u = 0 in it.
+//! The plane { u : u · p = c · p } in coordinates, and the line that each generator v makes of v · u = 0 in it.
 //!
-//! Let k be the axis along which p is longest and i, j the others. With u_i = x and u_j = y the plane gives
-//! u_k = (1 − x p_i − y p_j) / p_k, hence
+//! Let c be any vector with c · p > 0, k the axis along which p is longest and i, j the others. With e_1 = p_k î − p_i k̂ and
+//! e_2 = p_k ĵ − p_j k̂, both orthogonal to p, the plane is u = c + x e_1 + y e_2, hence
 //!
-//! p_k (v · u) = (v_i p_k − v_k p_i) x + (v_j p_k − v_k p_j) y + v_k,
+//! v · u = (v_i p_k − v_k p_i) x + (v_j p_k − v_k p_j) y + v · c,
 //!
-//! a line whose coefficients are polynomials in the input: the data are not rotated. The objective of the kernel is
-//! |p_k| h(u), and u · p = 1 is kept exactly.
+//! a line whose coefficients are polynomials in the input and c: the data are not rotated, and the plane is kept exactly. The objective of the
+//! kernel is h(u). Each coefficient is rounded once. So where c is near the optimum, lines that nearly meet there have small offsets
+//! that are known to all their digits: doubles tell apart what in other coordinates differs by less than a rounding.
 
+use super::pair_direction::PairDirection;
 use super::sums::signed_sum;
 use crate::collision::Displacement;
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
 use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
-use crate::numeric::vector::{ExactVector, exact, multiple, sum};
+use crate::numeric::vector::{ExactVector, dot, exact, multiple};
 
 /// The coordinates of the plane for a displacement that is not zero.
 #[derive(Debug, Clone)]
@@ -22,6 +24,7 @@ pub(super) struct Plane {
     /// The axes i, j, k.
     axes: [usize; 3],
     p: ExactVector,
+    center: ExactVector,
 }
 
 /// The vectors of a kernel problem.
@@ -29,8 +32,8 @@ pub(super) struct Plane {
 pub(super) enum Vectors<'a> {
     /// The generators of a question.
     All(&'a Displacement<'a, 3>),
-    /// Some generators, and last the sum of all others with their signs.
-    Few(&'a [[f64; 3]], ExactVector),
+    /// Some generators.
+    Few(&'a [[f64; 3]]),
 }
 
 /// Vectors as lines, normals and offsets each scaled by a power of two.
@@ -46,30 +49,14 @@ impl Vectors<'_> {
     fn len(&self) -> usize {
         match self {
             Self::All(question) => question.len(),
-            Self::Few(vectors, _) => vectors.len() + 1,
+            Self::Few(vectors) => vectors.len(),
         }
     }
 
-    fn get(&self, position: usize) -> ExactVector {
+    fn get(&self, position: usize) -> [f64; 3] {
         match self {
-            Self::All(question) => exact(question.generator(position)),
-            Self::Few(vectors, last) => vectors.get(position).map_or_else(|| last.clone(), |v| exact(*v)),
-        }
-    }
-
-    fn signed_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> ExactVector {
-        match self {
-            Self::All(question) => signed_sum(terms.map(|(position, sign)| (question.generator(position), sign))),
-            Self::Few(vectors, last) => {
-                let mut last_sign = 0;
-                let few = terms.filter_map(|(position, sign)| {
-                    let vector = vectors.get(position);
-                    last_sign += if vector.is_none() { sign } else { 0 };
-                    vector.map(|v| (*v, sign))
-                });
-                let few = signed_sum(few);
-                sum(&few, &multiple(&Dyadic::from_f64(f64::from(last_sign)), last))
-            }
+            Self::All(question) => question.generator(position),
+            Self::Few(vectors) => vectors[position],
         }
     }
 }
@@ -82,42 +69,45 @@ pub(super) struct PlaneProblem<'a> {
 }
 
 impl Plane {
-    pub(super) fn new(p: ExactVector) -> Self {
+    /// The coordinates around a centre; around an axis where there is none, or where it is not on p's side.
+    pub(super) fn new(p: ExactVector, center: Option<[f64; 3]>) -> Self {
         let longest = (0..3).max_by_key(|&axis| p[axis].clone().abs()).expect("there are three axes");
         let axes = [(longest + 1) % 3, (longest + 2) % 3, longest];
-        Self { axes, p }
+        let near = center.filter(|c| c.iter().all(|c| c.is_finite())).map(exact).filter(|c| dot(c, &p).sign().is_gt());
+        let center = near.unwrap_or_else(|| {
+            let side = f64::from(p[longest].sign() as i8);
+            exact([0, 1, 2].map(|axis| if axis == longest { side } else { 0.0 }))
+        });
+        Self { axes, p, center }
     }
 
-    fn line(&self, v: &ExactVector) -> ExactLine {
+    fn normal(&self, v: &ExactVector) -> [Dyadic; 2] {
         let [i, j, k] = self.axes;
-        let p = &self.p;
-        let across = |axis: usize| &v[axis] * &p[k] - &v[k] * &p[axis];
-        ExactLine { normal: [across(i), across(j)], offset: v[k].clone() }
+        [i, j].map(|axis| &v[axis] * &self.p[k] - &v[k] * &self.p[axis])
     }
 
-    /// Whether p_k is negative: then a generator's line is positive where v · u is negative.
-    fn is_reversed(&self) -> bool {
-        self.p[self.axes[2]].sign().is_lt()
+    fn line(&self, v: [f64; 3]) -> ExactLine {
+        let v = exact(v);
+        ExactLine { normal: self.normal(&v), offset: dot(&v, &self.center) }
     }
 
     /// A positive multiple of the u with coordinates (x / w, y / w).
     fn direction(&self, [x, y, w]: [Dyadic; 3]) -> ExactVector {
         let [i, j, k] = self.axes;
         let p = &self.p;
-        let last = &w - &(&x * &p[i]) - &y * &p[j];
-        let (first, second) = (&x * &p[k], &y * &p[k]);
-        let mut u = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
-        (u[i], u[j], u[k]) = (first, second, last);
-        if self.is_reversed() { u.map(|v| -v) } else { u }
+        let mut u = multiple(&w, &self.center);
+        u[i] = &u[i] + &(&x * &p[k]);
+        u[j] = &u[j] + &(&y * &p[k]);
+        u[k] = &u[k] - &(&x * &p[i] + &y * &p[j]);
+        u
     }
 }
 
 impl<'a> PlaneProblem<'a> {
-    /// The kernel problem of some vectors and a displacement p that is not zero. O(n) exact operations.
-    pub(super) fn new(vectors: Vectors<'a>, p: ExactVector) -> Self {
-        let plane = Plane::new(p);
+    /// The kernel problem of some vectors and the sum of all others with their signs, for a plane. O(n) exact operations.
+    pub(super) fn new(vectors: Vectors<'a>, others: &ExactVector, plane: Plane) -> Self {
         let leading = |position: usize| {
-            let ExactLine { normal: [x, y], offset } = plane.line(&vectors.get(position));
+            let ExactLine { normal: [x, y], offset } = plane.line(vectors.get(position));
             [x, y, offset].map(|value| value.leading())
         };
         let lines: Vec<[(f64, i64); 3]> = (0..vectors.len()).map(leading).collect();
@@ -132,9 +122,10 @@ impl<'a> PlaneProblem<'a> {
             let scaled = |c: usize, scale: i64| scale_by_power_of_two(line[c].0, line[c].1 - scale);
             columns.push([scaled(0, normal_scale), scaled(1, normal_scale), scaled(2, offset_scale)]);
         }
+        let linear = plane.normal(others).map(|v| v.scaled(-normal_scale));
         let exact = GeneratorLines { plane: plane.clone(), vectors, normal_scale, offset_scale };
         let error = LineError { offset_relative: 2.0 * UNIT, offset_per_normal: 0.0 };
-        let problem = LadProblem::from_exact_lines(columns, error, Box::new(exact));
+        let problem = LadProblem::from_exact_lines(columns, error, linear, Box::new(exact));
         Self { problem, plane, point_scale: offset_scale - normal_scale }
     }
 
@@ -144,26 +135,23 @@ impl<'a> PlaneProblem<'a> {
     }
 }
 
-impl PlaneProblem<'_> {
-    /// The signs of v · u for signs of lines.
-    pub(super) fn signs(&self, lines: &[i8]) -> Vec<i8> {
-        let factor = if self.plane.is_reversed() { -1 } else { 1 };
-        lines.iter().map(|sign| factor * sign).collect()
-    }
-}
-
 impl ExactLines for GeneratorLines<'_> {
     fn line(&self, position: usize) -> ExactLine {
-        let ExactLine { normal, offset } = self.plane.line(&self.vectors.get(position));
+        let ExactLine { normal, offset } = self.plane.line(self.vectors.get(position));
         ExactLine { normal: normal.map(|v| v.scaled(-self.normal_scale)), offset: offset.scaled(-self.offset_scale) }
+    }
+
+    /// The line's value is v · u for one direction u: a sum of three products of pairs of doubles.
+    fn certain_signs(&self, [x, y, w]: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
+        let scale = self.offset_scale - self.normal_scale;
+        let direction = self.plane.direction([x.clone().scaled(scale), y.clone().scaled(scale), w.clone()]);
+        let pairs = PairDirection::new(&direction);
+        Box::new(move |position| pairs.certain_sign(&self.vectors.get(position)))
     }
 
     /// By linearity in the generator: one line, that of the exact sum.
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
-        let sum = self.vectors.signed_sum(terms);
-        let [i, j, k] = self.plane.axes;
-        let p = &self.plane.p;
-        let across = |axis: usize| (&sum[axis] * &p[k] - &sum[k] * &p[axis]).scaled(-self.normal_scale);
-        [across(i), across(j)]
+        let sum = signed_sum(terms.map(|(position, sign)| (self.vectors.get(position), sign)));
+        self.plane.normal(&sum).map(|v| v.scaled(-self.normal_scale))
     }
 }

@@ -166,13 +166,21 @@ fn family<const D: usize>(name: &str, n: usize, random: &mut Pcg64Mcg) -> Vec<[f
                 let base = [1.0f64, 2.0, -1.0][(i + k) % 3];
                 f64::from_bits(base.to_bits().wrapping_add(random.random_range(0..2)))
             }),
+            "last digits" => {
+                let base = [[1.0, 2.0, 3.0], [3.0, -1.0, 2.0], [0.5, 0.25, -1.0]][random.random_range(0..3)];
+                std::array::from_fn(|k| base[k] * (1.0 + 1e-15 * f64::from(random.random_range(-3..=3))))
+            }
+            "thin" => {
+                let v: [f64; D] = std::array::from_fn(|_| random.random_range(-1.0..1.0));
+                std::array::from_fn(|k| if k + 1 == D { 1e-12 * v[k] } else { v[k] })
+            }
             "bundles" => few[i % 3].map(|c| c + 1e-9 * random.random_range(-1.0..1.0)),
             _ => unreachable!("no family {name}"),
         })
         .collect()
 }
 
-const FAMILIES: [&str; 11] = [
+const FAMILIES: [&str; 13] = [
     "random",
     "lattice",
     "parallel",
@@ -183,6 +191,8 @@ const FAMILIES: [&str; 11] = [
     "denormal",
     "huge",
     "ulp",
+    "last digits",
+    "thin",
     "bundles",
 ];
 
@@ -274,6 +284,36 @@ fn prove<const D: usize>(name: &str, question: &Displacement<'_, D>) {
             let located = locate(&moved);
             assert_eq!(located.is_member(), is_member, "{name} {}: {value} ± {error}", question.len());
             assert_eq!(verify(&moved, &located), Ok(()), "{name} {}", question.len());
+        }
+    }
+}
+
+/// All generators on one side of a plane, and a point that is their sum but for rounding: more lines nearly meet there than doubles tell apart.
+#[test]
+fn lines_that_meet_but_for_the_last_digits_are_told_apart() {
+    let mut random = Pcg64Mcg::seed_from_u64(6);
+    for name in ["last digits", "ulp", "bundles", "scales"] {
+        let generators = family::<3>(name, 30, &mut random);
+        let mut sum = [0.0; 3];
+        for v in &generators {
+            sum = [0, 1, 2].map(|k| sum[k] + f64::copysign(1.0, v[0]) * v[k]);
+        }
+        for factor in [1.0, 0.3] {
+            check(&Displacement::new([0.0; 3], sum.map(|c| factor * c), &generators).expect("finite"));
+        }
+    }
+    for name in ["last digits", "thin", "scales", "coordinate scales"] {
+        for n in [1000, 3000] {
+            let generators = family::<3>(name, n, &mut random);
+            let mut sum = [0.0; 3];
+            for v in &generators {
+                sum = [0, 1, 2].map(|k| sum[k] + f64::copysign(1.0, v[0]) * v[k]);
+            }
+            let direction = Displacement::new([0.0; 3], [1.0, 0.3, 0.1], &generators).expect("finite");
+            let edge = [1.0, 0.3, 0.1].map(|c| c / gauge(&direction).value);
+            for p in [sum, sum.map(|c| 0.3 * c), edge] {
+                prove(name, &Displacement::new([0.0; 3], p, &generators).expect("finite"));
+            }
         }
     }
 }
