@@ -11,12 +11,13 @@
 //!
 //! # Method
 //! 1. The affine hull of the points, coordinates of ordinary size; the net in as many dimensions.
-//! 2. The least zonotope along the net ([`fixed_directions`](crate::enclosing::fixed_directions)).
+//! 2. The least zonotope along a part of the net ([`fixed_directions`](crate::enclosing::fixed_directions)); the directions that its forces load beyond their limit join, until none does.
 //! 3. Its forces, and the farthest vertex of their zonotope: the lower bound for all directions.
 //! 4. Generators rounded; what they miss of any point is added along the axes.
 //!
 //! # Complexity
-//! d (d/ε)^{d−1} directions and the axes for the paper's net, O(ε^{−(d−1)/2}) for the other; then the time of the method for fixed directions.
+//! d (d/ε)^{d−1} directions and the axes for the paper's net, O(ε^{−(d−1)/2}) for the other; a pass over them and the time of the method for fixed
+//! directions, of which there are few, for each of some rounds.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.
