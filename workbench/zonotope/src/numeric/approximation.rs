@@ -11,7 +11,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::dyadic::Dyadic;
+use super::dyadic::{Dyadic, scale_by_power_of_two};
 use super::exact_product::exact_product;
 use super::exact_sum::exact_sum;
 use super::tolerance::{UNDERFLOW, UNIT};
@@ -21,6 +21,9 @@ const RELATIVE: f64 = f64::from_bits((1023 - 98) << 52);
 
 /// Covers the rounding of a bound that is computed in a few operations.
 const SLACK: f64 = 1.0 + f64::from_bits((1023 - 40) << 52);
+
+/// A value scaled down by more than this power of two is only an error.
+const VANISHING: i64 = -900;
 
 /// The exact value lies within `error` of `high` + `low`; |low| ≤ u |high|.
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +64,15 @@ impl Approximation {
         let rest = numerator - &(&Dyadic::from_f64(head) * denominator);
         let (high, low) = ordered_sum(head, rest.ratio(denominator));
         Self::within(high, low, RELATIVE * high.abs() + UNDERFLOW)
+    }
+
+    /// The value times 2 to the power of an exponent that is not positive; a value near zero where it is below that of [`VANISHING`].
+    pub(crate) fn scaled_down(self, exponent: i64) -> Self {
+        let factor = scale_by_power_of_two(1.0, exponent.max(VANISHING));
+        if exponent < VANISHING {
+            return Self::within(0.0, 0.0, 2.0 * (self.high.abs() + self.error) * factor);
+        }
+        Self::within(self.high * factor, self.low * factor, self.error * factor + UNDERFLOW)
     }
 
     /// The order of the exact values, if the bounds decide it.
@@ -204,6 +216,9 @@ mod tests {
             }
             if let Some(sign) = (p * q - r).sign() {
                 prop_assert_eq!(sign, (&x * &y).cmp(&z) as i8);
+            }
+            for exponent in [0, -1, -60, -890, -1500] {
+                holds(p.scaled_down(exponent), &(Dyadic::from_f64(a.0).scaled(exponent).to_rational() / Dyadic::from_f64(a.1).to_rational()))?;
             }
             let number = Dyadic::from_f64(a.0) * Dyadic::from_f64(b.0) - Dyadic::from_f64(c.0);
             holds(Approximation::of(&number), &number.to_rational())?;

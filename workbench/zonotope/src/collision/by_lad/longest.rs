@@ -12,24 +12,34 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction};
 use crate::tally::{Operation, Tally};
 
-/// One generator in so many is taken for one of the longest, and no fewer than `LEAST`.
+/// What is shorter than this part of the longest is left out: some digits more than rounding the displacement takes off.
+const SHORT: f64 = f64::from_bits((1023 - 64) << 52);
+
+/// At most one generator in so many is among the longest.
+const MOST: usize = 4;
+
+/// Where lengths are even, one generator in so many is taken instead: their optimum is near that of all.
 const SHARE: usize = 16;
-const LEAST: usize = 64;
+
+/// The product with a direction of what is nearly orthogonal to it, in terms of the sizes of both.
+const NEAR: f64 = 1e-9;
+
+/// Fewer generators are all solved for at once.
+const FEW: usize = 128;
 
 impl Exit {
-    /// The optimum of the longest generators if it is that of all; else a direction near it.
+    /// The optimum of the longest generators if it is that of all; else a direction to which most generators are nearly orthogonal, if it is one.
     pub(super) fn of_longest(
         question: &Displacement<'_, 3>,
         p: &ExactVector,
         seed: u64,
         tally: &mut impl Tally,
     ) -> Result<Self, Option<[f64; 3]>> {
-        let count = LEAST.max(question.len() / SHARE);
-        if question.len() < 2 * count {
+        if question.len() < FEW {
             return Err(None);
         }
         tally.add(Operation::GeneratorRead, 2 * question.len() as u64);
-        let indices = longest(question, count);
+        let indices = longest(question);
         let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index)).collect();
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
         let plane = PlaneProblem::new(Vectors::Few(&vectors), &none, Plane::new(p.clone(), None));
@@ -45,7 +55,11 @@ impl Exit {
         }
         let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
         let exit = Self::new(question, p, direction, signs, basis);
-        if exit.is_optimal(question, p) { Ok(exit) } else { Err(Some(rounded_direction(&exit.direction))) }
+        if exit.is_optimal(question, p) {
+            return Ok(exit);
+        }
+        let center = rounded_direction(&exit.direction);
+        Err(Some(center).filter(|center| is_meeting(question, center)))
     }
 
     /// Whether two generators of the basis make up for what all others leave, with coefficients in [−1, 1].
@@ -60,20 +74,29 @@ impl Exit {
     }
 }
 
-/// The longest generators, in the order of their indices.
-fn longest(question: &Displacement<'_, 3>, count: usize) -> Vec<usize> {
-    let size = |v: &[f64; 3]| v.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-    let mut sizes: Vec<(f64, usize)> = question.generators().map(size).zip(0..).collect();
-    sizes.select_nth_unstable_by(count - 1, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let mut indices: Vec<usize> = sizes[..count].iter().map(|(_, index)| *index).collect();
-    indices.sort_unstable();
-    indices
+/// Whether most generators are nearly orthogonal to a direction of size 1: what doubles tell of their signs elsewhere they do not tell there.
+fn is_meeting(question: &Displacement<'_, 3>, center: &[f64; 3]) -> bool {
+    let is_near = |v: &&[f64; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|k| v[k] * center[k]);
+        (x + y + z).abs() <= NEAR * size(v)
+    };
+    2 * question.generators().filter(is_near).count() > question.len()
+}
+
+fn size(v: &[f64; 3]) -> f64 {
+    v.iter().fold(0.0f64, |m, c| m.max(c.abs()))
+}
+
+/// The longest generators; some from everywhere if they are not few.
+fn longest(question: &Displacement<'_, 3>) -> Vec<usize> {
+    let least = SHORT * question.generators().map(size).fold(0.0, f64::max);
+    let long: Vec<usize> = question.generators().zip(0..).filter(|(v, _)| size(v) > least).map(|(_, i)| i).collect();
+    if MOST * long.len() <= question.len() { long } else { (0..question.len()).step_by(SHARE).collect() }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::vector::is_zero;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
@@ -99,10 +122,25 @@ mod tests {
                             .fold(Dyadic::zero(), |sum, v| sum + dot(&exact(*v), &exit.direction).abs());
                         assert_eq!(reach, exit.reach, "the signs are not those of the direction");
                     }
-                    Err(center) => assert!(center.is_some_and(|c| !is_zero(&exact(c)))),
+                    Err(center) => assert_eq!(center, None),
                 }
             }
         }
         assert_eq!(found, 5);
+    }
+
+    #[test]
+    fn where_all_nearly_meet_the_direction_is_told() {
+        let random = &mut Pcg64Mcg::seed_from_u64(7);
+        let body: Vec<[f64; 3]> = (0..1500)
+            .map(|_| {
+                let [x, y, z] = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
+                [x, y, x + y + 1e-14 * z]
+            })
+            .collect();
+        let question = Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &body).expect("finite");
+        let center = Exit::of_longest(&question, &exact([0.0, 0.0, 1.0]), 1, &mut ()).map(|_| ()).expect_err("a part");
+        let [x, y, z] = center.expect("all nearly meet");
+        assert!((x + z).abs() + (y + z).abs() < 1e-12, "{x} {y} {z}");
     }
 }

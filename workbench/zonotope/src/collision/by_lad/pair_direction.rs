@@ -1,41 +1,55 @@
-//! The sign of v · u for an exact direction u: by pairs of doubles, and exactly where they leave a doubt.
+//! The sign of v · u for an exact direction u, by pairs of doubles: told for nearly every generator that is not orthogonal to u.
 //!
-//! u is rounded once, to about 98 bits. A generator is scaled by a power of two before it is multiplied, so that those of all sizes are told alike.
+//! Each coordinate of u is rounded once, to about 98 bits, with an exponent of its own, and so is each product. So it does not matter how far the
+//! sizes of coordinates and generators are apart.
 
 use crate::numeric::approximation::Approximation;
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::vector::ExactVector;
 
-/// Exponents between which a vector need not be scaled.
-const MODERATE: i32 = 300;
+/// Between 2 to the power of this and of its opposite, products of two doubles and their rounding errors are normal numbers.
+const MODERATE: i64 = 300;
 
-/// A direction as pairs of doubles, its largest coordinate about 1.
-pub(super) struct PairDirection([Approximation; 3]);
+/// A direction as pairs of doubles.
+pub(super) struct PairDirection {
+    /// Each coordinate divided by the power of two below it; none for zero.
+    terms: [Option<(Approximation, i64)>; 3],
+    /// The coordinates themselves, scaled by the same power of two, if they are of moderate size.
+    moderate: Option<[Approximation; 3]>,
+}
 
 impl PairDirection {
     pub(super) fn new(direction: &ExactVector) -> Self {
-        let exponent = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
-        Self(direction.each_ref().map(|c| Approximation::of(&c.clone().scaled(-exponent))))
+        let terms = direction.each_ref().map(|c| {
+            let exponent = c.binary_exponent()?;
+            Some((Approximation::of(&c.clone().scaled(-exponent)), exponent))
+        });
+        let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max().unwrap_or(0);
+        let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < MODERATE);
+        let scaled = |c: &Dyadic| Approximation::of(&c.clone().scaled(-largest));
+        Self { terms, moderate: is_moderate.then(|| direction.each_ref().map(scaled)) }
     }
 
     /// The sign of v · u if pairs tell and it is not zero.
     pub(super) fn certain_sign(&self, v: &[f64; 3]) -> Option<i8> {
-        let scaled = moderate(v)?;
-        let [x, y, z] = [0, 1, 2].map(|k| self.0[k] * Approximation::exact(scaled[k]));
-        (x + y + z).sign()
+        const SMALL: f64 = f64::from_bits(((1023 - MODERATE) as u64) << 52);
+        const LARGE: f64 = f64::from_bits(((1023 + MODERATE) as u64) << 52);
+        let is_moderate = |c: &f64| *c == 0.0 || (SMALL..LARGE).contains(&c.abs());
+        if let Some(direction) = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate)) {
+            let [x, y, z] = [0, 1, 2].map(|k| direction[k] * Approximation::exact(v[k]));
+            return (x + y + z).sign();
+        }
+        let terms = [0, 1, 2].map(|k| {
+            let ((coordinate, own), exponent) = (self.terms[k]?, i64::from(binary_exponent(v[k])?));
+            Some((coordinate * Approximation::exact(scale_by_power_of_two(v[k], -exponent)), own + exponent))
+        });
+        let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max()?;
+        let sum = terms
+            .into_iter()
+            .flatten()
+            .fold(Approximation::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
+        sum.sign()
     }
-}
-
-/// A vector times a power of two, of moderate size; none where that rounds a coordinate, or for zero.
-fn moderate(v: &[f64; 3]) -> Option<[f64; 3]> {
-    let size = v.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-    let exponent = binary_exponent(size)?;
-    if exponent.abs() < MODERATE {
-        return Some(*v);
-    }
-    let scaled = v.map(|c| scale_by_power_of_two(c, i64::from(-exponent)));
-    let is_same = |k: usize| scale_by_power_of_two(scaled[k], i64::from(exponent)) == v[k];
-    (0..3).all(is_same).then_some(scaled)
 }
 
 #[cfg(test)]
