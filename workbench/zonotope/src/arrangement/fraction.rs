@@ -4,7 +4,13 @@ use std::cmp::Ordering;
 
 use crate::numeric::Rational;
 use crate::numeric::approximation::Approximation;
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+
+/// More than the relative error of two leading doubles and of their difference: each is within 2^-50.
+const LEADING: f64 = f64::from_bits((1023 - 48) << 52);
+
+/// Exponents that differ by so much differ by enough.
+const FAR: i64 = 60;
 
 /// numerator / denominator with a positive denominator.
 #[derive(Debug, Clone)]
@@ -28,6 +34,17 @@ impl Fraction {
         Approximation::of_ratio(&self.numerator.clone().scaled(shift), &self.denominator)
     }
 
+    /// The order where the leading doubles tell.
+    fn certain_order(&self, other: &Self) -> Option<Ordering> {
+        let (Some((e, own)), Some((f, others))) = (self.leading(), other.leading()) else {
+            return Some(self.numerator.sign().cmp(&other.numerator.sign()));
+        };
+        // both are about 1: what is far apart stays far apart
+        let own = scale_by_power_of_two(own, (e - f).clamp(-FAR, FAR));
+        let difference = own - others;
+        (difference.abs() > LEADING * (own.abs() + others.abs())).then(|| difference.total_cmp(&0.0))
+    }
+
     pub(crate) fn to_rational(&self) -> Rational {
         self.numerator.to_rational() / self.denominator.to_rational()
     }
@@ -35,6 +52,14 @@ impl Fraction {
     /// The nearest double but for a relative 2^-50.
     pub(crate) fn to_f64(&self) -> f64 {
         self.numerator.ratio(&self.denominator)
+    }
+
+    /// An exponent and what is left of the value, with its sign, of magnitude in [1, 2) and within a relative 2^-50; none for zero. However
+    /// far out of the range of doubles.
+    pub(crate) fn leading(&self) -> Option<(i64, f64)> {
+        let ((head, e), (other, f)) = (self.numerator.leading(), self.denominator.leading());
+        let exponent = i64::from(binary_exponent(head / other)?);
+        Some((exponent + e - f, scale_by_power_of_two(head / other, -exponent)))
     }
 
     /// The exponent of the binary magnitude, within 1; `None` for zero.
@@ -59,6 +84,45 @@ impl PartialOrd for Fraction {
 
 impl Ord for Fraction {
     fn cmp(&self, other: &Self) -> Ordering {
-        (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator))
+        self.certain_order(other)
+            .unwrap_or_else(|| (&self.numerator * &other.denominator).cmp(&(&other.numerator * &self.denominator)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn value() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            2 => -4.0..4.0f64,
+            2 => (-3i32..4).prop_map(f64::from),
+            1 => -1e300..1e300f64,
+            1 => (-3i32..4).prop_map(|i| f64::from(i) * f64::from_bits(1)),
+        ]
+    }
+
+    fn fraction() -> impl Strategy<Value = Fraction> {
+        let positive = value().prop_map(|v| if v == 0.0 { 1.0 } else { v });
+        (value(), positive).prop_map(|(n, d)| Fraction::new(Dyadic::from_f64(n), Dyadic::from_f64(d)))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn the_order_is_that_of_the_rationals(a in fraction(), b in fraction()) {
+            prop_assert_eq!(a.cmp(&b), a.to_rational().cmp(&b.to_rational()));
+            match a.leading() {
+                None => prop_assert!(a.numerator.is_zero()),
+                Some((exponent, rest)) => {
+                    prop_assert!((1.0..2.0).contains(&rest.abs()));
+                    let near = Dyadic::from_f64(rest).scaled(exponent).to_rational();
+                    let (off, size) = (&near - a.to_rational(), Dyadic::from_f64(2f64.powi(-50)).to_rational() * &near);
+                    prop_assert!(&off * &off <= &size * &size);
+                }
+            }
+        }
     }
 }

@@ -7,7 +7,11 @@ use super::exact_sort::{Keyed, sort_exactly};
 use super::fraction::Fraction;
 use super::line::{ExactLine, LineIndex};
 use crate::numeric::approximation::Approximation;
+use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
 use crate::tally::{Operation, Tally};
+
+/// More than the exponent of any abscissa is below zero.
+const EXPONENTS: i64 = 1 << 20;
 
 /// Exact lines, made when a decision needs them.
 pub(crate) trait LineSource: Debug {
@@ -218,6 +222,21 @@ impl<'a> LineArrangement<'a> {
             }
             Event::Vertical(position) => self.verticals[position as usize].0.approximate(self.shift.abscissa()),
         }
+    }
+
+    /// Ascends with the abscissa of an event but for rounding, however far out of the range of doubles: the size of its exponent with its
+    /// sign, then the rest.
+    pub(crate) fn rough_abscissa(&self, event: Event) -> (i64, f64) {
+        let high = self.approximate_abscissa(event).high;
+        let leading = match binary_exponent(high) {
+            Some(exponent) if high.is_normal() => {
+                let exponent = i64::from(exponent);
+                Some((exponent, scale_by_power_of_two(high, -exponent)))
+            }
+            _ => self.abscissa(event).leading().map(|(exponent, rest)| (exponent + self.shift.abscissa(), rest)),
+        };
+        let order = |(exponent, rest): (i64, f64)| (rest.signum() as i64 * (exponent + EXPONENTS), rest);
+        leading.map_or((0, 0.0), order)
     }
 
     /// Two lines that meet at an event, the lower index first.

@@ -70,7 +70,7 @@ impl Approximation {
     pub(crate) fn scaled_down(self, exponent: i64) -> Self {
         let factor = scale_by_power_of_two(1.0, exponent.max(VANISHING));
         if exponent < VANISHING {
-            return Self::within(0.0, 0.0, 2.0 * (self.high.abs() + self.error) * factor);
+            return Self::within(0.0, 0.0, 2.0 * (self.high.abs() + self.error) * factor + UNDERFLOW);
         }
         Self::within(self.high * factor, self.low * factor, self.error * factor + UNDERFLOW)
     }

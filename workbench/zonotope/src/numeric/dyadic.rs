@@ -7,8 +7,8 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu_int::IBig;
-use dashu_int::ops::{BitTest, Gcd, UnsignedAbs};
+use dashu_int::ops::{Gcd, UnsignedAbs};
+use dashu_int::{IBig, Sign, Word};
 use dashu_ratio::RBig;
 
 /// An exact number mantissa · 2^exponent.
@@ -47,12 +47,24 @@ impl Dyadic {
 
     /// The sign, as the order of the number against zero.
     pub fn sign(&self) -> Ordering {
-        self.mantissa.cmp(&IBig::ZERO)
+        if self.is_zero() {
+            Ordering::Equal
+        } else if self.mantissa.sign() == Sign::Negative {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        }
     }
 
     /// Whether the number is zero.
     pub fn is_zero(&self) -> bool {
-        self.mantissa == IBig::ZERO
+        self.mantissa.is_zero()
+    }
+
+    /// How many bits the mantissa's magnitude has.
+    fn bits(&self) -> i64 {
+        let (_, words) = self.mantissa.as_sign_words();
+        words.last().map_or(0, |top| i64::from(Word::BITS) * words.len() as i64 - i64::from(top.leading_zeros()))
     }
 
     /// The absolute value.
@@ -72,15 +84,24 @@ impl Dyadic {
 
     /// A double head and an exponent with number ≈ head · 2^exponent; relative error at most 2^-52.
     pub(crate) fn leading(&self) -> (f64, i64) {
-        let bits = self.mantissa.clone().unsigned_abs().bit_len();
-        let drop = bits.saturating_sub(63);
-        let head = i64::try_from(self.mantissa.clone() >> drop).expect("at most 63 bits are left");
-        (head as f64, self.exponent + drop as i64)
+        const WORDS: usize = (u128::BITS / Word::BITS) as usize;
+        let (sign, words) = self.mantissa.as_sign_words();
+        let (rest, leading) = words.split_at(words.len().saturating_sub(WORDS));
+        let top = leading.iter().rev().fold(0, |top: u128, &word| top << Word::BITS | u128::from(word));
+        let drop = (u128::BITS - top.leading_zeros()).saturating_sub(63);
+        let head = (top >> drop) as u64;
+        let exponent = self.exponent + rest.len() as i64 * i64::from(Word::BITS) + i64::from(drop);
+        if sign == Sign::Positive {
+            return (head as f64, exponent);
+        }
+        // downwards, as a shift rounds
+        let is_cut = u128::from(head) << drop != top || rest.iter().any(|word| *word != 0);
+        (-((head + u64::from(is_cut)) as f64), exponent)
     }
 
     /// The exponent e with 2^e ≤ |number| < 2^(e+1); `None` for zero.
     pub fn binary_exponent(&self) -> Option<i64> {
-        let bits = self.mantissa.clone().unsigned_abs().bit_len() as i64;
+        let bits = self.bits();
         (bits > 0).then(|| self.exponent + bits - 1)
     }
 
@@ -234,7 +255,18 @@ impl PartialOrd for Dyadic {
 
 impl Ord for Dyadic {
     fn cmp(&self, other: &Self) -> Ordering {
-        (self - other).sign()
+        let sign = self.sign();
+        let by_sign = sign.cmp(&other.sign());
+        let by_size = || self.binary_exponent().cmp(&other.binary_exponent());
+        match by_sign {
+            Ordering::Equal if sign.is_eq() => Ordering::Equal,
+            Ordering::Equal => match by_size() {
+                Ordering::Equal => (self - other).sign(),
+                order if sign.is_gt() => order,
+                order => order.reverse(),
+            },
+            order => order,
+        }
     }
 }
 
@@ -271,6 +303,7 @@ mod tests {
         fn doubles_go_round(bits in any::<u64>()) {
             let value = f64::from_bits(bits);
             prop_assume!(value.is_finite());
+            prop_assert_eq!(Dyadic::from_f64(value).binary_exponent(), binary_exponent(value).map(i64::from));
             let error = (Dyadic::from_f64(value).to_f64() - value).abs();
             prop_assert!(error <= value.abs() * 2f64.powi(-50) + f64::from_bits(1));
             if let Some(e) = binary_exponent(value) {
@@ -282,6 +315,16 @@ mod tests {
         #[test]
         fn agrees_with_rationals(a in -1e300..1e300f64, b in -1e-300..1e-300f64, c in -10.0..10.0f64) {
             let [a, b, c] = [a, b, c].map(Dyadic::from_f64);
+            for number in [&a * &b, -(&a * &b), &a * &a * c.clone(), &(&a * &a) - &b, &b - &(&a * &(&a * &a))] {
+                let (head, exponent) = number.leading();
+                let bits = number.mantissa.clone().unsigned_abs().to_string().len();
+                let by_shift = number.mantissa.clone() >> (exponent - number.exponent) as usize;
+                prop_assert_eq!(i64::try_from(by_shift).expect("63 bits") as f64, head);
+                prop_assert!(bits < 20 || head.abs() >= 2f64.powi(62));
+            }
+            prop_assert_eq!(a.cmp(&c), a.to_rational().cmp(&c.to_rational()));
+            let scaled = c.clone().scaled(900);
+            prop_assert_eq!(a.cmp(&scaled), a.to_rational().cmp(&scaled.to_rational()));
             let exact = (&(&a * &b) - &c).to_rational();
             prop_assert_eq!(exact, a.to_rational() * b.to_rational() - c.to_rational());
         }

@@ -55,7 +55,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::slab::{Slab, keyed};
 use super::{ArrangementVertex, SlopeSelectionError, zero_based};
-use crate::arrangement::exact_sort::{Keyed, sort_exactly};
+use crate::arrangement::exact_sort::sort_exactly;
 use crate::arrangement::fraction::Fraction;
 use crate::arrangement::lines::{Event, LineArrangement};
 use crate::tally::{Operation, Tally};
@@ -192,16 +192,17 @@ fn bracket(
         .map(|i| i * stretch + i.min(rest) + random.random_range(0..stretch + u64::from(i < rest)))
         .collect();
     let events = slab.pick(&ranks, tally);
-    let mut guesses = keyed(arrangement, &events);
+    let mut guesses: Vec<((i64, f64), Event)> =
+        events.into_iter().map(|event| (arrangement.rough_abscissa(event), event)).collect();
     let expected = (u128::from(rank) * u128::from(picked) / u128::from(total)) as u64;
     let margin = picked.isqrt().min(picked / 2);
     let mut comparisons = 0;
     let mut nth = |position: u64| {
-        let order = |a: &Keyed, b: &Keyed| {
+        let order = |((a, rest), _): &((i64, f64), Event), ((b, other), _): &((i64, f64), Event)| {
             comparisons += 1;
-            a.key.high.total_cmp(&b.key.high)
+            a.cmp(b).then(rest.total_cmp(other))
         };
-        events[guesses.select_nth_unstable_by(position as usize, order).1.item as usize]
+        guesses.select_nth_unstable_by(position as usize, order).1.1
     };
     let lower = expected.checked_sub(margin).map(&mut nth);
     let upper = Some(expected + margin).filter(|&position| position < picked).map(&mut nth);
