@@ -3,24 +3,28 @@
 //! The y that solves it for a sample either separates, so that one pass over all generators proves it, or all generators' sums at this y give
 //! coefficients. Where the sample says that the point is near the boundary, nothing is tried.
 
-use super::dual::{Combination, Lengths, Moments, Runs, dot};
+use std::array;
+
+use super::coefficients::Combination;
+use super::dual::{Lengths, Moments, Runs, dot};
+use super::flat::SimplePlane;
+use super::least::{Open, tell, tell_flat};
+use super::lift::Prism;
 use super::search::rounded_displacement;
-use crate::collision::{Displacement, Location, Separation};
+use super::turns::Turns;
+use crate::collision::{Displacement, Location, Separation, Witness};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::passes::bounded_sum;
 
 /// With at most so many generators no sample is taken.
-const ALL: usize = 128;
+const ALL: usize = 320;
 
-/// At most so many are tried without regard to how large coefficients are likely to be.
+/// With at most so many the coefficients are in terms of their own lengths.
 const FEW: usize = 16;
 
-/// Of more than these a second sample is taken.
-const MANY: usize = 1024;
-
 /// A point whose gauge seems to be between these is near the boundary.
-const INSIDE: f64 = 0.9;
+pub(super) const INSIDE: f64 = 0.9;
 const OUTSIDE: f64 = 1.0;
 
 /// How many deviations a sample must see between a point outside and the boundary.
@@ -39,31 +43,95 @@ enum Sign {
     Neither,
 }
 
-/// The status of p with its proof, if that is clear.
-pub(super) fn locate(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Option<Location<3>> {
-    let p = rounded_displacement(question);
-    let n = question.len();
-    if n <= ALL {
-        let lengths = if n <= FEW { Lengths::Own } else { Lengths::of(question.runs()) };
-        locate_by_all(question, &p, lengths, tally)
-    } else {
-        locate_by_sample(question, &p, tally)
+/// What is clear, with its proof.
+pub(super) enum Clear {
+    Inside(Witness),
+    /// In a flat body.
+    Flat(Witness),
+    Outside([f64; 3]),
+}
+
+impl Clear {
+    /// The answer in a space of which no coordinate is missing.
+    pub(super) fn location<const D: usize>(self) -> Location<D> {
+        match self {
+            Self::Inside(witness) => Location::Inside(witness),
+            Self::Flat(witness) => Location::Boundary(witness),
+            Self::Outside(u) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
+        }
     }
 }
 
-fn locate_by_all(
+/// The status of p with its proof, if that is clear.
+#[inline]
+pub(super) fn locate(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Option<Clear> {
+    let p = rounded_displacement(question);
+    let n = question.len();
+    if n > ALL {
+        return locate_by_sample(question, &p, tally);
+    }
+    tally.add(Operation::GeneratorRead, n as u64);
+    let told = if n <= FEW { tell::<true, FEW>(question, &p) } else { tell::<false, ALL>(question, &p) };
+    told.map_or_else(|open| locate_by_steps(question, &p, &open, tally), Some)
+}
+
+/// The same of a member of a body that seems to be flat.
+fn locate_flat(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    let plane = SimplePlane::of(question)?;
+    tally.add(Operation::GeneratorRead, 2 * question.len() as u64);
+    let open = match tell_flat(question, p, &plane) {
+        Ok(witness) => return Some(Clear::Flat(witness)),
+        Err(open) => open,
+    };
+    if !(open.is_thick && open.gauge < INSIDE) {
+        return None;
+    }
+    // clipped coefficients are those of the prism over what is left without a coordinate
+    let prism = Prism::without(plane.axis(), question);
+    let body = prism.question();
+    let first = body.runs()[0];
+    let steps = State::new(&plane.projected(&open.y), open.gauge);
+    match steps.prove(&body, &rounded_displacement(&body), Lengths::Own, &first[..first.len().min(ALL)], tally)? {
+        Clear::Inside(witness) => Some(Clear::Flat(prism.lower_witness(witness))),
+        Clear::Flat(_) | Clear::Outside(_) => None,
+    }
+}
+
+/// The proof of a point inside whose least coefficients are too large.
+fn locate_by_steps(
     question: &Displacement<'_, 3>,
     p: &BoundedVector,
-    lengths: Lengths,
+    open: &Open,
     tally: &mut impl Tally,
-) -> Option<Location<3>> {
+) -> Option<Clear> {
+    // false for NaN as well
+    let is_likely = open.gauge < INSIDE;
+    if !is_likely {
+        return None;
+    }
+    if !open.is_thick {
+        return locate_flat(question, p, tally);
+    }
+    let first = question.runs()[0];
+    if question.len() <= FEW {
+        return State::new(&open.y, open.gauge).prove(question, p, Lengths::Own, first, tally);
+    }
+    match Lengths::of(question.runs()) {
+        Lengths::Own => locate_by_all(question, p, tally),
+        // products are taken as they are: y is in terms of any one length
+        Lengths::Even(_) => State::new(&open.y, open.gauge).prove(question, p, Lengths::Even(1.0), first, tally),
+    }
+}
+
+/// The same from all generators, in terms of their own lengths.
+fn locate_by_all(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
     tally.add(Operation::GeneratorRead, question.len() as u64);
     let own = p.map(|c| c.value);
-    let (y, is_thick) = Moments::at_zero(question.runs(), lengths).solve(&own);
+    let (y, is_thick) = Moments::at_zero(question.runs(), Lengths::Own).solve(&own);
     let reach = reach(question, &y);
     let along = bounded::dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
-        return Some(Location::Outside(Separation::Rounded(y)));
+        return Some(Clear::Outside(y));
     }
     // at least that of p; NaN is nowhere
     let gauge = along.value / reach.value;
@@ -72,51 +140,62 @@ fn locate_by_all(
     }
     let first = question.runs()[0];
     let among = &first[..first.len().min(ALL)];
-    let is_tried = question.len() <= FEW || Combination::least(y, lengths, among).is_some();
-    let least = is_tried.then(|| Combination::of(y, lengths));
-    let location = least.and_then(|least| inside(question, p, &least, tally));
-    location.or_else(|| State::new(&y, gauge).prove(question, p, lengths, among, tally))
+    let least = Combination::least(y, Lengths::Own, among, true);
+    let told = least.and_then(|least| inside(question, p, &least, tally));
+    told.or_else(|| State::new(&y, gauge).prove(question, p, Lengths::Own, among, tally))
 }
 
-fn locate_by_sample(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Location<3>> {
-    let few = sample(question, ALL / 4 + question.len().isqrt());
+fn locate_by_sample(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    let turns = Turns::of(question.len());
+    let few = turns.last(question);
     tally.add(Operation::GeneratorRead, few.len() as u64);
-    let part = |sample: &[[f64; 3]]| p.map(|c| c.value * sample.len() as f64 / question.len() as f64);
-    let (own, lengths) = (part(&few), Lengths::of([&few, &[]]));
-    let (y, is_thick) = Moments::at_zero([&few, &[]], lengths).solve(&own);
+    let part = few.len() as f64 / question.len() as f64;
+    let own = p.map(|c| c.value * part);
+    let lengths = Lengths::of([&few, &[]]);
+    let least = Moments::at_zero([&few, &[]], lengths);
+    let (y, is_thick) = least.solve(&own);
     let gauge = dot(&own, &y) / bounded_sum(&few, &y).value;
     if gauge > OUTSIDE + DEVIATIONS / (few.len() as f64).sqrt()
-        && let Some(location) = outside(question, p, y, tally)
+        && let Some(clear) = outside(question, p, y, tally)
     {
-        return Some(location);
+        return Some(clear);
     }
     if lengths == Lengths::Own {
         // the longest are not in the sample
-        return locate_by_all(question, p, lengths, tally);
+        return locate_by_all(question, p, tally);
+    }
+    if !is_thick && gauge < INSIDE {
+        return locate_flat(question, p, tally);
     }
     if !(is_thick && gauge < INSIDE) {
         return None;
     }
-    if Combination::least(y, lengths, &few).is_some() {
-        tally.add(Operation::GeneratorRead, question.len() as u64);
-        let (z, is_thick) = Moments::at_zero(question.runs(), lengths).solve(&p.map(|c| c.value));
-        let least = Combination::least(z, lengths, &few).filter(|_| is_thick);
-        let location = least.and_then(|least| inside(question, p, &least, tally));
-        return location.or_else(|| State::new(&z, gauge).prove(question, p, lengths, &few, tally));
-    }
-    let more;
-    let sample = if question.len() <= MANY {
-        &few
-    } else {
-        more = sample(question, ALL + question.len() / 16);
-        &more
+    let start = State::new(&y, gauge);
+    let (mut state, mut is_linear) = (start, true);
+    let steer = |target: &[f64; 3], exact: bool| {
+        if is_linear {
+            let (z, _) = least.solve(target);
+            let combination = Combination::least(z, lengths, &few, exact);
+            is_linear = combination.is_some();
+            if is_linear {
+                return combination;
+            }
+        }
+        match state.settle([&few, &[]], lengths, target, &few, Effort { steps: STEPS[0], exact }) {
+            Sign::Inside(combination) => Some(combination),
+            Sign::Outside(_) | Sign::Neither => None,
+        }
     };
-    tally.add(Operation::GeneratorRead, sample.len() as u64);
-    let mut state = State::new(&y, gauge);
-    match state.settle([sample, &[]], lengths, &part(sample), &few, STEPS[0]) {
-        Sign::Inside(_) => state.prove(question, p, lengths, &few, tally),
-        Sign::Outside(_) | Sign::Neither => None,
-    }
+    tally.add(Operation::GeneratorRead, question.len() as u64);
+    let witness = turns.witness(question, p, few.len(), steer).map(Clear::Inside);
+    witness.or_else(|| start.prove(question, p, lengths, &few, tally))
+}
+
+/// How long coefficients are looked for, and whether they are to be exact.
+#[derive(Debug, Clone, Copy)]
+struct Effort {
+    steps: usize,
+    exact: bool,
 }
 
 /// A Newton step, and the slope along it where it starts.
@@ -140,13 +219,15 @@ impl Step {
 struct State {
     y: [f64; 3],
     gauge: f64,
+    /// The sums at y, where they are known.
+    at: Option<Moments>,
 }
 
 impl State {
     /// From the y that makes up p without clipping.
     fn new(y: &[f64; 3], gauge: f64) -> Self {
-        let state = Self { y: *y, gauge };
-        Self { y: y.map(|c| c * state.aim()), gauge }
+        let state = Self { y: *y, gauge, at: None };
+        Self { y: y.map(|c| c * state.aim()), ..state }
     }
 
     /// How far beyond p the coefficients are made for: half the way to the boundary, so that they can be made smaller.
@@ -162,9 +243,10 @@ impl State {
         lengths: Lengths,
         among: &[[f64; 3]],
         tally: &mut impl Tally,
-    ) -> Option<Location<3>> {
+    ) -> Option<Clear> {
         tally.add(Operation::GeneratorRead, question.len() as u64);
-        match self.settle(question.runs(), lengths, &p.map(|c| c.value), among, STEPS[1]) {
+        match self.settle(question.runs(), lengths, &p.map(|c| c.value), among, Effort { steps: STEPS[1], exact: true })
+        {
             Sign::Inside(combination) => inside(question, p, &combination, tally),
             Sign::Outside(y) => outside(question, p, y, tally),
             Sign::Neither => None,
@@ -172,10 +254,10 @@ impl State {
     }
 
     /// Newton steps until there are coefficients for p or a direction that separates.
-    fn settle(&mut self, runs: Runs<'_>, lengths: Lengths, p: &[f64; 3], among: &[[f64; 3]], steps: usize) -> Sign {
+    fn settle(&mut self, runs: Runs<'_>, lengths: Lengths, p: &[f64; 3], among: &[[f64; 3]], effort: Effort) -> Sign {
         let mut before: Option<Step> = None;
-        for _ in 0..steps {
-            let at = Moments::at(runs, lengths, &self.y);
+        for _ in 0..effort.steps {
+            let at = self.at.take().unwrap_or_else(|| Moments::at(runs, lengths, &self.y));
             let gauge = dot(p, &self.y) / at.reach;
             if gauge > 1.0 {
                 return Sign::Outside(self.y);
@@ -187,10 +269,11 @@ impl State {
                 self.y = shorter;
                 continue;
             }
-            let (found, step) = at.combination(lengths, &self.y, p, &target, among);
-            if let Some(combination) = found {
+            if let Some(combination) = at.combination(lengths, &self.y, p, among, effort.exact) {
+                self.at = Some(at);
                 return Sign::Inside(combination);
             }
+            let step = at.step(&target);
             before = Some(Step { from: self.y, step, slope: at.slope(&step, &target) });
             self.y = [0, 1, 2].map(|k| self.y[k] + step[k]);
         }
@@ -198,14 +281,9 @@ impl State {
     }
 }
 
-fn outside(
-    question: &Displacement<'_, 3>,
-    p: &BoundedVector,
-    y: [f64; 3],
-    tally: &mut impl Tally,
-) -> Option<Location<3>> {
+fn outside(question: &Displacement<'_, 3>, p: &BoundedVector, y: [f64; 3], tally: &mut impl Tally) -> Option<Clear> {
     tally.add(Operation::GeneratorRead, question.len() as u64);
-    separates(question, p, &y).then_some(Location::Outside(Separation::Rounded(y)))
+    separates(question, p, &y).then_some(Clear::Outside(y))
 }
 
 fn inside(
@@ -213,9 +291,9 @@ fn inside(
     p: &BoundedVector,
     combination: &Combination,
     tally: &mut impl Tally,
-) -> Option<Location<3>> {
+) -> Option<Clear> {
     tally.add(Operation::GeneratorRead, question.len() as u64);
-    combination.witness(question, p).map(Location::Inside)
+    combination.witness(question, p).map(Clear::Inside)
 }
 
 /// Whether u · p > h(u), proved by one pass in doubles.
@@ -227,20 +305,6 @@ pub(super) fn separates(question: &Displacement<'_, 3>, p: &BoundedVector, u: &[
 fn reach(question: &Displacement<'_, 3>, u: &[f64; 3]) -> Bounded {
     let [first, second] = question.runs();
     if second.is_empty() { bounded_sum(first, u) } else { bounded_sum(first, u) + bounded_sum(second, u) }
-}
-
-/// A few generators from all over the question, one from each of many equal stretches.
-fn sample(question: &Displacement<'_, 3>, size: usize) -> Vec<[f64; 3]> {
-    /// 2^32 over the golden ratio: multiples of it are spread evenly.
-    const GOLDEN: u32 = 0x9e37_79b9;
-    let n = question.len();
-    // places in units of 2^-32
-    let step = ((n as u64) << 32) / size as u64;
-    let place = |i: usize| {
-        let within = (u64::from((i as u32).wrapping_mul(GOLDEN) >> 16) * step) >> 16;
-        ((i as u64 * step + within) >> 32) as usize
-    };
-    (0..size).map(|i| question.generator(place(i))).collect()
 }
 
 #[cfg(test)]
@@ -286,7 +350,8 @@ mod tests {
                     let factor = [0.0, 0.2, 0.6, 1.6, 9.0][i % 5];
                     let question = Displacement::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
                     let mut counts = OperationCounts::default();
-                    let Some(location) = locate(&question, &mut counts) else { continue };
+                    let Some(clear) = locate(&question, &mut counts) else { continue };
+                    let location = clear.location::<3>();
                     assert_eq!(verify(&question, &location), Ok(()));
                     assert_eq!(location.status(), if factor < 1.0 { "inside" } else { "outside" });
                     (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
@@ -304,7 +369,8 @@ mod tests {
             let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
             let p = point(&body, u, random.random_range(0.7..1.4));
             let question = Displacement::new([0.0; 3], p, &body).expect("finite");
-            if let Some(location) = locate(&question, &mut ()) {
+            if let Some(clear) = locate(&question, &mut ()) {
+                let location = clear.location::<3>();
                 assert_eq!(verify(&question, &location), Ok(()));
                 assert_eq!(location.status(), brute_force::locate(&question).status());
             }
@@ -312,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn flat_and_extreme_bodies_are_left_to_others() {
+    fn extreme_bodies_are_left_to_others_and_so_are_most_flat_ones() {
         let is_told = |size: f64, body: &[[f64; 3]]| {
             let (p, body) = ([0.2, 0.3, 0.0].map(|c| size * c), body.iter().map(|v| v.map(|c| size * c)));
             let body: Vec<[f64; 3]> = body.collect();
@@ -321,10 +387,18 @@ mod tests {
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert!(is_told(1.0, &cube) && is_told(1e60, &cube) && is_told(1e-60, &cube));
         assert!(!is_told(f64::MAX, &cube) && !is_told(1e-200, &cube));
-        assert!(!is_told(1.0, &[]) && !is_told(1.0, &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]));
+        // the plane's normal is (3, −2, 0)
+        assert!(!is_told(1.0, &[]) && !is_told(1.0, &[[2.0, 3.0, 0.0], [2.0, 3.0, 1.0], [0.0, 0.0, 1.0]]));
+        let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+        for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
+            let question = Displacement::new([0.0; 3], p, &square).expect("finite");
+            let location = locate(&question, &mut ()).expect("it is in a simple plane").location::<3>();
+            assert_eq!(verify(&question, &location), Ok(()));
+            assert_eq!(location.status(), "boundary");
+        }
         // beside a flat body a direction separates all the same
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let question = Displacement::new([0.0; 3], [0.5, 0.0, 1e-3], &square).expect("finite");
-        assert!(matches!(locate(&question, &mut ()), Some(Location::Outside(_))));
+        assert!(matches!(locate(&question, &mut ()), Some(Clear::Outside(_))));
     }
 }

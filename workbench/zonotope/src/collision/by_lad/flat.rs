@@ -4,12 +4,82 @@
 //! other two has the same gauge, coefficients that combine to the one combine to the other, and a direction that separates the one with 0
 //! for the coordinate k separates the other.
 
+use wide::f64x2;
+
+use super::dual::for_pairs;
 use crate::collision::Displacement;
-use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero};
 
 /// The plane is looked for among so many generators first.
 const FEW: usize = 64;
+
+/// A simple plane is looked for among so many.
+const PICKS: usize = 16;
+
+/// A plane through the origin that holds all generators and both points and whose normal has only zeros and ones, up to signs.
+pub(super) struct SimplePlane {
+    pub(super) normal: [f64; 3],
+    /// Two generators that span the plane, the first before the second.
+    pub(super) pair: [usize; 2],
+}
+
+impl SimplePlane {
+    /// The plane, if there is one; found from a few generators and checked with all. O(n).
+    pub(super) fn of(question: &Displacement<'_, 3>) -> Option<Self> {
+        let step = question.len().div_ceil(PICKS).max(1);
+        let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
+            let mut best = (0.0, 0);
+            for i in (0..question.len()).step_by(step) {
+                let own = key(&question.generator(i));
+                if own > best.0 {
+                    best = (own, i);
+                }
+            }
+            (best.0 > 0.0).then_some(best.1)
+        };
+        let first = best(&size)?;
+        let a = question.generator(first);
+        let second = best(&|v| size(&across(&a, v)))?;
+        let normal = across(&a, &question.generator(second));
+        let half = size(&normal) / 2.0;
+        let simple = normal.map(|c| f64::from(i8::from(c > half) - i8::from(c < -half)));
+        let points = [question.from(), question.to()];
+        let [own, others] = question.runs();
+        let is_flat = is_orthogonal_to_all(&points, &simple)
+            && is_orthogonal_to_all(own, &simple)
+            && is_orthogonal_to_all(others, &simple);
+        is_flat.then(|| Self { normal: simple, pair: [first.min(second), first.max(second)] })
+    }
+
+    /// The vector with 0 for that coordinate whose products with vectors of the plane are those of y.
+    pub(super) fn projected(&self, y: &[f64; 3]) -> [f64; 3] {
+        let axis = self.axis();
+        // a coordinate of the normal is its own inverse, or zero
+        let factor = y[axis] * self.normal[axis];
+        [0, 1, 2].map(|k| if k == axis { 0.0 } else { y[k] - factor * self.normal[k] })
+    }
+
+    /// A coordinate that can be dropped.
+    pub(super) fn axis(&self) -> usize {
+        self.normal.iter().position(|c| *c != 0.0).unwrap_or(0)
+    }
+}
+
+/// Whether all products with a vector of zeros and ones are zero, exactly.
+fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
+    let wide = simple.map(f64x2::splat);
+    let mut off = f64x2::default();
+    for_pairs(vectors, |v| {
+        let [a, b, c] = [v[0] * wide[0], v[1] * wide[1], v[2] * wide[2]];
+        // zero if a + b is −c: then the sum of both is not rounded
+        let sum = a + b;
+        let b_in_sum = sum - a;
+        let rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
+        off += rest.abs() + (sum + c).abs();
+    });
+    let [first, second] = off.to_array();
+    first == 0.0 && second == 0.0
+}
 
 /// A coordinate that can be dropped: not zero in a normal of a plane through the origin that holds all generators and p.
 pub(super) fn spare_axis(question: &Displacement<'_, 3>, p: &ExactVector) -> Option<usize> {
@@ -18,7 +88,7 @@ pub(super) fn spare_axis(question: &Displacement<'_, 3>, p: &ExactVector) -> Opt
     let ratios = [0, 1, 2].map(|k| normal[k].rounded_ratio(&normal[axis]));
     let is_simple = ratios.iter().all(|r| [-1.0, 0.0, 1.0].contains(r)) && is_zero(&cross(&exact(ratios), &normal));
     let is_flat = if is_simple {
-        question.generators().all(|v| is_zero_sum([0, 1, 2].map(|k| v[k] * ratios[k])))
+        question.runs().iter().all(|run| is_orthogonal_to_all(run, &ratios))
     } else {
         question.generators().all(|v| is_orthogonal(v, &ratios) && dot(&exact(*v), &normal).is_zero())
     };
@@ -30,15 +100,8 @@ fn normal(question: &Displacement<'_, 3>, p: &ExactVector) -> Option<ExactVector
     let few = || question.generators().step_by(question.len().div_ceil(FEW).max(1));
     let first = longest(few(), size).or_else(|| longest(question.generators(), size))?;
     let scaled = first.map(|c| c / size(&first));
-    let across = |v: &[f64; 3]| {
-        let product = [
-            scaled[1] * v[2] - scaled[2] * v[1],
-            scaled[2] * v[0] - scaled[0] * v[2],
-            scaled[0] * v[1] - scaled[1] * v[0],
-        ];
-        size(&product)
-    };
-    let second = longest(few(), across).or_else(|| longest(question.generators(), across));
+    let off = |v: &[f64; 3]| size(&across(&scaled, v));
+    let second = longest(few(), off).or_else(|| longest(question.generators(), off));
     let normal = cross(&exact(first), &second.map_or_else(|| p.clone(), exact));
     (!is_zero(&normal) && dot(&normal, p).is_zero()).then_some(normal)
 }
@@ -49,16 +112,12 @@ fn longest<'a>(vectors: impl Iterator<Item = &'a [f64; 3]>, key: impl Fn(&[f64; 
     keyed.reduce(|best, own| if own.0 > best.0 { own } else { best }).map(|(_, v)| *v)
 }
 
-fn size(v: &[f64; 3]) -> f64 {
-    v.iter().fold(0.0f64, |m, c| m.max(c.abs()))
+fn across(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Whether three doubles sum up to zero, exactly; not where they overflow.
-fn is_zero_sum([a, b, c]: [f64; 3]) -> bool {
-    let (sum, rest) = exact_sum(a, b);
-    // only next to −c is the sum of all as small as a rounding, and there it is exact
-    let (total, left) = exact_sum(sum, c);
-    left == 0.0 && total == -rest
+fn size(v: &[f64; 3]) -> f64 {
+    v.iter().fold(0.0f64, |m, c| m.max(c.abs()))
 }
 
 /// False only if v · n is certainly not zero, where n is rounded and its largest coordinate is 1.

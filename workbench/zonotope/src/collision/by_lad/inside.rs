@@ -5,7 +5,7 @@
 //! leaves its own end, which it may as far as c can grow towards 1.
 
 use super::certain::Certain;
-use super::dual::well_spread;
+use super::coefficients::well_spread;
 use super::trail::Trail;
 use crate::collision::{Displacement, Witness};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};

@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use crate::collision::{Displacement, Location, Separation, Witness};
 use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
+use crate::zonotope::passes::Extents;
 
 /// A longer body's prism has only the width of its longest generator.
 const LARGEST: f64 = f64::from_bits((1023 + 500) << 52);
@@ -38,7 +39,7 @@ impl Prism {
 
     fn with_axes(from: [f64; 3], to: [f64; 3], mut generators: Vec<[f64; 3]>, axes: Range<usize>) -> Self {
         let own = generators.len();
-        let total: f64 = generators.as_flattened().iter().map(|c| c.abs()).sum();
+        let total: f64 = Extents::new(&generators).sums().iter().sum();
         // as wide along the new axis as the body is long, or nearly
         let size =
             if total < LARGEST { total } else { generators.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs())) };
@@ -56,6 +57,11 @@ impl Prism {
         generator >= self.own
     }
 
+    /// The coefficients for the body.
+    pub(super) fn lower_witness(&self, witness: Witness) -> Witness {
+        lowered_witness(witness, self.own)
+    }
+
     /// The answer for the body.
     pub(in crate::collision) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
         lowered(location, self.own)
@@ -63,20 +69,25 @@ impl Prism {
 }
 
 /// The answer for a body of R^D with `own` generators, from that for its prism in R^E, or for itself if D = E.
+#[inline]
 pub(super) fn lowered<const E: usize, const D: usize>(location: Location<E>, own: usize) -> Location<D> {
-    let witness = |Witness { mut coefficients, mut basis }: Witness| {
-        coefficients.truncate(own);
-        basis.retain(|&generator| generator < own);
-        Witness { coefficients, basis }
-    };
     match location {
-        Location::Inside(proof) => Location::Inside(witness(proof)),
-        Location::Boundary(proof) => Location::Boundary(witness(proof)),
+        Location::Inside(proof) => Location::Inside(lowered_witness(proof, own)),
+        Location::Boundary(proof) => Location::Boundary(lowered_witness(proof, own)),
         Location::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
         Location::Outside(Separation::Exact(u)) => {
             Location::Outside(Separation::Exact(array::from_fn(|i| u[i].clone())))
         }
     }
+}
+
+fn lowered_witness(Witness { mut coefficients, mut basis }: Witness, own: usize) -> Witness {
+    coefficients.truncate(own);
+    // they are in increasing order
+    while basis.last().is_some_and(|&generator| generator >= own) {
+        basis.pop();
+    }
+    Witness { coefficients, basis }
 }
 
 fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {

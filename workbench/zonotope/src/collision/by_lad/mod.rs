@@ -12,7 +12,7 @@
 //!
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lift`), and so does a flat one, without a coordinate (`flat`); one of R^4 goes to
-//!    [`by_lad_in_r4`]. Where all that is asked is the location, a point far inside or far outside is told and proved first (`clear`, `dual`).
+//!    [`by_lad_in_r4`]. Where all that is asked is the location, a point far inside or far outside is told and proved first (`clear`: `dual`, `least`, `turns`).
 //! 2. The optimum of a sample (`sample`) with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all
 //!    is likely to be; where generators have few directions, that of the sums of each direction (`bundles`). Where the location is all that is asked: does its centre separate?
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
@@ -64,12 +64,14 @@ mod cell;
 mod certain;
 mod chart;
 mod clear;
+mod coefficients;
 mod descend;
 mod dual;
 mod exit;
 mod facet;
 mod flat;
 mod inside;
+mod least;
 pub(super) mod lift;
 mod lines;
 mod longest;
@@ -86,6 +88,7 @@ mod smooth;
 pub(super) mod sums;
 mod thickness;
 mod trail;
+mod turns;
 mod walk;
 pub(super) mod witness;
 
@@ -110,16 +113,15 @@ pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mu
         return lowered(by_lad_in_r4::locate_counted(&question, tally), question.len());
     }
     match question.in_dimension::<3>() {
-        Some(question) => lowered(locate_in_space(&question, tally), question.len()),
+        Some(question) => match clear::locate(&question, tally) {
+            Some(clear) => clear.location(),
+            None => lowered(Facet::find(&question, true, tally).location(), question.len()),
+        },
         None => {
             let prism = Prism::over(question);
             prism.lower(Facet::find(&prism.question(), true, tally).location())
         }
     }
-}
-
-fn locate_in_space(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Location<3> {
-    clear::locate(question, tally).unwrap_or_else(|| Facet::find(question, true, tally).location())
 }
 
 /// The gauge of a displacement and where it lies.
