@@ -1,7 +1,8 @@
 //! Points far inside and far outside, told and proved in few passes: by the smooth problem of `dual`, on a sample first.
 //!
-//! The y that solves it for a sample either separates, so that one pass over all generators proves it, or all generators' sums at this y give
-//! coefficients. Where the sample says that the point is near the boundary, nothing is tried.
+//! The y that solves it for a sample either separates, so that one pass over all generators proves it, or coefficients are written that the
+//! sample steers (`turns`). Small bodies need no sample (`least`), a flat one needs its plane (`flat`). Where that does not do, the sums of all
+//! generators at some y give coefficients. Where the sample says that the point is near the boundary, nothing is tried.
 
 use std::array;
 
