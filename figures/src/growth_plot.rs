@@ -24,6 +24,8 @@ pub struct GrowthPlot {
     pub y_name: &'static str,
     /// One unit of the vertical axis in units of the quantity.
     pub y_unit: f64,
+    /// The variant that the legend compares the others with, at the largest size that both have.
+    pub compared_with: Option<&'static str>,
 }
 
 /// Points on a fitted curve.
@@ -71,6 +73,16 @@ impl GrowthPlot {
         if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family)) {
             self.add_fit(&mut curve, &growth);
         }
+        if let Some(other) = self.compared_with.filter(|other| *other != variant.id) {
+            let (others, _) = analysis::samples(self.experiment.id, family, other, self.quantity, records);
+            let title = self.experiment.variants.iter().find(|v| v.id == other).map_or(other, |v| v.title);
+            let name = title.split(':').next().unwrap_or(title).to_lowercase();
+            let factor = factor_at_largest(&samples, &others);
+            let letter = self.letter();
+            curve.notes.extend(
+                factor.map(|(n, factor)| format!("{} × {name} at {letter} = {}", three_digits(factor), size_name(n))),
+            );
+        }
         Some(curve)
     }
 
@@ -113,6 +125,18 @@ impl GrowthPlot {
     fn model_name(&self, model: GrowthModel) -> String {
         model_name(model).replace('n', self.letter())
     }
+}
+
+/// The largest size at which both have samples, and the ratio of their medians there.
+fn factor_at_largest(samples: &[(f64, f64)], others: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let is_common = |n: &f64| others.iter().any(|(other, _)| other == n);
+    let n = samples.iter().map(|(n, _)| *n).filter(is_common).max_by(f64::total_cmp)?;
+    let median = |of: &[(f64, f64)]| {
+        let mut values: Vec<f64> = of.iter().filter(|(size, _)| *size == n).map(|(_, y)| *y).collect();
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    Some((n, median(samples) / median(others)))
 }
 
 /// Between which models the growth lies, when it is consistent with none.
@@ -175,6 +199,14 @@ mod tests {
         };
         assert_eq!(place_among_models(&growth(f64::sqrt), model_name), "slower than n");
         assert_eq!(place_among_models(&growth(|n| n * n * n), model_name), "faster than n²");
+    }
+
+    #[test]
+    fn factors_are_those_of_the_largest_common_size() {
+        let slow = [(1.0, 9.0), (2.0, 40.0), (2.0, 10.0), (2.0, 30.0)];
+        let fast = [(2.0, 3.0), (1.0, 1.0), (4.0, 5.0)];
+        assert_eq!(factor_at_largest(&slow, &fast), Some((2.0, 10.0)));
+        assert_eq!(factor_at_largest(&slow, &[]), None);
     }
 
     #[test]

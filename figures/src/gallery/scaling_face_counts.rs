@@ -25,6 +25,7 @@ const PLOT: GrowthPlot = GrowthPlot {
     x_name: "generators n",
     y_name: "facets",
     y_unit: 1.0,
+    compared_with: None,
 };
 
 fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {

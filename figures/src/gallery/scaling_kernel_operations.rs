@@ -26,6 +26,7 @@ const PLOT: GrowthPlot = GrowthPlot {
     x_name: "lines n",
     y_name: "operations",
     y_unit: 1.0,
+    compared_with: None,
 };
 
 fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {

@@ -26,6 +26,7 @@ const PLOT: GrowthPlot = GrowthPlot {
     x_name: "points n",
     y_name: "time (s)",
     y_unit: 1e9,
+    compared_with: None,
 };
 
 fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
