@@ -14,6 +14,9 @@ const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
 /// A longer vector's square does not underflow.
 const SHORT: f64 = f64::from_bits((1023 - 500) << 52);
 
+/// How much wider a cell is where the optimum seemed to be outside of it.
+const AROUND: f64 = 8.0;
+
 /// Generators read before their sums join the total: their crossings are gathered in one word.
 const BLOCK: usize = 64;
 
@@ -71,11 +74,21 @@ impl Cell {
 
     /// A vector near the centre, in terms of the cell's size, with no more digits than that takes; not finite where that overflows.
     pub(super) fn coarse_center(&self) -> [f64; 3] {
-        let size = self.axes.iter().flatten().map(length).fold(self.ball, f64::max);
+        let size = self.size();
         // the power of two not above the size; adding one far above rounds to its multiples
         let step = f64::from_bits(size.to_bits() & (0x7ff << 52));
         let far = 1.5 / f64::EPSILON * step;
         self.center.map(|c| (c + far) - far)
+    }
+
+    /// A ball around another direction, in terms of its size wider than the cell.
+    pub(super) fn around_other(&self, center: [f64; 3]) -> Self {
+        let ball = AROUND * self.size() * (length(&center) / length(&self.center));
+        Self { center, axes: None, ball }
+    }
+
+    fn size(&self) -> f64 {
+        self.axes.iter().flatten().map(length).fold(self.ball, f64::max)
     }
 
     /// Whether no coordinate overflowed.

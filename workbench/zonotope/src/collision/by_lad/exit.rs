@@ -2,8 +2,11 @@
 
 use std::cmp::Ordering;
 
+use super::cell::Cell;
 use super::certain::Certain;
 use super::plane::{Plane, PlaneProblem, Vectors};
+use super::reduced::Reduced;
+use super::search::is_moderate;
 use super::separation::separation;
 use super::sums::signed_sum;
 use super::trail::Trail;
@@ -11,7 +14,7 @@ use super::witness::Combination;
 use crate::collision::{Displacement, Location, Separation};
 use crate::lad::by_pruning;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, cross, dot, exact, sum};
+use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction, sum};
 use crate::tally::{Operation, Tally};
 
 /// The seed of the kernel: it decides the time, never the answer.
@@ -58,20 +61,32 @@ impl Exit {
 
     /// The optimum after a search that left a trail.
     pub(super) fn near(question: &Displacement<'_, 3>, p: &ExactVector, trail: &Trail, tally: &mut impl Tally) -> Self {
-        Self::along_trail(question, p, trail, tally).unwrap_or_else(|| Self::find(question, p, tally))
+        let elsewhere = match Self::along_trail(question, p, trail, tally) {
+            Ok(exit) => return exit,
+            Err(elsewhere) => elsewhere,
+        };
+        // where the minimiser is not unique, another one of the same problem may be outside
+        let around = elsewhere.and_then(|cell| {
+            let reduced = Reduced::of_question(question, cell, question.len() / 16);
+            let is_smaller = is_moderate(&reduced) && 2 * reduced.vectors.len() <= question.len();
+            is_smaller.then(|| Trail::new(vec![(cell, reduced.indices)]))
+        });
+        around
+            .and_then(|trail| Self::along_trail(question, p, &trail, tally).ok())
+            .unwrap_or_else(|| Self::find(question, p, tally))
     }
 
-    /// Solves the problem of the generators that cross the cells of a trail; none if its optimum is not proved to be in the cells.
+    /// Solves the problem of the generators that cross the cells of a trail; a cell around its optimum if that is not proved to be in the cells.
     fn along_trail(
         question: &Displacement<'_, 3>,
         p: &ExactVector,
         trail: &Trail,
         tally: &mut impl Tally,
-    ) -> Option<Self> {
+    ) -> Result<Self, Option<Cell>> {
         // the widest problem that is still small for exact arithmetic has the surest cell
         let steps = trail.steps();
         let count = steps.iter().position(|(_, crossing)| crossing.len() <= FEW).map_or(steps.len(), |step| step + 1);
-        let (cell, indices) = steps[..count].last()?;
+        let (cell, indices) = steps[..count].last().ok_or(None)?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, question.len() as u64);
         let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index as usize)).collect();
@@ -79,18 +94,19 @@ impl Exit {
         let rest = signed_sum(question.generators().copied().zip(signs.iter().copied()));
         let plane = PlaneProblem::new(Vectors::Few(&vectors), &rest, Plane::new(p.clone(), Some(cell.coarse_center())));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
-        let optimum = outcome.optimum()?;
+        let optimum = outcome.optimum().ok_or(None)?;
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
         let own = &optimum.certificate.signs;
         let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
-        is_inside.then(|| {
-            for (&index, &sign) in indices.iter().zip(own) {
-                signs[index as usize] = sign;
-            }
-            let total = sum(&rest, &signed_sum(vectors.iter().copied().zip(own.iter().copied())));
-            let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()] as usize);
-            Self::with_sum(p, direction, signs, basis.collect(), total)
-        })
+        if !is_inside {
+            return Err(Some(cell.around_other(rounded_direction(&direction))));
+        }
+        for (&index, &sign) in indices.iter().zip(own) {
+            signs[index as usize] = sign;
+        }
+        let total = sum(&rest, &signed_sum(vectors.iter().copied().zip(own.iter().copied())));
+        let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()] as usize);
+        Ok(Self::with_sum(p, direction, signs, basis.collect(), total))
     }
 
     /// An optimum that doubles proved.
