@@ -147,9 +147,11 @@ impl LogLogPlot {
         let mut top = LEGEND_TOP;
         for (number, lines) in self.legend_entries() {
             let at = [12.0, top];
-            let stroke = line(color_of(number), 2.0);
-            area.draw(&PathElement::new(vec![units([0.0, top]), units([24.0, top])], stroke))
-                .map_err(FigureError::plot)?;
+            if !self.curves[number].fit.is_empty() {
+                let stroke = line(color_of(number), 2.0);
+                area.draw(&PathElement::new(vec![units([0.0, top]), units([24.0, top])], stroke))
+                    .map_err(FigureError::plot)?;
+            }
             area.draw(&sign(units(at), number)).map_err(FigureError::plot)?;
             for (text, style) in lines {
                 let weight = if style.bold { FontStyle::Bold } else { FontStyle::Normal };
