@@ -125,6 +125,38 @@ fn sets_with_many_ties_to_the_last_digits() {
     });
 }
 
+/// Points whose extents along some axes are up to 10^8 times those along others, turned or not, some of them with others near them.
+fn uneven<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
+    let points = prop_oneof![sets::<D>(plain, most), sets::<D>(lattice, most)];
+    let turned = prop_oneof![Just(None), uniform::<_, D>(-1.0..1.0f64).prop_map(Some)];
+    let near = prop_oneof![Just(Vec::new()), vec((2.0..12.0f64, uniform::<_, D>(-1.0..1.0f64)), 1..4)];
+    let uneven = |(points, thin, mirror, near): (Vec<[f64; D]>, [f64; D], Option<[f64; D]>, Vec<(f64, [f64; D])>)| {
+        let widths = thin.map(|digits| libm::pow(10.0, -digits));
+        let scaled = |p: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| p[c] * widths[c]) };
+        // reflected in a plane: as good as turned
+        let reflected = |p: [f64; D]| -> [f64; D] {
+            let Some(normal) = mirror else { return p };
+            let along = |a: &[f64; D], b: &[f64; D]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let factor = 2.0 * along(&normal, &p) / along(&normal, &normal);
+            std::array::from_fn(|c| p[c] - factor * normal[c])
+        };
+        let others = points.iter().zip(near).map(|(p, (digits, off))| -> [f64; D] {
+            let near = libm::pow(10.0, -digits);
+            std::array::from_fn(|c| p[c] + near * off[c])
+        });
+        let all: Vec<[f64; D]> = points.iter().copied().chain(others).collect();
+        all.iter().map(|p| reflected(scaled(p))).collect()
+    };
+    (points, uniform::<_, D>(0.0..8.0f64), turned, near).prop_map(uneven).boxed()
+}
+
+#[test]
+fn needles_plates_and_clusters_to_the_last_digits() {
+    for_all(&uneven::<2>(12), 120, |points| solved(&points, 1e-9).map(|_| ()));
+    for_all(&uneven::<3>(16), 240, |points| solved(&points, 1e-9).map(|_| ()));
+    for_all(&uneven::<4>(8), 40, |points| solved(&points, 1e-6).map(|_| ()));
+}
+
 #[test]
 fn in_four_dimensions() {
     for_all(&sets::<4>(plain, 8), 24, |points| solved(&points, 1e-4).map(|_| ()));

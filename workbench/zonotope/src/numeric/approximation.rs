@@ -12,8 +12,7 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
 
 use super::dyadic::{Dyadic, scale_by_power_of_two};
-use super::exact_product::exact_product;
-use super::exact_sum::exact_sum;
+use super::pair::Pair;
 use super::tolerance::{UNDERFLOW, UNIT};
 
 /// Bounds the relative rounding error of one operation: 2^-98 = 256 u².
@@ -45,8 +44,8 @@ impl Approximation {
         if !head.is_finite() {
             return Self::unknown();
         }
-        let (high, low) = ordered_sum(head, (number - &Dyadic::from_f64(head)).to_f64());
-        Self::within(high, low, RELATIVE * high.abs() + UNDERFLOW)
+        let pair = Pair::ordered_sum(head, (number - &Dyadic::from_f64(head)).to_f64());
+        Self::within(pair, RELATIVE * pair.high.abs() + UNDERFLOW)
     }
 
     /// The sign of the exact value if it is certain and not zero.
@@ -62,17 +61,18 @@ impl Approximation {
             return Self::unknown();
         }
         let rest = numerator - &(&Dyadic::from_f64(head) * denominator);
-        let (high, low) = ordered_sum(head, rest.ratio(denominator));
-        Self::within(high, low, RELATIVE * high.abs() + UNDERFLOW)
+        let pair = Pair::ordered_sum(head, rest.ratio(denominator));
+        Self::within(pair, RELATIVE * pair.high.abs() + UNDERFLOW)
     }
 
     /// The value times 2 to the power of an exponent that is not positive; a value near zero where it is below that of [`VANISHING`].
     pub(crate) fn scaled_down(self, exponent: i64) -> Self {
         let factor = scale_by_power_of_two(1.0, exponent.max(VANISHING));
         if exponent < VANISHING {
-            return Self::within(0.0, 0.0, 2.0 * (self.high.abs() + self.error) * factor + UNDERFLOW);
+            return Self::within(Pair::from(0.0), 2.0 * (self.high.abs() + self.error) * factor + UNDERFLOW);
         }
-        Self::within(self.high * factor, self.low * factor, self.error * factor + UNDERFLOW)
+        let pair = Pair { high: self.high * factor, low: self.low * factor };
+        Self::within(pair, self.error * factor + UNDERFLOW)
     }
 
     /// The order of the exact values, if the bounds decide it.
@@ -93,7 +93,11 @@ impl Approximation {
         Self { high: f64::NAN, low: 0.0, error: f64::INFINITY }
     }
 
-    fn within(high: f64, low: f64, error: f64) -> Self {
+    fn pair(&self) -> Pair {
+        Pair { high: self.high, low: self.low }
+    }
+
+    fn within(Pair { high, low }: Pair, error: f64) -> Self {
         let error = error * SLACK;
         if high.is_finite() && low.is_finite() && error < f64::INFINITY {
             Self { high, low, error }
@@ -106,9 +110,8 @@ impl Approximation {
 impl Add for Approximation {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let (high, low) = pair_sum((self.high, self.low), (other.high, other.low));
         let rounding = RELATIVE * (self.high.abs() + other.high.abs());
-        Self::within(high, low, self.error + other.error + rounding)
+        Self::within(self.pair() + other.pair(), self.error + other.error + rounding)
     }
 }
 
@@ -122,9 +125,9 @@ impl Sub for Approximation {
 impl Mul for Approximation {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let (high, low) = pair_product((self.high, self.low), (other.high, other.low));
+        let product = self.pair() * other.pair();
         let carried = self.high.abs() * other.error + other.high.abs() * self.error + self.error * other.error;
-        Self::within(high, low, carried + RELATIVE * high.abs() + UNDERFLOW)
+        Self::within(product, carried + RELATIVE * product.high.abs() + UNDERFLOW)
     }
 }
 
@@ -135,29 +138,10 @@ impl Div for Approximation {
         if least.is_nan() || least <= 0.0 {
             return Self::unknown();
         }
-        let head = self.high / divisor.high;
-        let (back, tail) = pair_product((head, 0.0), (divisor.high, divisor.low));
-        let (rest, _) = pair_sum((self.high, self.low), (-back, -tail));
-        let (high, low) = ordered_sum(head, rest / divisor.high);
-        let carried = (self.error + high.abs() * divisor.error + UNDERFLOW) / least;
-        Self::within(high, low, carried * SLACK + RELATIVE * high.abs() + UNDERFLOW)
+        let quotient = self.pair() / divisor.pair();
+        let carried = (self.error + quotient.high.abs() * divisor.error + UNDERFLOW) / least;
+        Self::within(quotient, carried * SLACK + RELATIVE * quotient.high.abs() + UNDERFLOW)
     }
-}
-
-/// a + b as its rounded value and the error, |a| ≥ |b| or a = 0.
-fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    (sum, b - (sum - a))
-}
-
-fn pair_sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    let (sum, error) = exact_sum(a.0, b.0);
-    ordered_sum(sum, error + (a.1 + b.1))
-}
-
-fn pair_product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-    let (product, error) = exact_product(a.0, b.0);
-    ordered_sum(product, error + (a.0 * b.1 + a.1 * b.0))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 //! | `exact_product` | the product of two doubles without rounding |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
+//! | `pair` | numbers of two doubles, without a bound |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
 //! | `vector` | vectors of space with exact coordinates |
 
@@ -17,6 +18,7 @@ pub mod dyadic;
 pub(crate) mod exact_product;
 pub mod exact_sum;
 pub mod orientation;
+pub(crate) mod pair;
 pub mod tolerance;
 pub(crate) mod vector;
 

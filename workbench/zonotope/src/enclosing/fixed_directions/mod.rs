@@ -46,11 +46,10 @@ pub mod support_form;
 pub mod verify;
 
 pub use answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
-pub(crate) use facet_descent::{FacetDescent, dot, inverse};
+pub(crate) use facet_descent::{Facet, FacetDescent, dot, inverse};
 pub(crate) use generation::Generation;
 pub(crate) use lower_bound::balanced;
 pub(crate) use problem::first_non_finite;
-pub(crate) use repair::contain_guess;
 
 pub use by_row_generation::{least_enclosing, least_enclosing_counted};
 pub use problem::{FixedDirections, FixedDirectionsError};

@@ -10,8 +10,8 @@ use super::facet_map::{Exit, FacetMap};
 use super::lengthened::Lengthened;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational_simplex::{Column, maximize};
-use super::scaled::{KeptDirection, Scaled};
-use super::span::{Span, rational};
+use super::scaled::Scaled;
+use super::span::rational;
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
@@ -48,24 +48,6 @@ struct Repair<'a, const D: usize> {
     basis: Vec<usize>,
     basis_inverse: [[f64; D]; D],
     exact_inverse: Vec<Vec<Rational>>,
-}
-
-/// Coefficients around a centre, in units of the input, enlarged until every point is inside; `None` if the directions do not span or a coefficient is no double.
-pub(crate) fn contain_guess<const D: usize>(
-    problem: &FixedDirections<'_, D>,
-    center: [f64; D],
-    coefficients: &[f64],
-) -> Option<Vec<f64>> {
-    let span = Span::of(problem.directions());
-    if span.dimension() < D {
-        return None;
-    }
-    let scaled = Scaled::new(problem, &span);
-    let vectors: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
-    let in_scale = |d: &KeptDirection<D>| scale_by_power_of_two(coefficients[d.index], d.exponent - scaled.exponent);
-    let guess: Vec<f64> = scaled.directions.iter().map(in_scale).collect();
-    let repaired = contain_exactly(problem, &scaled, center, &guess, &mut FacetMap::new(D, &vectors)).ok()?;
-    Some(repaired.coefficients)
 }
 
 /// The nearest doubles to the guess, enlarged until every point is inside.

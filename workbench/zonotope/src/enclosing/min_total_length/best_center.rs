@@ -32,6 +32,9 @@ const LAST: usize = 48;
 /// A slope that is nothing, and the sine of an angle that is none.
 const FLAT: f64 = 1e-15;
 
+/// No more coefficients of vertices than this are noted.
+const MOST_WITNESSES: usize = 1 << 20;
+
 /// How often the cuts are combined.
 const OFTEN: usize = 8;
 
@@ -54,13 +57,17 @@ pub(super) fn least_in_plane<const D: usize>(
     let mut place = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
     let mut cuts: Vec<Cut<D>> = Vec::new();
     let mut inner = Inner { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new(), witnesses: Vec::new() };
+    let mut shortest = None;
     let mut progress = Vec::new();
     for round in 1..=MOST_CENTERS {
-        let (cut, generators) = at_center(&points, &hull, target);
+        let zonogon = Zonogon::around(&points, &hull, target);
+        let cut = zonogon.cut(&points, &hull);
+        let generators = zonogon.generators();
         let upper: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum();
         if upper < inner.upper {
-            let center = std::array::from_fn(|c| if c < 2 { target[c] } else { 0.0 });
+            let center = in_space(&target, 1.0);
             inner = Inner { upper, center, generators, witnesses: Vec::new() };
+            shortest = Some(zonogon);
         }
         place = part_below(&place, target, cut.slope);
         let is_flat = cut.slope == [0.0; 2];
@@ -81,48 +88,92 @@ pub(super) fn least_in_plane<const D: usize>(
             _ => break,
         }
     }
+    inner.witnesses = shortest.map_or_else(Vec::new, |zonogon: Zonogon| zonogon.witnesses(&hull));
     (inner, progress)
 }
 
-/// The zonogon with a given centre: the cut, and the generators.
-fn at_center<const D: usize>(points: &[[f64; 2]], hull: &[usize], center: [f64; 2]) -> (Cut<D>, Vec<[f64; D]>) {
-    let own = hull.iter().map(|&j| [points[j][0] - center[0], points[j][1] - center[1]]);
-    let around: Vec<[f64; 2]> = own.clone().chain(own.map(|p| p.map(|c| -c))).collect();
-    let boundary = hull_of(&around);
-    let count = boundary.len();
-    let edges: Vec<[f64; 2]> = (0..count)
-        .map(|k| {
-            let (a, b) = (around[boundary[k]], around[boundary[(k + 1) % count]]);
-            [(b[0] - a[0]) / 2.0, (b[1] - a[1]) / 2.0]
-        })
-        .collect();
-    let tangents: Vec<[f64; 2]> = edges
-        .iter()
-        .map(|e| {
+/// The least zonogon with a given centre.
+struct Zonogon {
+    /// The vertices: places in the hull of the points, those of their reflections after them.
+    boundary: Vec<usize>,
+    /// Half the edges that follow them.
+    edges: Vec<[f64; 2]>,
+    /// How many points the hull has.
+    own: usize,
+    /// Rounding may tell a vertex from its opposite; then both halves of the edges count by half.
+    is_symmetric: bool,
+}
+
+impl Zonogon {
+    fn around(points: &[[f64; 2]], hull: &[usize], center: [f64; 2]) -> Self {
+        let own = hull.iter().map(|&j| [points[j][0] - center[0], points[j][1] - center[1]]);
+        let around: Vec<[f64; 2]> = own.clone().chain(own.map(|p| p.map(|c| -c))).collect();
+        let boundary = hull_of(&around);
+        let (count, own) = (boundary.len(), hull.len());
+        let edges = (0..count)
+            .map(|k| {
+                let (a, b) = (around[boundary[k]], around[boundary[(k + 1) % count]]);
+                [(b[0] - a[0]) / 2.0, (b[1] - a[1]) / 2.0]
+            })
+            .collect();
+        let half = count / 2;
+        let is_symmetric = count.is_multiple_of(2) && (0..half).all(|k| boundary[k] % own == boundary[k + half] % own);
+        Self { boundary, edges, own, is_symmetric }
+    }
+
+    fn cut<const D: usize>(&self, points: &[[f64; 2]], hull: &[usize]) -> Cut<D> {
+        let count = self.edges.len();
+        let unit = |e: &[f64; 2]| {
             let length = (e[0] * e[0] + e[1] * e[1]).sqrt();
             if length > 0.0 { e.map(|c| c / length) } else { [0.0; 2] }
-        })
-        .collect();
-    let mut cut = Cut { slope: [0.0; 2], height: 0.0, forces: Vec::with_capacity(count) };
-    for k in 0..count {
-        let (before, after) = (tangents[(k + count - 1) % count], tangents[k]);
-        let is_reflected = boundary[k] >= hull.len();
-        let point = hull[boundary[k] % hull.len()];
-        // Each point with its reflection is there twice.
-        let share = if is_reflected { -0.25 } else { 0.25 };
-        let force = [share * (before[0] - after[0]), share * (before[1] - after[1])];
-        cut.slope = [cut.slope[0] - force[0], cut.slope[1] - force[1]];
-        cut.height += force[0] * points[point][0] + force[1] * points[point][1];
-        cut.forces.push((point, std::array::from_fn(|c| if c < 2 { force[c] } else { 0.0 })));
+        };
+        let tangents: Vec<[f64; 2]> = self.edges.iter().map(unit).collect();
+        let mut cut = Cut { slope: [0.0; 2], height: 0.0, forces: Vec::with_capacity(count) };
+        for (k, &vertex) in self.boundary.iter().enumerate() {
+            let (before, after) = (tangents[(k + count - 1) % count], tangents[k]);
+            let point = hull[vertex % self.own];
+            // Each point with its reflection is there twice.
+            let share = if vertex >= self.own { -0.25 } else { 0.25 };
+            let force = [share * (before[0] - after[0]), share * (before[1] - after[1])];
+            cut.slope = [cut.slope[0] - force[0], cut.slope[1] - force[1]];
+            cut.height += force[0] * points[point][0] + force[1] * points[point][1];
+            cut.forces.push((point, in_space(&force, 1.0)));
+        }
+        cut
     }
-    let in_space = |e: &[f64; 2], factor: f64| std::array::from_fn(|c| if c < 2 { factor * e[c] } else { 0.0 });
-    let half = count / 2;
-    let is_symmetric =
-        count.is_multiple_of(2) && (0..half).all(|k| boundary[k] % hull.len() == boundary[k + half] % hull.len());
-    // Rounding may tell a vertex from its opposite; then both halves count by half.
-    let (edges, factor) = if is_symmetric { (&edges[..half], 1.0) } else { (&edges[..], 0.5) };
-    let generators = edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect();
-    (cut, generators)
+
+    fn used(&self) -> (&[[f64; 2]], f64) {
+        if self.is_symmetric { (&self.edges[..self.edges.len() / 2], 1.0) } else { (&self.edges, 0.5) }
+    }
+
+    fn generators<const D: usize>(&self) -> Vec<[f64; D]> {
+        let (edges, factor) = self.used();
+        edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect()
+    }
+
+    /// The coefficients of those points that are vertices opposite their reflections: 1 for the edges from one to the other, −1 for those back. None where these are too many.
+    fn witnesses(&self, hull: &[usize]) -> Vec<(usize, Vec<f64>)> {
+        let (edges, _) = self.used();
+        if edges.len() * self.own > MOST_WITNESSES {
+            return Vec::new();
+        }
+        let mut places = vec![None; 2 * self.own];
+        for (k, &vertex) in self.boundary.iter().enumerate() {
+            places[vertex] = Some(k);
+        }
+        let of_point = |(point, (end, begin)): (&usize, (&Option<usize>, &Option<usize>))| {
+            let (end, begin) = (end.as_ref()?, begin.as_ref()?);
+            let is_before = |i: &usize| if begin < end { (begin..end).contains(&i) } else { i >= begin || i < end };
+            let present = (0..edges.len()).filter(|&i| edges[i] != [0.0; 2]);
+            Some((*point, present.map(|i| if is_before(&i) { 1.0 } else { -1.0 }).collect()))
+        };
+        let (own, reflected) = places.split_at(self.own);
+        hull.iter().zip(own.iter().zip(reflected)).filter_map(of_point).collect()
+    }
+}
+
+fn in_space<const D: usize>(v: &[f64; 2], factor: f64) -> [f64; D] {
+    std::array::from_fn(|c| if c < 2 { factor * v[c] } else { 0.0 })
 }
 
 /// The average of forces at three centres whose sums cancel that proves most.

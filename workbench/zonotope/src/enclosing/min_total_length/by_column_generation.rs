@@ -3,9 +3,9 @@
 //! # Statement
 //! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains every point exactly, its total
 //! length (the sum of the half-lengths of its generators), and a lower bound for all zonotopes around the points, whose ratio is
-//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 400 points that the zonotope touches; rounding: ε about 1e-9 for bodies thinner than
-//! 1e-6 of their length or with points as near to each other, and a centre in doubles for points far from the origin): the ratio is always proven and
-//! told, and so is whether it is at most 1 + ε ([`Outcome`]).
+//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 400 points that the zonotope touches; a centre in doubles for points far from the
+//! origin; below 1e-9, rounding, and at 1e-9 now and then points nearer to each other than that beside the extent of a thin body): the ratio is always proven and told, and so is
+//! whether it is at most 1 + ε ([`Outcome`]).
 //!
 //! # Source
 //! The problem of Section 4.3, over all directions rather than a net. The dual: vectors λ_j at the points with Σ λ_j = 0 that maximise Σ λ_j · p_j while
@@ -20,15 +20,16 @@
 //! 4. A step of an interior point method (primal and dual at once, scaled after Nesterov and Todd, corrected after Mehrotra) for the sets so far, which may begin beyond their
 //!    limits; it yields forces, and generators for which every point with a force is a vertex, after what they still miss is shared out among them in proportion to their lengths.
 //! 5. The vertices of Σ [−1, 1] λ_j: the farthest one, at distance ρ, proves the lower bound Σ λ_j · p_j / ρ; those farther than 1, or nearer to it than the gap, are sets to add.
-//!    Points outside the zonotope are added; lengthened until it contains them it is an upper bound. Sets that bear least are forgotten. Again from 4 until the bounds are within ε.
+//!    The generator of a new set begins no longer than the body is along it and than the points that it parts are near each other. Points outside the zonotope are added; one
+//!    near another joins its sets. Where vertices are far beyond 1 then, the gap is widened. Lengthened until it contains all points the zonotope is an upper bound. Sets that bear
+//!    least of what they were expected to are forgotten. Again from 4 until the bounds are within ε.
 //! 6. Generators rounded; what they miss of any point is added along the axes.
-//! 7. Where the ratio is still above 1 + ε: linear programs along the directions of the generators, then along those where forces reach their limits; the farthest vertices for the
-//!    multipliers name directions that lack. And for few points, all of that anew with a force at every point.
+//! 7. Where the ratio is still above 1 + ε: all of that anew in pairs of doubles.
 //!
 //! # Complexity
 //! With m points that have a force and K sets (at most 4 d m): a step costs O((d m)³ + d² m Δ), Δ the number of points by which neighbouring sets differ, some ten for
 //! each set; the vertices O(m^{d−1} log m), a look at all n points a facet search each. Some ten to hundred steps. In a plane O(n log n) for each of some fifty centres. Leaving out
-//! points: some passes over at most 500 points for each. The number of steps has no useful bound.
+//! points: some passes over at most 500 points for each. Pairs of doubles make a step some fifty times as dear. The number of steps has no useful bound.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.
@@ -61,11 +62,12 @@ use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::best_center::least_in_plane;
 use super::finish::{around_equal_points, finish, proven, validate};
 use super::frame::Frame;
-use super::growing::{Begin, least_by_sides};
+use super::growing::least_by_sides;
 use super::inner_points::outer_points;
 use super::lower_bound::Best;
-use super::sharpening::{sharpened, starts};
+use super::real::Real;
 use crate::enclosing::fixed_directions::dot;
+use crate::numeric::pair::Pair;
 use crate::tally::Tally;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible.
@@ -116,12 +118,12 @@ fn around_outer<const D: usize>(
             finish(points, &frame, inner, &best, progress, directions, epsilon)
         }
         _ => {
-            let answer = around_hull(points, &frame, epsilon, Begin::WithFew, &mut best, tally)?;
-            if answer.outcome == Outcome::WithinEpsilon || points.len() > FEW {
+            let mut work = 0.0;
+            let answer = around_hull::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
+            if answer.outcome == Outcome::WithinEpsilon {
                 return Ok(answer);
             }
-            // Points that join late, near others, may upset the search; it is hardly dearer with all of few from the beginning.
-            let other = around_hull(points, &frame, epsilon, Begin::WithAll, &mut best, tally)?;
+            let other = around_hull::<Pair, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             let directions = answer.directions + other.directions;
             let shorter = if other.length < answer.length { other } else { answer };
             let around = (shorter.zonotope, shorter.length);
@@ -130,28 +132,17 @@ fn around_outer<const D: usize>(
     }
 }
 
-/// So few points may all have a force from the beginning.
-const FEW: usize = 48;
-
-/// Around points that span three dimensions or more.
-fn around_hull<const D: usize>(
+/// Around points that span three dimensions or more, with steps in numbers of some precision.
+fn around_hull<R: Real, const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
     epsilon: f64,
-    begin: Begin,
     best: &mut Best<D>,
+    work: &mut f64,
     tally: &mut impl Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    let found = least_by_sides(frame, epsilon, begin, best, tally);
-    let starts = starts(&found.inner.generators, found.sharpest);
-    let answer = finish(points, frame, found.inner, best, found.progress, found.sides, epsilon)?;
-    if answer.outcome == Outcome::WithinEpsilon {
-        return Ok(answer);
-    }
-    let other = sharpened(points, frame, starts, epsilon, best);
-    let MinLengthZonotope { zonotope, length, progress, .. } = answer;
-    let around = other.filter(|other| other.1 < length).unwrap_or((zonotope, length));
-    Ok(proven(points, frame, around, best, progress, found.sides, epsilon))
+    let found = least_by_sides::<R, D>(frame, epsilon, best, work, tally);
+    finish(points, frame, found.inner, best, found.progress, found.sides, epsilon)
 }
 
 /// Forces that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.

@@ -3,30 +3,33 @@
 //! The cone is its own dual. For a slack s and a load z inside there is one symmetric map W of the cone onto itself with W z = W⁻¹ s: seen through it both are the same point, and
 //! a step towards s ∘ z = μ treats both alike (Nesterov and Todd). With J = diag(1, −1 … −1), W = β (2 v vᵀ − J), vᵀ J v = 1.
 
-use crate::enclosing::fixed_directions::dot;
+use super::real::{Real, dot, plus, zero};
 
 /// A vector with a head, which is its length where it lies on the boundary of the cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Headed<const D: usize> {
-    pub(super) head: f64,
-    pub(super) rest: [f64; D],
+pub(super) struct Headed<R, const D: usize> {
+    pub(super) head: R,
+    pub(super) rest: [R; D],
 }
 
-impl<const D: usize> Headed<D> {
-    pub(super) const ZERO: Self = Self { head: 0.0, rest: [0.0; D] };
+impl<R: Real, const D: usize> Headed<R, D> {
+    pub(super) fn zero() -> Self {
+        Self { head: R::from(0.0), rest: zero() }
+    }
 
-    pub(super) fn dot(&self, other: &Self) -> f64 {
+    pub(super) fn dot(&self, other: &Self) -> R {
         self.head * other.head + dot(&self.rest, &other.rest)
     }
 
-    pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
-        Self {
-            head: self.head + factor * other.head,
-            rest: std::array::from_fn(|c| self.rest[c] + factor * other.rest[c]),
-        }
+    pub(super) fn plus(&self, factor: R, other: &Self) -> Self {
+        Self { head: self.head + factor * other.head, rest: plus(&self.rest, factor, &other.rest) }
     }
 
-    fn times(&self, factor: f64) -> Self {
+    pub(super) fn minus(&self, other: &Self) -> Self {
+        self.plus(R::from(-1.0), other)
+    }
+
+    fn times(&self, factor: R) -> Self {
         Self { head: self.head * factor, rest: self.rest.map(|c| c * factor) }
     }
 
@@ -36,85 +39,88 @@ impl<const D: usize> Headed<D> {
     }
 
     /// xᵀ J x = x_0² − |x'|²; positive inside the cone.
-    pub(super) fn room(&self) -> f64 {
+    pub(super) fn room(&self) -> R {
         let length = dot(&self.rest, &self.rest).sqrt();
         (self.head - length) * (self.head + length)
     }
 
     /// The load μ s⁻¹ that goes with a slack on the central path.
-    pub(super) fn load(&self, mu: f64) -> Self {
+    pub(super) fn load(&self, mu: R) -> Self {
         self.reflected().times(mu / self.room())
     }
 
     /// How far one can go along a direction before the boundary of the cone.
     pub(super) fn reach(&self, direction: &Self) -> f64 {
+        let nothing = R::from(0.0);
         let a = direction.head * direction.head - dot(&direction.rest, &direction.rest);
         let b = self.head * direction.head - dot(&self.rest, &direction.rest);
         let c = self.room();
         let discriminant = b * b - a * c;
-        if discriminant < 0.0 || (a >= 0.0 && b >= 0.0) {
+        if discriminant < nothing || (a >= nothing && b >= nothing) {
             return f64::INFINITY;
         }
-        c / (discriminant.sqrt() - b)
+        (c / (discriminant.sqrt() - b)).value()
     }
 }
 
 /// The map W for a slack and a load.
-pub(super) struct Scaling<const D: usize> {
-    beta: f64,
+pub(super) struct Scaling<R, const D: usize> {
+    beta: R,
     /// w̄ with W² = β² (2 w̄ w̄ᵀ − J).
-    square: Headed<D>,
-    root: Headed<D>,
+    square: Headed<R, D>,
+    root: Headed<R, D>,
     /// W z = W⁻¹ s.
-    pub(super) both: Headed<D>,
+    pub(super) both: Headed<R, D>,
 }
 
-impl<const D: usize> Scaling<D> {
+impl<R: Real, const D: usize> Scaling<R, D> {
     /// `None` where one of them is not inside the cone.
-    pub(super) fn new(slack: &Headed<D>, load: &Headed<D>) -> Option<Self> {
+    pub(super) fn new(slack: &Headed<R, D>, load: &Headed<R, D>) -> Option<Self> {
         let (of_slack, of_load) = (slack.room(), load.room());
-        if !(of_slack > 0.0 && of_load > 0.0 && slack.head > 0.0 && load.head > 0.0) {
+        let [half, one, two] = [0.5, 1.0, 2.0].map(R::from);
+        if ![of_slack, of_load, slack.head, load.head].iter().all(|v| v.value() > 0.0) {
             return None;
         }
-        let (unit_slack, unit_load) = (slack.times(1.0 / of_slack.sqrt()), load.times(1.0 / of_load.sqrt()));
-        let gamma = (0.5 * (1.0 + unit_slack.dot(&unit_load))).sqrt();
-        let square = unit_slack.plus(1.0, &unit_load.reflected()).times(0.5 / gamma);
+        let (unit_slack, unit_load) = (slack.times(one / of_slack.sqrt()), load.times(one / of_load.sqrt()));
+        let gamma = (half * (one + unit_slack.dot(&unit_load))).sqrt();
+        let square = unit_slack.plus(one, &unit_load.reflected()).times(half / gamma);
         let beta = (of_slack / of_load).sqrt().sqrt();
-        let shifted = Headed { head: square.head + 1.0, rest: square.rest };
-        let root = shifted.times(1.0 / (2.0 * shifted.head).sqrt());
-        let mut scaling = Self { beta, square, root, both: Headed::ZERO };
+        let shifted = Headed { head: square.head + one, rest: square.rest };
+        let root = shifted.times(one / (two * shifted.head).sqrt());
+        let mut scaling = Self { beta, square, root, both: Headed::zero() };
         scaling.both = scaling.apply(load);
-        (beta.is_finite() && beta > 0.0 && scaling.both.dot(&scaling.both).is_finite()).then_some(scaling)
+        let is_positive = beta.value().is_finite() && beta.value() > 0.0;
+        (is_positive && scaling.both.dot(&scaling.both).value().is_finite()).then_some(scaling)
     }
 
     /// W x.
-    pub(super) fn apply(&self, x: &Headed<D>) -> Headed<D> {
-        let along = 2.0 * self.root.dot(x);
-        self.root.times(along).plus(-1.0, &x.reflected()).times(self.beta)
+    pub(super) fn apply(&self, x: &Headed<R, D>) -> Headed<R, D> {
+        let along = R::from(2.0) * self.root.dot(x);
+        self.root.times(along).minus(&x.reflected()).times(self.beta)
     }
 
     /// W⁻¹ x.
-    pub(super) fn undo(&self, x: &Headed<D>) -> Headed<D> {
+    pub(super) fn undo(&self, x: &Headed<R, D>) -> Headed<R, D> {
         let back = self.root.reflected();
-        let along = 2.0 * back.dot(x);
-        back.times(along).plus(-1.0, &x.reflected()).times(1.0 / self.beta)
+        let along = R::from(2.0) * back.dot(x);
+        back.times(along).minus(&x.reflected()).times(R::from(1.0) / self.beta)
     }
 
     /// W⁻² x.
-    pub(super) fn undo_twice(&self, x: &Headed<D>) -> Headed<D> {
+    pub(super) fn undo_twice(&self, x: &Headed<R, D>) -> Headed<R, D> {
         let back = self.square.reflected();
-        let along = 2.0 * back.dot(x);
-        back.times(along).plus(-1.0, &x.reflected()).times(1.0 / (self.beta * self.beta))
+        let along = R::from(2.0) * back.dot(x);
+        back.times(along).minus(&x.reflected()).times(R::from(1.0) / (self.beta * self.beta))
     }
 
     /// An entry of W⁻², without heads.
-    pub(super) fn entry(&self, a: usize, b: usize) -> f64 {
-        let identity = if a == b { 1.0 } else { 0.0 };
-        (identity + 2.0 * self.square.rest[a] * self.square.rest[b]) / (self.beta * self.beta)
+    pub(super) fn entry(&self, a: usize, b: usize) -> R {
+        let identity = R::from(if a == b { 1.0 } else { 0.0 });
+        (identity + R::from(2.0) * self.square.rest[a] * self.square.rest[b]) / (self.beta * self.beta)
     }
 
     /// x with (W z) ∘ x = right, where a ∘ b = (a · b, a_0 b' + b_0 a').
-    pub(super) fn divided(&self, right: &Headed<D>) -> Headed<D> {
+    pub(super) fn divided(&self, right: &Headed<R, D>) -> Headed<R, D> {
         let both = &self.both;
         let head = (both.head * right.head - dot(&both.rest, &right.rest)) / both.room();
         Headed { head, rest: std::array::from_fn(|c| (right.rest[c] - head * both.rest[c]) / both.head) }
@@ -122,7 +128,7 @@ impl<const D: usize> Scaling<D> {
 }
 
 /// a ∘ b.
-pub(super) fn jordan<const D: usize>(a: &Headed<D>, b: &Headed<D>) -> Headed<D> {
+pub(super) fn jordan<R: Real, const D: usize>(a: &Headed<R, D>, b: &Headed<R, D>) -> Headed<R, D> {
     Headed { head: a.dot(b), rest: std::array::from_fn(|c| a.head * b.rest[c] + b.head * a.rest[c]) }
 }
 

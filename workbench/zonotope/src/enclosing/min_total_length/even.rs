@@ -4,6 +4,7 @@
 use super::finish::Inner;
 use super::frame::Frame;
 use crate::enclosing::fixed_directions::{FacetDescent, dot};
+use crate::numeric::tolerance::UNIT;
 
 /// The smallest box around the points along the frame's long axes, as a unit of length for each.
 pub(super) struct Even<'a, const D: usize> {
@@ -31,7 +32,10 @@ impl<'a, const D: usize> Even<'a, D> {
             (low[axis], high[axis]) =
                 along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
         }
-        Self { frame, low, high }
+        // Rounded heights may be farther out than told.
+        let reach = low.iter().chain(&high).fold(0.0, |most: f64, v| most.max(v.abs()));
+        let rounding = 8.0 * UNIT * reach;
+        Self { frame, low: low.map(|v| v - rounding), high: high.map(|v| v + rounding) }
     }
 
     /// The box.
@@ -51,9 +55,21 @@ impl<'a, const D: usize> Even<'a, D> {
         (self.high[axis] - self.low[axis]) / 2.0
     }
 
+    /// How long a segment along a vector may be in an ellipsoid around as wide as the points.
+    pub(super) fn segment(&self, v: &[f64; D]) -> f64 {
+        let inside = self.vector(v);
+        (dot(v, v) / dot(&inside, &inside)).sqrt()
+    }
+
     /// A vector of the frame in these coordinates.
     pub(super) fn vector(&self, v: &[f64; D]) -> [f64; D] {
         std::array::from_fn(|axis| self.frame.long.get(axis).map_or(0.0, |long| dot(long, v) / self.half(axis)))
+    }
+
+    /// How wide the box is along each axis, beside its longest.
+    pub(super) fn thinness(&self) -> [f64; D] {
+        let longest = (0..self.frame.rank()).map(|axis| self.half(axis)).fold(0.0, f64::max);
+        std::array::from_fn(|axis| if axis < self.frame.rank() { self.half(axis) / longest } else { 1.0 })
     }
 
     fn normal(&self, n: &[f64; D]) -> [f64; D] {

@@ -8,6 +8,7 @@ use super::even::{Even, Sight};
 use super::finish::Inner;
 use super::frame::Frame;
 use super::lower_bound::Best;
+use super::real::{Real, values};
 use super::sides::Sides;
 use crate::enclosing::fixed_directions::{Generation, balanced, dot};
 use crate::tally::{Operation, Tally};
@@ -19,8 +20,6 @@ pub(super) struct Found<const D: usize> {
     pub(super) progress: Vec<[f64; 2]>,
     /// How many sides were tried.
     pub(super) sides: usize,
-    /// The directions in which the forces with the best lower bound are near their limits, those that bear most first.
-    pub(super) sharpest: Vec<[f64; D]>,
 }
 
 /// More rounds than this are not taken.
@@ -48,45 +47,41 @@ const CLOSELY: f64 = 0.25;
 /// Vertices that are inside the unit ball by at most the gap may be beyond it next: their sets are added, but none farther inside than this.
 const NEAR: f64 = 0.05;
 
+/// Where vertices are beyond the unit ball by this multiple of the gap, as where a point has joined that is near another, the gap is widened to this part of what they are beyond it.
+const FAR_BEYOND: f64 = 30.0;
+const BACK: f64 = 0.1;
+
 /// Points added after a look at them.
 const MOST_POINTS: usize = 16;
 
-/// Generators shorter than this beside the longest are noise for the search of facets.
+/// Generators shorter than this beside the longest, in even coordinates, are noise for the search of facets.
 const NOISE: f64 = 1e-12;
 
 /// The ε of the net that the search begins with.
 const COARSE: f64 = 0.1;
 
-struct Growing<'a, const D: usize> {
+struct Growing<'a, R, const D: usize> {
     frame: &'a Frame<D>,
     even: &'a Even<'a, D>,
     rank: usize,
-    sides: Sides<D>,
+    sides: Sides<'a, R, D>,
     /// The points with a force.
     members: Vec<usize>,
     is_member: Vec<bool>,
 }
 
-/// The points that have a force at first.
-#[derive(Clone, Copy)]
-pub(super) enum Begin {
-    /// Those that a coarse net touches, or the farthest along the axes.
-    WithFew,
-    WithAll,
-}
-
 /// The least zonotope around points that span at least three dimensions.
-pub(super) fn least_by_sides<const D: usize>(
+pub(super) fn least_by_sides<R: Real, const D: usize>(
     frame: &Frame<D>,
     epsilon: f64,
-    begin: Begin,
     best: &mut Best<D>,
+    work: &mut f64,
     tally: &mut impl Tally,
 ) -> Found<D> {
     let even = Even::of(frame);
     let mut inner = even.boxed();
-    let mut growing = Growing::new(frame, &even, begin, best, &mut inner);
-    let mut sharpest = Vec::new();
+    let mut growing = Growing::<R, D>::new(frame, &even, best, &mut inner);
+    growing.sides.work = *work;
     let (mut progress, mut tried, mut idle, mut rescues) = (Vec::new(), 0, 0, 0);
     let (mut beyond, mut least_doubt) = (0.0, f64::INFINITY);
     for _ in 0..MOST_ROUNDS {
@@ -118,7 +113,6 @@ pub(super) fn least_by_sides<const D: usize>(
         let far = best.improve(growing.rank, &frame.points, pulls, 1.0 - gap);
         beyond = far.radius - 1.0;
         if best.lower > before.1 {
-            sharpest = growing.sides.sharp();
             growing.sides.length = best.lower;
         }
         progress.push([inner.upper, best.lower]);
@@ -139,9 +133,17 @@ pub(super) fn least_by_sides<const D: usize>(
             tried += usize::from(growing.sides.part(peak));
         }
         growing.sides.widen((looked.reach - 1.0).min(NEAR) * growing.sides.length);
+        if beyond > FAR_BEYOND * gap {
+            growing.sides.widen(BACK * beyond.min(1.0) * growing.sides.length);
+        }
+        let members = growing.members.len();
         growing.add_points(looked.outside);
+        if growing.members.len() > members {
+            (idle, least_doubt) = (0, f64::INFINITY);
+        }
     }
-    Found { inner, progress, sides: tried, sharpest }
+    *work = growing.sides.work;
+    Found { inner, progress, sides: tried }
 }
 
 /// A zonotope, longer where it does not hold all points.
@@ -159,13 +161,11 @@ struct Looked<const D: usize> {
     outside: Vec<(usize, [f64; D])>,
 }
 
-impl<'a, const D: usize> Growing<'a, D> {
+impl<'a, R: Real, const D: usize> Growing<'a, R, D> {
     /// Begins with a coarse net where that is cheap, else with the farthest points along the axes.
-    fn new(frame: &'a Frame<D>, even: &'a Even<'a, D>, begin: Begin, best: &mut Best<D>, inner: &mut Inner<D>) -> Self {
+    fn new(frame: &'a Frame<D>, even: &'a Even<'a, D>, best: &mut Best<D>, inner: &mut Inner<D>) -> Self {
         let rank = frame.rank();
-        let is_few = matches!(begin, Begin::WithFew);
         if rank == 3
-            && is_few
             && let Some(growing) = Self::from_net(frame, even, best, inner)
         {
             return growing;
@@ -174,7 +174,7 @@ impl<'a, const D: usize> Growing<'a, D> {
             frame,
             even,
             rank,
-            sides: Sides::new(rank, best.lower),
+            sides: Sides::new(rank, even, best.lower),
             members: Vec::new(),
             is_member: vec![false; frame.points.len()],
         };
@@ -182,12 +182,6 @@ impl<'a, const D: usize> Growing<'a, D> {
             for sign in [1.0, -1.0] {
                 let u: [f64; D] = std::array::from_fn(|c| if c == axis { sign } else { 0.0 });
                 growing.add(growing.farthest(&u), &u);
-            }
-        }
-        if !is_few {
-            let center = inner.center;
-            for (j, p) in frame.points.iter().enumerate() {
-                growing.add(j, &std::array::from_fn(|c| p[c] - center[c]));
             }
         }
         growing
@@ -222,7 +216,7 @@ impl<'a, const D: usize> Growing<'a, D> {
         }
         let cells = (2.0 * (members.len() as f64).sqrt()).ceil() as usize;
         let directions: Vec<[f64; D]> = far.peaks.into_iter().chain(cell_corners(cells)).collect();
-        let sides = Sides::begun(rank, &points, forces.into_iter().map(|(_, f)| f).collect(), &directions);
+        let sides = Sides::begun(rank, even, &points, forces.into_iter().map(|(_, f)| f).collect(), &directions);
         Some(Self { frame, even, rank, sides, members, is_member })
     }
 
@@ -243,7 +237,7 @@ impl<'a, const D: usize> Growing<'a, D> {
         }
         if let Some(&first) = self.members.first() {
             let points = &self.frame.points;
-            self.sides.add_point(std::array::from_fn(|c| points[point][c] - points[first][c]), *pull);
+            self.sides.add_point(&points[point], &points[first], pull);
         }
         self.members.push(point);
     }
@@ -261,7 +255,7 @@ impl<'a, const D: usize> Growing<'a, D> {
     }
 
     fn pulls(&self) -> Vec<(usize, [f64; D])> {
-        let forces = self.members.iter().copied().zip(self.sides.forces.iter().copied());
+        let forces = self.members.iter().copied().zip(self.sides.forces.iter().map(values));
         balanced(&forces.collect::<Vec<_>>())
     }
 
@@ -269,8 +263,9 @@ impl<'a, const D: usize> Growing<'a, D> {
     fn zonotope(&self, generators: Vec<[f64; D]>) -> ([f64; D], Vec<usize>, Vec<[f64; D]>) {
         let first = self.members.first().map_or([0.0; D], |&j| self.frame.points[j]);
         let center = generators.iter().fold(first, |sum, g| std::array::from_fn(|c| sum[c] + g[c]));
-        let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt();
-        let is_long = |(_, g): &(usize, [f64; D])| dot(g, g).sqrt() > NOISE * longest;
+        let size = |g: &[f64; D]| dot(&self.even.vector(g), &self.even.vector(g)).sqrt();
+        let longest = generators.iter().map(size).fold(0.0, f64::max);
+        let is_long = |(_, g): &(usize, [f64; D])| size(g) > NOISE * longest;
         let (places, long) = generators.into_iter().enumerate().filter(is_long).unzip();
         (center, places, long)
     }

@@ -3,6 +3,8 @@
 //! From a point o far out, q − o = Σ α_i (e_i − o) with α ≥ 0 and least Σ α_i is a linear program over the points kept so far, with as many rows as dimensions. Its
 //! basis is a simplex with o; when Σ α_i < 1 and q is in it by exact signs, q is left out, else it is kept. Points far from the middle come first.
 
+use std::cmp::Ordering;
+
 use super::frame::Frame;
 use crate::enclosing::fixed_directions::{dot, inverse};
 use crate::numeric::dyadic::Dyadic;
@@ -24,7 +26,7 @@ const MARGIN: f64 = 1e-9;
 
 /// The places of the points that are not proven to lie in a simplex of others; all of them where they are few or do not span the space.
 pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
-    let all = || (0..points.len()).collect();
+    let all = || distinct(points, (0..points.len()).collect());
     if points.len() < FEW || D < 3 {
         return all();
     }
@@ -61,8 +63,16 @@ pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
             }
         }
     }
-    kept.sort_unstable();
-    kept
+    distinct(points, kept)
+}
+
+/// The first of all equal points each, in their order.
+fn distinct<const D: usize>(points: &[[f64; D]], mut places: Vec<usize>) -> Vec<usize> {
+    let order = |a: &usize, b: &usize| points[*a].partial_cmp(&points[*b]).unwrap_or(Ordering::Equal).then(a.cmp(b));
+    places.sort_unstable_by(order);
+    places.dedup_by_key(|place| points[*place]);
+    places.sort_unstable();
+    places
 }
 
 /// Points that make up a simplex with the origin which holds q, within rounding.
@@ -162,5 +172,9 @@ mod tests {
         let corners = [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
         assert!(is_in_simplex(&[1.0, 1.0, 1.0], &[0.0; 3], &corners));
         assert!(!is_in_simplex(&[2.0, 1.0, 1.0], &[0.0; 3], &corners));
+    }
+    #[test]
+    fn of_equal_points_the_first_is_kept() {
+        assert_eq!(outer_points(&[[1.0, 0.0], [0.0, 2.0], [1.0, -0.0], [0.0, 2.0], [3.0, 3.0]]), [0, 1, 4]);
     }
 }

@@ -8,8 +8,8 @@
 
 use super::cholesky::{Cholesky, Factor};
 use super::cone::{Headed, Scaling, jordan};
-use super::sides::{Sides, plus, sum_over};
-use crate::enclosing::fixed_directions::dot;
+use super::real::{Real, dot, plus, values, zero};
+use super::sides::{Sides, sum_over};
 
 /// A step ends before the boundary of the cone by this part of the way.
 const SHORT_OF: f64 = 0.02;
@@ -37,71 +37,72 @@ pub(super) struct Stepped<const D: usize> {
 }
 
 /// The equations of a step.
-struct Equations<'a, const D: usize> {
-    sides: &'a Sides<D>,
-    scalings: Vec<Scaling<D>>,
-    factor: Factor,
+struct Equations<'a, R, const D: usize> {
+    sides: &'a Sides<'a, R, D>,
+    scalings: Vec<Scaling<R, D>>,
+    factor: Factor<R>,
 }
 
-impl<const D: usize> Sides<D> {
+impl<R: Real, const D: usize> Sides<'_, R, D> {
     /// One step towards the optimum for the sets as they are, not beyond a least μ; `None` where rounding ends the method.
     pub(super) fn step(&mut self, least_mu: f64) -> Option<Stepped<D>> {
-        let scalings: Vec<Scaling<D>> =
+        let scalings: Vec<Scaling<R, D>> =
             self.sides.iter().map(|side| Scaling::new(&side.slack, &side.load)).collect::<Option<_>>()?;
         let matrix = self.matrix(&scalings);
         let size = self.rank * (self.points.len() - 1);
         let vertices = 30.0 * self.points.len().saturating_pow(self.rank as u32 - 1) as f64;
-        self.work += (size * size * size) as f64 / 6.0 + vertices;
+        self.work += R::WORK * (size * size * size) as f64 / 6.0 + vertices;
         let equations = Equations { sides: self, scalings, factor: matrix.factor()? };
         let residual = self.residual(self.sides.iter().map(|side| side.load.rest));
         let count = self.sides.len() as f64;
-        let mu = self.sides.iter().map(|side| side.slack.dot(&side.load)).sum::<f64>() / count;
+        let mu = self.sides.iter().map(|side| side.slack.dot(&side.load).value()).sum::<f64>() / count;
 
-        let aims: Vec<Headed<D>> = self.sides.iter().map(|side| Headed::ZERO.plus(-1.0, &side.load)).collect();
+        let aims: Vec<Headed<R, D>> = self.sides.iter().map(|side| Headed::zero().minus(&side.load)).collect();
         let first = equations.solve(&residual, &aims)?;
-        let [of_slack, of_load] = self.reach(&first);
+        let [of_slack, of_load] = self.reach(&first).map(R::from);
         let after: f64 = self
             .sides
             .iter()
             .zip(&first.moves)
-            .map(|(side, (slack, load))| side.slack.plus(of_slack, slack).dot(&side.load.plus(of_load, load)))
+            .map(|(side, (slack, load))| side.slack.plus(of_slack, slack).dot(&side.load.plus(of_load, load)).value())
             .sum::<f64>()
             / count;
         let ratio = (after / mu).clamp(0.0, 1.0);
         let wanted = (ratio * ratio * ratio).max(FASTEST).max((least_mu / mu).min(1.0)) * mu;
 
-        let aims: Vec<Headed<D>> = equations
+        let aims: Vec<Headed<R, D>> = equations
             .scalings
             .iter()
             .zip(&first.moves)
             .map(|(scaling, (slack, load))| {
                 let neglected = jordan(&scaling.undo(slack), &scaling.apply(load));
                 let square = jordan(&scaling.both, &scaling.both);
-                let mut right = Headed::ZERO.plus(-1.0, &square).plus(-1.0, &neglected);
-                right.head += wanted;
+                let mut right = Headed::zero().minus(&square).minus(&neglected);
+                right.head = right.head + R::from(wanted);
                 scaling.undo(&scaling.divided(&right))
             })
             .collect();
         let second = equations.solve(&residual, &aims)?;
-        let [of_slack, of_load] = self.reach(&second);
-        let loads: Vec<Headed<D>> =
+        let parts = self.reach(&second);
+        let [of_slack, of_load] = parts.map(R::from);
+        let loads: Vec<Headed<R, D>> =
             self.sides.iter().zip(&second.moves).map(|(side, (_, load))| side.load.plus(of_load, load)).collect();
         let left = self.residual(loads.iter().map(|load| load.rest));
         let generators = equations.corrected(&left, &loads)?;
         self.forces = self.turned(of_slack, &second.turned);
         for ((side, (slack, _)), load) in self.sides.iter_mut().zip(&second.moves).zip(loads) {
-            let head = if of_slack == 1.0 { 1.0 } else { side.slack.head + of_slack * slack.head };
+            let head = if parts[0] == 1.0 { R::from(1.0) } else { side.slack.head + of_slack * slack.head };
             side.slack = Headed { head, rest: sum_over(&side.set, &self.forces) };
             side.load = load;
         }
-        let mu = self.sides.iter().map(|side| side.slack.dot(&side.load)).sum::<f64>() / count;
+        let mu = self.sides.iter().map(|side| side.slack.dot(&side.load).value()).sum::<f64>() / count;
         self.mu = mu;
         let (generators, missed) = self.closed(generators, CLOSELY * least_mu * count);
-        Some(Stepped { generators, missed, mu })
+        Some(Stepped { generators: generators.iter().map(values).collect(), missed, mu })
     }
 
     /// Which parts of the steps of all slacks and of all loads stay inside the cone, all of it at most.
-    fn reach(&self, step: &Step<D>) -> [f64; 2] {
+    fn reach(&self, step: &Step<R, D>) -> [f64; 2] {
         let mut reach = [f64::INFINITY; 2];
         for (side, (slack, load)) in self.sides.iter().zip(&step.moves) {
             reach = [reach[0].min(side.slack.reach(slack)), reach[1].min(side.load.reach(load))];
@@ -110,11 +111,11 @@ impl<const D: usize> Sides<D> {
     }
 
     /// p_j − p_0 − Σ_{T ∋ j} 2 g_T, for loads that end in −g_T.
-    fn residual(&self, loads: impl Iterator<Item = [f64; D]>) -> Vec<[f64; D]> {
+    fn residual(&self, loads: impl Iterator<Item = [R; D]>) -> Vec<[R; D]> {
         let mut left = self.points[1..].to_vec();
         for (side, load) in self.sides.iter().zip(loads) {
             for j in side.members() {
-                left[j - 1] = plus(&left[j - 1], 2.0, &load);
+                left[j - 1] = plus(&left[j - 1], R::from(2.0), &load);
             }
         }
         left
@@ -122,14 +123,16 @@ impl<const D: usize> Sides<D> {
 
     /// Generators changed in proportion to their lengths where they miss more than nothing, and what they miss of any point along each axis. To first order it does not
     /// matter which generators make up for a residual r: as each points along its w_T, that changes their length by Σ λ_j · r_j.
-    fn closed(&self, mut generators: Vec<[f64; D]>, nothing: f64) -> (Vec<[f64; D]>, [f64; D]) {
+    fn closed(&self, mut generators: Vec<[R; D]>, nothing: f64) -> (Vec<[R; D]>, [f64; D]) {
         let count = self.points.len() - 1;
         let mut factor = None;
-        let mut best: Option<(f64, [f64; D], Vec<[f64; D]>)> = None;
+        let mut best: Option<(f64, [f64; D], Vec<[R; D]>)> = None;
         for _ in 0..=MOST_CORRECTIONS {
             let left = self.residual(generators.iter().map(|g| g.map(|c| -c)));
-            let missed =
-                left.iter().fold([0.0; D], |most: [f64; D], v| std::array::from_fn(|c| most[c].max(v[c].abs())));
+            let missed = left
+                .iter()
+                .map(values)
+                .fold([0.0; D], |most: [f64; D], v| std::array::from_fn(|c| most[c].max(v[c].abs())));
             let size: f64 = missed.iter().sum();
             if best.as_ref().is_some_and(|(least, ..)| size >= *least) {
                 break;
@@ -139,23 +142,24 @@ impl<const D: usize> Sides<D> {
                 break;
             }
             let weights = || {
-                let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt();
-                generators.iter().map(|g| dot(g, g).sqrt().max(SHORT * longest)).collect::<Vec<f64>>()
+                let lengths = || generators.iter().map(|g| dot(g, g).sqrt().value());
+                let longest = lengths().fold(0.0, f64::max);
+                lengths().map(|length| length.max(SHORT * longest)).collect::<Vec<f64>>()
             };
             if factor.is_none() {
                 let weights = weights();
                 factor = self.weighted(&weights).factor().map(|factor| (factor, weights));
             }
             let Some((factor, weights)) = &factor else { break };
-            let mut turned = vec![[0.0; D]; count];
+            let mut turned = vec![zero(); count];
             for axis in 0..self.rank {
-                let right: Vec<f64> = left.iter().map(|v| v[axis]).collect();
+                let right: Vec<R> = left.iter().map(|v| v[axis]).collect();
                 for (turned, x) in turned.iter_mut().zip(factor.solve(&right)) {
                     turned[axis] = x;
                 }
             }
             for ((side, generator), weight) in self.sides.iter().zip(&mut generators).zip(weights) {
-                *generator = plus(generator, *weight, &sum_before(&side.set, &turned));
+                *generator = plus(generator, R::from(*weight), &sum_before(&side.set, &turned));
             }
         }
         let (_, missed, generators) = best.expect("there is a first one");
@@ -163,13 +167,14 @@ impl<const D: usize> Sides<D> {
     }
 
     /// Σ weight_T a_T a_Tᵀ.
-    fn weighted(&self, weights: &[f64]) -> Cholesky {
+    fn weighted(&self, weights: &[f64]) -> Cholesky<R> {
         let count = self.points.len() - 1;
-        let mut sums = vec![0.0; count * count];
+        let mut sums = vec![R::from(0.0); count * count];
         for (side, weight) in self.sides.iter().zip(weights) {
             for j in side.members() {
                 for k in side.members().take_while(|&k| k <= j) {
-                    sums[(j - 1) * count + k - 1] += 4.0 * weight;
+                    let entry = &mut sums[(j - 1) * count + k - 1];
+                    *entry = *entry + R::from(4.0 * weight);
                 }
             }
         }
@@ -181,19 +186,20 @@ impl<const D: usize> Sides<D> {
     }
 
     /// H.
-    fn matrix(&self, scalings: &[Scaling<D>]) -> Cholesky {
+    fn matrix(&self, scalings: &[Scaling<R, D>]) -> Cholesky<R> {
         let (rank, count) = (self.rank, self.points.len() - 1);
         let entries: Vec<(usize, usize)> = (0..rank).flat_map(|a| (0..=a).map(move |b| (a, b))).collect();
         let width = entries.len() * count;
-        let mut sums = vec![0.0; width];
-        let mut rows = vec![0.0; width * count];
-        let mut is_member = vec![0.0; count];
+        let mut sums = vec![R::from(0.0); width];
+        let mut rows = vec![R::from(0.0); width * count];
+        let mut is_member = vec![R::from(0.0); count];
         let mut before: &[u64] = &vec![0; self.points.len().div_ceil(64)];
-        let change = |rows: &mut [f64], sums: &[f64], j: usize, factor: f64| {
+        let change = |rows: &mut [R], sums: &[R], j: usize, factor: f64| {
+            let factor = R::from(factor);
             let row = &mut rows[width * j..][..width];
             for (row, sums) in row.chunks_exact_mut(count).zip(sums.chunks_exact(count)) {
                 for (entry, sum) in row[..=j].iter_mut().zip(sums) {
-                    *entry += factor * sum;
+                    *entry = *entry + factor * *sum;
                 }
             }
         };
@@ -204,15 +210,15 @@ impl<const D: usize> Sides<D> {
                     let bit = changed.trailing_zeros() as usize;
                     changed &= changed - 1;
                     let (j, is_in) = (64 * word + bit - 1, b >> bit & 1 == 1);
-                    is_member[j] = if is_in { 1.0 } else { 0.0 };
+                    is_member[j] = R::from(if is_in { 1.0 } else { 0.0 });
                     change(&mut rows, &sums, j, if is_in { -1.0 } else { 1.0 });
                 }
             }
             before = &side.set;
             for (sums, &(a, b)) in sums.chunks_exact_mut(count).zip(&entries) {
-                let entry = 4.0 * scaling.entry(a, b);
+                let entry = R::from(4.0) * scaling.entry(a, b);
                 for (sum, is_member) in sums.iter_mut().zip(&is_member) {
-                    *sum += entry * is_member;
+                    *sum = *sum + entry * *is_member;
                 }
             }
         }
@@ -235,23 +241,23 @@ impl<const D: usize> Sides<D> {
 }
 
 /// How the forces turn, and how slacks and loads move.
-struct Step<const D: usize> {
-    turned: Vec<[f64; D]>,
-    moves: Vec<(Headed<D>, Headed<D>)>,
+struct Step<R, const D: usize> {
+    turned: Vec<[R; D]>,
+    moves: Vec<(Headed<R, D>, Headed<R, D>)>,
 }
 
-impl<const D: usize> Equations<'_, D> {
+impl<R: Real, const D: usize> Equations<'_, R, D> {
     /// The step that closes a residual, brings every τ_T to 1, and moves loads by their aim less W⁻² times what slacks move.
-    fn solve(&self, residual: &[[f64; D]], aims: &[Headed<D>]) -> Option<Step<D>> {
-        let aims: Vec<Headed<D>> = self
+    fn solve(&self, residual: &[[R; D]], aims: &[Headed<R, D>]) -> Option<Step<R, D>> {
+        let aims: Vec<Headed<R, D>> = self
             .sides
             .sides
             .iter()
             .zip(aims)
             .zip(&self.scalings)
             .map(|((side, aim), scaling)| {
-                let stretch = Headed { head: 1.0 - side.slack.head, rest: [0.0; D] };
-                aim.plus(-1.0, &scaling.undo_twice(&stretch))
+                let stretch = Headed { head: R::from(1.0) - side.slack.head, rest: zero() };
+                aim.minus(&scaling.undo_twice(&stretch))
             })
             .collect();
         let mut right = residual.to_vec();
@@ -259,55 +265,59 @@ impl<const D: usize> Equations<'_, D> {
         let turned = self.turned(&right)?;
         let moves = self.sides.sides.iter().zip(&aims).zip(&self.scalings).map(|((side, aim), scaling)| {
             let rest = sum_before(&side.set, &turned);
-            let slack = Headed { head: 1.0 - side.slack.head, rest };
-            (slack, aim.plus(-1.0, &scaling.undo_twice(&Headed { head: 0.0, rest })))
+            let slack = Headed { head: R::from(1.0) - side.slack.head, rest };
+            (slack, aim.minus(&scaling.undo_twice(&headless(rest))))
         });
         let moves = moves.collect();
         Some(Step { turned, moves })
     }
 
     /// H⁻¹ x, refined once.
-    fn turned(&self, right: &[[f64; D]]) -> Option<Vec<[f64; D]>> {
+    fn turned(&self, right: &[[R; D]]) -> Option<Vec<[R; D]>> {
         let rank = self.sides.rank;
-        let solved = |right: &[[f64; D]]| -> Vec<[f64; D]> {
-            let flat: Vec<f64> = right.iter().flat_map(|r| r[..rank].to_vec()).collect();
+        let solved = |right: &[[R; D]]| -> Vec<[R; D]> {
+            let flat: Vec<R> = right.iter().flat_map(|r| r[..rank].to_vec()).collect();
             let x = self.factor.solve(&flat);
-            x.chunks_exact(rank).map(|x| std::array::from_fn(|c| x.get(c).copied().unwrap_or(0.0))).collect()
+            x.chunks_exact(rank).map(|x| std::array::from_fn(|c| x.get(c).copied().unwrap_or(R::from(0.0)))).collect()
         };
         let first = solved(right);
         let mut left = right.to_vec();
         let answered = self.sides.sides.iter().zip(&self.scalings).map(|(side, scaling)| {
             let rest = sum_before(&side.set, &first);
-            scaling.undo_twice(&Headed { head: 0.0, rest }).rest.map(|c| -c)
+            scaling.undo_twice(&headless(rest)).rest.map(|c| -c)
         });
         self.pull(&mut left, answered);
         let second = solved(&left);
-        let sum: Vec<[f64; D]> = first.iter().zip(&second).map(|(a, b)| plus(a, 1.0, b)).collect();
-        sum.iter().flatten().all(|c| c.is_finite()).then_some(sum)
+        let sum: Vec<[R; D]> = first.iter().zip(&second).map(|(a, b)| plus(a, R::from(1.0), b)).collect();
+        sum.iter().flatten().all(|c| c.value().is_finite()).then_some(sum)
     }
 
     /// Adds 2 v_T to each point of T.
-    fn pull(&self, sums: &mut [[f64; D]], vectors: impl Iterator<Item = [f64; D]>) {
+    fn pull(&self, sums: &mut [[R; D]], vectors: impl Iterator<Item = [R; D]>) {
         for (side, vector) in self.sides.sides.iter().zip(vectors) {
             for j in side.members() {
-                sums[j - 1] = plus(&sums[j - 1], 2.0, &vector);
+                sums[j - 1] = plus(&sums[j - 1], R::from(2.0), &vector);
             }
         }
     }
 
     /// The generators of loads, changed as little as the scaling allows so that they close a residual.
-    fn corrected(&self, residual: &[[f64; D]], loads: &[Headed<D>]) -> Option<Vec<[f64; D]>> {
+    fn corrected(&self, residual: &[[R; D]], loads: &[Headed<R, D>]) -> Option<Vec<[R; D]>> {
         let turned = self.turned(residual)?;
         let sides = self.sides.sides.iter().zip(&self.scalings).zip(loads);
         let generators = sides.map(|((side, scaling), load)| {
             let rest = sum_before(&side.set, &turned);
-            plus(&scaling.undo_twice(&Headed { head: 0.0, rest }).rest, -1.0, &load.rest)
+            plus(&scaling.undo_twice(&headless(rest)).rest, R::from(-1.0), &load.rest)
         });
         Some(generators.collect())
     }
 }
 
 /// 2 Σ over a set, of vectors without that of the first point.
-fn sum_before<const D: usize>(set: &[u64], vectors: &[[f64; D]]) -> [f64; D] {
-    super::sides::members(set).fold([0.0; D], |sum, j| plus(&sum, 2.0, &vectors[j - 1]))
+fn sum_before<R: Real, const D: usize>(set: &[u64], vectors: &[[R; D]]) -> [R; D] {
+    super::sides::members(set).fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j - 1]))
+}
+
+fn headless<R: Real, const D: usize>(rest: [R; D]) -> Headed<R, D> {
+    Headed { head: R::from(0.0), rest }
 }

@@ -29,7 +29,8 @@ pub mod in_the_plane;
 mod inner_points;
 mod interior;
 mod lower_bound;
-mod sharpening;
+mod real;
+mod settling;
 mod sides;
 pub mod verify;
 

@@ -10,29 +10,35 @@
 use std::collections::BTreeSet;
 
 use super::cone::Headed;
-use crate::enclosing::fixed_directions::dot;
+use super::even::Even;
+use super::real::{Real, dot, plus, real, values, zero};
 
 /// A set of points, one bit each, with its slack and its load.
 #[derive(Debug, Clone)]
-pub(super) struct Side<const D: usize> {
+pub(super) struct Side<R, const D: usize> {
     pub(super) set: Vec<u64>,
-    pub(super) slack: Headed<D>,
-    pub(super) load: Headed<D>,
+    pub(super) slack: Headed<R, D>,
+    pub(super) load: Headed<R, D>,
+    /// How long its generator may be expected to be.
+    expected: f64,
 }
 
-impl<const D: usize> Side<D> {
+impl<R, const D: usize> Side<R, D> {
     pub(super) fn members(&self) -> impl Iterator<Item = usize> {
         members(&self.set)
     }
 }
 
 /// Points with their forces, and the sets of points seen so far.
-pub(super) struct Sides<const D: usize> {
+pub(super) struct Sides<'a, R, const D: usize> {
+    even: &'a Even<'a, D>,
     pub(super) rank: usize,
     /// Relative to the first one, which lies in no set.
-    pub(super) points: Vec<[f64; D]>,
-    pub(super) forces: Vec<[f64; D]>,
-    pub(super) sides: Vec<Side<D>>,
+    pub(super) points: Vec<[R; D]>,
+    /// And in even coordinates.
+    spread: Vec<[f64; D]>,
+    pub(super) forces: Vec<[R; D]>,
+    pub(super) sides: Vec<Side<R, D>>,
     known: BTreeSet<Vec<u64>>,
     /// What slack · load is to be for a new set.
     pub(super) mu: f64,
@@ -42,25 +48,28 @@ pub(super) struct Sides<const D: usize> {
     pub(super) work: f64,
 }
 
-/// So many times as many sets as coordinates of forces are kept.
+/// So many times as many sets as coordinates of forces are kept, and no fewer than so many.
 const MOST_SETS: usize = 4;
+const FEW_SETS: usize = 1000;
 
 /// The generator of a new set is shorter than the average one by this.
-const SHORTER: f64 = 10.0;
+const SHORTER: f64 = 15.0;
 
-/// A w_T longer than this may be the direction of a generator.
-const SHARP: f64 = 0.999;
+/// A new point joins the sets of one that is nearer by this to it than the vertex along its pull.
+const MUCH_NEARER: f64 = 10.0;
 
 /// The gap at the beginning, as a multiple of the length.
 const BEGIN: f64 = 0.5;
 
-impl<const D: usize> Sides<D> {
+impl<'a, R: Real, const D: usize> Sides<'a, R, D> {
     /// The first point, with no force at all; roughly the length to be expected.
-    pub(super) fn new(rank: usize, length: f64) -> Self {
+    pub(super) fn new(rank: usize, even: &'a Even<'a, D>, length: f64) -> Self {
         Self {
+            even,
             rank,
-            points: vec![[0.0; D]],
-            forces: vec![[0.0; D]],
+            points: vec![zero()],
+            spread: vec![[0.0; D]],
+            forces: vec![zero()],
             sides: Vec::new(),
             known: BTreeSet::new(),
             mu: BEGIN * length / rank as f64,
@@ -70,11 +79,18 @@ impl<const D: usize> Sides<D> {
     }
 
     /// Points with forces, and the sets on the positive side of some directions.
-    pub(super) fn begun(rank: usize, points: &[[f64; D]], forces: Vec<[f64; D]>, directions: &[[f64; D]]) -> Self {
-        let first = points[0];
-        let points: Vec<[f64; D]> = points.iter().map(|p| plus(p, -1.0, &first)).collect();
-        let length = points.iter().zip(&forces).map(|(p, f)| dot(p, f)).sum();
-        let mut sides = Self { points, forces, ..Self::new(rank, length) };
+    pub(super) fn begun(
+        rank: usize,
+        even: &'a Even<'a, D>,
+        points: &[[f64; D]],
+        forces: Vec<[f64; D]>,
+        directions: &[[f64; D]],
+    ) -> Self {
+        let points: Vec<[R; D]> = points.iter().map(|p| apart(p, &points[0])).collect();
+        let forces: Vec<[R; D]> = forces.iter().map(real).collect();
+        let length = points.iter().zip(&forces).map(|(p, f)| dot(p, f).value()).sum();
+        let spread = points.iter().map(|p| even.vector(&values(p))).collect();
+        let mut sides = Self { points, spread, forces, ..Self::new(rank, even, length) };
         sides.mu = BEGIN * length / (directions.len() + sides.points.len()) as f64;
         for point in 1..sides.points.len() {
             sides.add_own(point);
@@ -85,21 +101,43 @@ impl<const D: usize> Sides<D> {
         sides
     }
 
-    /// Adds a point, relative to the first one, and a direction in which it will be pulled; its own set keeps its force within limits.
-    pub(super) fn add_point(&mut self, point: [f64; D], pull: [f64; D]) {
+    /// Adds a point, where the first one is, and a direction in which it will be pulled; its own set keeps its force within limits.
+    pub(super) fn add_point(&mut self, point: &[f64; D], first: &[f64; D], pull: &[f64; D]) {
         let place = self.points.len();
-        for side in &mut self.sides {
+        let apart = apart(point, first);
+        let joined = self.joined(&apart, pull);
+        for (side, is_in) in self.sides.iter_mut().zip(joined) {
             if place.is_multiple_of(64) {
                 side.set.push(0);
             }
-            if dot(&side.slack.rest, &pull) > 0.0 {
+            if is_in {
                 insert(&mut side.set, place);
             }
         }
-        self.points.push(point);
-        self.forces.push([0.0; D]);
+        self.points.push(apart);
+        self.spread.push(self.even.vector(&values(&apart)));
+        self.forces.push(zero());
         self.known = self.sides.iter().map(|side| side.set.clone()).collect();
         self.add_own(place);
+    }
+
+    /// The sets that a new point joins: those of the vertex along its pull, or of the point nearest to it where that is much nearer.
+    fn joined(&self, point: &[R; D], pull: &[f64; D]) -> Vec<bool> {
+        let pull = real(pull);
+        let along_pull: Vec<bool> = self.sides.iter().map(|side| dot(&side.slack.rest, &pull).value() > 0.0).collect();
+        let even = |v: &[R; D]| {
+            let inside = self.even.vector(&values(v));
+            dot(&inside, &inside)
+        };
+        let missed = |joined: &[bool]| {
+            let ends = self.sides.iter().zip(joined).filter(|(_, is_in)| **is_in);
+            even(&ends.fold(*point, |rest, (side, _)| plus(&rest, R::from(2.0), &side.load.rest)))
+        };
+        let distance = |other: &[R; D]| even(&plus(point, R::from(-1.0), other));
+        let others = self.points.iter().map(distance).enumerate();
+        let (nearest, _) = others.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there is a first point");
+        let of_nearest: Vec<bool> = self.sides.iter().map(|side| contains(&side.set, nearest)).collect();
+        if MUCH_NEARER * missed(&of_nearest).sqrt() < missed(&along_pull).sqrt() { of_nearest } else { along_pull }
     }
 
     fn add_own(&mut self, point: usize) {
@@ -110,11 +148,12 @@ impl<const D: usize> Sides<D> {
 
     /// Adds the set of points whose forces point to one side; whether it is new.
     pub(super) fn part(&mut self, vertex: &[f64; D]) -> bool {
-        let of_first = dot(&self.forces[0], vertex) > 0.0;
+        let vertex = real(vertex);
+        let of_first = dot(&self.forces[0], &vertex).value() > 0.0;
         let mut set = vec![0; self.points.len().div_ceil(64)];
         let mut is_empty = true;
         for (j, force) in self.forces.iter().enumerate() {
-            if (dot(force, vertex) > 0.0) != of_first {
+            if (dot(force, &vertex).value() > 0.0) != of_first {
                 insert(&mut set, j);
                 is_empty = false;
             }
@@ -127,21 +166,39 @@ impl<const D: usize> Sides<D> {
             return false;
         }
         let w = sum_over(&set, &self.forces);
-        let average = self.length / (self.rank * self.points.len()) as f64;
         let square = dot(&w, &w);
-        let slack = Headed { head: (square + SHORTER * self.mu / average).max(1.0).sqrt(), rest: w };
-        self.sides.push(Side { set, slack, load: slack.load(self.mu) });
+        let along = if square.value() > 0.0 { self.even.segment(&values(&w)) } else { self.length / self.rank as f64 };
+        let expected = along * self.parted(&set).min(1.0 / self.points.len() as f64) / SHORTER;
+        let square = square + R::from(self.mu / expected);
+        let head = if square.value() < 1.0 { R::from(1.0) } else { square.sqrt() };
+        let slack = Headed { head, rest: w };
+        self.sides.push(Side { set, slack, load: slack.load(R::from(self.mu)), expected });
         true
+    }
+
+    /// How near a point of a set comes to one that is not in it, in even coordinates.
+    fn parted(&self, set: &[u64]) -> f64 {
+        let mut least = f64::INFINITY;
+        for j in members(set) {
+            for (k, other) in self.spread.iter().enumerate() {
+                if !contains(set, k) {
+                    let apart = plus(&self.spread[j], -1.0, other);
+                    least = least.min(dot(&apart, &apart));
+                }
+            }
+        }
+        least.sqrt()
     }
 
     /// Brings the sets into their order, and forgets those that bear least if there are too many.
     pub(super) fn tidy(&mut self) {
-        let most = MOST_SETS * self.rank * self.points.len();
+        let most = (MOST_SETS * self.rank * self.points.len()).max(FEW_SETS);
         if self.sides.len() > most {
-            let mut loads: Vec<f64> = self.sides.iter().map(|side| side.load.head).collect();
+            let load = |side: &Side<R, D>| side.load.head.value() / side.expected;
+            let mut loads: Vec<f64> = self.sides.iter().map(load).collect();
             let (_, least, _) = loads.select_nth_unstable_by(most, |a, b| b.total_cmp(a));
-            let is_single = |side: &Side<D>| side.set.iter().map(|word| word.count_ones()).sum::<u32>() == 1;
-            self.sides.retain(|side| side.load.head > *least || is_single(side));
+            let is_single = |side: &Side<R, D>| side.set.iter().map(|word| word.count_ones()).sum::<u32>() == 1;
+            self.sides.retain(|side| load(side) > *least || is_single(side));
             self.known = self.sides.iter().map(|side| side.set.clone()).collect();
         }
         self.sides.sort_by_cached_key(|side| place_in_code(&side.set));
@@ -154,34 +211,28 @@ impl<const D: usize> Sides<D> {
             return;
         }
         self.mu = mu;
+        let mu = R::from(mu);
+        let larger = |a: R, b: R| if a < b { b } else { a };
         for Side { slack, load, .. } in &mut self.sides {
             let square = dot(&slack.rest, &slack.rest);
-            slack.head = slack.head.max((square + mu / load.head).sqrt());
+            slack.head = larger(slack.head, (square + mu / load.head).sqrt());
             let square = dot(&load.rest, &load.rest);
-            load.head = load.head.max((square + mu * mu / slack.room()).sqrt());
+            load.head = larger(load.head, (square + mu * mu / slack.room()).sqrt());
         }
     }
 
-    /// The directions of w_T near the unit sphere, those that bear most first.
-    pub(super) fn sharp(&self) -> Vec<[f64; D]> {
-        let length = |side: &Side<D>| dot(&side.slack.rest, &side.slack.rest).sqrt();
-        let mut near: Vec<&Side<D>> = self.sides.iter().filter(|side| length(side) > SHARP).collect();
-        near.sort_by(|a, b| b.load.head.total_cmp(&a.load.head));
-        near.into_iter().map(|side| side.slack.rest.map(|c| c / length(side))).collect()
-    }
-
     /// The forces, turned; the first one makes up for the others.
-    pub(super) fn turned(&self, factor: f64, step: &[[f64; D]]) -> Vec<[f64; D]> {
+    pub(super) fn turned(&self, factor: R, step: &[[R; D]]) -> Vec<[R; D]> {
         let others = self.forces[1..].iter().zip(step).map(|(force, step)| plus(force, factor, step));
-        let mut forces: Vec<[f64; D]> = std::iter::once([0.0; D]).chain(others).collect();
-        forces[0] = forces.iter().fold([0.0; D], |sum, force| plus(&sum, -1.0, force));
+        let mut forces: Vec<[R; D]> = std::iter::once(zero()).chain(others).collect();
+        forces[0] = forces.iter().fold(zero(), |sum, force| plus(&sum, R::from(-1.0), force));
         forces
     }
 }
 
 /// 2 Σ over a set.
-pub(super) fn sum_over<const D: usize>(set: &[u64], vectors: &[[f64; D]]) -> [f64; D] {
-    members(set).fold([0.0; D], |sum, j| plus(&sum, 2.0, &vectors[j]))
+pub(super) fn sum_over<R: Real, const D: usize>(set: &[u64], vectors: &[[R; D]]) -> [R; D] {
+    members(set).fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j]))
 }
 
 pub(super) fn members(set: &[u64]) -> impl Iterator<Item = usize> {
@@ -190,6 +241,10 @@ pub(super) fn members(set: &[u64]) -> impl Iterator<Item = usize> {
         let first = (bits != 0).then_some(bits);
         std::iter::successors(first, next).map(move |left| 64 * word + left.trailing_zeros() as usize)
     })
+}
+
+fn contains(set: &[u64], point: usize) -> bool {
+    set[point / 64] >> (point % 64) & 1 == 1
 }
 
 fn insert(set: &mut [u64], point: usize) {
@@ -213,8 +268,9 @@ fn place_in_code(set: &[u64]) -> Vec<u64> {
     decoded.collect()
 }
 
-pub(super) fn plus<const D: usize>(a: &[f64; D], factor: f64, b: &[f64; D]) -> [f64; D] {
-    std::array::from_fn(|c| a[c] + factor * b[c])
+/// p − first.
+fn apart<R: Real, const D: usize>(p: &[f64; D], first: &[f64; D]) -> [R; D] {
+    plus(&real(p), R::from(-1.0), &real(first))
 }
 
 #[cfg(test)]

@@ -117,6 +117,35 @@ fn points_on_a_sphere_to_the_last_digits() {
     }
 }
 
+/// The 24 points with coordinates ±1, ±1, ±3 in any order.
+fn truncated() -> Vec<[f64; 3]> {
+    let signs = |p: [f64; 3]| (0..8).map(move |s| std::array::from_fn(|c| if s >> c & 1 == 0 { p[c] } else { -p[c] }));
+    [[1.0, 1.0, 3.0], [1.0, 3.0, 1.0], [3.0, 1.0, 1.0]].into_iter().flat_map(signs).collect()
+}
+
+#[test]
+fn needles_and_plates_to_the_last_digits() {
+    for thin in [1e-5, 1e-7, 1e-9] {
+        let needle: Vec<[f64; 3]> = truncated().iter().map(|p| [p[0] * thin, p[1] * thin, p[2]]).collect();
+        check(&needle, 1e-9).expect("a needle");
+        let plate: Vec<[f64; 3]> = truncated().iter().map(|p| [p[0], p[1] * thin, p[2]]).collect();
+        check(&plate, 1e-9).expect("a plate");
+    }
+}
+
+#[test]
+fn points_near_each_other_to_the_last_digits() {
+    let mut rng = rand_pcg::Pcg64::seed_from_u64(9);
+    for near in [1e-3, 1e-6, 1e-8] {
+        let mut points = truncated();
+        for j in 0..6 {
+            let other = points[j].map(|c| c + near * rng.random_range(-1.0..1.0));
+            points.push(other);
+        }
+        check(&points, 1e-9).expect("a cloud with clusters");
+    }
+}
+
 #[test]
 fn a_best_center_on_the_edge_of_the_box() {
     // the hull of the points and their reflections in (0, -2): a rhombus with diagonals 4 and 2
