@@ -9,7 +9,7 @@ use crate::enclosing::fixed_directions::{dot, inverse};
 const MOST_ROUNDS: usize = 8;
 
 /// Beside the length of a ray, what is missed of it is nothing below this.
-const NOTHING: f64 = 1e-15;
+const NOTHING: f64 = 4e-15;
 
 /// Coefficients that leave no room are made shorter by this first.
 const SHORTER: f64 = 1e-6;
@@ -59,9 +59,10 @@ impl<'a, const D: usize> Settling<'a, D> {
                 .zip(&deltas)
                 .fold(*ray, |left, (g, delta)| std::array::from_fn(|c| left[c] - delta * g[c]));
             let missed = dot(&left, &left).sqrt();
-            if missed < best.0 {
-                best = (missed, deltas.clone());
+            if missed.is_nan() || missed >= best.0 {
+                break;
             }
+            best = (missed, deltas.clone());
             if missed <= enough || !self.correct(&self.even.vector(&left), &mut deltas) {
                 break;
             }

@@ -52,7 +52,7 @@ pub(super) struct Sides<'a, R, const D: usize> {
 const MOST_SETS: usize = 4;
 const FEW_SETS: usize = 1000;
 
-/// The generator of a new set is shorter than the average one by this.
+/// The generator of a new set begins shorter than what there is room for by this.
 const SHORTER: f64 = 15.0;
 
 /// A new point joins the sets of one that is nearer by this to it than the vertex along its pull.
