@@ -55,6 +55,9 @@ const FEW_SETS: usize = 1000;
 /// The generator of a new set begins shorter than what there is room for by this.
 const SHORTER: f64 = 15.0;
 
+/// Points nearer to each other than this, in even coordinates, are so far apart: the rest is rounding.
+const NEAREST: f64 = 1e-14;
+
 /// A new point joins the sets of one that is nearer by this to it than the vertex along its pull.
 const MUCH_NEARER: f64 = 10.0;
 
@@ -187,7 +190,7 @@ impl<'a, R: Real, const D: usize> Sides<'a, R, D> {
                 }
             }
         }
-        least.sqrt()
+        least.sqrt().max(NEAREST)
     }
 
     /// Brings the sets into their order, and forgets those that bear least if there are too many.

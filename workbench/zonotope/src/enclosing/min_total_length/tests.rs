@@ -147,6 +147,19 @@ fn points_near_each_other_to_the_last_digits() {
 }
 
 #[test]
+fn points_that_are_nearly_equal_beside_the_others() {
+    let half = f64::MAX / 4.0;
+    let points = [
+        [1.0, 0.0, -1e300, 0.0],
+        [0.0, -1e300, -half, -1e300],
+        [1e300, 0.0, -half, 0.0],
+        [0.0, 1.0, -1e300, 0.0],
+        [-1e300, 0.0, 1e300, half],
+    ];
+    check(&points, 1e-6).expect("all within range");
+}
+
+#[test]
 fn a_best_center_on_the_edge_of_the_box() {
     // the hull of the points and their reflections in (0, -2): a rhombus with diagonals 4 and 2
     let answer = min_length_enclosing(&[[-2.0, -2.0], [2.0, -2.0], [0.0, -1.0]], 1e-9).expect("finite");

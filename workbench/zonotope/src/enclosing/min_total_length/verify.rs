@@ -67,6 +67,9 @@ pub fn verify_bounds<const D: usize>(
     let mut forces: Vec<[Dyadic; D]> = Vec::with_capacity(answer.forces.len());
     for force in &answer.forces {
         let point = points.get(force.point).ok_or(MinLengthDefect::Forces)?;
+        if !force.vector.iter().all(|c| c.is_finite()) {
+            return Err(MinLengthDefect::Forces);
+        }
         let vector = force.vector.map(exact);
         gain = gain + dot(&vector, &point.map(exact));
         sum = std::array::from_fn(|c| &sum[c] + &vector[c]);
@@ -74,6 +77,9 @@ pub fn verify_bounds<const D: usize>(
     }
     if sum.iter().any(|c| !c.is_zero()) {
         return Err(MinLengthDefect::Forces);
+    }
+    if !answer.lower_bound.is_finite() {
+        return Err(MinLengthDefect::LowerBound);
     }
     let bound = exact(answer.lower_bound);
     let is_positive = bound.sign().is_gt();
@@ -85,8 +91,9 @@ pub fn verify_bounds<const D: usize>(
     if is_positive && &bound * &farthest_vertex(&origin, &forces) > gain {
         return Err(MinLengthDefect::LowerBound);
     }
-    let is_ratio = exact(answer.length) <= &exact(answer.ratio) * &exact(answer.lower_bound);
-    if is_ratio && answer.ratio >= 1.0 || answer.length == 0.0 { Ok(()) } else { Err(MinLengthDefect::Ratio) }
+    let is_ratio = answer.ratio == f64::INFINITY
+        || answer.ratio >= 1.0 && exact(answer.length) <= &exact(answer.ratio) * &exact(answer.lower_bound);
+    if is_ratio || answer.length == 0.0 { Ok(()) } else { Err(MinLengthDefect::Ratio) }
 }
 
 fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
@@ -230,7 +237,19 @@ mod tests {
         assert_eq!(changed(&|a| a.forces[0].vector[0] *= 2.0), Err(MinLengthDefect::Forces));
         assert_eq!(changed(&|a| a.forces[0].point = 2), Err(MinLengthDefect::Forces));
         assert_eq!(changed(&|a| a.ratio = 0.5), Err(MinLengthDefect::Ratio));
+        assert_eq!(changed(&|a| a.ratio = f64::NAN), Err(MinLengthDefect::Ratio));
+        assert_eq!(changed(&|a| a.lower_bound = f64::INFINITY), Err(MinLengthDefect::LowerBound));
+        assert_eq!(changed(&|a| a.forces[0].vector[0] = f64::NAN), Err(MinLengthDefect::Forces));
         assert!(verify(&[points[0], [4.0, 3.0]], &answer).is_err());
+    }
+
+    #[test]
+    fn where_no_bound_is_a_double_the_ratio_is_infinite() {
+        // half the least positive double rounds down to none
+        let points = [[0.0], [f64::from_bits(1)]];
+        let answer = min_length_enclosing(&points, 1e-9).expect("finite");
+        assert_eq!((answer.lower_bound, answer.ratio), (0.0, f64::INFINITY));
+        assert_eq!(verify(&points, &answer), Ok(()));
     }
 
     #[test]
