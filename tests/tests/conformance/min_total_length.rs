@@ -125,29 +125,34 @@ fn sets_with_many_ties_to_the_last_digits() {
     });
 }
 
-/// Points whose extents along some axes are up to 10^8 times those along others, turned or not, some of them with others near them.
-fn uneven<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
+/// Some of the points with others near them.
+fn clustered<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
     let points = prop_oneof![sets::<D>(plain, most), sets::<D>(lattice, most)];
-    let turned = prop_oneof![Just(None), uniform::<_, D>(-1.0..1.0f64).prop_map(Some)];
     let near = prop_oneof![Just(Vec::new()), vec((2.0..12.0f64, uniform::<_, D>(-1.0..1.0f64)), 1..4)];
-    let uneven = |(points, thin, mirror, near): (Vec<[f64; D]>, [f64; D], Option<[f64; D]>, Vec<(f64, [f64; D])>)| {
+    let with_others = |(mut points, near): (Vec<[f64; D]>, Vec<(f64, [f64; D])>)| {
+        for (place, (digits, off)) in near.into_iter().enumerate() {
+            let (p, near) = (points[place % points.len()], libm::pow(10.0, -digits));
+            points.push(std::array::from_fn(|c| p[c] + near * off[c]));
+        }
+        points
+    };
+    (points, near).prop_map(with_others).boxed()
+}
+
+/// Points whose extents along some axes are up to 10^8 times those along others, reflected in a plane or not: as good as turned.
+fn uneven<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
+    let mirror = prop_oneof![Just(None), uniform::<_, D>(-1.0..1.0f64).prop_map(Some)];
+    let uneven = |(points, thin, mirror): (Vec<[f64; D]>, [f64; D], Option<[f64; D]>)| {
         let widths = thin.map(|digits| libm::pow(10.0, -digits));
-        let scaled = |p: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| p[c] * widths[c]) };
-        // reflected in a plane: as good as turned
+        let along = |a: &[f64; D], b: &[f64; D]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let reflected = |p: [f64; D]| -> [f64; D] {
             let Some(normal) = mirror else { return p };
-            let along = |a: &[f64; D], b: &[f64; D]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
             let factor = 2.0 * along(&normal, &p) / along(&normal, &normal);
             std::array::from_fn(|c| p[c] - factor * normal[c])
         };
-        let others = points.iter().zip(near).map(|(p, (digits, off))| -> [f64; D] {
-            let near = libm::pow(10.0, -digits);
-            std::array::from_fn(|c| p[c] + near * off[c])
-        });
-        let all: Vec<[f64; D]> = points.iter().copied().chain(others).collect();
-        all.iter().map(|p| reflected(scaled(p))).collect()
+        points.iter().map(|p| reflected(std::array::from_fn(|c| p[c] * widths[c]))).collect()
     };
-    (points, uniform::<_, D>(0.0..8.0f64), turned, near).prop_map(uneven).boxed()
+    (clustered(most), uniform::<_, D>(0.0..8.0f64), mirror).prop_map(uneven).boxed()
 }
 
 #[test]
