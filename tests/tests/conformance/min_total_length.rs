@@ -128,15 +128,16 @@ fn sets_with_many_ties_to_the_last_digits() {
 /// Some of the points with others near them.
 fn clustered<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
     let points = prop_oneof![sets::<D>(plain, most), sets::<D>(lattice, most)];
-    let near = prop_oneof![Just(Vec::new()), vec((2.0..12.0f64, uniform::<_, D>(-1.0..1.0f64)), 1..4)];
-    let with_others = |(mut points, near): (Vec<[f64; D]>, Vec<(f64, [f64; D])>)| {
-        for (place, (digits, off)) in near.into_iter().enumerate() {
-            let (p, near) = (points[place % points.len()], libm::pow(10.0, -digits));
+    let off = prop_oneof![Just(Vec::new()), vec(uniform::<_, D>(-1.0..1.0f64), 1..4)];
+    let with_others = |(mut points, digits, off): (Vec<[f64; D]>, f64, Vec<[f64; D]>)| {
+        let near = libm::pow(10.0, -digits);
+        for (place, off) in off.into_iter().enumerate() {
+            let p = points[place % points.len()];
             points.push(std::array::from_fn(|c| p[c] + near * off[c]));
         }
         points
     };
-    (points, near).prop_map(with_others).boxed()
+    (points, 2.0..12.0f64, off).prop_map(with_others).boxed()
 }
 
 /// Points whose extents along some axes are up to 10^8 times those along others, reflected in a plane or not: as good as turned.

@@ -35,6 +35,9 @@ const FLAT: f64 = 1e-15;
 /// No more coefficients of vertices than this are noted.
 const MOST_WITNESSES: usize = 1 << 20;
 
+/// What the sum of forces costs that does not cancel: some point of the frame has to bear it.
+const DEAR: f64 = 4.0;
+
 /// How often the cuts are combined.
 const OFTEN: usize = 8;
 
@@ -182,8 +185,11 @@ fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
     let mut most: Option<(f64, [(usize, f64); 3])> = None;
     let mut offer = |shares: [(usize, f64); 3]| {
         let height = shares.iter().map(|&(i, share)| share * cuts[i].height).sum::<f64>();
-        if height.is_finite() && most.as_ref().is_none_or(|m| height > m.0) {
-            most = Some((height, shares));
+        let left = |c: usize| shares.iter().map(|&(i, share)| share * cuts[i].slope[c]).sum::<f64>().abs();
+        // Slopes that are nearly parallel cancel badly.
+        let worth = height - DEAR * (left(0) + left(1));
+        if worth.is_finite() && most.as_ref().is_none_or(|m| worth > m.0) {
+            most = Some((worth, shares));
         }
     };
     for i in 0..cuts.len() {

@@ -167,6 +167,16 @@ fn a_best_center_on_the_edge_of_the_box() {
 }
 
 #[test]
+fn a_square_with_rounded_corners_is_its_own_zonogon() {
+    // slopes on both sides of the centre are nearly parallel
+    let one = 1.0f64.next_up();
+    let square =
+        [[one, 0.0], [6.123233995736767e-17, one], [-one, 1.2246467991473534e-16], [-1.83697019872103e-16, -one]];
+    let answer = check(&square, 1e-9).expect("a square");
+    assert!((answer.length - 2f64.sqrt()).abs() < 1e-9);
+}
+
+#[test]
 fn what_is_refused() {
     assert_eq!(min_length_enclosing::<2>(&[], 0.1), Err(MinLengthError::Empty));
     assert_eq!(min_length_enclosing(&[[0.0]], 1.0), Err(MinLengthError::BadEpsilon(1.0)));
