@@ -3,8 +3,8 @@
 //! # Statement
 //! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains every point exactly, its total
 //! length (the sum of the half-lengths of its generators), and a lower bound for all zonotopes around the points, whose ratio is
-//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 400 points that the zonotope touches; a centre in doubles for points far from the
-//! origin; below 1e-9, rounding, and at 1e-9 now and then points nearer to each other than that beside the extent of a thin body): the ratio is always proven and told, and so is
+//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 500 points that the zonotope touches; a centre in doubles for points far from the
+//! origin; rounding below 1e-9, and at 1e-9 now and then where points are nearer to each other than 1e-6 of the body): the ratio is always proven and told, and so is
 //! whether it is at most 1 + ε ([`Outcome`]).
 //!
 //! # Source

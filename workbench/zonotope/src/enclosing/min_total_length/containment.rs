@@ -29,9 +29,8 @@ pub(super) fn around<const D: usize>(
 ) -> Option<(Zonotope<D>, f64)> {
     let Inner { center, generators: inner, witnesses, .. } = inner;
     let even = Even::of(frame);
-    let size = |g: &[f64; D]| dot(&even.vector(g), &even.vector(g)).sqrt();
-    let longest = inner.iter().map(size).fold(0.0, f64::max);
-    let is_noise = |g: &[f64; D]| size(g) <= NOISE * longest;
+    let longest = inner.iter().map(|g| even.size(g)).fold(0.0, f64::max);
+    let is_noise = |g: &[f64; D]| even.size(g) <= NOISE * longest;
     let used: Vec<[f64; D]> = inner.iter().copied().filter(|g| !is_noise(g)).collect();
     let mut generators: Vec<[f64; D]> = used.iter().map(|g| frame.vector(g)).collect();
     let outer = frame.point(center);
@@ -42,9 +41,8 @@ pub(super) fn around<const D: usize>(
         return None;
     }
     // Being inside does not depend on coordinates; thin bodies are easier to search where they are not thin.
-    let in_even: Vec<[f64; D]> = used.iter().map(|g| even.vector(g)).collect();
-    let mut descent = FacetDescent::new(frame.rank(), &in_even);
     let settling = Settling::new(&even, frame.rank(), &used);
+    let mut descent = FacetDescent::new(frame.rank(), &settling.in_even);
     let mut witness_of: Vec<Option<&[f64]>> = vec![None; points.len()];
     for (point, deltas) in witnesses {
         witness_of[*point] = Some(deltas);

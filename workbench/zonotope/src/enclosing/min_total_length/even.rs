@@ -55,6 +55,12 @@ impl<'a, const D: usize> Even<'a, D> {
         (self.high[axis] - self.low[axis]) / 2.0
     }
 
+    /// How long a vector of the frame is in these coordinates.
+    pub(super) fn size(&self, v: &[f64; D]) -> f64 {
+        let inside = self.vector(v);
+        dot(&inside, &inside).sqrt()
+    }
+
     /// How long a segment along a vector may be in an ellipsoid around as wide as the points.
     pub(super) fn segment(&self, v: &[f64; D]) -> f64 {
         let inside = self.vector(v);

@@ -263,7 +263,7 @@ impl<'a, R: Real, const D: usize> Growing<'a, R, D> {
     fn zonotope(&self, generators: Vec<[f64; D]>) -> ([f64; D], Vec<usize>, Vec<[f64; D]>) {
         let first = self.members.first().map_or([0.0; D], |&j| self.frame.points[j]);
         let center = generators.iter().fold(first, |sum, g| std::array::from_fn(|c| sum[c] + g[c]));
-        let size = |g: &[f64; D]| dot(&self.even.vector(g), &self.even.vector(g)).sqrt();
+        let size = |g: &[f64; D]| self.even.size(g);
         let longest = generators.iter().map(size).fold(0.0, f64::max);
         let is_long = |(_, g): &(usize, [f64; D])| size(g) > NOISE * longest;
         let (places, long) = generators.into_iter().enumerate().filter(is_long).unzip();

@@ -25,7 +25,7 @@ pub(super) struct Settling<'a, const D: usize> {
     even: &'a Even<'a, D>,
     rank: usize,
     generators: &'a [[f64; D]],
-    in_even: Vec<[f64; D]>,
+    pub(super) in_even: Vec<[f64; D]>,
     /// The squares of what rounding may leave along each axis, in even coordinates.
     rounding: [f64; D],
 }

@@ -128,19 +128,16 @@ impl<'a, R: Real, const D: usize> Sides<'a, R, D> {
     fn joined(&self, point: &[R; D], pull: &[f64; D]) -> Vec<bool> {
         let pull = real(pull);
         let along_pull: Vec<bool> = self.sides.iter().map(|side| dot(&side.slack.rest, &pull).value() > 0.0).collect();
-        let even = |v: &[R; D]| {
-            let inside = self.even.vector(&values(v));
-            dot(&inside, &inside)
-        };
+        let size = |v: &[R; D]| self.even.size(&values(v));
         let missed = |joined: &[bool]| {
             let ends = self.sides.iter().zip(joined).filter(|(_, is_in)| **is_in);
-            even(&ends.fold(*point, |rest, (side, _)| plus(&rest, R::from(2.0), &side.load.rest)))
+            size(&ends.fold(*point, |rest, (side, _)| plus(&rest, R::from(2.0), &side.load.rest)))
         };
-        let distance = |other: &[R; D]| even(&plus(point, R::from(-1.0), other));
+        let distance = |other: &[R; D]| size(&plus(point, R::from(-1.0), other));
         let others = self.points.iter().map(distance).enumerate();
         let (nearest, _) = others.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there is a first point");
         let of_nearest: Vec<bool> = self.sides.iter().map(|side| contains(&side.set, nearest)).collect();
-        if MUCH_NEARER * missed(&of_nearest).sqrt() < missed(&along_pull).sqrt() { of_nearest } else { along_pull }
+        if MUCH_NEARER * missed(&of_nearest) < missed(&along_pull) { of_nearest } else { along_pull }
     }
 
     fn add_own(&mut self, point: usize) {
