@@ -74,3 +74,6 @@ fn collect(root: &Path, folder: &Path, endings: &[&str], found: &mut Vec<Source>
 
 /// The folder of the library's sources.
 pub const LIBRARY: &str = "workbench/zonotope/src";
+
+/// The folder of the source files of the verifier.
+pub const VERIFIER: &str = "workbench/verifier/src";

@@ -1,6 +1,6 @@
 //! What the code may not do: each rule with the place where its exception lives.
 
-use tests::sources::{LIBRARY, Source, files};
+use tests::sources::{LIBRARY, Source, VERIFIER, files};
 
 /// The lines of code that hold one of `words`.
 fn offences(source: &Source, words: &[&str]) -> Vec<String> {
@@ -32,8 +32,9 @@ fn an_offence_is_found_in_code_and_not_in_comments_or_unit_tests() {
     assert_eq!(offences(&source, &["println!", "dbg!("]), ["some/file.rs:3: dbg!("]);
 }
 
-const CRATES: [&str; 6] = [
+const CRATES: [&str; 7] = [
     "workbench/zonotope/src",
+    "workbench/verifier/src",
     "workbench/zonobench/src",
     "experiments/src",
     "experiments/peers/src",
@@ -42,9 +43,9 @@ const CRATES: [&str; 6] = [
 ];
 
 #[test]
-fn the_library_is_pure() {
+fn the_library_and_the_verifier_are_pure() {
     refuse(
-        &[LIBRARY],
+        &[LIBRARY, VERIFIER],
         &[
             "std::fs",
             "std::io",
@@ -68,8 +69,8 @@ fn only_the_experiments_read_a_clock() {
 }
 
 #[test]
-fn the_library_does_not_unwrap() {
-    refuse(&[LIBRARY], &[".unwrap()", "panic!(", "dbg!("], |_| false);
+fn the_library_and_the_verifier_do_not_unwrap() {
+    refuse(&[LIBRARY, VERIFIER], &[".unwrap()", "panic!(", "dbg!("], |_| false);
 }
 
 /// These differ from machine to machine; `libm` does not.

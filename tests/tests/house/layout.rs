@@ -6,10 +6,11 @@ use tests::sources::{LIBRARY, files, root};
 
 /// The crates from the bottom up; a crate may use those of the levels below its own.
 const LEVELS: [&[&str]; 5] =
-    [&["zonotope"], &["experiments"], &["figures", "paper_checks", "peers"], &["zonobench"], &["tests"]];
+    [&["zonotope", "verifier"], &["experiments"], &["figures", "paper_checks", "peers"], &["zonobench"], &["tests"]];
 
-const FOLDERS: [&str; 7] = [
+const FOLDERS: [&str; 8] = [
     "workbench/zonotope",
+    "workbench/verifier",
     "workbench/zonobench",
     "experiments",
     "experiments/peers",

@@ -8,7 +8,7 @@ use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
 use crate::json::{to_json, vector_to_json};
-use crate::verify::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+use verifier::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
 
 /// A solved instance.
 #[derive(Debug)]

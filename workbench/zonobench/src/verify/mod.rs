@@ -1,46 +1,116 @@
-//! An exact check of answers, by code that shares nothing with the solvers but the big integers.
-//!
-//! Every double is a whole multiple of a power of two. So all the numbers of one question and its answer are laid on one
-//! `grid`: integers, in which sums and products are exact. What is proved on the grid holds for the numbers as written.
-//! Distances between a rounded figure and the exact one are measured in the same integers.
+//! A question and its answer, as lines of JSON.
 
-mod combinatorics;
-mod cone;
-mod containment;
-mod dual_reach;
-mod facets;
-mod gauge;
-mod grid;
-mod length;
-mod linear;
-mod location;
-mod member_batch;
-mod min_area;
-mod min_length_all;
-mod min_length_dirs;
-mod pencil;
-mod polygon;
-mod proportion;
-mod separator;
-mod slope_selection;
-mod subsets;
-mod support;
-mod transcript;
-mod turns;
-mod upper_hull;
+mod collision;
+mod enclosing;
+mod reading;
+mod solids;
 
-pub use combinatorics::{CombinatoricsAnswer, CombinatoricsProof, check_combinatorics};
-pub use gauge::{GaugeAnswer, GaugeProof, check_gauge};
-pub use location::{Displaced, LocationAnswer, LocationCertificate, check_location};
-pub use member_batch::check_member_batch;
-pub use min_area::{Certificate, ExactMinArea, MinAreaAnswer, MinAreaProof, check_exact_min_area, check_min_area};
-pub use min_length_all::{MinLengthAnswer, MinLengthProof, check_min_length_all};
-pub use min_length_dirs::{Directed, DirectedAnswer, DirectedProof, check_min_length_dirs};
-pub use separator::check_separator;
-pub use slope_selection::{Fraction, check_slope_selection};
-pub use support::{SupportAnswer, check_support};
-pub use transcript::{Verdict, check};
-pub use upper_hull::check_upper_hull;
+use crate::json::Tree;
+use reading::member;
 
-/// The largest relative difference that is accepted between a figure of an answer and its exact value.
-pub const RELATIVE_ERROR: f64 = 1e-12;
+/// What the check says about one answer.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Verdict {
+    /// Proved right; what was proved.
+    Right(String),
+    /// Wrong; why.
+    Wrong(String),
+    /// A refusal, or a kind that this verifier does not know.
+    Unchecked(String),
+}
+
+/// The codes of refusals.
+const CODES: [&str; 11] = [
+    "non_finite",
+    "dimension_mismatch",
+    "length_mismatch",
+    "empty",
+    "negative_weight",
+    "bad_epsilon",
+    "too_large",
+    "unknown_kind",
+    "unknown_method",
+    "bad_input",
+    "bad_json",
+];
+
+/// Checks an answer against its question.
+pub fn check(question: &Tree, answer: &Tree) -> Verdict {
+    match checked(question, answer) {
+        Ok(verdict) => verdict,
+        Err(complaint) => Verdict::Wrong(complaint),
+    }
+}
+
+fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
+    for name in ["id", "kind"] {
+        let (asked, answered) = (question.field(name), answer.field(name));
+        if asked.and_then(Tree::text) != answered.and_then(Tree::text) {
+            return Err(format!("the {name} is not the question's"));
+        }
+    }
+    if let Some(error) = answer.field("error") {
+        let text = |name| error.field(name).and_then(Tree::text).unwrap_or("?");
+        if answer.field("result").is_some() {
+            return Err("there is a result beside the refusal".to_owned());
+        }
+        if !CODES.contains(&text("code")) {
+            return Err(format!("there is no code `{}`", text("code")));
+        }
+        return Ok(Verdict::Unchecked(format!("refused: {}: {}", text("code"), text("message"))));
+    }
+    let input = member(question, "input")?;
+    let result = member(answer, "result")?;
+    match question.field("kind").and_then(Tree::text).unwrap_or_default() {
+        "min_area" => enclosing::min_area(input, result),
+        "min_length_dirs" => return enclosing::min_length_dirs(input, result),
+        "min_length_all" => return enclosing::min_length_all(input, result),
+        "support" => solids::support(input, result),
+        "combinatorics" => return solids::combinatorics(input, result),
+        "slope_selection" => solids::slope_selection(input, result),
+        "separator" => solids::separator(input, result),
+        "upper_hull" => return solids::upper_hull(input, result),
+        "member_batch" => return collision::member_batch(input, result),
+        "member" => collision::member_of(input, result),
+        "intersect" => collision::intersect(input, result),
+        "gauge" => return collision::gauge(input, result),
+        other => return Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
+    }
+    .map(Verdict::Right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::json::{MAX_VALUES, read};
+
+    fn verdict(question: &str, answer: &str) -> Verdict {
+        let tree = |text: &str| read(text.as_bytes(), MAX_VALUES).expect("the test's lines are JSON");
+        check(&tree(question), &tree(answer))
+    }
+
+    const QUESTION: &str = r#"{"id":"t","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
+
+    #[test]
+    fn an_answer_is_read_and_proved() {
+        let answer = r#"{"id":"t","kind":"min_area","method":"m","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]],
+            "lower_bound":4,"certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
+        assert!(matches!(verdict(QUESTION, answer), Verdict::Right(_)));
+        let other = answer.replace("\"t\"", "\"s\"");
+        assert_eq!(verdict(QUESTION, &other), Verdict::Wrong("the id is not the question's".into()));
+        let partial = answer.replace("\"basis\"", "\"base\"");
+        assert_eq!(verdict(QUESTION, &partial), Verdict::Wrong("`basis` is missing".into()));
+    }
+
+    #[test]
+    fn refusals_and_unknown_kinds_are_not_judged() {
+        let refusal = r#"{"id":"t","kind":"min_area","error":{"code":"too_large","message":"m"}}"#;
+        assert_eq!(verdict(QUESTION, refusal), Verdict::Unchecked("refused: too_large: m".into()));
+        let unknown = refusal.replace("too_large", "nonsense");
+        assert_eq!(verdict(QUESTION, &unknown), Verdict::Wrong("there is no code `nonsense`".into()));
+        let both = refusal.replace("\"error\"", "\"result\":{},\"error\"");
+        assert_eq!(verdict(QUESTION, &both), Verdict::Wrong("there is a result beside the refusal".into()));
+        let line = r#"{"id":"t","kind":"weather","input":{},"result":{}}"#;
+        assert!(matches!(verdict(line, line), Verdict::Unchecked(_)));
+    }
+}

@@ -5,7 +5,7 @@ use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 use super::Options;
 use crate::commands::table::{Table, counted, figure};
 use crate::enclosure::Enclosure;
-use crate::verify::MinAreaProof;
+use verifier::MinAreaProof;
 
 /// The answer in a few lines.
 pub(super) fn summary(

@@ -1,0 +1,5 @@
+//! The dual arrangement of generators of space: its vertices from the left, the tilings of Q, the upper hull.
+
+pub(crate) mod separator;
+pub(crate) mod slope_selection;
+pub(crate) mod upper_hull;

@@ -1,0 +1,114 @@
+//! Answers to "how high is the upper hull of a zonotope around the origin over the point p_0 of the plane".
+//!
+//! For every direction (x, y, 1) the hull over p_0 is no higher than Σ |a x + b y + c| − (x, y) · p_0, and where p_0 lies in the
+//! projection Q the lowest of these bounds is reached at a vertex of the lines a x + b y + c = 0. Where Q is a segment or a point, one
+//! coordinate or none is enough. All vertices are gone through; a body with too many is not checked.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use crate::exact::fraction::Fraction;
+use crate::exact::grid::Grid;
+use crate::exact::linear::{Echelon, Vector, dot};
+use crate::exact::polygon::ConvexPolygon;
+use crate::exact::proportion::Proportion;
+use crate::exact::subsets::{count_subsets, subsets};
+
+/// So many products of vertices and generators are tried.
+const MOST_TRIALS: u64 = 3_000_000;
+
+/// Checks the height over p_0, which is absent beside Q; whether the body was small enough for that.
+pub fn check_upper_hull(
+    generators: &[Vec<f64>],
+    p0: [f64; 2],
+    above_q: bool,
+    z: Option<&Fraction>,
+) -> Result<bool, String> {
+    if generators.iter().any(|generator| generator.len() != 3) {
+        return Err("answered a question whose generators are not in space".to_owned());
+    }
+    let grid = Grid::of(generators.iter().flatten().chain(&p0).copied());
+    let p0 = grid.point(p0);
+    let vectors: Vec<Vector> =
+        generators.iter().map(|generator| generator.iter().map(|&x| grid.units(x)).collect()).collect();
+    let shadows: Vec<[IBig; 2]> = vectors.iter().map(|v| [v[0].clone(), v[1].clone()]).collect();
+    let inside = ConvexPolygon::zonogon(&[IBig::ZERO, IBig::ZERO], &shadows).contains(&p0);
+    if above_q != inside {
+        return Err(format!("above_q is {above_q}, but p0 lies {} Q", if inside { "in" } else { "beside" }));
+    }
+    let Some((numerator, denominator)) = z else {
+        return if inside { Err("z is missing".to_owned()) } else { Ok(true) };
+    };
+    if !inside {
+        return Err("there is no hull beside Q, but z is given".to_owned());
+    }
+
+    let plane: Vec<Vector> = shadows.into_iter().map(Vec::from).collect();
+    let pivots = Echelon::spanned(2, &plane).pivots();
+    if count_subsets(vectors.len(), pivots.len()).saturating_mul(vectors.len() as u64) > MOST_TRIALS {
+        return Ok(false);
+    }
+    let kept = |v: &[IBig]| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+    let upright: Vec<Vector> = vectors.iter().map(|v| [kept(v), vec![v[2].clone()]].concat()).collect();
+    let p0 = kept(&p0);
+    let mut lowest: Option<Proportion> = None;
+    for subset in subsets(upright.len(), pivots.len()) {
+        let span = Echelon::spanned(pivots.len() + 1, subset.iter().map(|&index| &upright[index]));
+        let Ok([u]) = <[Vector; 1]>::try_from(span.complement(pivots.len() + 1)) else { continue };
+        let (height, beside) = u.split_last().expect("a normal has components");
+        if *height == IBig::ZERO {
+            continue;
+        }
+        let reach: IBig = upright.iter().map(|v| dot(&u, v).abs()).sum();
+        let along = dot(beside, &p0);
+        let bound =
+            Proportion::new(if *height < IBig::ZERO { reach + along } else { reach - along }, height.clone().abs(), 0);
+        if lowest.as_ref().is_none_or(|lowest| bound.compare(lowest) == Ordering::Less) {
+            lowest = Some(bound);
+        }
+    }
+    let lowest = lowest.ok_or("no direction bounds the hull")?;
+    let exact = lowest.times(&Proportion::whole(IBig::ONE, grid.exponent()));
+    let claimed = Proportion::new(numerator.clone(), denominator.clone(), 0);
+    if claimed.compare(&exact) == Ordering::Equal {
+        Ok(true)
+    } else {
+        Err(format!("z is {:?}, exactly it is {:?}", claimed.near(), exact.near()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(generators: &[[f64; 3]], p0: [f64; 2], z: Option<(i64, i64)>) -> Result<bool, String> {
+        let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
+        let z = z.map(|(numerator, denominator)| (numerator.into(), denominator.into()));
+        check_upper_hull(&generators, p0, z.is_some(), z.as_ref())
+    }
+
+    #[test]
+    fn roofs_by_hand() {
+        let tilted = [[1.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.0]];
+        assert_eq!(check(&tilted, [0.5, 0.5], Some((5, 2))), Ok(true));
+        assert_eq!(check(&tilted, [-1.0, 1.0], Some((1, 1))), Ok(true));
+        assert_eq!(check(&tilted, [1.5, 0.0], None), Ok(true));
+        assert!(check(&tilted, [0.5, 0.5], Some((2, 1))).is_err());
+        assert!(check(&tilted, [0.5, 0.5], None).is_err());
+        assert!(check(&tilted, [1.5, 0.0], Some((1, 1))).is_err());
+        let roof = [[1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
+        assert_eq!(check(&roof, [0.5, 0.25], Some((3, 2))), Ok(true));
+    }
+
+    #[test]
+    fn projections_without_area() {
+        assert_eq!(check(&[[0.0, 0.0, -3.0]], [0.0, 0.0], Some((3, 1))), Ok(true));
+        assert_eq!(check(&[], [0.0, 0.0], Some((0, 1))), Ok(true));
+        assert_eq!(check(&[], [0.0, 1.0], None), Ok(true));
+        let gable = [[1.0, 2.0, 1.0], [1.0, 2.0, -1.0]];
+        assert_eq!(check(&gable, [1.0, 2.0], Some((1, 1))), Ok(true));
+        assert_eq!(check(&gable, [1.0, 2.5], None), Ok(true));
+    }
+}

@@ -1,0 +1,270 @@
+//! Answers to "how many faces has the zonotope of these generators, and what does it measure".
+//!
+//! The faces are counted in the coordinates of the zonotope's span: in space line by line, in other dimensions subset by subset.
+//! The measure is 2^d Σ |det| over all d generators. Where either would take too long, only what holds for every zonotope is
+//! looked at.
+
+mod by_subsets;
+mod in_space;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use dashu_int::IBig;
+use dashu_int::ops::{Abs, BitTest};
+
+use crate::exact::fraction::Fraction;
+use crate::exact::grid::Grid;
+use crate::exact::linear::{Echelon, Vector, absolute_determinant, is_zero, reduced};
+use crate::exact::proportion::Proportion;
+use crate::exact::subsets::{count_subsets, subsets};
+use crate::exact::turns::turns;
+
+/// So many steps are made for the counts, and for the measure: a step takes some tenths of a microsecond.
+const MOST_STEPS: u64 = 30_000_000;
+
+/// An answer as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CombinatoricsAnswer {
+    /// The dimension of the affine hull.
+    pub affine_dim: usize,
+    /// How many vertices there are.
+    pub vertices: u64,
+    /// How many edges.
+    pub edges: u64,
+    /// How many facets, within the affine hull.
+    pub facets: u64,
+    /// How many facets have so many vertices.
+    pub facet_sizes: BTreeMap<usize, u64>,
+    /// The volume in the space of the generators.
+    pub measure: Fraction,
+}
+
+/// What was proved of an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CombinatoricsProof {
+    /// Whether the faces were counted; else they only satisfy the relations that all such counts do.
+    pub counted: bool,
+    /// Whether the measure was computed.
+    pub measured: bool,
+}
+
+/// Checks counts and measure.
+pub fn check_combinatorics(
+    generators: &[Vec<f64>],
+    answer: &CombinatoricsAnswer,
+) -> Result<CombinatoricsProof, String> {
+    let dimension = generators.first().map_or(0, Vec::len);
+    if generators.iter().any(|generator| generator.len() != dimension) {
+        return Err("answered a question whose dimensions do not agree".to_owned());
+    }
+    let grid = Grid::of(generators.iter().flatten().copied());
+    let placed: Vec<Vector> =
+        generators.iter().map(|generator| generator.iter().map(|&component| grid.units(component)).collect()).collect();
+    let span = Echelon::spanned(dimension, &placed);
+    expect("affine_dim", answer.affine_dim as u64, span.rank() as u64)?;
+    let pivots = span.pivots();
+    let inside: Vec<Vector> = placed.iter().map(|v| pivots.iter().map(|&axis| v[axis].clone()).collect()).collect();
+
+    let lines = directions(&inside);
+    let counted = match counts(span.rank(), &lines, longest(&inside)) {
+        Some(counts) => {
+            expect("vertices", answer.vertices, counts.vertices)?;
+            expect("edges", answer.edges, counts.edges)?;
+            expect("facets", answer.facets, counts.facet_sizes.values().sum())?;
+            if answer.facet_sizes != counts.facet_sizes {
+                return Err(format!("facet_sizes are {:?}, exactly {:?}", answer.facet_sizes, counts.facet_sizes));
+            }
+            true
+        }
+        None => {
+            relations(span.rank(), answer)?;
+            false
+        }
+    };
+
+    let claimed = Proportion::new(answer.measure.0.clone(), answer.measure.1.clone(), 0);
+    let exponent = i32::try_from(dimension).map_err(|_| "the dimension is beyond all bounds")? * grid.exponent();
+    let measured = match measure(dimension, &placed, span.rank()) {
+        Some(units) => {
+            let exact = Proportion::whole(units, exponent);
+            if claimed.compare(&exact).is_ne() {
+                return Err(format!("measure is {:?}, exactly {:?}", claimed.near(), exact.near()));
+            }
+            true
+        }
+        None => false,
+    };
+    Ok(CombinatoricsProof { counted, measured })
+}
+
+fn expect(name: &str, claimed: u64, exact: u64) -> Result<(), String> {
+    if claimed == exact { Ok(()) } else { Err(format!("{name} is {claimed}, exactly it is {exact}")) }
+}
+
+/// How many bits the components take.
+fn longest(vectors: &[Vector]) -> u64 {
+    vectors.iter().flatten().map(|component| component.bit_len() as u64).max().unwrap_or(0)
+}
+
+/// Whether so many products of numbers of so many bits are few enough.
+fn is_quick(products: u64, bits: u64) -> bool {
+    let words = bits / 64 + 1;
+    products.saturating_mul(1 + words.saturating_mul(words) / 16) <= MOST_STEPS
+}
+
+/// n^power times the logarithm of n.
+fn sorted_steps(count: usize, power: u32) -> u64 {
+    (count as u64).saturating_pow(power).saturating_mul(u64::from(count.max(2).ilog2()))
+}
+
+/// The numbers of faces, if counting them is quick.
+fn counts(rank: usize, lines: &[Vector], bits: u64) -> Option<Counts> {
+    let products = match rank {
+        0..=2 => 0,
+        3 => sorted_steps(lines.len(), 2),
+        _ => count_subsets(lines.len(), rank - 1).saturating_mul((lines.len() * rank) as u64),
+    };
+    match rank {
+        _ if !is_quick(products, bits.saturating_mul(rank as u64)) => None,
+        3 => Some(in_space::counts(lines)),
+        _ => by_subsets::counts(rank, lines),
+    }
+}
+
+struct Counts {
+    vertices: u64,
+    edges: u64,
+    facet_sizes: BTreeMap<usize, u64>,
+}
+
+/// One vector for each line through the origin that holds one of the vectors.
+fn directions(vectors: &[Vector]) -> Vec<Vector> {
+    let canonical = |v: &Vector| {
+        let v = reduced(v.clone());
+        let first = v.iter().find(|component| **component != IBig::ZERO)?;
+        Some(if *first < IBig::ZERO { v.iter().map(|component| -component).collect() } else { v })
+    };
+    let distinct: BTreeSet<Vector> = vectors.iter().filter_map(canonical).collect();
+    distinct.into_iter().collect()
+}
+
+/// The vectors with g counted as nothing: in one dimension less, zero for multiples of g.
+fn modulo(vectors: &[Vector], g: &Vector) -> Vec<Vector> {
+    let axis = g.iter().position(|component| *component != IBig::ZERO).expect("a direction is not zero");
+    let along = |v: &Vector| {
+        let rest = (0..v.len()).filter(|&other| other != axis);
+        rest.map(|other| &g[axis] * &v[other] - &v[axis] * &g[other]).collect()
+    };
+    vectors.iter().map(along).collect()
+}
+
+/// What holds for every zonotope: faces come in opposite pairs; in space V − E + F = 2, and each edge belongs to two facets.
+fn relations(rank: usize, answer: &CombinatoricsAnswer) -> Result<(), String> {
+    expect("the sum of facet_sizes", answer.facet_sizes.values().sum(), answer.facets)?;
+    let all = [answer.vertices, answer.edges, answer.facets];
+    if all.iter().chain(answer.facet_sizes.values()).any(|count| count % 2 == 1) {
+        return Err("a count of faces is odd, though faces come in opposite pairs".to_owned());
+    }
+    if rank == 3 {
+        let [vertices, edges, facets] = all;
+        expect("vertices − edges + facets", (vertices + facets).saturating_sub(edges), 2)?;
+        let sides: u64 = answer.facet_sizes.iter().map(|(&size, &count)| size as u64 * count).sum();
+        expect("the number of sides of all facets", sides, 2 * edges)?;
+    }
+    Ok(())
+}
+
+/// 2^d Σ |det| in units of the grid, if adding them up is quick.
+fn measure(dimension: usize, generators: &[Vector], rank: usize) -> Option<IBig> {
+    if rank < dimension || dimension == 0 {
+        return Some(IBig::ZERO);
+    }
+    // Parallel generators add up, which leaves the sum as it is.
+    let mut merged: BTreeMap<Vector, Vector> = BTreeMap::new();
+    for generator in generators.iter().filter(|generator| !is_zero(generator)) {
+        let [direction] = <[Vector; 1]>::try_from(directions(std::slice::from_ref(generator))).ok()?;
+        let sum = merged.entry(direction).or_insert_with_key(|direction| vec![IBig::ZERO; direction.len()]);
+        let opposite =
+            generator.iter().find(|component| **component != IBig::ZERO).is_some_and(|first| *first < IBig::ZERO);
+        for (sum, component) in sum.iter_mut().zip(generator) {
+            if opposite { *sum -= component } else { *sum += component }
+        }
+    }
+    let merged: Vec<Vector> = merged.into_values().collect();
+    let products = match dimension {
+        1 => 0,
+        2 | 3 => sorted_steps(merged.len(), dimension as u32 - 1),
+        _ => count_subsets(merged.len(), dimension).saturating_mul((dimension * dimension * dimension) as u64),
+    };
+    if !is_quick(products, longest(&merged).saturating_mul(dimension as u64)) {
+        return None;
+    }
+    let sum: IBig = match dimension {
+        2 => turns(merged),
+        3 => in_space::volumes(&merged),
+        _ => subsets(merged.len(), dimension)
+            .map(|subset| absolute_determinant(subset.into_iter().map(|index| merged[index].clone()).collect()).abs())
+            .sum(),
+    };
+    Some(sum << dimension)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answer(affine_dim: usize, counts: [u64; 3], facet_sizes: &[(usize, u64)], measure: i64) -> CombinatoricsAnswer {
+        let [vertices, edges, facets] = counts;
+        let facet_sizes = facet_sizes.iter().copied().collect();
+        CombinatoricsAnswer { affine_dim, vertices, edges, facets, facet_sizes, measure: (measure.into(), 1.into()) }
+    }
+
+    fn right(generators: &[&[f64]], answer: &CombinatoricsAnswer) {
+        let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
+        let proof = check_combinatorics(&generators, answer);
+        assert_eq!(proof, Ok(CombinatoricsProof { counted: true, measured: true }), "{generators:?}");
+        let worse = CombinatoricsAnswer { edges: answer.edges + 2, ..answer.clone() };
+        assert!(check_combinatorics(&generators, &worse).is_err());
+        let worse = CombinatoricsAnswer { measure: (1.into(), 7.into()), ..answer.clone() };
+        assert!(check_combinatorics(&generators, &worse).is_err());
+    }
+
+    const E: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+    #[test]
+    fn named_bodies() {
+        let [x, y, z] = [&E[0][..], &E[1], &E[2]];
+        right(&[x, y, z], &answer(3, [8, 12, 6], &[(4, 6)], 8));
+        right(&[x, x, y, &[0.0, -2.0, 0.0], z, &[0.0; 3]], &answer(3, [8, 12, 6], &[(4, 6)], 8 * 6));
+        let diagonals: [&[f64]; 4] = [&[1.0, 1.0, 1.0], &[1.0, 1.0, -1.0], &[1.0, -1.0, 1.0], &[-1.0, 1.0, 1.0]];
+        right(&diagonals, &answer(3, [14, 24, 12], &[(4, 12)], 8 * 16));
+        let truncated: [&[f64]; 6] = [
+            &[1.0, 1.0, 0.0],
+            &[1.0, -1.0, 0.0],
+            &[1.0, 0.0, 1.0],
+            &[1.0, 0.0, -1.0],
+            &[0.0, 1.0, 1.0],
+            &[0.0, 1.0, -1.0],
+        ];
+        right(&truncated, &answer(3, [24, 36, 14], &[(4, 6), (6, 8)], 8 * 32));
+        right(&[x, y, z, &[1.0, 1.0, 0.0]], &answer(3, [12, 18, 8], &[(4, 6), (6, 2)], 8 * 3));
+    }
+
+    #[test]
+    fn other_dimensions() {
+        right(&[&[3.0], &[-1.0]], &answer(1, [2, 1, 2], &[(1, 2)], 8));
+        right(&[&[1.0, 0.0], &[0.0, 2.0], &[1.0, 1.0]], &answer(2, [6, 6, 6], &[(2, 6)], 4 * 5));
+        let axes = |at: usize| (0..4).map(|axis| if axis == at { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
+        let tesseract: Vec<Vec<f64>> = (0..4).map(axes).collect();
+        let tesseract: Vec<&[f64]> = tesseract.iter().map(Vec::as_slice).collect();
+        right(&tesseract, &answer(4, [16, 32, 8], &[(8, 8)], 16));
+        let flat = answer(2, [4, 4, 4], &[(2, 4)], 0);
+        right(&[&E[0], &E[1]], &flat);
+    }
+
+    #[test]
+    fn a_point_has_one_vertex() {
+        let proof = check_combinatorics(&[vec![0.0, 0.0]], &answer(0, [1, 0, 0], &[], 0));
+        assert_eq!(proof, Ok(CombinatoricsProof { counted: true, measured: true }));
+    }
+}

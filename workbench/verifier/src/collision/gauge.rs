@@ -1,0 +1,263 @@
+//! Answers to "how many times must Z = { Σ δ_i g_i : |δ_i| ≤ 1 } be taken to hold the vector p".
+//!
+//! The gauge is at least u · p / Σ |u · g_i| for every direction u. Where the certificate is tight it names the d − 1 generators
+//! that span a facet through which p leaves Z: the direction u orthogonal to them gives that bound, and solving
+//! λ p = Σ ± g_i + Σ over the facet of x_j g_j with all |x_j| ≤ 1 shows that the gauge is at most 1/λ, the same number.
+//! Else the facets of a small Z are gone through one by one, in the plane those of any; of a large one only what the certificate says is
+//! known.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use super::location::{Coefficients, Displaced, Located, LocationAnswer, LocationCertificate, located};
+use crate::RELATIVE_ERROR;
+use crate::exact::linear::{Echelon, Vector, dot, is_zero};
+use crate::exact::proportion::{Proportion, check_figure};
+use crate::exact::subsets::subsets;
+use crate::faces::facets::{Facets, reach};
+
+/// An answer as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GaugeAnswer {
+    /// The claimed gauge.
+    pub gauge: f64,
+    /// Whether it is at most 1.
+    pub at_most_one: bool,
+    /// Where p lies, with its proof; the status `inside` stands for either status of a member.
+    pub certificate: LocationCertificate,
+}
+
+/// How much of a gauge was proved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GaugeProof {
+    /// The value is the exact gauge up to rounding.
+    Exact,
+    /// Only that the value is on the right side of 1 and of what the certificate bounds.
+    Bounded,
+}
+
+/// Proves the gauge, or says what fails. The value may err by the relative [`RELATIVE_ERROR`]; the largest double stands for any
+/// finite gauge that is larger.
+pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugeProof, String> {
+    let found = member_or_not(question, answer)?;
+    if answer.at_most_one != matches!(found, Located::Member(_)) {
+        return Err("at_most_one is not what the certificate proves".to_owned());
+    }
+    let span = Echelon::spanned(question.dimension(), &question.generators);
+    if !span.contains(&question.p) {
+        let right = answer.gauge == f64::INFINITY;
+        return if right { Ok(GaugeProof::Exact) } else { Err("the gauge is infinite: Z is flat".to_owned()) };
+    }
+    if is_zero(&question.p) {
+        let right = answer.gauge == 0.0;
+        return if right { Ok(GaugeProof::Exact) } else { Err("the gauge of no displacement is 0".to_owned()) };
+    }
+    // In coordinates that tell the vectors of the span apart, Z has an interior.
+    let pivots = span.pivots();
+    let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+    let p = projected(&question.p);
+    let generators: Vec<Vector> = question.generators.iter().map(projected).collect();
+
+    let wanted = p.len() + 2;
+    let few = match &found {
+        Located::Member(coefficients) => freest(coefficients, wanted),
+        Located::Outside(u) => flattest(&question.generators, u, wanted),
+    };
+    let named = independent(&generators, &few, p.len() - 1);
+    let exact = named
+        .iter()
+        .find_map(|facet| tight_gauge(&p, &generators, facet, &found).or_else(|| facet_gauge(&p, &generators, facet)));
+    let exact = exact.or_else(|| searched(&p, &generators));
+    if let Some(exact) = exact {
+        if answer.gauge == f64::MAX && exact.near() == f64::INFINITY {
+            return Ok(GaugeProof::Exact);
+        }
+        let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
+        check_figure("gauge", answer.gauge, &exact, &allowed)?;
+        return Ok(GaugeProof::Exact);
+    }
+    if !answer.gauge.is_finite() {
+        return Err(format!("gauge is {}", answer.gauge));
+    }
+    let claimed = Proportion::of_double(answer.gauge);
+    let slack = Proportion::of_double(1.0 + RELATIVE_ERROR);
+    let in_bounds = match &found {
+        Located::Member(coefficients) => {
+            let bound = Proportion::new(largest(coefficients), coefficients.denominator.clone(), 0);
+            claimed.compare(&bound.times(&slack)) != Ordering::Greater
+        }
+        Located::Outside(u) => {
+            let bound = Proportion::new(dot(u, &question.p), question.support(u), 0);
+            bound.compare(&claimed.times(&slack)) != Ordering::Greater
+        }
+    };
+    if in_bounds {
+        Ok(GaugeProof::Bounded)
+    } else {
+        Err(format!("gauge is {:?}, against its own certificate", answer.gauge))
+    }
+}
+
+/// The location that the certificate proves, whether it is that of the interior or not.
+fn member_or_not(question: &Displaced, answer: &GaugeAnswer) -> Result<Located, String> {
+    let statuses: &[&str] = match &answer.certificate {
+        LocationCertificate::Separation(_) => &["outside"],
+        LocationCertificate::Witness { .. } => &["inside", "boundary"],
+    };
+    let mut outcome = Err("there is no certificate".to_owned());
+    for status in statuses {
+        let location = LocationAnswer { status: (*status).to_owned(), certificate: answer.certificate.clone() };
+        outcome = located(question, &location);
+        if outcome.is_ok() {
+            break;
+        }
+    }
+    outcome
+}
+
+/// The generators with the smallest coefficients, ascending.
+fn freest(coefficients: &Coefficients, wanted: usize) -> Vec<usize> {
+    let mut order: Vec<(IBig, usize)> =
+        (0..).zip(&coefficients.numerators).map(|(index, numerator)| (numerator.clone().abs(), index)).collect();
+    let few = wanted.min(order.len());
+    if few < order.len() {
+        order.select_nth_unstable(few);
+        order.truncate(few);
+    }
+    order.sort_unstable();
+    order.into_iter().map(|(_, index)| index).collect()
+}
+
+fn largest(coefficients: &Coefficients) -> IBig {
+    coefficients.numerators.iter().map(|numerator| numerator.clone().abs()).max().unwrap_or_default()
+}
+
+/// The generators that a direction is most nearly orthogonal to.
+fn flattest(generators: &[Vector], u: &[IBig], wanted: usize) -> Vec<usize> {
+    let mut order: Vec<(Proportion, usize)> = (0..)
+        .zip(generators)
+        .filter(|(_, generator)| !is_zero(generator))
+        .map(|(index, generator)| {
+            let size: IBig = generator.iter().map(|component| component.clone().abs()).sum();
+            (Proportion::new(dot(u, generator).abs(), size, 0), index)
+        })
+        .collect();
+    let by_angle = |a: &(Proportion, usize), b: &(Proportion, usize)| a.0.compare(&b.0).then(a.1.cmp(&b.1));
+    let few = wanted.min(order.len());
+    if few < order.len() {
+        order.select_nth_unstable_by(few, by_angle);
+        order.truncate(few);
+    }
+    order.sort_by(by_angle);
+    order.into_iter().map(|(_, index)| index).collect()
+}
+
+/// The subsets of a few generators that could span a facet.
+fn independent(generators: &[Vector], few: &[usize], size: usize) -> Vec<Vec<usize>> {
+    let candidates = subsets(few.len(), size).map(|subset| subset.into_iter().map(|index| few[index]).collect());
+    candidates
+        .filter(|subset: &Vec<usize>| {
+            let mut span = Echelon::default();
+            subset.iter().all(|&index| span.insert(&generators[index]))
+        })
+        .collect()
+}
+
+/// The largest coefficient of a member, if the facet's direction bounds the gauge by the same number from below.
+fn tight_gauge(p: &Vector, generators: &[Vector], facet: &[usize], found: &Located) -> Option<Proportion> {
+    let Located::Member(coefficients) = found else { return None };
+    let above = Proportion::new(largest(coefficients), coefficients.denominator.clone(), 0);
+    let u = normal(p, generators, facet)?;
+    let below = Proportion::new(dot(&u, p), reach(generators, &u), 0);
+    (above.compare(&below) == Ordering::Equal).then_some(above)
+}
+
+/// The gauge, if p leaves Z through the facet of these generators: through Σ ± g_i plus the zonotope of all that span the facet.
+fn facet_gauge(p: &Vector, generators: &[Vector], facet: &[usize]) -> Option<Proportion> {
+    let u = normal(p, generators, facet)?;
+    let mut corner = vec![IBig::ZERO; p.len()];
+    let mut on_facet: Vec<Vector> = Vec::new();
+    for generator in generators {
+        match dot(&u, generator).cmp(&IBig::ZERO) {
+            Ordering::Equal => on_facet.push(generator.clone()),
+            Ordering::Less => corner.iter_mut().zip(generator).for_each(|(sum, component)| *sum -= component),
+            Ordering::Greater => corner.iter_mut().zip(generator).for_each(|(sum, component)| *sum += component),
+        }
+    }
+    // p / gauge = corner + rest / along.
+    let (along, reach) = (dot(&u, p), dot(&u, &corner));
+    let rest: Vector = p.iter().zip(&corner).map(|(p, corner)| p * &reach - corner * &along).collect();
+    if !is_zero(&rest) {
+        let pivots = Echelon::spanned(p.len(), &on_facet).pivots();
+        let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+        let beside = searched(&projected(&rest), &on_facet.iter().map(projected).collect::<Vec<_>>())?;
+        if beside.compare(&Proportion::whole(along.clone(), 0)) == Ordering::Greater {
+            return None;
+        }
+    }
+    Some(Proportion::new(along, reach, 0))
+}
+
+/// The direction orthogonal to the facet's generators in which p lies, if it is one direction.
+fn normal(p: &Vector, generators: &[Vector], facet: &[usize]) -> Option<Vector> {
+    let span = Echelon::spanned(p.len(), facet.iter().map(|&index| &generators[index]));
+    let [u] = <[Vector; 1]>::try_from(span.complement(p.len())).ok()?;
+    let along = dot(&u, p);
+    if along == IBig::ZERO {
+        return None;
+    }
+    Some(if along < IBig::ZERO { u.into_iter().map(|component| -component).collect() } else { u })
+}
+
+/// The gauge as the largest of u · p / Σ |u · g_i| over all facets, if they are few enough.
+fn searched(p: &Vector, generators: &[Vector]) -> Option<Proportion> {
+    Some(Facets::of(p.len(), generators)?.gauge(p))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::LocationCertificate;
+
+    fn check(
+        p: &[f64],
+        generators: &[&[f64]],
+        gauge: f64,
+        certificate: LocationCertificate,
+    ) -> Result<GaugeProof, String> {
+        let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
+        let question = Displaced::new(&vec![0.0; p.len()], p, &generators).expect("one dimension");
+        check_gauge(&question, &GaugeAnswer { gauge, at_most_one: gauge <= 1.0, certificate })
+    }
+
+    fn witness(coefficients: &[f64], basis: &[usize]) -> LocationCertificate {
+        LocationCertificate::Witness { coefficients: coefficients.to_vec(), basis: basis.to_vec() }
+    }
+
+    fn separation(u: &[i64]) -> LocationCertificate {
+        LocationCertificate::Separation(u.iter().copied().map(IBig::from).collect())
+    }
+
+    const SQUARE: [&[f64]; 2] = [&[1.0, 0.0], &[0.0, 1.0]];
+
+    #[test]
+    fn a_square_by_hand() {
+        assert_eq!(check(&[0.5, 0.25], &SQUARE, 0.5, witness(&[0.5, 0.25], &[])), Ok(GaugeProof::Exact));
+        assert_eq!(check(&[3.0, 0.5], &SQUARE, 3.0, separation(&[5, 1])), Ok(GaugeProof::Exact));
+        assert_eq!(check(&[0.0, 0.0], &SQUARE, 0.0, witness(&[0.0, 0.0], &[])), Ok(GaugeProof::Exact));
+        assert_eq!(check(&[1.0, 1.0], &SQUARE, 1.0, witness(&[1.0, 1.0], &[])), Ok(GaugeProof::Exact));
+        assert!(check(&[3.0, 0.5], &SQUARE, 3.001, separation(&[5, 1])).is_err());
+        assert!(check(&[0.5, 0.25], &SQUARE, 0.75, witness(&[0.5, 0.25], &[])).is_err());
+        assert!(check(&[0.5, 0.25], &SQUARE, 0.25, witness(&[0.5, 0.25], &[])).is_err());
+    }
+
+    #[test]
+    fn flat_bodies_have_a_gauge_in_their_span() {
+        let segment: [&[f64]; 2] = [&[1.0, 1.0, 0.0], &[2.0, 2.0, 0.0]];
+        assert_eq!(check(&[6.0, 6.0, 0.0], &segment, 2.0, separation(&[1, 1, 0])), Ok(GaugeProof::Exact));
+        assert_eq!(check(&[1.0, 1.0, 1.0], &segment, f64::INFINITY, separation(&[0, 0, 1])), Ok(GaugeProof::Exact));
+        assert!(check(&[1.0, 1.0, 1.0], &segment, 5.0, separation(&[0, 0, 1])).is_err());
+    }
+}

@@ -1,0 +1,230 @@
+//! Answers to "the zonotope of least total length Σ |g_i| that contains the points, within a ratio of 1 + ε".
+//!
+//! Vectors λ_j at points p_j with Σ λ_j = 0 prove that every zonotope around the points has a total length of at least Σ λ_j · p_j / ρ,
+//! where ρ is the distance of the farthest vertex of Σ [−1, 1] λ_j from the origin: for if p_j = p + Σ b_ij g_i with |b_ij| ≤ 1, then
+//! Σ λ_j · p_j ≤ Σ_i Σ_j |λ_j · g_i|, and Σ_j |λ_j · u| ≤ ρ for every unit vector u.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+
+use super::lower_bound::check_bound;
+use crate::RELATIVE_ERROR;
+use crate::exact::grid::Grid;
+use crate::exact::length::{root, total_length};
+use crate::exact::linear::{Vector, dot};
+use crate::exact::proportion::{Proportion, check_figure};
+use crate::faces::containment::one_outside;
+use crate::faces::dual_reach::farthest_squared;
+use crate::faces::normals::TooMany;
+
+/// An answer as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MinLengthAnswer {
+    /// The claimed total length.
+    pub length: f64,
+    /// The centre.
+    pub center: Vec<f64>,
+    /// The generators.
+    pub generators: Vec<Vec<f64>>,
+    /// The claimed bound below the total length of every zonotope around the points.
+    pub lower_bound: f64,
+    /// The claimed `length` / `lower_bound`.
+    pub ratio: f64,
+    /// The claim that the length is at most 1 + ε times the lower bound, or that it is not, if there is one.
+    pub within_epsilon: Option<bool>,
+    /// The proof of the bound: points, from 0, and the vector that pulls at each.
+    pub forces: Vec<(usize, Vec<f64>)>,
+}
+
+/// What was proved of an answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MinLengthProof {
+    /// The exact length, rounded.
+    pub length: f64,
+    /// The largest lower bound that the forces prove, rounded.
+    pub proven_bound: f64,
+    /// The length over that bound, rounded; 1 when both are 0.
+    pub ratio: f64,
+    /// Whether the length is at most 1 + ε times the lower bound.
+    pub is_within: bool,
+}
+
+/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the shortest or says that it is not; or says what fails. `None` if there are too many
+/// facets, or vertices of the zonotope of the forces, to go through.
+///
+/// `length` and `ratio` may differ from their exact values by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
+/// `length` may exceed (1 + ε) · `lower_bound` by what rounding to doubles costs bodies that are thin, far from the origin or tiny: 2^-46 · d · (largest
+/// coordinate, at least the smallest normal double).
+pub fn check_min_length_all(
+    points: &[Vec<f64>],
+    epsilon: f64,
+    answer: &MinLengthAnswer,
+) -> Result<Option<MinLengthProof>, String> {
+    let dimension = points.first().ok_or("there is no point to enclose")?.len();
+    if points.iter().any(|point| point.len() != dimension) {
+        return Err("answered a question whose dimensions do not agree".to_owned());
+    }
+    if !(epsilon > 0.0 && epsilon < 1.0) {
+        return Err("answered a question whose epsilon is not between 0 and 1".to_owned());
+    }
+    if answer.center.len() != dimension || answer.generators.iter().any(|generator| generator.len() != dimension) {
+        return Err(format!("the zonotope does not have {dimension} coordinates"));
+    }
+    let grid = Grid::of(points.iter().chain(&answer.generators).chain([&answer.center]).flatten().copied());
+    let placed = |v: &[f64]| -> Vector { v.iter().map(|&x| grid.units(x)).collect() };
+    let center = placed(&answer.center);
+    let places: Vec<Vector> = points.iter().map(|point| placed(point)).collect();
+    let differences: Vec<Vector> =
+        places.iter().map(|place| place.iter().zip(&center).map(|(x, c)| x - c).collect()).collect();
+    let generators: Vec<Vector> = answer.generators.iter().map(|generator| placed(generator)).collect();
+    match one_outside(dimension, &generators, &differences) {
+        Ok(None) => {}
+        Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1)),
+        Err(TooMany) => return Ok(None),
+    }
+    let unit = Proportion::whole(IBig::ONE, grid.exponent());
+    let [length, _] = total_length(&generators).map(|bound| bound.times(&unit));
+    let relative = Proportion::of_double(RELATIVE_ERROR);
+    check_figure("length", answer.length, &length, &length.times(&relative))?;
+
+    let Ok(bound) = proven_bound(&places, &answer.forces)? else { return Ok(None) };
+    let bound = bound.times(&unit);
+    check_bound(answer.lower_bound, &bound)?;
+    check_ratio(answer)?;
+    let mut is_within = true;
+    if answer.length.is_finite() {
+        let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
+        let rounding = Proportion::of_double(largest)
+            .times(&Proportion::of_double(dimension as f64 * 2.0_f64.powi(-46)))
+            .plus(&length.times(&relative));
+        let allowed = Proportion::of_double(answer.lower_bound)
+            .times(&Proportion::of_double(1.0).plus(&Proportion::of_double(epsilon)))
+            .plus(&rounding);
+        is_within = Proportion::of_double(answer.length).compare(&allowed) != Ordering::Greater;
+        if !is_within && answer.within_epsilon != Some(false) {
+            return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio));
+        }
+        if answer.within_epsilon == Some(false) && answer.ratio < (1.0 + epsilon) * (1.0 - RELATIVE_ERROR) {
+            return Err(format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio));
+        }
+    }
+    let ratio = length.over(&bound).map_or(1.0, |ratio| ratio.near());
+    Ok(Some(MinLengthProof { length: length.near(), proven_bound: bound.near(), ratio, is_within }))
+}
+
+fn check_ratio(answer: &MinLengthAnswer) -> Result<(), String> {
+    if !answer.length.is_finite() {
+        return if answer.ratio.is_nan() { Err("ratio is NaN".to_owned()) } else { Ok(()) };
+    }
+    let [length, bound] = [answer.length, answer.lower_bound].map(Proportion::of_double);
+    match length.over(&bound) {
+        Some(exact) => {
+            // The ratio of tiny numbers has few bits.
+            let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
+            check_figure("ratio", answer.ratio, &exact, &allowed)
+        }
+        None => {
+            let expected = if answer.length == 0.0 { 1.0 } else { f64::INFINITY };
+            if answer.ratio == expected {
+                Ok(())
+            } else {
+                Err(format!("ratio is {:?}, not {expected:?}", answer.ratio))
+            }
+        }
+    }
+}
+
+/// What the forces prove, in units of the grid of the points; 0 if that is more.
+fn proven_bound(points: &[Vector], forces: &[(usize, Vec<f64>)]) -> Result<Result<Proportion, TooMany>, String> {
+    let dimension = points[0].len();
+    let zero = Proportion::whole(IBig::ZERO, 0);
+    if let Some((wrong, _)) = forces.iter().find(|(point, _)| *point >= points.len()) {
+        return Err(format!("certificate: a force pulls at point {wrong}, which does not exist"));
+    }
+    if forces.iter().any(|(_, vector)| vector.len() != dimension) {
+        return Err(format!("certificate: a force does not have {dimension} components"));
+    }
+    // Their common factor says nothing, so neither does their unit.
+    let grid = Grid::of(forces.iter().flat_map(|(_, vector)| vector).copied());
+    let vectors: Vec<Vector> =
+        forces.iter().map(|(_, vector)| vector.iter().map(|&x| grid.units(x)).collect()).collect();
+    if (0..dimension).any(|axis| vectors.iter().map(|vector| &vector[axis]).sum::<IBig>() != IBig::ZERO) {
+        return Err("certificate: the forces do not add up to zero".to_owned());
+    }
+    let gain: IBig = forces.iter().zip(&vectors).map(|((point, _), vector)| dot(vector, &points[*point])).sum();
+    if gain <= IBig::ZERO {
+        return Ok(Ok(zero));
+    }
+    Ok(farthest_squared(dimension, &vectors).map(|squared| {
+        let [_, reach] = root(&squared);
+        Proportion::whole(gain, 0).over(&reach).unwrap_or(zero)
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn diamond() -> Vec<Vec<f64>> {
+        [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|point| point.to_vec()).to_vec()
+    }
+
+    /// A diamond is a zonogon; pulls along the axes prove that nothing around it is shorter: their vertices are (±2, ±2).
+    fn answer() -> MinLengthAnswer {
+        MinLengthAnswer {
+            length: 2.0_f64.sqrt(),
+            center: vec![0.0, 0.0],
+            generators: vec![vec![0.5, 0.5], vec![0.5, -0.5]],
+            lower_bound: 2.0_f64.sqrt().next_down(),
+            ratio: 1.0,
+            within_epsilon: Some(true),
+            forces: diamond().into_iter().enumerate().collect(),
+        }
+    }
+
+    #[test]
+    fn a_diamond_by_hand() {
+        let proof = check_min_length_all(&diamond(), 1e-9, &answer()).expect("right").expect("small");
+        assert!((proof.ratio - 1.0).abs() < 1e-15 && (proof.proven_bound - 2.0_f64.sqrt()).abs() < 1e-15);
+        let complaint =
+            |answer: MinLengthAnswer| check_min_length_all(&diamond(), 1e-9, &answer).expect_err("something is wrong");
+        assert!(complaint(MinLengthAnswer { lower_bound: 1.414_213_563, ..answer() }).contains("lower_bound"));
+        assert!(complaint(MinLengthAnswer { lower_bound: 1.4, ..answer() }).contains("says less"));
+        assert!(complaint(MinLengthAnswer { ratio: 1.0 + 1e-9, ..answer() }).contains("ratio is"));
+        // Pulls that are not the best prove less.
+        let mut weak = answer();
+        weak.forces.truncate(2);
+        weak.lower_bound = 1.0;
+        weak.ratio = weak.length;
+        assert!(complaint(weak.clone()).contains("above 1 + epsilon"));
+        assert!(complaint(MinLengthAnswer { within_epsilon: None, ..weak.clone() }).contains("above 1 + epsilon"));
+        let honest = MinLengthAnswer { within_epsilon: Some(false), ..weak };
+        let proof = check_min_length_all(&diamond(), 1e-9, &honest).expect("right").expect("small");
+        assert!(!proof.is_within && proof.ratio > 1.4);
+        assert!(complaint(MinLengthAnswer { within_epsilon: Some(false), ..answer() }).contains("within_epsilon"));
+        assert!(complaint(MinLengthAnswer { length: 1.414_213_563, ..answer() }).contains("length"));
+        assert!(complaint(MinLengthAnswer { center: vec![1e-9, 0.0], ..answer() }).contains("outside"));
+        let mut unbalanced = answer();
+        unbalanced.forces[0].1[0] = 1.5;
+        assert!(complaint(unbalanced).contains("add up"));
+        let mut elsewhere = answer();
+        elsewhere.forces[0].0 = 7;
+        assert!(complaint(elsewhere).contains("does not exist"));
+    }
+
+    #[test]
+    fn a_single_point() {
+        let nothing = MinLengthAnswer {
+            length: 0.0,
+            center: vec![3.0],
+            generators: vec![],
+            lower_bound: 0.0,
+            ratio: 1.0,
+            within_epsilon: Some(true),
+            forces: vec![],
+        };
+        assert!(check_min_length_all(&[vec![3.0]], 0.5, &nothing).is_ok());
+        assert!(check_min_length_all(&[vec![4.0]], 0.5, &nothing).is_err());
+    }
+}

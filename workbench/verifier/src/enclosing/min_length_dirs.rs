@@ -1,0 +1,280 @@
+//! Answers to "the cheapest zonotope { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } along given directions v_i that contains the points".
+//!
+//! Forces λ_j at points p_j with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for every direction prove Σ w_i c_i ≥ Σ λ_j · p_j: for if
+//! p_j = p + Σ b_ij v_i with |b_ij| ≤ c_i, then Σ λ_j · p_j = Σ b_ij λ_j · v_i ≤ Σ c_i Σ_j |λ_j · v_i|. That there is no such zonotope is
+//! proved by a functional that vanishes on all directions and takes different values at two points.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::{Abs, Gcd};
+
+use super::lower_bound::check_bound;
+use crate::RELATIVE_ERROR;
+use crate::exact::fraction::Fraction;
+use crate::exact::grid::Grid;
+use crate::exact::linear::{Vector, dot, is_zero};
+use crate::exact::proportion::{Proportion, check_figure};
+use crate::faces::containment::one_outside;
+use crate::faces::normals::TooMany;
+
+/// The question as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Directed {
+    /// The points, at least one, all of one dimension.
+    pub points: Vec<Vec<f64>>,
+    /// The directions, of the same dimension.
+    pub directions: Vec<Vec<f64>>,
+    /// What a unit of each costs.
+    pub weights: Vec<f64>,
+}
+
+/// An answer as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DirectedAnswer {
+    /// A zonotope that is said to be the cheapest.
+    Optimal {
+        /// The claimed Σ w_i c_i.
+        value: f64,
+        /// The centre p.
+        center: Vec<f64>,
+        /// The coefficients c_i.
+        coefficients: Vec<f64>,
+        /// The claimed bound below the value of every zonotope around the points.
+        lower_bound: f64,
+        /// The proof of the bound: points, from 0, and the vector that pulls at each.
+        forces: Vec<(usize, Vec<Fraction>)>,
+    },
+    /// There is said to be none.
+    Infeasible {
+        /// Two points, from 0.
+        points: [usize; 2],
+        /// Vanishes on the directions, and not on the difference of the points.
+        functional: Vec<Fraction>,
+    },
+}
+
+/// What was proved of an answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum DirectedProof {
+    /// The zonotope contains the points, and its value is this far above the proven bound, relative to the value.
+    Optimal {
+        /// The exact value, rounded.
+        value: f64,
+        /// The exact gap, rounded; 0 when both are 0.
+        gap: f64,
+    },
+    /// There is no zonotope.
+    Infeasible,
+    /// The zonotope has too many facets to hold the points against.
+    TooManyFacets,
+}
+
+/// Proves that the zonotope contains every point and costs what it is said to cost, and that none costs less than `lower_bound`, or that
+/// there is none at all; or says what fails.
+///
+/// `value` may differ from the exact value by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound. How far
+/// that is from the value the proof tells: within rounding the answer is the cheapest, else it may be.
+pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof, String> {
+    let dimension = question.points.first().ok_or("there is no point to enclose")?.len();
+    let is_even = |v: &Vec<f64>| v.len() == dimension;
+    if !question.points.iter().chain(&question.directions).all(is_even) {
+        return Err("answered a question whose dimensions do not agree".to_owned());
+    }
+    if question.weights.len() != question.directions.len() || question.weights.iter().any(|weight| *weight < 0.0) {
+        return Err("answered a question whose weights are not one number ≥ 0 for each direction".to_owned());
+    }
+    match answer {
+        DirectedAnswer::Infeasible { points, functional } => {
+            check_infeasible(question, *points, functional).map(|()| DirectedProof::Infeasible)
+        }
+        DirectedAnswer::Optimal { value, center, coefficients, lower_bound, forces } => {
+            if center.len() != dimension {
+                return Err(format!("center has {} coordinates, not {dimension}", center.len()));
+            }
+            match first_missed(question, center, coefficients)? {
+                Ok(None) => {}
+                Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1)),
+                Err(TooMany) => return Ok(DirectedProof::TooManyFacets),
+            }
+            let cost = cost(&question.weights, coefficients);
+            check_figure("value", *value, &cost, &cost.times(&Proportion::of_double(RELATIVE_ERROR)))?;
+            let bound = proven_bound(question, forces)?;
+            check_bound(*lower_bound, &bound)?;
+            let gap = cost.minus(&bound).over(&cost).map_or(0.0, |gap| gap.near());
+            Ok(DirectedProof::Optimal { value: cost.near(), gap })
+        }
+    }
+}
+
+fn first_missed(
+    question: &Directed,
+    center: &[f64],
+    coefficients: &[f64],
+) -> Result<Result<Option<usize>, TooMany>, String> {
+    if coefficients.len() != question.directions.len() {
+        return Err(format!("{} coefficients for {} directions", coefficients.len(), question.directions.len()));
+    }
+    if let Some(wrong) = coefficients.iter().find(|c| **c < 0.0) {
+        return Err(format!("the coefficient {wrong} is negative"));
+    }
+    let lengths = Grid::of(coefficients.iter().copied());
+    let directions = Grid::of(question.directions.iter().flatten().copied());
+    let places = Grid::of(question.points.iter().flatten().chain(center).copied());
+    // Both the products c_i v_i and the differences p_j − p on one grid.
+    let products = lengths.exponent() + directions.exponent();
+    let unit = products.min(places.exponent());
+    let up = |exponent: i32| usize::try_from(exponent - unit).expect("the unit is the smaller one");
+    let generators: Vec<Vector> = question
+        .directions
+        .iter()
+        .zip(coefficients)
+        .filter(|(_, c)| **c > 0.0)
+        .map(|(v, &c)| {
+            let c = lengths.units(c);
+            v.iter().map(|&x| (directions.units(x) * &c) << up(products)).collect()
+        })
+        .collect();
+    let center: Vector = center.iter().map(|&x| places.units(x)).collect();
+    let differences: Vec<Vector> = question
+        .points
+        .iter()
+        .map(|p| p.iter().zip(&center).map(|(&x, c)| (places.units(x) - c) << up(places.exponent())).collect())
+        .collect();
+    Ok(one_outside(center.len(), &generators, &differences))
+}
+
+fn cost(weights: &[f64], coefficients: &[f64]) -> Proportion {
+    let [w, c] = [weights, coefficients].map(|numbers| Grid::of(numbers.iter().copied()));
+    let sum: IBig = weights.iter().zip(coefficients).map(|(&weight, &length)| w.units(weight) * c.units(length)).sum();
+    Proportion::whole(sum, w.exponent() + c.exponent())
+}
+
+/// Σ λ_j · p_j, if the forces balance and load no direction beyond its weight.
+fn proven_bound(question: &Directed, forces: &[(usize, Vec<Fraction>)]) -> Result<Proportion, String> {
+    let dimension = question.points[0].len();
+    if let Some((wrong, _)) = forces.iter().find(|(point, _)| *point >= question.points.len()) {
+        return Err(format!("certificate: a force pulls at point {wrong}, which does not exist"));
+    }
+    if forces.iter().any(|(_, vector)| vector.len() != dimension) {
+        return Err(format!("certificate: a force does not have {dimension} components"));
+    }
+    let common = common_denominator(forces.iter().flat_map(|(_, vector)| vector));
+    let whole: Vec<Vector> = forces.iter().map(|(_, vector)| whole_numbers(vector, &common)).collect();
+    let balance = (0..dimension).all(|axis| whole.iter().map(|force| &force[axis]).sum::<IBig>() == IBig::ZERO);
+    if !balance {
+        return Err("certificate: the forces do not add up to zero".to_owned());
+    }
+    let directions = Grid::of(question.directions.iter().flatten().copied());
+    for (index, (direction, &weight)) in question.directions.iter().zip(&question.weights).enumerate() {
+        let direction: Vector = direction.iter().map(|&x| directions.units(x)).collect();
+        let load: IBig = whole.iter().map(|force| dot(force, &direction).abs()).sum();
+        let load = Proportion::new(load, common.clone(), directions.exponent());
+        if load.compare(&Proportion::of_double(weight)) == Ordering::Greater {
+            return Err(format!("certificate: the forces load direction {} with {}", index + 1, load.near()));
+        }
+    }
+    let places = Grid::of(question.points.iter().flatten().copied());
+    let pulled = |point: usize| -> Vector { question.points[point].iter().map(|&x| places.units(x)).collect() };
+    let gain: IBig = forces.iter().zip(&whole).map(|((point, _), force)| dot(force, &pulled(*point))).sum();
+    Ok(Proportion::new(gain, common, places.exponent()))
+}
+
+fn check_infeasible(question: &Directed, points: [usize; 2], functional: &[Fraction]) -> Result<(), String> {
+    let [Some(a), Some(b)] = points.map(|point| question.points.get(point)) else {
+        return Err("certificate: names a point that does not exist".to_owned());
+    };
+    if functional.len() != a.len() {
+        return Err(format!("certificate: the functional has {} components", functional.len()));
+    }
+    let common = common_denominator(functional);
+    let functional = whole_numbers(functional, &common);
+    let directions = Grid::of(question.directions.iter().flatten().copied());
+    for (index, direction) in question.directions.iter().enumerate() {
+        let direction: Vector = direction.iter().map(|&x| directions.units(x)).collect();
+        if dot(&functional, &direction) != IBig::ZERO {
+            return Err(format!("certificate: the functional does not vanish on direction {}", index + 1));
+        }
+    }
+    let places = Grid::of(a.iter().chain(b).copied());
+    let difference: Vector = a.iter().zip(b).map(|(&a, &b)| places.units(a) - places.units(b)).collect();
+    if is_zero(&difference) || dot(&functional, &difference) == IBig::ZERO {
+        return Err("certificate: the functional does not tell the two points apart".to_owned());
+    }
+    Ok(())
+}
+
+fn common_denominator<'a>(fractions: impl IntoIterator<Item = &'a Fraction>) -> IBig {
+    fractions.into_iter().fold(IBig::ONE, |common, (_, denominator)| {
+        let shared = IBig::from((&common).gcd(denominator));
+        common / shared * denominator
+    })
+}
+
+fn whole_numbers(fractions: &[Fraction], common: &IBig) -> Vector {
+    fractions.iter().map(|(numerator, denominator)| numerator * (common / denominator)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A triangle with legs of 2 along the axes.
+    fn triangle(directions: &[[f64; 2]]) -> Directed {
+        Directed {
+            points: vec![vec![0.0, 0.0], vec![2.0, 0.0], vec![0.0, 2.0]],
+            directions: directions.iter().map(|v| v.to_vec()).collect(),
+            weights: vec![1.0; directions.len()],
+        }
+    }
+
+    fn halves(vector: [i64; 2]) -> Vec<Fraction> {
+        vector.map(|x| (IBig::from(x), IBig::from(2))).to_vec()
+    }
+
+    fn square(lower_bound: f64, scale: i64) -> DirectedAnswer {
+        let forces = vec![(0, halves([-scale, -scale])), (1, halves([scale, 0])), (2, halves([0, scale]))];
+        DirectedAnswer::Optimal {
+            value: 2.0,
+            center: vec![1.0, 1.0],
+            coefficients: vec![1.0, 1.0],
+            lower_bound,
+            forces,
+        }
+    }
+
+    #[test]
+    fn a_square_around_a_triangle_by_hand() {
+        let question = triangle(&[[1.0, 0.0], [0.0, 1.0]]);
+        let proof = check_min_length_dirs(&question, &square(2.0, 1));
+        assert_eq!(proof, Ok(DirectedProof::Optimal { value: 2.0, gap: 0.0 }));
+        let complaint = |answer: &DirectedAnswer| check_min_length_dirs(&question, answer).expect_err("wrong");
+        assert!(complaint(&square(2.0_f64.next_up(), 1)).contains("lower_bound"));
+        assert!(complaint(&square(2.0, 2)).contains("load direction 1"));
+        let DirectedAnswer::Optimal { value, center, lower_bound, forces, .. } = square(2.0, 1) else { unreachable!() };
+        let with = |coefficients: Vec<f64>, value: f64, forces: Vec<(usize, Vec<Fraction>)>| DirectedAnswer::Optimal {
+            value,
+            center: center.clone(),
+            coefficients,
+            lower_bound,
+            forces,
+        };
+        assert!(
+            complaint(&with(vec![1.0, 1.0_f64.next_down()], value, forces.clone())).contains("point 1 lies outside")
+        );
+        assert!(complaint(&with(vec![1.0, 1.0], 2.0 + 1e-9, forces.clone())).contains("value"));
+        assert!(complaint(&with(vec![1.0, 1.0], value, forces[..2].to_vec())).contains("add up"));
+        assert!(complaint(&with(vec![1.0], value, forces)).contains("1 coefficients for 2"));
+    }
+
+    #[test]
+    fn points_out_of_reach_by_hand() {
+        let question = triangle(&[[1.0, 1.0]]);
+        let answer = |points, functional| DirectedAnswer::Infeasible { points, functional: halves(functional) };
+        assert_eq!(check_min_length_dirs(&question, &answer([0, 1], [1, -1])), Ok(DirectedProof::Infeasible));
+        assert!(check_min_length_dirs(&question, &answer([0, 0], [1, -1])).is_err());
+        assert!(check_min_length_dirs(&question, &answer([0, 1], [1, 1])).is_err());
+        assert!(check_min_length_dirs(&question, &answer([0, 9], [1, -1])).is_err());
+        assert!(check_min_length_dirs(&question, &answer([0, 1], [0, 0])).is_err());
+    }
+}

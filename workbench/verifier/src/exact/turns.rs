@@ -1,0 +1,69 @@
+//! Vectors of the plane in the order of their angles: what adds up along the way.
+
+use dashu_int::IBig;
+
+use crate::exact::linear::{Vector, is_zero};
+
+/// a × b in the plane.
+pub(crate) fn turn(a: &Vector, b: &Vector) -> IBig {
+    &a[0] * &b[1] - &a[1] * &b[0]
+}
+
+/// The vectors of the plane that are not zero, turned into one half of it, in the order of their angles.
+pub(crate) fn by_angle(vectors: Vec<Vector>) -> Vec<Vector> {
+    let upward = |v: Vector| -> Vector {
+        let down = v[1] < IBig::ZERO || v[1] == IBig::ZERO && v[0] < IBig::ZERO;
+        if down { v.into_iter().map(|component| -component).collect() } else { v }
+    };
+    let mut sorted: Vec<Vector> = vectors.into_iter().filter(|v| !is_zero(v)).map(upward).collect();
+    sorted.sort_by(|a, b| IBig::ZERO.cmp(&turn(a, b)));
+    sorted
+}
+
+/// Σ |a × b| over all pairs of vectors of the plane.
+pub(crate) fn turns(vectors: Vec<Vector>) -> IBig {
+    let mut before = vec![IBig::ZERO; 2];
+    by_angle(vectors).iter().map(|v| turn(&passed(&mut before, v), v)).sum()
+}
+
+/// What was before v, which is then counted as passed.
+fn passed(before: &mut Vector, v: &Vector) -> Vector {
+    let after = before.iter().zip(v).map(|(before, component)| before + component).collect();
+    std::mem::replace(before, after)
+}
+
+/// For each vector of the plane that is not zero, a direction orthogonal to it and how far the zonotope of all of them reaches along it.
+pub(crate) fn edges(vectors: Vec<Vector>) -> Vec<(Vector, IBig)> {
+    let sorted = by_angle(vectors);
+    let mut rest = vec![IBig::ZERO; 2];
+    sorted.iter().for_each(|v| drop(passed(&mut rest, v)));
+    let mut before = vec![IBig::ZERO; 2];
+    let edge = |v: Vector| {
+        let before = passed(&mut before, &v);
+        let after: Vector = rest.iter().zip(&before).map(|(rest, before)| rest - before).collect();
+        let reach = turn(&before, &v) + turn(&v, &after);
+        (vec![-&v[1], v[0].clone()], reach)
+    };
+    sorted.into_iter().map(edge).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::linear::dot;
+    use dashu_int::ops::Abs;
+
+    #[test]
+    fn edges_reach_as_far_as_the_sums_say() {
+        let vector = |x: i64, y: i64| -> Vector { vec![x.into(), y.into()] };
+        let vectors = vec![vector(3, 1), vector(-2, 5), vector(0, 0), vector(-3, -1), vector(0, -4), vector(7, 0)];
+        let edges = edges(vectors.clone());
+        assert_eq!(edges.len(), 5);
+        for (u, reach) in &edges {
+            let sum: IBig = vectors.iter().map(|v| dot(u, v).abs()).sum();
+            assert_eq!(*reach, sum);
+        }
+        let all: IBig = edges.iter().map(|(_, reach)| reach).sum();
+        assert_eq!(all, turns(vectors) * 2);
+    }
+}

@@ -1,0 +1,147 @@
+//! Whether a zonotope contains points: each is held against every facet.
+//!
+//! Every facet of { Σ δ_i g_i : |δ_i| ≤ 1 } is orthogonal to a normal u of d − 1 independent generators, so a vector p of their
+//! span lies inside just when |u · p| ≤ Σ |u · g_i| for all these u. In floating point first, pencil by pencil; what rounding leaves open, exactly.
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use super::pencils::Pencils;
+use crate::exact::linear::{Echelon, Vector, dot, is_zero};
+use crate::exact::subsets::{count_subsets, subsets};
+use crate::faces::normals::{
+    DOT_ERROR, Image, MOST_COORDINATES, Normal, TooMany, UNDERFLOW, image_dot, image_size, images,
+};
+
+/// So many pairs of a facet and a point are gone through, and of an open facet and a generator.
+const MOST_PAIRS: u64 = 4_000_000_000;
+
+/// Finding a facet takes as long as this many points.
+const POINTS_A_FACET: usize = 32;
+
+/// A vector that does not lie in the zonotope of the generators around the origin, unless there are too many facets.
+pub(crate) fn one_outside(
+    dimension: usize,
+    generators: &[Vector],
+    vectors: &[Vector],
+) -> Result<Option<usize>, TooMany> {
+    let generators: Vec<Vector> = generators.iter().filter(|generator| !is_zero(generator)).cloned().collect();
+    let span = Echelon::spanned(dimension, &generators);
+    if let Some(beside) = vectors.iter().position(|vector| !span.contains(vector)) {
+        return Ok(Some(beside));
+    }
+    let rank = span.rank();
+    if rank == 0 {
+        return Ok(None);
+    }
+    let pairs = count_subsets(generators.len(), rank - 1).saturating_mul((POINTS_A_FACET + vectors.len()) as u64);
+    if rank > MOST_COORDINATES || pairs > MOST_PAIRS {
+        return Err(TooMany);
+    }
+    // In coordinates that tell the vectors of the span apart, the zonotope has an interior.
+    let pivots = span.pivots();
+    let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+    let all: Vec<Vector> = generators.iter().chain(vectors).map(projected).collect();
+    let all_images = images(&all);
+    let (exact_generators, exact_points) = all.split_at(generators.len());
+    let (generator_images, point_images) = all_images.split_at(generators.len());
+    let body = Body { generators: exact_generators, images: generator_images };
+    let mut open_pairs = 0_u64;
+    let pencils = Pencils::new(rank, generator_images, point_images);
+    let mut beyond = |facet: &[usize]| {
+        open_pairs += generators.len() as u64;
+        if open_pairs > MOST_PAIRS {
+            return Err(TooMany);
+        }
+        let normal = Normal::of(rank, facet, exact_generators);
+        Ok(normal.and_then(|normal| body.first_beyond(&normal, exact_points, point_images)))
+    };
+    if rank == 1 {
+        return beyond(&[]);
+    }
+    for mut facet in subsets(generators.len(), rank - 2) {
+        for last in pencils.open(&facet) {
+            facet.push(last);
+            if let Some(outside) = beyond(&facet)? {
+                return Ok(Some(outside));
+            }
+            facet.pop();
+        }
+    }
+    Ok(None)
+}
+
+/// The zonotope of some generators, exactly and as images.
+struct Body<'a> {
+    generators: &'a [Vector],
+    images: &'a [Image],
+}
+
+impl Body<'_> {
+    /// The first point that is beyond one of the two facets with a normal.
+    fn first_beyond(&self, normal: &Normal, points: &[Vector], images: &[Image]) -> Option<usize> {
+        let (mut reach, mut size) = (0.0, 0.0);
+        for image in self.images {
+            reach += image_dot(&normal.image, image).abs();
+            size += image_size(&normal.image, image);
+        }
+        let count = self.images.len() as f64;
+        let doubt = size * (DOT_ERROR + count * f64::EPSILON) + (count + 1.0) * UNDERFLOW;
+        let is_open = |image: &Image| {
+            let certain = (reach - doubt - image_size(&normal.image, image) * DOT_ERROR).next_down();
+            image_dot(&normal.image, image).abs() >= certain
+        };
+        let open: Vec<usize> = (0..points.len()).filter(|&index| is_open(&images[index])).collect();
+        if open.is_empty() {
+            return None;
+        }
+        let exact_reach: IBig = self.generators.iter().map(|generator| dot(&normal.exact, generator).abs()).sum();
+        open.into_iter().find(|&index| dot(&normal.exact, &points[index]).abs() > exact_reach)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vectors(rows: &[&[i64]]) -> Vec<Vector> {
+        rows.iter().map(|row| row.iter().copied().map(IBig::from).collect()).collect()
+    }
+
+    fn outside(generators: &[&[i64]], points: &[&[i64]]) -> Option<usize> {
+        one_outside(points[0].len(), &vectors(generators), &vectors(points)).expect("few facets")
+    }
+
+    #[test]
+    fn a_box_and_its_boundary_by_hand() {
+        let cube: [&[i64]; 3] = [&[2, 0, 0], &[0, 2, 0], &[0, 0, 2]];
+        assert_eq!(outside(&cube, &[&[2, -2, 2], &[0, 0, 0], &[1, 2, -1]]), None);
+        assert_eq!(outside(&cube, &[&[2, -2, 2], &[0, 3, 0], &[2, 2, 2]]), Some(1));
+        let huge = 1_i64 << 60;
+        assert_eq!(outside(&[&[huge, 0], &[0, 1]], &[&[huge, 1]]), None);
+        assert_eq!(outside(&[&[huge, 0], &[0, 1]], &[&[huge + 1, 1]]), Some(0), "one unit beyond");
+    }
+
+    #[test]
+    fn flat_bodies_and_points() {
+        let segment: [&[i64]; 2] = [&[1, 2, 3], &[2, 4, 6]];
+        assert_eq!(outside(&segment, &[&[3, 6, 9], &[-1, -2, -3]]), None);
+        assert_eq!(outside(&segment, &[&[3, 6, 9], &[4, 8, 12]]), Some(1));
+        assert_eq!(outside(&segment, &[&[1, 2, 4]]), Some(0), "beside its line");
+        assert_eq!(outside(&[], &[&[0, 0], &[0, 1]]), Some(1));
+        assert_eq!(outside(&[&[0, 0]], &[&[0, 0]]), None);
+    }
+
+    #[test]
+    fn too_many_facets_are_not_begun() {
+        let many: Vec<Vector> = (0..20_000).map(|i| vec![IBig::from(i), IBig::from(i * i), IBig::ONE]).collect();
+        assert_eq!(one_outside(3, &many, &many[..1]), Err(TooMany));
+    }
+
+    #[test]
+    fn a_body_of_four_dimensions() {
+        let cross: [&[i64]; 5] = [&[1, 0, 0, 0], &[0, 1, 0, 0], &[0, 0, 1, 0], &[0, 0, 0, 1], &[1, 1, 1, 1]];
+        assert_eq!(outside(&cross, &[&[2, 2, 2, 2], &[2, 2, 2, 0]]), None);
+        assert_eq!(outside(&cross, &[&[2, 2, 2, 2], &[2, -1, 2, 0]]), Some(1));
+    }
+}

@@ -1,0 +1,93 @@
+//! Values of questions and answers, with complaints that name them.
+
+use dashu_int::IBig;
+use verifier::whole_direction;
+
+use crate::json::Tree;
+
+pub(super) fn member<'a>(object: &'a Tree, name: &str) -> Result<&'a Tree, String> {
+    object.field(name).ok_or_else(|| format!("`{name}` is missing"))
+}
+
+/// A figure of an answer: possibly an infinity, where the exact value is beyond the range of doubles.
+pub(super) fn float(object: &Tree, name: &str) -> Result<f64, String> {
+    member(object, name)?.float().ok_or_else(|| format!("`{name}` is not a number"))
+}
+
+pub(super) fn vector(value: &Tree, name: &str) -> Result<Vec<f64>, String> {
+    let components = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    components
+        .iter()
+        .map(|component| component.float().filter(|number| number.is_finite()))
+        .collect::<Option<_>>()
+        .ok_or_else(|| format!("`{name}` holds something else than finite numbers"))
+}
+
+pub(super) fn vectors(value: &Tree, name: &str) -> Result<Vec<Vec<f64>>, String> {
+    let rows = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    rows.iter().map(|row| vector(row, name)).collect()
+}
+
+pub(super) fn planar(value: &Tree, name: &str) -> Result<Vec<[f64; 2]>, String> {
+    let rows = vectors(value, name)?;
+    rows.into_iter()
+        .map(|row| {
+            <[f64; 2]>::try_from(row).map_err(|_| format!("`{name}` holds something else than points of the plane"))
+        })
+        .collect()
+}
+
+pub(super) fn index(object: &Tree, name: &str) -> Result<usize, String> {
+    member(object, name)?.index().ok_or_else(|| format!("`{name}` is not a whole number"))
+}
+
+pub(super) fn indices(object: &Tree, name: &str) -> Result<Vec<usize>, String> {
+    let list = member(object, name)?.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    list.iter()
+        .map(Tree::index)
+        .collect::<Option<_>>()
+        .ok_or_else(|| format!("`{name}` holds something else than indices"))
+}
+
+pub(super) fn text<'a>(object: &'a Tree, name: &str) -> Result<&'a str, String> {
+    member(object, name)?.text().ok_or_else(|| format!("`{name}` is not a string"))
+}
+
+pub(super) fn boolean(object: &Tree, name: &str) -> Result<bool, String> {
+    match member(object, name)? {
+        Tree::Bool(value) => Ok(*value),
+        _ => Err(format!("`{name}` is not true or false")),
+    }
+}
+
+/// An exact number `num` or `num/den`, as numerator and positive denominator.
+pub(super) fn fraction(text: &str) -> Option<(IBig, IBig)> {
+    let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
+    let number = |digits: &str| IBig::from_str_radix(digits, 10).ok();
+    let (numerator, denominator) = (number(numerator)?, number(denominator)?);
+    (denominator > IBig::ZERO).then_some((numerator, denominator))
+}
+
+pub(super) fn fractions(object: &Tree, name: &str) -> Result<Vec<(IBig, IBig)>, String> {
+    exact_numbers(member(object, name)?).ok_or_else(|| format!("`{name}` is not a list of exact numbers"))
+}
+
+/// A list of exact numbers.
+pub(super) fn exact_numbers(value: &Tree) -> Option<Vec<(IBig, IBig)>> {
+    value.list()?.iter().map(|value| value.text().and_then(fraction)).collect()
+}
+
+/// A direction as whole numbers: its length says nothing. Components are finite floats, or all of them exact numbers.
+pub(super) fn direction(object: &Tree, name: &str) -> Result<Vec<IBig>, String> {
+    let components = member(object, name)?.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    let wrong = || format!("`{name}` holds something else than finite or exact numbers");
+    if components.iter().any(|component| component.text().is_some()) {
+        let exact: Vec<(IBig, IBig)> =
+            components.iter().map(|c| c.text().and_then(fraction)).collect::<Option<_>>().ok_or_else(wrong)?;
+        let common: IBig = exact.iter().map(|(_, denominator)| denominator).product();
+        return Ok(exact.iter().map(|(numerator, denominator)| numerator * (&common / denominator)).collect());
+    }
+    let floats = vector(member(object, name)?, name)?;
+
+    Ok(whole_direction(&floats))
+}
