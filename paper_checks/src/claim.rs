@@ -2,8 +2,6 @@
 
 use experiments::catalog::EXPERIMENTS;
 
-use crate::catalog;
-
 /// One statement of the paper, or one correction to it.
 #[derive(Debug)]
 pub struct Claim {
@@ -42,15 +40,6 @@ impl Claim {
     pub fn experiments(&self) -> Vec<&'static str> {
         let naming = EXPERIMENTS.iter().filter(|experiment| experiment.claims.contains(&self.id));
         naming.map(|experiment| experiment.id).collect()
-    }
-
-    /// Runs the check, following a restatement to its original; `None` when there is no check yet.
-    pub fn verdict(&self, context: &CheckContext) -> Option<Verdict> {
-        match self.check {
-            Check::NotYetImplemented => None,
-            Check::Restates(id) => catalog::find(id)?.verdict(context),
-            Check::Run(check) => Some(check(context)),
-        }
     }
 }
 

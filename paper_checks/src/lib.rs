@@ -10,10 +10,10 @@
 //! compares the two (`ZONOTOPE_BLESS=1` rewrites the file).
 //!
 //! ```
-//! use paper_checks::{CheckContext, Verdict, catalog};
+//! use paper_checks::{CheckContext, Verdict, catalog, verdict};
 //!
 //! let claim = catalog::find("lemma-4.3").expect("the lemma is listed");
-//! let verdict = claim.verdict(&CheckContext::default()).expect("the lemma has a check");
+//! let verdict = verdict(claim, &CheckContext::default()).expect("the lemma has a check");
 //! assert!(matches!(verdict, Verdict::Holds(_)));
 //! ```
 
@@ -30,6 +30,7 @@ mod library;
 mod linear_program;
 pub mod plane;
 mod proofs;
+mod pyramids;
 mod ratio;
 mod runs;
 pub mod space;
@@ -37,4 +38,4 @@ mod subdifferential;
 mod upper_hull;
 
 pub use claim::{Check, CheckContext, Claim, ClaimKind, Measurement, Place, Verdict};
-pub use ledger::{ClaimResult, markdown, run, text};
+pub use ledger::{ClaimResult, markdown, run, text, verdict};
