@@ -1,7 +1,7 @@
 //! The whole of Section 4.1 against its hull alone, and the kernel's methods against each other, on the point families.
 //!
-//! `cargo bench -p experiments`; a filter such as `-- whole/circle` selects. The hull against the crate `geo` is the bench
-//! `hull` of `experiments/peers`.
+//! `cargo bench -p experiments`; a filter such as `-- whole/circle` selects. The hull against the crate `geo` is the
+//! bench `hull` of `experiments/peers`.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,5 +1,5 @@
-//! Real inputs, compiled into the program: country outlines and airports in the plane, meshes in space, flowers in four dimensions.
-//! Sources and licences: `data/SOURCES.md`.
+//! Real inputs, compiled into the program: country outlines and airports in the plane, meshes in space, flowers in four
+//! dimensions. Sources and licences: `data/SOURCES.md`.
 
 use std::sync::LazyLock;
 
@@ -85,7 +85,8 @@ pub fn airports() -> &'static [[f64; 2]] {
     &AIRPORTS
 }
 
-/// How many points the real input called `name` has, in the plane or beyond: `iris`, a mesh, or one of those of [`points`].
+/// How many points the real input called `name` has, in the plane or beyond: `iris`, a mesh, or one of those of
+/// [`points`].
 pub fn size(name: &str) -> Option<usize> {
     match name {
         "iris" => Some(iris().len()),

@@ -96,7 +96,8 @@ pub struct FitPlan {
     pub families: &'static [&'static str],
     /// What it is compared with.
     pub models: &'static [GrowthModel],
-    /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth contradicts it.
+    /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth
+    /// contradicts it.
     pub bound: Option<GrowthModel>,
 }
 
@@ -129,7 +130,8 @@ pub struct Timing {
     pub prepare: fn(&Case) -> Result<TimedWork, String>,
 }
 
-/// Work that can be repeated: laps go to the stopwatch, and the digest of the answer comes back (it must be that of the counted run).
+/// Work that can be repeated: laps go to the stopwatch, and the digest of the answer comes back (it must be that of the
+/// counted run).
 pub type TimedWork = Box<dyn FnMut(&mut Stopwatch) -> Result<u64, String>>;
 
 /// An experiment.
@@ -145,7 +147,8 @@ pub struct Experiment {
     pub claims: &'static [&'static str],
     /// Families (of points, of clouds, of lines or of bodies) that give instances of every size.
     pub families: &'static [&'static str],
-    /// Real inputs (`airports`, `iris`, the name of an outline or of a mesh) and solids, which give one instance each, of their own size.
+    /// Real inputs (`airports`, `iris`, the name of an outline or of a mesh) and solids, which give one instance each,
+    /// of their own size.
     pub real_inputs: &'static [&'static str],
     /// Sizes of the instances.
     pub sizes: PerProfile<&'static [usize]>,

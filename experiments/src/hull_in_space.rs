@@ -1,18 +1,20 @@
 //! Convex hull of points in space, by adding one point after the other.
 //!
 //! # Statement
-//! Input: points of R^3. Output: triangles, counter-clockwise as seen from outside, that together are the boundary of the hull; `None` when all
-//! points lie in a plane.
+//! Input: points of R^3. Output: triangles, counter-clockwise as seen from outside, that together are the boundary of
+//! the hull; `None` when all points lie in a plane.
 //!
 //! # Method
 //! 1. Four points that span a tetrahedron.
-//! 2. For each further point the triangles that see it; none: it is inside. Otherwise those give way to triangles from the point to their rim.
+//! 2. For each further point the triangles that see it; none: it is inside. Otherwise those give way to triangles from
+//!    the point to their rim.
 //!
 //! # Complexity
 //! n points, h triangles: O(n h) turns; meant for inputs of experiments and figures.
 //!
 //! # Numerics
-//! Each turn is exact (`robust`), so that the triangles are those of the exact hull; a facet of several collinear or coplanar points comes in several of them.
+//! Each turn is exact (`robust`), so that the triangles are those of the exact hull; a facet of several collinear or
+//! coplanar points comes in several of them.
 //!
 //! # Checked by
 //! Euler's relation and that no point is outside of a triangle, in the tests.

@@ -2,7 +2,8 @@
 //!
 //! - [`families`]: deterministic generators of point sets and line sets; [`data`]: real inputs, compiled in.
 //! - [`definition`]: what an experiment is; [`definitions`]: the experiments; [`catalog`]: their list.
-//! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]: stable seeds.
+//! - [`runner`]: counts, times and records; [`record`]: the rows; [`environment`]: where they were made; [`seed`]:
+//!   stable seeds.
 //! - [`peers`]: the methods of other libraries beside ours, as a record and its tables.
 //! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
 //!

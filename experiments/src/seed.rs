@@ -1,4 +1,5 @@
-//! Stable hashes: seeds of cases and digests of answers. Written out here so that no library update can change a recorded seed.
+//! Stable hashes: seeds of cases and digests of answers. Written out here so that no library update can change a
+//! recorded seed.
 
 /// Offset and prime of the 64-bit Fowler-Noll-Vo hash, variant 1a.
 const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;

@@ -5,8 +5,8 @@
 //! - [`min_area`]: what the figures of section 4.1 share; [`growth_plot`]: what the plots of experiments share.
 //! - [`figure`]: what a figure is; [`gallery`]: the figures; [`catalog`]: their list.
 //!
-//! The folder `gallery` beside the sources holds the drawings of all figures that depend on neither clock nor machine; a
-//! test draws them again and compares bytes. `ZONOTOPE_BLESS=1 cargo test -p figures` writes them anew.
+//! The folder `gallery` beside the sources holds the drawings of all figures that depend on neither clock nor machine;
+//! a test draws them again and compares bytes. `ZONOTOPE_BLESS=1 cargo test -p figures` writes them anew.
 
 pub mod axes;
 pub mod catalog;

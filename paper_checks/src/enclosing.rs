@@ -1,7 +1,7 @@
 //! Zonotopes along given directions, in any dimension, from their definition and in exact rationals.
 //!
-//! Like [`space`](crate::space), the checks' own side of each comparison, without regard to speed: normals by elimination for every
-//! subset of d − 1 directions, programs by the simplex method of this crate.
+//! Like [`space`](crate::space), the checks' own side of each comparison, without regard to speed: normals by
+//! elimination for every subset of d − 1 directions, programs by the simplex method of this crate.
 
 use std::collections::BTreeSet;
 
@@ -47,7 +47,8 @@ pub(crate) fn root_above(square: &RBig) -> RBig {
     exactly(root)
 }
 
-/// For each subset of `dimension` − 1 vectors whose normal is unique, that normal, its first coordinate that is not zero being 1; each once.
+/// For each subset of `dimension` − 1 vectors whose normal is unique, that normal, its first coordinate that is not
+/// zero being 1; each once.
 pub(crate) fn facet_normals(vectors: &[Row], dimension: usize) -> BTreeSet<Row> {
     let mut found = BTreeSet::new();
     subsets(vectors.len(), dimension - 1, &mut |subset| {
@@ -144,8 +145,8 @@ pub(crate) fn least_length(points: &[Row], directions: &[Row], dimension: usize)
     least(&costs, &equations)
 }
 
-/// The least Σ c_i by the program of Section 4.2 as it is printed, on the points given; `None` when it has no solution. With b_ij = s_ij − c_i
-/// the bounds are 0 ≤ s_ij and s_ij + t_ij = 2 c_i, t_ij ≥ 0.
+/// The least Σ c_i by the program of Section 4.2 as it is printed, on the points given; `None` when it has no solution.
+/// With b_ij = s_ij − c_i the bounds are 0 ≤ s_ij and s_ij + t_ij = 2 c_i, t_ij ≥ 0.
 pub(crate) fn papers_program(points: &[Row], directions: &[Row], dimension: usize) -> Option<RBig> {
     let (count, number) = (directions.len(), points.len());
     let share = |i: usize, j: usize| count + 2 * dimension + 2 * (j * count + i);
@@ -174,8 +175,8 @@ pub(crate) fn papers_program(points: &[Row], directions: &[Row], dimension: usiz
     least(&costs, &equations)
 }
 
-/// Which point lies outside { center + Σ δ_i generators_i : |δ_i| <= 1 }, if any: no normal of the generators and the axes separates the others.
-/// The axes decide when the generators do not span.
+/// Which point lies outside { center + Σ δ_i generators_i : |δ_i| <= 1 }, if any: no normal of the generators and the
+/// axes separates the others. The axes decide when the generators do not span.
 pub(crate) fn first_outside(center: &[RBig], generators: &[Row], points: &[Row]) -> Option<usize> {
     let dimension = center.len();
     let axes = (0..dimension).map(|a| (0..dimension).map(|c| integer(i64::from(a == c))).collect());

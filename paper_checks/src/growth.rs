@@ -22,8 +22,9 @@ pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -
     if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
 }
 
-/// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth beyond the bound, here or
-/// in the experiments on the methods that it is about, leaves it open. What the experiments say of other methods is told beside it.
+/// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth
+/// beyond the bound, here or in the experiments on the methods that it is about, leaves it open. What the experiments
+/// say of other methods is told beside it.
 pub(crate) fn verdict(
     context: &CheckContext,
     claim: &Claim,

@@ -77,9 +77,9 @@ fn tally(results: &[ClaimResult]) -> String {
 pub fn markdown(results: &[ClaimResult]) -> String {
     let mut page = String::from(
         "# Claims\n\n\
-         Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003), with the evidence that the\n\
-         checks of this crate produce in exact arithmetic and the verdict. A refuted row says what to read instead. The\n\
-         file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
+         Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003), with the evidence\n\
+         that the checks of this crate produce in exact arithmetic and the verdict. A refuted row says what to read\n\
+         instead. The file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
     );
     let mut line = |text: std::fmt::Arguments| {
         writeln!(page, "{text}").expect("because writing to a string does not fail");

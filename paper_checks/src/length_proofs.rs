@@ -13,7 +13,8 @@ fn rounding() -> RBig {
     fraction(1, 1_000_000_000_000)
 }
 
-/// Whether a zonotope along given directions contains every point, costs what it says, and has forces that prove its lower bound.
+/// Whether a zonotope along given directions contains every point, costs what it says, and has forces that prove its
+/// lower bound.
 pub(crate) fn check_directed<const D: usize>(
     problem: &FixedDirections<'_, D>,
     answer: &DirectedZonotope<D>,
@@ -59,8 +60,9 @@ fn balanced_gain(forces: &[(usize, Row)], points: &[Row], dimension: usize) -> R
     Ok(gain)
 }
 
-/// Whether a zonotope contains every point, its length is what it says, and its forces prove the lower bound for all directions: the
-/// farthest vertex of Σ [−1, 1] λ_j, found by looking at every vertex, divides Σ λ_j · p_j. In the plane and in space.
+/// Whether a zonotope contains every point, its length is what it says, and its forces prove the lower bound for all
+/// directions: the farthest vertex of Σ [−1, 1] λ_j, found by looking at every vertex, divides Σ λ_j · p_j. In the
+/// plane and in space.
 pub(crate) fn check_shortest<const D: usize>(points: &[[f64; D]], answer: &MinLengthZonotope<D>) -> Result<(), String> {
     let points = exact_rows(points);
     let generators = exact_rows(answer.zonotope.generators());
@@ -92,7 +94,8 @@ pub(crate) fn length(generators: &[Row]) -> RBig {
     generators.iter().fold(RBig::ZERO, |sum, g| sum + root_above(&dot(g, g)))
 }
 
-/// The square of the distance of the farthest vertex of Σ [−1, 1] λ_j from the origin; `None` when the vectors of space do not span it.
+/// The square of the distance of the farthest vertex of Σ [−1, 1] λ_j from the origin; `None` when the vectors of space
+/// do not span it.
 fn farthest_vertex_squared(vectors: &[Row], dimension: usize) -> Option<RBig> {
     if dimension == 2 {
         let vertices = vectors.iter().flat_map(|own| {

@@ -3,8 +3,8 @@
 //!
 //! A [`Claim`] is a static value in a file of its own under `claims/`, listed in [`catalog::CLAIMS`]. Its check works
 //! in exact rational arithmetic on instances drawn from a fixed seed, and derives its own side of the comparison from
-//! the definitions in [`plane`] and [`space`]; the library's answer is only ever the other side. Claims whose check has not been
-//! written stand in the ledger all the same, as not yet implemented.
+//! the definitions in [`plane`] and [`space`]; the library's answer is only ever the other side. Claims whose check has
+//! not been written stand in the ledger all the same, as not yet implemented.
 //!
 //! [`run`] checks everything, [`markdown`] writes the ledger; the committed `CLAIMS.md` is that text, and a test
 //! compares the two (`ZONOTOPE_BLESS=1` rewrites the file).

@@ -11,7 +11,8 @@ pub(crate) struct Equation {
     pub(crate) right: RBig,
 }
 
-/// The least Σ costs_i x_i over x ≥ 0 that satisfy the equations; `None` when there is no such x. No cost may be negative.
+/// The least Σ costs_i x_i over x ≥ 0 that satisfy the equations; `None` when there is no such x. No cost may be
+/// negative.
 ///
 /// Two phases with Bland's rule, so that it ends on degenerate programs too.
 pub(crate) fn least(costs: &[RBig], equations: &[Equation]) -> Option<RBig> {

@@ -47,7 +47,7 @@ fn facet_normals(generators: &[Vec<RBig>], dimension: usize) -> BTreeSet<Vec<RBi
         .filter_map(|subset| {
             let minor = |axis: usize| {
                 let rows: Vec<Vec<RBig>> = subset.iter().map(|&index| without(&generators[index], axis)).collect();
-                if axis % 2 == 0 { determinant(&rows) } else { -determinant(&rows) }
+                if axis.is_multiple_of(2) { determinant(&rows) } else { -determinant(&rows) }
             };
             let normal: Vec<RBig> = (0..dimension).map(minor).collect();
             let leading = normal.iter().find(|c| **c != RBig::ZERO)?.clone();
@@ -81,7 +81,7 @@ fn determinant(rows: &[Vec<RBig>]) -> RBig {
     (0..first.len()).filter(|&column| first[column] != RBig::ZERO).fold(RBig::ZERO, |sum, column| {
         let minor: Vec<Vec<RBig>> = rest.iter().map(|row| without(row, column)).collect();
         let term = &first[column] * determinant(&minor);
-        if column % 2 == 0 { sum + term } else { sum - term }
+        if column.is_multiple_of(2) { sum + term } else { sum - term }
     })
 }
 

@@ -1,7 +1,7 @@
 //! Zonotopes of R^3 from their definition, in exact rationals and without regard to speed.
 //!
-//! Like [`plane`](crate::plane), this is the checks' own side of each comparison: membership is decided by the normals of all pairs of
-//! generators, and faces are found by looking at every pair.
+//! Like [`plane`](crate::plane), this is the checks' own side of each comparison: membership is decided by the normals
+//! of all pairs of generators, and faces are found by looking at every pair.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -118,8 +118,8 @@ impl Body {
 
     /// Whether a point lies in the body: no normal of two generators or coordinate axes separates it.
     ///
-    /// The axes decide for flat bodies: the body is the limit of its sums with smaller and smaller cubes, whose facets have such
-    /// normals.
+    /// The axes decide for flat bodies: the body is the limit of its sums with smaller and smaller cubes, whose facets
+    /// have such normals.
     pub fn holds(&self, point: &Vector) -> bool {
         let offset = self.center.to(point);
         self.deciding_normals().iter().all(|normal| normal.dot(&offset) <= self.reach(normal))

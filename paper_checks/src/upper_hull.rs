@@ -17,7 +17,8 @@ pub(crate) struct UpperFacet {
     pub(crate) tile: Vec<Point>,
 }
 
-/// Bodies in general position no two of whose generators have parallel projections: every pair spans a facet that looks up.
+/// Bodies in general position no two of whose generators have parallel projections: every pair spans a facet that looks
+/// up.
 pub(crate) fn tilings(random: &mut rand_pcg::Pcg64Mcg, count: usize) -> Vec<(BodyInstance, Body, Vec<UpperFacet>)> {
     let instances = bodies_in_general_position(random, count).into_iter();
     instances

@@ -1,7 +1,9 @@
-//! Proptest strategies for questions of collision in any dimension: every way of being degenerate that the methods promise to handle.
+//! Proptest strategies for questions of collision in any dimension: every way of being degenerate that the methods
+//! promise to handle.
 //!
-//! A question is generators and the two ends of a displacement. Where the displacement ends is constructed from the generators: on a
-//! vertex, an edge or a facet, a unit in the last place off it, well inside, well outside, in the centre.
+//! A question is generators and the two ends of a displacement. Where the displacement ends is constructed from the
+//! generators: on a vertex, an edge or a facet, a unit in the last place off it, well inside, well outside, in the
+//! centre.
 
 use proptest::collection::vec;
 use proptest::prelude::*;

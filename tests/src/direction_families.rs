@@ -1,4 +1,5 @@
-//! Proptest strategies for points, directions and weights of any dimension: every way of being degenerate that Section 4.2 allows.
+//! Proptest strategies for points, directions and weights of any dimension: every way of being degenerate that Section
+//! 4.2 allows.
 
 use proptest::array::uniform;
 use proptest::collection::vec;
@@ -100,7 +101,8 @@ fn combinations<const D: usize>(bases: &[[f64; D]], factors: &[Vec<i32>]) -> Vec
     factors.iter().map(sum).collect()
 }
 
-/// Directions of a subspace, points of one of its translates; in half of the cases one point is moved off it, by much or by little.
+/// Directions of a subspace, points of one of its translates; in half of the cases one point is moved off it, by much
+/// or by little.
 pub fn flat<const D: usize>() -> Instances<D> {
     let factors = |count| vec(vec(-3..=3i32, D - 1), count);
     let off = prop_oneof![Just(0.0), Just(0.0), Just(1.0), Just(1e-300)];

@@ -1,8 +1,8 @@
 //! The exact twin of the kernel, from the definition alone: the least value of c·x + Σ w |a·x + b| in rationals.
 //!
-//! It shares nothing with the library. A convex piecewise linear function that is bounded below has its least value at a
-//! vertex of the arrangement, or on one of the lines if all of them are parallel; it is unbounded if it falls along one
-//! of finitely many directions, between which its slope at infinity is linear.
+//! It shares nothing with the library. A convex piecewise linear function that is bounded below has its least value at
+//! a vertex of the arrangement, or on one of the lines if all of them are parallel; it is unbounded if it falls along
+//! one of finitely many directions, between which its slope at infinity is linear.
 
 use dashu_ratio::RBig;
 

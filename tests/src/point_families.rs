@@ -1,4 +1,5 @@
-//! Proptest strategies for point sets of the plane: every way of being degenerate that the algorithms promise to handle.
+//! Proptest strategies for point sets of the plane: every way of being degenerate that the algorithms promise to
+//! handle.
 
 use std::f64::consts::TAU;
 
@@ -13,8 +14,8 @@ macro_rules! test_on_point_families {
     ($strategy:expr, $cases:expr, $check:expr) => {
         $crate::test_on_point_families!(
             $strategy, $cases, $check;
-            generic lattice_points collinear duplicates symmetric regular_polygons near_parallel scaled one_ulp mixed_scales
-            staggered ends_of_the_range
+            generic lattice_points collinear duplicates symmetric regular_polygons near_parallel scaled one_ulp
+            mixed_scales staggered ends_of_the_range
         );
     };
     ($strategy:expr, $cases:expr, $check:expr; $($family:ident)*) => {$(

@@ -74,23 +74,34 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
     let n = &mut numbers;
     let planar = 2;
     let space = 3;
+    let body = |n: &mut _, dimension, count| {
+        let center = vector(n, dimension);
+        json!({"center": center, "generators": vectors(n, dimension, count)})
+    };
+    let with = |mut input: Value, field: &str, value| {
+        input[field] = value;
+        input
+    };
     match kind {
         "member" => {
-            json!({"point": vector(n, dimension), "center": vector(n, dimension), "generators": vectors(n, dimension, count)})
+            let point = vector(n, dimension);
+            with(body(n, dimension, count), "point", point)
         }
         "intersect" => {
-            let mut body = |count| json!({"center": vector(n, dimension), "generators": vectors(n, dimension, count)});
-            json!({"a": body(count / 2), "b": body(count - count / 2)})
+            let a = body(n, dimension, count / 2);
+            json!({"a": a, "b": body(n, dimension, count - count / 2)})
         }
         "gauge" => {
             json!({"p": vector(n, dimension), "q": vector(n, dimension), "generators": vectors(n, dimension, count)})
         }
         "member_batch" => {
             let dimension = dimension.min(space);
-            json!({"center": vector(n, dimension), "generators": vectors(n, dimension, count), "points": vectors(n, dimension, 3)})
+            let input = body(n, dimension, count);
+            with(input, "points", vectors(n, dimension, 3))
         }
         "support" => {
-            json!({"direction": vector(n, dimension), "center": vector(n, dimension), "generators": vectors(n, dimension, count)})
+            let direction = vector(n, dimension);
+            with(body(n, dimension, count), "direction", direction)
         }
         "combinatorics" => json!({"generators": vectors(n, dimension, count)}),
         "slope_selection" => json!({"generators": vectors(n, space, count), "k": [1]}),
@@ -211,8 +222,8 @@ proptest! {
     }
 }
 
-/// The area of this rectangle lies between the largest double and the next power of two, less than half a unit above: rounded up it
-/// is infinite, rounded to the nearest it is not.
+/// The area of this rectangle lies between the largest double and the next power of two, less than half a unit above:
+/// rounded up it is infinite, rounded to the nearest it is not.
 #[test]
 fn an_area_just_above_the_largest_double_is_infinite_and_verifies() {
     let share = 1.25 / f64::from(1 << 27);

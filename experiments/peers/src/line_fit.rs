@@ -1,4 +1,5 @@
-//! The L1 line fit: the kernel (`zonotope::line_fit`) against the crate `palb`, the published exact solver, on the same points.
+//! The L1 line fit: the kernel (`zonotope::line_fit`) against the crate `palb`, the published exact solver, on the same
+//! points.
 
 use experiments::families::source::RandomSource;
 use experiments::peers::LineFit;
@@ -42,7 +43,8 @@ pub fn compare(n: usize, repetitions: usize, seed: u64) -> anyhow::Result<LineFi
     Ok(record)
 }
 
-/// Points (x, 3 x − 1 + noise), x uniform in [−1, 1), the noise a product of two normal numbers: heavier tails than normal ones.
+/// Points (x, 3 x − 1 + noise), x uniform in [−1, 1), the noise a product of two normal numbers: heavier tails than
+/// normal ones.
 fn points(n: usize, seed: u64) -> Vec<[f64; 2]> {
     let mut source = RandomSource::new(seed);
     (0..n)

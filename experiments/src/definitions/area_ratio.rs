@@ -9,9 +9,9 @@ use zonotope::tally::OperationCounts;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "area-ratio",
     title: "Minimum-area enclosing zonogon: area against the hull",
-    question: "The ratio is 2 for every triangle and 1 for a centrally symmetric hull; no input exceeds 2. Points on a circle come \
-               near 1 as their number grows; country outlines lie in between. `relative_gap` is the certified distance from the \
-               optimum.",
+    question: "The ratio is 2 for every triangle and 1 for a centrally symmetric hull; no input exceeds 2. Points on a \
+               circle come near 1 as their number grows; country outlines lie in between. `relative_gap` is the \
+               certified distance from the optimum.",
     claims: &["theorem-4.5", "erratum-4.1-vertex", "fixed-center-optimum"],
     families: &[
         "circle",

@@ -29,7 +29,8 @@ pub(super) const ALL_PLACEMENTS: &[&str] = &[
 /// Just inside, where no method ends early: outside, one hull is enough, or the projection.
 pub(super) const JUST_INSIDE: &[&str] = &["inside_1e-9", "inside_1e-6", "inside_1e-12", "inside_1e-3"];
 
-/// The question of a case: instance k takes entry k of a cycle of placements; the next one that the body admits, if it does not admit that one.
+/// The question of a case: instance k takes entry k of a cycle of placements; the next one that the body admits, if it
+/// does not admit that one.
 pub(super) fn question(case: &Case, cycle: &[&str]) -> Result<Question, String> {
     let generators = case.body()?;
     (0..cycle.len())

@@ -1,4 +1,5 @@
-//! What the experiments on given directions share: the three forms as variants, directions, and what is recorded of an answer.
+//! What the experiments on given directions share: the three forms as variants, directions, and what is recorded of an
+//! answer.
 
 use crate::definition::{Case, Measurement, PerProfile, TimedWork, Variant, Verdict};
 use crate::families::clouds::{Cloud, on_sphere};
@@ -54,7 +55,8 @@ pub(super) fn digest<const D: usize>(answer: &DirectedZonotope<D>) -> u64 {
     digest.floats(&[answer.value, answer.lower_bound]).finish()
 }
 
-/// Runs a variant on a case with `k` directions of weight 1, and checks value, lower bound and, if that is not too much, every point.
+/// Runs a variant on a case with `k` directions of weight 1, and checks value, lower bound and, if that is not too
+/// much, every point.
 pub(super) fn measure(case: &Case, cloud: &Cloud, k: usize) -> Result<Measurement, String> {
     match cloud {
         Cloud::Plane(points) => measure_in(case, points, k),
@@ -88,7 +90,8 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]], k: usize) -> Res
         .with_value("relative_gap", answer.relative_gap()))
 }
 
-/// The most rows that the analysis allows: one for each normal and side, or d equations and 2k bounds for the point that is extreme there.
+/// The most rows that the analysis allows: one for each normal and side, or d equations and 2k bounds for the point
+/// that is extreme there.
 fn most_rows(variant: &str, k: usize, dimension: usize) -> Option<f64> {
     let normals = (0..dimension - 1).fold(1, |count, i| count * (k - i) / (i + 1));
     let rows = match variant {

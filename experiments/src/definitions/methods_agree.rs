@@ -13,8 +13,9 @@ const TWIN_LIMIT: usize = 24;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "methods-agree",
     title: "Least absolute deviations kernel: agreement of the methods",
-    question: "No row is wrong: every method's certificate passes the exact verifier, its minimum equals that of the exact twin (up to \
-               24 lines) or of another method (beyond) as a rational number, and so does the dimension of the set of minimisers.",
+    question: "No row is wrong: every method's certificate passes the exact verifier, its minimum equals that of the \
+               exact twin (up to 24 lines) or of another method (beyond) as a rational number, and so does the \
+               dimension of the set of minimisers.",
     claims: &["theorem-4.5", "corollary-4.4", "erratum-4.1-ties", "minimum-at-vertex"],
     families: &[
         "random_lines",

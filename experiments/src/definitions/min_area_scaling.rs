@@ -12,8 +12,9 @@ use zonotope::tally::OperationCounts;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "min-area-scaling",
     title: "Minimum-area enclosing zonogon: growth with the number of points",
-    question: "With the paper's search the operations grow no faster than n log^2 n; with pruning no faster than the hull's n log n. \
-               The lap `hull` is the hull alone on the same points: with few points on the hull it is nearly all of `total`.",
+    question: "With the paper's search the operations grow no faster than n log^2 n; with pruning no faster than the \
+               hull's n log n. The lap `hull` is the hull alone on the same points: with few points on the hull it is \
+               nearly all of `total`.",
     claims: &["theorem-4.5", "summary-min-area"],
     families: SCALING_FAMILIES,
     real_inputs: &[],
@@ -37,8 +38,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     ],
 };
 
-/// Up to this many points every answer is verified. The exact check takes about 30 microseconds for each vertex of the hull, so beyond
-/// only the first instance is.
+/// Up to this many points every answer is verified. The exact check takes about 30 microseconds for each vertex of the
+/// hull, so beyond only the first instance is.
 const VERIFIED_SIZE: usize = 1 << 17;
 
 /// A hash of the zonogon and of both bounds of its area.

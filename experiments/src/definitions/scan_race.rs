@@ -21,8 +21,9 @@ const SCAN: &str = "extreme_point_scan";
 pub const EXPERIMENT: Experiment = Experiment {
     id: "scan-race",
     title: "Along 50 directions: the zonotope in less time than the paper's scan of the points",
-    question: "Fifty directions in space have 1225 facet normals, and the paper reads all points along each of them before its linear program begins. With normals as they are needed \
-               the points are read a few times, and the whole answer, proofs included, takes less time than that scan: compare `total` of the two variants. \
+    question: "Fifty directions in space have 1225 facet normals, and the paper reads all points along each of them \
+               before its linear program begins. With normals as they are needed the points are read a few times, and \
+               the whole answer, proofs included, takes less time than that scan: compare `total` of the two variants. \
                `extreme_points` is what the scan finds; every force of the other answer acts at one of them.",
     claims: &["theorem-4.6", "extreme-points-suffice"],
     families: &["ball_3", "sphere_3"],

@@ -13,10 +13,11 @@ const QUESTIONS: u32 = 10;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "wrong-answers",
     title: "Collision: wrong answers, method by method",
-    question: "The truth of every question is known from its construction. The exact methods are never wrong. GJK, which computes \
-               in floating point alone, is right on clear cases and fails near contact, the more the closer. The linear programs' \
-               engines are only believed where an exact proof succeeds, so they fail openly instead. Instance k asks about placement k: overlapping, separated, \
-               gaps of 1e-3, 1e-6, 1e-9 and 1e-12 inside and outside, touching.",
+    question: "The truth of every question is known from its construction. The exact methods are never wrong. GJK, \
+               which computes in floating point alone, is right on clear cases and fails near contact, the more the \
+               closer. The linear programs' engines are only believed where an exact proof succeeds, so they fail \
+               openly instead. Instance k asks about placement k: overlapping, separated, gaps of 1e-3, 1e-6, 1e-9 and \
+               1e-12 inside and outside, touching.",
     claims: &["theorem-5.2", "erratum-5.1-difference"],
     families: BODY_FAMILIES,
     real_inputs: &[],

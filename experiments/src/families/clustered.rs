@@ -12,7 +12,8 @@ const SPREAD: f64 = 0.01;
 pub const CLUSTERED: Family = Family {
     id: "clustered",
     title: "Clustered",
-    description: "16 Gaussian clusters of standard deviation 0.01, centres uniform in the unit disc, each point in a random cluster",
+    description: "16 Gaussian clusters of standard deviation 0.01, centres uniform in the unit disc, each point in a \
+        random cluster",
     hull_size: HullSize::Few,
     is_random: true,
     generate: points,

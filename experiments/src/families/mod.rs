@@ -1,8 +1,8 @@
-//! Instance families: deterministic generators of point sets in the plane, of point clouds in two to four dimensions in [`clouds`], of line
-//! sets for the kernel in [`lines`], and of zonotopes with questions about them in [`bodies`].
+//! Instance families: deterministic generators of point sets in the plane, of point clouds in two to four dimensions in
+//! [`clouds`], of line sets for the kernel in [`lines`], and of zonotopes with questions about them in [`bodies`].
 //!
-//! A family is a static value; the instance is a function of the family, the number of points and a seed. Transcendental functions
-//! come from `libm`, so instances agree bit for bit on every machine.
+//! A family is a static value; the instance is a function of the family, the number of points and a seed.
+//! Transcendental functions come from `libm`, so instances agree bit for bit on every machine.
 //!
 //! | family | points on the hull | what it is for |
 //! | --- | --- | --- |

@@ -1,11 +1,12 @@
 //! Uniformly random convex polygons, by Valtr's algorithm, on a grid of step 2^-51 so that every vertex is exact.
 //!
-//! 1. n sorted random integers are split into two chains from the smallest to the largest: their steps, one chain forwards and the
-//!    other backwards, are n signed integers of sum 0. Likewise for the other coordinate.
+//! 1. n sorted random integers are split into two chains from the smallest to the largest: their steps, one chain
+//!    forwards and the other backwards, are n signed integers of sum 0. Likewise for the other coordinate.
 //! 2. The two lists are paired at random into n edge vectors and sorted by direction, exactly.
 //! 3. The partial sums of the edge vectors are the vertices of a convex polygon.
 //!
-//! Source: P. Valtr, Probability that n random points are in convex position, Discrete & Computational Geometry 13 (1995).
+//! Source: P. Valtr, Probability that n random points are in convex position, Discrete & Computational Geometry 13
+//! (1995).
 
 use super::source::RandomSource;
 use super::{Family, HullSize};

@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 pub const REGULAR_POLYGON: Family = Family {
     id: "regular_polygon",
     title: "Regular polygon",
-    description: "vertices of the regular n-gon on the unit circle; exactly centrally symmetric for even n; the seed is not used",
+    description: "vertices of the regular n-gon on the unit circle; exactly centrally symmetric for even n; the seed \
+        is not used",
     hull_size: HullSize::NearlyAll,
     is_random: false,
     generate: points,

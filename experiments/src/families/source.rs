@@ -1,7 +1,7 @@
 //! The random source that every generator draws from: a seeded PCG with the few distributions that are needed.
 //!
-//! The distributions are written out here so that an instance depends on this file, on the generator and on `libm` alone, and
-//! never on how a library version chooses to turn words into floats.
+//! The distributions are written out here so that an instance depends on this file, on the generator and on `libm`
+//! alone, and never on how a library version chooses to turn words into floats.
 
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};

@@ -1,9 +1,10 @@
 //! Growth of a measured quantity with the size: a power law with an interval, and a comparison with named models.
 //!
 //! # Statement
-//! Input: samples (n, y) with n >= 2 and y > 0, at least [`FEWEST_SAMPLES`] of them on at least [`FEWEST_SIZES`] different sizes.
-//! Output: the exponent of the best power law y = c n^a with its 95 % interval; for every model M the constant of y = c M(n), its
-//! residual sum of squares and AICc in log space, and the exponent of y / M(n) against n with its 95 % interval.
+//! Input: samples (n, y) with n >= 2 and y > 0, at least [`FEWEST_SAMPLES`] of them on at least [`FEWEST_SIZES`]
+//! different sizes. Output: the exponent of the best power law y = c n^a with its 95 % interval; for every model M the
+//! constant of y = c M(n), its residual sum of squares and AICc in log space, and the exponent of y / M(n) against n
+//! with its 95 % interval.
 //!
 //! The verdict on a model is defined on that last interval [low, high]:
 //! - consistent: it meets [-[`EXPONENT_SLACK`], [`EXPONENT_SLACK`]];
@@ -34,9 +35,10 @@ use serde::Serialize;
 
 /// How far from zero an exponent of y / M(n) may be for lower-order terms alone.
 ///
-/// Counts are nearly free of noise, so an interval can be so narrow that a lower-order term keeps it off zero: 3n + 5 log n is
-/// no pure 3n at any size. The slack must tell neighbouring models apart: a factor log n has a local exponent of 1 / ln n, that is
-/// 0.11 at 2^13, the geometric middle of 2^6 .. 2^20, and 0.14 at 2^10. Less than half of the smaller one is 0.05.
+/// Counts are nearly free of noise, so an interval can be so narrow that a lower-order term keeps it off zero: 3n + 5
+/// log n is no pure 3n at any size. The slack must tell neighbouring models apart: a factor log n has a local exponent
+/// of 1 / ln n, that is 0.11 at 2^13, the geometric middle of 2^6 .. 2^20, and 0.14 at 2^10. Less than half of the
+/// smaller one is 0.05.
 pub const EXPONENT_SLACK: f64 = 0.05;
 
 /// The second fit of every growth law is over this many doublings of the size, up to the largest.

@@ -1,7 +1,8 @@
-//! What the methods of other libraries did beside ours: the record that the program of `experiments/peers` writes, and its tables.
+//! What the methods of other libraries did beside ours: the record that the program of `experiments/peers` writes, and
+//! its tables.
 //!
-//! The record is committed as `data/peers.json`, with the machine it was measured on; the tables of README and of the report are made
-//! from it.
+//! The record is committed as `data/peers.json`, with the machine it was measured on; the tables of README and of the
+//! report are made from it.
 
 mod tables;
 

@@ -41,7 +41,8 @@ impl Table {
     }
 }
 
-/// Every table of the record: time near contact and when clear, wrong answers, how far ours is ahead, the gauge family by family, the line fit.
+/// Every table of the record: time near contact and when clear, wrong answers, how far ours is ahead, the gauge family
+/// by family, the line fit.
 pub fn tables(record: &PeersRecord) -> Vec<Table> {
     vec![
         times(
@@ -179,8 +180,8 @@ fn lead(record: &PeersRecord) -> Table {
         [race.title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
     };
     Table {
-        caption: "How often the time of our location with its proof goes into that of others: median (least) over questions; below \
-                  1 the other is faster."
+        caption: "How often the time of our location with its proof goes into that of others: median (least) over \
+                  questions; below 1 the other is faster."
             .to_owned(),
         head: ["method"].into_iter().map(str::to_owned).chain(sizes.iter().map(|&n| size_name(n))).collect(),
         rows: RACES.iter().map(row).filter(|row| is_known(row)).collect(),

@@ -1,8 +1,9 @@
-//! Files that survive a kill: an append-only journal while a run lasts, and whole files under their final names afterwards.
+//! Files that survive a kill: an append-only journal while a run lasts, and whole files under their final names
+//! afterwards.
 //!
-//! A journal is JSON Lines: a header that names the run, then one row a line. A kill can tear the last line; opening the journal
-//! again drops everything from the first unreadable line on and continues behind it. A journal with another header belongs to
-//! another run and is started anew.
+//! A journal is JSON Lines: a header that names the run, then one row a line. A kill can tear the last line; opening
+//! the journal again drops everything from the first unreadable line on and continues behind it. A journal with another
+//! header belongs to another run and is started anew.
 
 use serde::{Serialize, de::DeserializeOwned};
 use std::fs::{self, File, OpenOptions};

@@ -1,9 +1,11 @@
 //! Runs experiments: every case is counted, in parallel, and then some are timed, one after the other.
 //!
 //! Files in the run's directory:
-//! - `counts.jsonl`: operation counts and values; the same for the same seed and profile, whatever the threads and the machine;
+//! - `counts.jsonl`: operation counts and values; the same for the same seed and profile, whatever the threads and the
+//!   machine;
 //! - `times.jsonl`: raw times, one row a repetition; `environment.json`: where they were measured;
-//! - `*.partial` while the run lasts: a killed run continues from them if seed, profile, experiments and program are the same.
+//! - `*.partial` while the run lasts: a killed run continues from them if seed, profile, experiments and program are
+//!   the same.
 //!
 //! The order of rows is that of the catalog, then real inputs before families, then sizes, variants and instances.
 

@@ -1,7 +1,7 @@
 //! The timing pass: one case at a time, the repetitions of the cases on one input interleaved.
 //!
-//! Every case of a group runs once without a record; repetition r then starts with the r-th case and goes around, so that drift of
-//! the machine falls on all of them alike. Journals hold whole groups only.
+//! Every case of a group runs once without a record; repetition r then starts with the r-th case and goes around, so
+//! that drift of the machine falls on all of them alike. Journals hold whole groups only.
 
 use super::journal::Journal;
 use super::stopwatch::Stopwatch;

@@ -4,8 +4,8 @@ use crate::solid::Face;
 use zonotope::arrangement::LineArrangement;
 use zonotope::arrangement::slope_selection::{ArrangementVertex, brute_force};
 
-/// The arrangement of the lines of some generators and the tiling of the upper hull that is dual to it. The generators are small
-/// integers in general position, so that everything here is what is drawn.
+/// The arrangement of the lines of some generators and the tiling of the upper hull that is dual to it. The generators
+/// are small integers in general position, so that everything here is what is drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct DualPair {
     /// (a, b, c), with b > 0: the projection (a, b) points up, the line is a x + b y + c = 0.

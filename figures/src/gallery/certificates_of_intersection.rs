@@ -14,10 +14,11 @@ use zonotope::zonotope::Zonotope;
 pub const FIGURE: Figure = Figure {
     id: "certificates-of-intersection",
     title: "What proves an answer",
-    caption: "Three pairs of zonogons with centres p and q. Where they meet, the proof is a coefficient in [−1, 1] for each generator: \
-              steps from p by the multiples of the first body's generators and steps from q by those of the second's end in the \
-              same point. Where they only touch, that point lies on both boundaries. Where they are disjoint, the proof is a \
-              direction u in which the second body begins beyond the end of the first.",
+    caption: "Three pairs of zonogons with centres p and q. Where they meet, the proof is a coefficient in [−1, 1] for \
+              each generator: steps from p by the multiples of the first body's generators and steps from q by those \
+              of the second's end in the same point. Where they only touch, that point lies on both boundaries. Where \
+              they are disjoint, the proof is a direction u in which the second body begins beyond the end of the \
+              first.",
     claims: &["lemma-5.1", "theorem-5.2"],
     experiments: &[],
     deterministic: true,

@@ -15,10 +15,12 @@ use zonotope::zonotope::Zonotope;
 pub const FIGURE: Figure = Figure {
     id: "dual-zonotope",
     title: "What proves that no zonogon is shorter",
-    caption: "Left: points, a short zonogon around them, and forces λ at some of the points that add up to zero. Right: the zonogon Σ [−1, 1] λ of the forces, scaled so \
-              that its farthest vertices lie on the unit circle. Then no zonotope around the points has a total length below Σ λ · p. Above, along a coarse net: the \
-              farthest vertices are not where the net has directions, and the bound suffers. Below, along directions found as needed, each that of a farthest \
-              vertex: the dual zonogon reaches the circle just along the edges of the zonogon, and the bound meets the length.",
+    caption: "Left: points, a short zonogon around them, and forces λ at some of the points that add up to zero. \
+              Right: the zonogon Σ [−1, 1] λ of the forces, scaled so that its farthest vertices lie on the unit \
+              circle. Then no zonotope around the points has a total length below Σ λ · p. Above, along a coarse net: \
+              the farthest vertices are not where the net has directions, and the bound suffers. Below, along \
+              directions found as needed, each that of a farthest vertex: the dual zonogon reaches the circle just \
+              along the edges of the zonogon, and the bound meets the length.",
     claims: &["theorem-4.7"],
     experiments: &[],
     deterministic: true,

@@ -10,8 +10,9 @@ use experiments::definitions::gap_curve::{EXPERIMENT, REACHED};
 pub const FIGURE: Figure = Figure {
     id: "gap-curve",
     title: "The gap of the shortest zonotope, round by round",
-    caption: "Points on a circle and on a sphere: the relative gap between the length of the best zonotope so far and the proven lower bound, against the first round in which it was \
-              reached. A round is eight centres in the plane, a Newton step with all that it brings to light in space.",
+    caption: "Points on a circle and on a sphere: the relative gap between the length of the best zonotope so far and \
+              the proven lower bound, against the first round in which it was reached. A round is eight centres in the \
+              plane, a Newton step with all that it brings to light in space.",
     claims: &["theorem-4.7"],
     experiments: &[EXPERIMENT.id],
     deterministic: true,

@@ -17,8 +17,9 @@ use zonotope::zonotope::{Zonotope, combinatorics};
 pub const FIGURE: Figure = Figure {
     id: "mesh-in-zonohedra",
     title: "A mesh in its shortest zonohedra",
-    caption: "The Utah teapot in the zonohedron of least total length along k given directions: the axes, the diagonals of an icosahedron, those of a dodecahedron \
-              with them, and the axes through the middles of edges as well. Below each number the total length as a multiple of a lower bound for all directions, \
+    caption: "The Utah teapot in the zonohedron of least total length along k given directions: the axes, the \
+              diagonals of an icosahedron, those of a dodecahedron with them, and the axes through the middles of \
+              edges as well. Below each number the total length as a multiple of a lower bound for all directions, \
               proven by forces, and the volume as a multiple of that of the convex hull.",
     claims: &["theorem-4.6", "structure-from-directions", "open-approximation-quality"],
     experiments: &[],

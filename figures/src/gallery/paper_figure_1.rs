@@ -11,11 +11,11 @@ use crate::style::{FOCUS, GREY, INK, Paint, Stroke, text_size, weight};
 pub const FIGURE: Figure = Figure {
     id: "paper-figure-1",
     title: "The duality of the paper's Figure 1",
-    caption: "Left: the lines ℓ_i of four generators, their crossings numbered from left to right, and the vertical line L_3 just \
-              right of the third crossing. Right: the upper hull of the zonohedron seen from above, a tiling; the tile with the \
-              number of a crossing is spanned by the projections of its two generators, in the colours of the lines. L'_3 starts \
-              at the top and follows the generators in the order in which L_3 meets their lines from top to bottom; the tiles on \
-              its left are those of the first three crossings.",
+    caption: "Left: the lines ℓ_i of four generators, their crossings numbered from left to right, and the vertical \
+              line L_3 just right of the third crossing. Right: the upper hull of the zonohedron seen from above, a \
+              tiling; the tile with the number of a crossing is spanned by the projections of its two generators, in \
+              the colours of the lines. L'_3 starts at the top and follows the generators in the order in which L_3 \
+              meets their lines from top to bottom; the tiles on its left are those of the first three crossings.",
     claims: &["figure-1", "upper-hull-tiling", "tiling-arrangement-duality", "separator-order", "separators"],
     experiments: &[],
     deterministic: true,

@@ -9,8 +9,8 @@ use experiments::definitions::faces_scaling;
 pub const FIGURE: Figure = Figure {
     id: "scaling-face-counts",
     title: "Facets of a zonohedron",
-    caption: "How many facets a body of n generators has: n(n − 1) in general position, fewer with more sides where many generators are \
-              coplanar, as on a lattice. The list of generators grows like n.",
+    caption: "How many facets a body of n generators has: n(n − 1) in general position, fewer with more sides where \
+              many generators are coplanar, as on a lattice. The list of generators grows like n.",
     claims: &["face-count"],
     experiments: &[faces_scaling::EXPERIMENT.id],
     deterministic: true,

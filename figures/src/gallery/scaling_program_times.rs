@@ -9,8 +9,10 @@ use experiments::definitions::directions_scaling;
 pub const FIGURE: Figure = Figure {
     id: "scaling-program-times",
     title: "Time of the linear programs along k directions",
-    caption: "400 points on a sphere of space and of the plane, everything included: the paper's program and the one with an inequality for every facet normal, both by an interior point \
-              method, and the one that finds normals as they are needed. Medians of several runs on this machine, with the growth model that fits best.",
+    caption: "400 points on a sphere of space and of the plane, everything included: the paper's program and the one \
+              with an inequality for every facet normal, both by an interior point method, and the one that finds \
+              normals as they are needed. Medians of several runs on this machine, with the growth model that fits \
+              best.",
     claims: &["theorem-4.6", "linear-program"],
     experiments: &[directions_scaling::EXPERIMENT.id],
     deterministic: false,

@@ -14,10 +14,11 @@ use zonotope::zonotope::Zonotope;
 pub const FIGURE: Figure = Figure {
     id: "search-of-theorem-5-2",
     title: "The search of Theorem 5.2",
-    caption: "Is the point p below the upper hull? Its projection p_0 is located among the tiles. Each step takes the separator at the \
-              median of the dual vertices that are left, found by slope selection, compares p_0 with the chain, and drops the tiles on the \
-              other side, at least half of them. When p_0 lies between the chains just left and just right of a vertex, in its tile, the \
-              height of the facet over p_0 decides. The search for the lower hull is the same for −p_0.",
+    caption: "Is the point p below the upper hull? Its projection p_0 is located among the tiles. Each step takes the \
+              separator at the median of the dual vertices that are left, found by slope selection, compares p_0 with \
+              the chain, and drops the tiles on the other side, at least half of them. When p_0 lies between the \
+              chains just left and just right of a vertex, in its tile, the height of the facet over p_0 decides. The \
+              search for the lower hull is the same for −p_0.",
     claims: &["theorem-5.2"],
     experiments: &[],
     deterministic: true,

@@ -11,9 +11,10 @@ use crate::style::{GREY, text_size};
 pub const FIGURE: Figure = Figure {
     id: "separators",
     title: "The separators sweep the tiling",
-    caption: "As the vertical line L_k moves over the crossings of the dual lines from left to right, its chain L'_k passes over the \
-              tiles one by one: from one panel to the next two consecutive steps of the chain change places, around the tile that \
-              has been passed. The words below a panel are the order of the generators from top to bottom.",
+    caption: "As the vertical line L_k moves over the crossings of the dual lines from left to right, its chain L'_k \
+              passes over the tiles one by one: from one panel to the next two consecutive steps of the chain change \
+              places, around the tile that has been passed. The words below a panel are the order of the generators \
+              from top to bottom.",
     claims: &["separator-order", "separators", "erratum-5.1-separators"],
     experiments: &[],
     deterministic: true,

@@ -15,9 +15,10 @@ use zonotope::zonotope::Zonotope;
 pub const FIGURE: Figure = Figure {
     id: "zonogons-along-directions",
     title: "Shortest zonogons around an outline along k directions",
-    caption: "The outline of Norway, its longitudes shortened by the cosine of its middle latitude, in the zonogon of least total length whose edges \
-              have k evenly spread directions, shown as rays; below each number the total length as a multiple of the least over all directions, \
-              which is the last picture. Edges of unused directions are missing.",
+    caption: "The outline of Norway, its longitudes shortened by the cosine of its middle latitude, in the zonogon of \
+              least total length whose edges have k evenly spread directions, shown as rays; below each number the \
+              total length as a multiple of the least over all directions, which is the last picture. Edges of unused \
+              directions are missing.",
     claims: &["theorem-4.6", "linear-program"],
     experiments: &[],
     deterministic: true,

@@ -122,7 +122,8 @@ fn broken_meshes_are_refused_in_one_line() {
         ("b.obj", "v 0 0 0\nv 1 x 0\nf 1 2 1\n", "line 2"),
         (
             "b.ply",
-            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n0 q 0\n",
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float \
+                z\nend_header\n0 0 0\n0 q 0\n",
             "line 9",
         ),
         ("b.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n", "line 4"),
@@ -142,11 +143,14 @@ fn broken_meshes_are_refused_in_one_line() {
 /// Answers of both kinds, each spoilt in every way that `verify` must notice.
 #[test]
 fn wrong_answers_do_not_pass_verification() {
+    let points = json!([[0, 0, 1], [3, 1, 0], [1, 2, 5], [-1, 0.5, 2]]);
+    let directions = json!([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]);
     let questions = [
-        json!({"id": "d", "kind": "min_length_dirs", "input": {"points": [[0, 0, 1], [3, 1, 0], [1, 2, 5], [-1, 0.5, 2]],
-            "directions": [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], "weights": [1, 1, 1, 1.5]}}),
-        json!({"id": "i", "kind": "min_length_dirs", "input": {"points": [[0, 0], [1, 2]], "directions": [[1, 1]], "weights": [1]}}),
-        json!({"id": "a", "kind": "min_length_all", "input": {"points": [[0, 0, 1], [3, 1, 0], [1, 2, 5], [-1, 0.5, 2]], "epsilon": 0.01}}),
+        json!({"id": "d", "kind": "min_length_dirs", "input": {"points": points, "directions": directions,
+            "weights": [1, 1, 1, 1.5]}}),
+        json!({"id": "i", "kind": "min_length_dirs", "input": {"points": [[0, 0], [1, 2]], "directions": [[1, 1]],
+            "weights": [1]}}),
+        json!({"id": "a", "kind": "min_length_all", "input": {"points": points, "epsilon": 0.01}}),
     ];
     let folder = folder();
     let lines = |values: &[Value]| values.iter().map(|value| format!("{value}\n")).collect::<String>();
@@ -194,7 +198,8 @@ fn wrong_answers_do_not_pass_verification() {
     }
 }
 
-/// Far from the origin no centre in doubles is near enough for a precision of 1e-12: the answer holds, but it is not what was asked for.
+/// Far from the origin no centre in doubles is near enough for a precision of 1e-12: the answer holds, but it is not
+/// what was asked for.
 #[test]
 fn an_answer_above_one_plus_epsilon_says_so() {
     let folder = folder();

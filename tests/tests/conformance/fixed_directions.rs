@@ -84,8 +84,8 @@ fn agrees<const D: usize>(instance: &Instance<D>, nearness: Nearness) -> Result<
     Ok(())
 }
 
-/// What a zonotope along the directions costs that makes up for a centre rounded to doubles in every coordinate, three times over; `None`
-/// where the directions do not span.
+/// What a zonotope along the directions costs that makes up for a centre rounded to doubles in every coordinate, three
+/// times over; `None` where the directions do not span.
 fn cost_of_rounding<const D: usize>(instance: &Instance<D>) -> Option<RBig> {
     let largest = instance.points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
     let unit = 3.0 * f64::EPSILON * largest;

@@ -60,8 +60,8 @@ fn encloses(points: &[plane::Point], answer: &MinAreaZonogon) -> Result<(), Test
     Ok(())
 }
 
-/// The area is between the optimum and the optimum with what rounding the centre and the generators may cost: nothing to
-/// speak of, unless the hull is thin or far from the origin for its size.
+/// The area is between the optimum and the optimum with what rounding the centre and the generators may cost: nothing
+/// to speak of, unless the hull is thin or far from the origin for its size.
 fn bounds_hold(points: &[Point], least: &RBig, answer: &MinAreaZonogon) -> Result<(), TestCaseError> {
     prop_assert!(exactly(answer.lower_bound) <= *least);
     prop_assert!(answer.lower_bound >= 0.0 && answer.area >= answer.lower_bound);

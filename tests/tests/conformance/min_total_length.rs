@@ -1,4 +1,5 @@
-//! Section 4.3: every answer is within 1 + ε of the optimum, by proofs that an exact verifier of its own checks; in the plane the optimum is known.
+//! Section 4.3: every answer is within 1 + ε of the optimum, by proofs that an exact verifier of its own checks; in the
+//! plane the optimum is known.
 
 use dashu_ratio::RBig;
 use proptest::array::uniform;
@@ -140,7 +141,8 @@ fn clustered<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
     (points, 2.0..12.0f64, off).prop_map(with_others).boxed()
 }
 
-/// Points whose extents along some axes are up to 10^8 times those along others, reflected in a plane or not: as good as turned.
+/// Points whose extents along some axes are up to 10^8 times those along others, reflected in a plane or not: as good
+/// as turned.
 fn uneven<const D: usize>(most: usize) -> BoxedStrategy<Vec<[f64; D]>> {
     let mirror = prop_oneof![Just(None), uniform::<_, D>(-1.0..1.0f64).prop_map(Some)];
     let uneven = |(points, thin, mirror): (Vec<[f64; D]>, [f64; D], Option<[f64; D]>)| {
@@ -219,8 +221,9 @@ fn nets_keep_their_ratio() {
     }
 }
 
-/// Whether every unit vector is within `mesh` of the net, up to sign, by a search over the faces of the cube: a square whose middle is nearer to a vector of
-/// the net than the mesh by its own half-diagonal is covered, else it is quartered.
+/// Whether every unit vector is within `mesh` of the net, up to sign, by a search over the faces of the cube: a square
+/// whose middle is nearer to a vector of the net than the mesh by its own half-diagonal is covered, else it is
+/// quartered.
 fn covers<const D: usize>(net: &[[f64; D]], mesh: f64) -> bool {
     let distance = |u: &[f64; D]| {
         let squares = net.iter().map(|v| {

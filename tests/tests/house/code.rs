@@ -26,7 +26,8 @@ fn refuse(folders: &[&str], words: &[&str], allowed: impl Fn(&Source) -> bool) {
 fn an_offence_is_found_in_code_and_not_in_comments_or_unit_tests() {
     let source = Source {
         path: "some/file.rs".to_owned(),
-        text: "/// dbg!(1)\nfn f() {\n    dbg!(2);\n}\n#[cfg(test)]\nmod tests {\n    // dbg!\n    fn g() { dbg!(3); }\n}\n"
+        text: "/// dbg!(1)\nfn f() {\n    dbg!(2);\n}\n#[cfg(test)]\nmod tests \
+            {\n    // dbg!\n    fn g() { dbg!(3); }\n}\n"
             .to_owned(),
     };
     assert_eq!(offences(&source, &["println!", "dbg!("]), ["some/file.rs:3: dbg!("]);

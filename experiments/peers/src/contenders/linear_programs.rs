@@ -1,4 +1,5 @@
-//! Membership as a linear program in floating point, engines at their own settings: is there δ in [−1, 1]^n with Σ δ_i g_i = to − from?
+//! Membership as a linear program in floating point, engines at their own settings: is there δ in [−1, 1]^n with Σ δ_i
+//! g_i = to − from?
 
 use super::{Answer, Contender, Work};
 use clarabel::algebra::CscMatrix;

@@ -1,7 +1,7 @@
 //! The methods that run side by side.
 //!
-//! What a method needs before it can be asked (its own form of the body) is prepared outside the measurement; that favours
-//! those that need much, the explicit polyhedra above all.
+//! What a method needs before it can be asked (its own form of the body) is prepared outside the measurement; that
+//! favours those that need much, the explicit polyhedra above all.
 
 mod linear_programs;
 mod ours;

@@ -1,4 +1,5 @@
-//! Sums of randomly turned boxes: for six generators the question of two boxes, the classical one of collision detection.
+//! Sums of randomly turned boxes: for six generators the question of two boxes, the classical one of collision
+//! detection.
 
 use super::BodyFamily;
 use super::random::unit_vector;
@@ -8,7 +9,8 @@ use crate::families::source::RandomSource;
 pub const BOX_SUMS: BodyFamily<3> = BodyFamily {
     id: "box_sums",
     title: "Sums of boxes",
-    description: "generators in threes, orthogonal up to rounding, of lengths uniform in [1/2, 2): boxes turned at random",
+    description: "generators in threes, orthogonal up to rounding, of lengths uniform in [1/2, 2): boxes turned at \
+        random",
     is_random: true,
     generate,
 };

@@ -8,7 +8,8 @@ use crate::families::source::RandomSource;
 pub const SORTED_BODIES: BodyFamily<3> = BodyFamily {
     id: "sorted_bodies",
     title: "Sorted bodies",
-    description: "generators with independent standard normal coordinates, turned to point up and sorted by the slope x / z",
+    description: "generators with independent standard normal coordinates, turned to point up and sorted by the slope \
+        x / z",
     is_random: true,
     generate: sorted,
 };

@@ -1,4 +1,5 @@
-//! Families of generators: inputs of everything that is done with zonotopes, and in [`question`] of what is asked about them.
+//! Families of generators: inputs of everything that is done with zonotopes, and in [`question`] of what is asked about
+//! them.
 //!
 //! | family | what is hard about it |
 //! | --- | --- |

@@ -17,7 +17,8 @@ pub const FLAT_BODIES: BodyFamily<3> = BodyFamily {
 pub const NEAR_PLANE_BODIES: BodyFamily<3> = BodyFamily {
     id: "near_plane_bodies",
     title: "Near a plane",
-    description: "standard normal generators, of nine in ten of them the distance from the plane x = z shrunk to a millionth",
+    description: "standard normal generators, of nine in ten of them the distance from the plane x = z shrunk to a \
+        millionth",
     is_random: true,
     generate: near_plane,
 };

@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "zonoid-approximation",
     place: Place { section: "5.2", label: "hierarchical method, quoted from [2]" },
     kind: ClaimKind::Statement,
-    statement: "Every zonoid of R^d is within eps of its diameter of a zonotope with O(d / eps^(2 + tau)) generators, for any tau > 0",
+    statement: "Every zonoid of R^d is within eps of its diameter of a zonotope with O(d / eps^(2 + tau)) generators, \
+        for any tau > 0",
     ..Claim::LISTED
 };

@@ -14,7 +14,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "f(O) equals the third displayed line of the area formula",
     remedy: Some(
-        "drop the O from its first bracket; or use f(O) = C + 2 sum over t of max(0, e_t x (O - m_t)), m_t a point of l_t",
+        "drop the O from its first bracket; or use f(O) = C + 2 sum over t of max(0, e_t x (O - m_t)), m_t a point of \
+            l_t",
     ),
     code: &["zonotope::enclosing::min_area_zonogon"],
     check: Check::Run(check),
@@ -49,7 +50,7 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Holds("the triangle (0,0), (6,0), (0,6) about (2,2) is no counterexample".to_owned());
     }
     Verdict::Refuted(format!(
-        "triangle (0,0), (6,0), (0,6) about (2,2): Z(O) has area {area}, the last line gives {last}, the third {third}; in {wrong} \
-         of {tried} cases the third line is wrong, always by the area of P_{{a_1}} ... P_{{a_k}}"
+        "triangle (0,0), (6,0), (0,6) about (2,2): Z(O) has area {area}, the last line gives {last}, the third \
+         {third}; in {wrong} of {tried} cases the third line is wrong, always by the area of P_{{a_1}} ... P_{{a_k}}"
     ))
 }

@@ -15,7 +15,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "f has a linear coefficient at O_l, and it tells the side of the minimum",
     remedy: Some(
-        "O_l always lies on a line of the arrangement: decide by the subgradients there that vanish along the vertical line",
+        "O_l always lies on a line of the arrangement: decide by the subgradients there that vanish along the vertical \
+            line",
     ),
     code: &["zonotope::lad::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],
@@ -60,8 +61,9 @@ fn check(context: &CheckContext) -> Verdict {
         ));
     }
     Verdict::Refuted(format!(
-        "O_l lay on a line in all of {tried} cases; (0,6), (1,3), (6,1), (5,2) at x = 11/12: O_l = {center}, the neighbouring \
-         cells have slopes {} and {} across the line, the deciding value is {change}, and the minimum is to the right, at {}",
+        "O_l lay on a line in all of {tried} cases; (0,6), (1,3), (6,1), (5,2) at x = 11/12: O_l = {center}, the \
+         neighbouring cells have slopes {} and {} across the line, the deciding value is {change}, and the minimum is \
+         to the right, at {}",
         slopes[0], slopes[1], minimizers[0]
     ))
 }

@@ -35,8 +35,8 @@ fn check(_context: &CheckContext) -> Verdict {
             let odd = erosion.iter().find(|(_, corners)| corners.len() % 2 == 1);
             if let Some((normal, corners)) = odd {
                 return Verdict::Refuted(format!(
-                    "{name} eroded by the segment ⟨{}⟩: the facet with normal {normal} has {} corners, {}, and so is not centrally \
-                     symmetric as every facet of a zonotope is",
+                    "{name} eroded by the segment ⟨{}⟩: the facet with normal {normal} has {} corners, {}, and so is \
+                     not centrally symmetric as every facet of a zonotope is",
                     Vector::at(segment),
                     corners.len(),
                     corners.iter().map(Vector::to_string).collect::<Vec<_>>().join(" ")

@@ -32,8 +32,8 @@ fn check(_context: &CheckContext) -> Verdict {
         return Verdict::Holds(format!("exactly {truth}, rounded {rounded}, the library: {}", answer.status()));
     }
     Verdict::Refuted(
-        "the segment of half-length 1e16 about -1 ends at 1e16 - 1 and misses the point 1e16, but the rounded difference of the centres \
-         is 1e16, on the boundary; with the exact difference the library finds them disjoint"
+        "the segment of half-length 1e16 about -1 ends at 1e16 - 1 and misses the point 1e16, but the rounded \
+         difference of the centres is 1e16, on the boundary; with the exact difference the library finds them disjoint"
             .to_owned(),
     )
 }

@@ -14,7 +14,9 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "The two extreme points along each facet normal suffice, whatever the directions",
     remedy: Some(
-        "right when the directions span R^d; otherwise work in the span, where points off the affine span make the problem infeasible. Directions e1, e2 of R^3 with the unit square in z = 0: two extreme points give 1/2, the optimum is 1",
+        "right when the directions span R^d; otherwise work in the span, where points off the affine span make the \
+            problem infeasible. Directions e1, e2 of R^3 with the unit square in z = 0: two extreme points give 1/2, \
+            the optimum is 1",
     ),
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::brute_force"],
     check: Check::Run(check),
@@ -55,8 +57,9 @@ fn check(_context: &CheckContext) -> Verdict {
         return Verdict::Inconclusive(format!("the library answers {:?} and {:?}", in_plane.0, lifted.0));
     }
     Verdict::Refuted(format!(
-        "directions e1, e2 of R^3, unit square in z = 0: along e3, the only normal, all four corners are extreme; the two (0,0,0) and (1,0,0) give {}, all four \
-         give {}. The library works in the plane and finds 1; with one corner lifted by the least double it proves that there is no zonotope",
+        "directions e1, e2 of R^3, unit square in z = 0: along e3, the only normal, all four corners are extreme; the \
+         two (0,0,0) and (1,0,0) give {}, all four give {}. The library works in the plane and finds 1; with one \
+         corner lifted by the least double it proves that there is no zonotope",
         fraction(1, 2),
         integer(1)
     ))

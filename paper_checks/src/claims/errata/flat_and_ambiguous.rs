@@ -15,7 +15,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "The minimum is at a vertex of the arrangement, and there is one to be located",
     remedy: Some(
-        "one point, two points and collinear points have no arrangement: their zonogon is the segment, of area 0; and the minimiser need not be unique",
+        "one point, two points and collinear points have no arrangement: their zonogon is the segment, of area 0; and \
+            the minimiser need not be unique",
     ),
     code: &["zonotope::enclosing::min_area_zonogon"],
     check: Check::Run(check),
@@ -48,8 +49,8 @@ fn check(context: &CheckContext) -> Verdict {
     }
     Verdict::Refuted(
         "one point, two points, collinear points with and without duplicates: no arrangement, area 0, the segment; 40 \
-         triangles: f is twice the triangle's area at all three vertices of the arrangement and throughout the medial triangle \
-         between them, and larger outside"
+         triangles: f is twice the triangle's area at all three vertices of the arrangement and throughout the medial \
+         triangle between them, and larger outside"
             .to_owned(),
     )
 }

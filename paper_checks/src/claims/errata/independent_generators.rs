@@ -15,7 +15,9 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "Any d generators may be assumed linearly independent",
     remedy: Some(
-        "merge parallel generators, drop zero ones, gather coplanar ones into one facet, and accept flat and empty zonotopes: the difference of two boxes has parallel generators, the truncated octahedron has coplanar triples, and 4.2 gives zero coefficients",
+        "merge parallel generators, drop zero ones, gather coplanar ones into one facet, and accept flat and empty \
+            zonotopes: the difference of two boxes has parallel generators, the truncated octahedron has coplanar \
+            triples, and 4.2 gives zero coefficients",
     ),
     code: &["zonotope::zonotope", "zonotope::collision::by_lad"],
     check: Check::Run(check),
@@ -63,8 +65,8 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Inconclusive(format!("only {examples:?} have dependent triples"));
     }
     Verdict::Refuted(format!(
-        "{} have dependent triples; on {dependent} bodies with dependent generators, flat and empty ones among them, {points} points are \
-         located as by the definition",
+        "{} have dependent triples; on {dependent} bodies with dependent generators, flat and empty ones among them, \
+         {points} points are located as by the definition",
         examples.join(" and ")
     ))
 }

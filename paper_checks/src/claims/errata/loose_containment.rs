@@ -19,7 +19,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "The error of the net is (1 + d eps), so O(1 / eps^(d-1)) directions and the axes are needed",
     remedy: Some(
-        "the optimum over R is at most the optimum over the inradius of conv(R, -R): the error is O(eps^2) in the mesh, eps^(-(d-1)/2) directions suffice, and the axes are not needed",
+        "the optimum over R is at most the optimum over the inradius of conv(R, -R): the error is O(eps^2) in the \
+            mesh, eps^(-(d-1)/2) directions suffice, and the axes are not needed",
     ),
     code: &[
         "zonotope::enclosing::min_total_length::by_direction_net",
@@ -41,15 +42,16 @@ fn check(context: &CheckContext) -> Verdict {
         Err(reason) => return Verdict::Inconclusive(reason),
     };
     Verdict::Refuted(format!(
-        "a unit vector is a combination of the corners of its cell with lengths that exceed 1 by at most {:.2}, {:.2} and {:.2} times the square of the cell's mesh in R^2, R^3 and R^4 \
-         (300 rational directions each), without any axis; for 8 points on a sphere of R^3 and eps = 1/4 a net of {} directions has the proven ratio {ratio:.4}, where the \
-         paper's has {}",
+        "a unit vector is a combination of the corners of its cell with lengths that exceed 1 by at most {:.2}, {:.2} \
+         and {:.2} times the square of the cell's mesh in R^2, R^3 and R^4 (300 rational directions each), without any \
+         axis; for 8 points on a sphere of R^3 and eps = 1/4 a net of {} directions has the proven ratio {ratio:.4}, \
+         where the paper's has {}",
         worst[0], worst[1], worst[2], sizes[0], sizes[1]
     ))
 }
 
-/// The largest (Σ α_j - 1) / mesh² over random directions u = Σ α_j v_j, v_j the unit vectors at the corners of the cell of u; an error where it is above the
-/// bound 1 / (1 - mesh²/2).
+/// The largest (Σ α_j - 1) / mesh² over random directions u = Σ α_j v_j, v_j the unit vectors at the corners of the
+/// cell of u; an error where it is above the bound 1 / (1 - mesh²/2).
 fn overhead<const D: usize>(random: &mut Pcg64Mcg) -> Result<f64, String> {
     let mut worst: f64 = 0.0;
     for trial in 0..300 {

@@ -14,7 +14,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "L_k meets the lines from left to right, and the chain extends v' by v'",
     remedy: Some(
-        "L_k meets them from top to bottom; a step is 2 v' in half-lengths, every v' turned to point up; v' = 0 has no line, a horizontal v' is never crossed, equal x need a rule",
+        "L_k meets them from top to bottom; a step is 2 v' in half-lengths, every v' turned to point up; v' = 0 has no \
+            line, a horizontal v' is never crossed, equal x need a rule",
     ),
     code: &["zonotope::arrangement::separator"],
     figures: &["separators"],
@@ -45,9 +46,9 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Inconclusive(format!("chains {plain:?}, {turned:?}, {vertical:?}, {horizontal:?}"));
     }
     Verdict::Refuted(format!(
-        "generators (1,1,0), (-1,1,1): Q reaches from (0,2) to {bottom}, so steps of v' stop half way at {halfway}, steps of 2 v' end at the \
-         bottom vertex; with (1,1,0) negated, or with the vertical generator (0,0,3) and a zero one added, the chain is the same; (2,0,1) \
-         with its horizontal projection still takes its step: {} points",
+        "generators (1,1,0), (-1,1,1): Q reaches from (0,2) to {bottom}, so steps of v' stop half way at {halfway}, \
+         steps of 2 v' end at the bottom vertex; with (1,1,0) negated, or with the vertical generator (0,0,3) and a \
+         zero one added, the chain is the same; (2,0,1) with its horizontal projection still takes its step: {} points",
         horizontal.len()
     ))
 }

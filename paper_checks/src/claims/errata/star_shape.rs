@@ -9,7 +9,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "Locating a ray from the origin is the same as locating a point",
     remedy: Some(
-        "one step is missing: the silhouette is star-shaped from the centre, so the side test works for rays; off the span of a flat zonotope the distance is infinite",
+        "one step is missing: the silhouette is star-shaped from the centre, so the side test works for rays; off the \
+            span of a flat zonotope the distance is infinite",
     ),
     ..Claim::LISTED
 };

@@ -12,7 +12,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "A vertical line splits the candidate vertices into two halves of equal size",
     remedy: Some(
-        "many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the vertices on it as well",
+        "many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the \
+            vertices on it as well",
     ),
     code: &["zonotope::lad::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["search-of-theorem-4-5"],
@@ -37,8 +38,9 @@ fn check(_context: &CheckContext) -> Verdict {
         ));
     }
     Verdict::Refuted(format!(
-        "hexagon ±(3,0), ±(1,2), ±(-2,3): all {pairs} crossings of its 6 lines are the one point {}, so every vertical line \
-         leaves all of them on one side; triangle (0,-2), (0,2), (5,0): {vertical} line l_t is vertical and has no slope",
+        "hexagon ±(3,0), ±(1,2), ±(-2,3): all {pairs} crossings of its 6 lines are the one point {}, so every vertical \
+         line leaves all of them on one side; triangle (0,-2), (0,2), (5,0): {vertical} line l_t is vertical and has \
+         no slope",
         vertices[0]
     ))
 }

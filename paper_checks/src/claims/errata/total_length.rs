@@ -22,7 +22,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "What total length measures is left unsaid",
     remedy: Some(
-        "it is half the first intrinsic volume, so it grows under inclusion; the vertices of a zonotope have that zonotope as optimum; in the plane the optimum is the least perimeter(Z(O)) / 4",
+        "it is half the first intrinsic volume, so it grows under inclusion; the vertices of a zonotope have that \
+            zonotope as optimum; in the plane the optimum is the least perimeter(Z(O)) / 4",
     ),
     code: &[
         "zonotope::enclosing::min_total_length::by_column_generation",
@@ -40,9 +41,10 @@ fn check(context: &CheckContext) -> Verdict {
     match found {
         Err(defect) => Verdict::Inconclusive(defect),
         Ok((zonogons, (polygons, worst), bodies)) => Verdict::Holds(format!(
-            "the paper minimises it without a reason; {zonogons} zonogons have a perimeter of four times their total length, edge by edge; for {polygons} polygons \
-             the least perimeter of Z(O) over four is within {worst:.1e} of a lower bound for all zonotopes, proven by forces; for the vertices of {bodies} zonohedra that \
-             bound is within 1e-6 of their own length, so that nothing around them is shorter"
+            "the paper minimises it without a reason; {zonogons} zonogons have a perimeter of four times their total \
+             length, edge by edge; for {polygons} polygons the least perimeter of Z(O) over four is within {worst:.1e} \
+             of a lower bound for all zonotopes, proven by forces; for the vertices of {bodies} zonohedra that bound \
+             is within 1e-6 of their own length, so that nothing around them is shorter"
         )),
     }
 }

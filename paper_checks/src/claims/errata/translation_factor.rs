@@ -9,7 +9,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "The translation vector v is added to the generators",
     remedy: Some(
-        "in half-lengths the added generator is v/2: the unit cube moved by (10,0,0) sweeps 48 with half-lengths of 1, and the printed version gives 88",
+        "in half-lengths the added generator is v/2: the unit cube moved by (10,0,0) sweeps 48 with half-lengths of 1, \
+            and the printed version gives 88",
     ),
     ..Claim::LISTED
 };

@@ -12,9 +12,11 @@ pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-unimodality",
     place: Place { section: "4.1", label: "Lemma 4.3 to Corollary 4.4" },
     kind: ClaimKind::Erratum,
-    statement: "A planar function that is unimodal on every line is unimodal, and that is enough to decide the side of its minimum from a line",
+    statement: "A planar function that is unimodal on every line is unimodal, and that is enough to decide the side of \
+        its minimum from a line",
     remedy: Some(
-        "f is convex, being a sum of hinges: then a point that is least on its line and has a zero subgradient is a global minimum",
+        "f is convex, being a sum of hinges: then a point that is least on its line and has a zero subgradient is a \
+            global minimum",
     ),
     code: &["zonotope::lad"],
     check: Check::Run(check),
@@ -55,7 +57,7 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Holds("the counterexample is none".to_owned());
     }
     Verdict::Refuted(format!(
-        "g = r for r = max(abs x, abs y) <= 1, 1 for 1 <= r <= 2, r - 1 beyond: on {lines} lines it falls, then rises, but around \
-         (3/2, 0) it is constant, 1, while g(0, 0) = 0; the vertical line through that point tells no side"
+        "g = r for r = max(abs x, abs y) <= 1, 1 for 1 <= r <= 2, r - 1 beyond: on {lines} lines it falls, then rises, \
+         but around (3/2, 0) it is constant, 1, while g(0, 0) = 0; the vertical line through that point tells no side"
     ))
 }

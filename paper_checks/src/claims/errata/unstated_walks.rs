@@ -9,7 +9,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Erratum,
     statement: "Each face has four neighbours, found as neighbours of a vertex of the arrangement",
     remedy: Some(
-        "an unbounded edge of the arrangement leads from the upper hull to the antipodal facet, and a facet of coplanar generators has more than four neighbours",
+        "an unbounded edge of the arrangement leads from the upper hull to the antipodal facet, and a facet of \
+            coplanar generators has more than four neighbours",
     ),
     ..Claim::LISTED
 };

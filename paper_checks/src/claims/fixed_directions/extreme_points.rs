@@ -14,7 +14,8 @@ pub static CLAIM: Claim = Claim {
     id: "extreme-points-suffice",
     place: Place { section: "4.2", label: "second paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Only the two extreme points along each facet normal, n' = O(k^(d-1)) in all, matter to the discrete oriented enclosing zonotope",
+    statement: "Only the two extreme points along each facet normal, n' = O(k^(d-1)) in all, matter to the discrete \
+        oriented enclosing zonotope",
     remedy: Some("for directions that span; see the correction for those that do not"),
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::papers_program"],
     check: Check::Run(check),
@@ -31,8 +32,9 @@ fn check(context: &CheckContext) -> Verdict {
     match tried {
         Err(witness) => Verdict::Refuted(witness),
         Ok(()) => Verdict::Holds(format!(
-            "for {} sets of up to {} points in R^2 and R^3 and up to {} spanning directions, parallel ones among them, the extreme points, at most two \
-             for each of the C(k, d-1) normals and {} in all of {} points, have the least length of all points, as rational numbers",
+            "for {} sets of up to {} points in R^2 and R^3 and up to {} spanning directions, parallel ones among them, \
+             the extreme points, at most two for each of the C(k, d-1) normals and {} in all of {} points, have the \
+             least length of all points, as rational numbers",
             seen.problems, seen.most_points, seen.most_directions, seen.extreme, seen.points
         )),
     }

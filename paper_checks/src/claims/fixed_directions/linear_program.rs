@@ -19,9 +19,11 @@ pub static CLAIM: Claim = Claim {
     id: "linear-program",
     place: Place { section: "4.2", label: "displayed program" },
     kind: ClaimKind::Statement,
-    statement: "The coefficients are the optimum of a linear program with O(k^d) equations and constraints: p_j = p + sum of b_ij v_i, |b_ij| <= c_i, minimise the sum of c_i",
+    statement: "The coefficients are the optimum of a linear program with O(k^d) equations and constraints: p_j = p + \
+        sum of b_ij v_i, |b_ij| <= c_i, minimise the sum of c_i",
     remedy: Some(
-        "k + d unknowns are enough: sum of c_i |u.v_i| + u.p >= max of u.p_j for each facet normal u, both ways; and few of these rows are ever needed",
+        "k + d unknowns are enough: sum of c_i |u.v_i| + u.p >= max of u.p_j for each facet normal u, both ways; and \
+            few of these rows are ever needed",
     ),
     code: &[
         "zonotope::enclosing::fixed_directions::papers_program",
@@ -32,7 +34,8 @@ pub static CLAIM: Claim = Claim {
     check: Check::Run(check),
 };
 
-/// The printed program on the extreme points and one inequality for each normal have one optimum; the library's three forms reach it.
+/// The printed program on the extreme points and one inequality for each normal have one optimum; the library's three
+/// forms reach it.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 62);
     let mut seen = Seen::default();
@@ -42,8 +45,9 @@ fn check(context: &CheckContext) -> Verdict {
     match tried {
         Err(witness) => Verdict::Refuted(witness),
         Ok(()) => Verdict::Holds(format!(
-            "for {} problems in R^2 and R^3 the program as printed, of up to {} equations and bounds, no more than 2 C(k, d-1) (2k + d), and the one over all \
-             normals have the same optimum in rationals; the library's three forms come within 1e-12 of it, with points inside and bounds below proven",
+            "for {} problems in R^2 and R^3 the program as printed, of up to {} equations and bounds, no more than 2 \
+             C(k, d-1) (2k + d), and the one over all normals have the same optimum in rationals; the library's three \
+             forms come within 1e-12 of it, with points inside and bounds below proven",
             seen.problems, seen.most_rows
         )),
     }

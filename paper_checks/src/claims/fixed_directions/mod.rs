@@ -10,7 +10,8 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::enclosing::{rank, rows};
 
-/// Random lattice points, and directions that span; one direction in three is a multiple of another one when there are enough.
+/// Random lattice points, and directions that span; one direction in three is a multiple of another one when there are
+/// enough.
 fn random_problem<const D: usize>(
     random: &mut Pcg64Mcg,
     points: usize,

@@ -15,7 +15,8 @@ pub static CLAIM: Claim = Claim {
     id: "structure-from-directions",
     place: Place { section: "4.2", label: "second paragraph" },
     kind: ClaimKind::Statement,
-    statement: "The combinatorial structure of a zonotope depends on the directions of its generators and not on their lengths",
+    statement: "The combinatorial structure of a zonotope depends on the directions of its generators and not on their \
+        lengths",
     remedy: Some(
         "true of lengths above zero; the program of 4.2 gives zero coefficients, and each of them takes faces away",
     ),
@@ -49,8 +50,9 @@ fn check(context: &CheckContext) -> Verdict {
         lost += usize::from(library_counts(&instance) != counts);
     }
     Verdict::Holds(format!(
-        "in {tried} bodies of R^3, parallel and coplanar generators among them, the facets that meet in each vertex stay the same when every generator \
-         is stretched by a factor of its own; a factor of zero changes the counts in {lost} of them"
+        "in {tried} bodies of R^3, parallel and coplanar generators among them, the facets that meet in each vertex \
+         stay the same when every generator is stretched by a factor of its own; a factor of zero changes the counts \
+         in {lost} of them"
     ))
 }
 

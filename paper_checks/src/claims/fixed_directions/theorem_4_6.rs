@@ -21,22 +21,24 @@ pub static CLAIM: Claim = Claim {
     id: "theorem-4.6",
     place: Place { section: "4.2", label: "Theorem 4.6" },
     kind: ClaimKind::Theorem,
-    statement: "The discrete oriented zonotope of least total length along k directions containing n points can be computed in O(n k^(d-1) + k^O(d)) time",
+    statement: "The discrete oriented zonotope of least total length along k directions containing n points can be \
+        computed in O(n k^(d-1) + k^O(d)) time",
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::by_row_generation"],
     figures: &["zonogons-along-directions", "mesh-in-zonohedra", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// Answers are optimal in rationals; the rows of the programs grow as their bounds say, and n enters by a few passes alone.
+/// Answers are optimal in rationals; the rows of the programs grow as their bounds say, and n enters by a few passes
+/// alone.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 63);
     let tried = (0..6)
         .try_for_each(|index| optimal::<2>(&mut random, 12 + 8 * index, 4 + index % 3))
         .and_then(|()| (0..4).try_for_each(|index| optimal::<3>(&mut random, 10 + 8 * index, 4 + index % 2)));
     let found = tried.map(|()| {
-        "for 10 sets of up to 52 points in R^2 and R^3 along up to 6 directions the value is within 1e-12 of the rational optimum, every point inside and the \
-         lower bound proven by forces"
+        "for 10 sets of up to 52 points in R^2 and R^3 along up to 6 directions the value is within 1e-12 of the \
+         rational optimum, every point inside and the lower bound proven by forces"
             .to_owned()
     });
     verdict(context, &CLAIM, found, growth, &["papers_program", "support_form", "by_row_generation"])
@@ -101,8 +103,9 @@ fn growth(context: &CheckContext) -> Result<String, String> {
     let (few, many) = (passes(500)?, passes(8000)?);
     let last = |samples: &[(f64, f64)]| samples.last().map_or(0.0, |sample| sample.1);
     let sentence = format!(
-        "for 1200 points on a sphere and k = 4 to 10 directions the rows of the printed program, {} for k = 10, grow like (k-1)/k k^{printed_power:.2}, those over \
-         all normals, {}, like (k-1)/k k^{all_power:.2}, those found as needed, {}, like k^{needed_power:.2}; 500 points are read {few} times, 8000 points {many} times",
+        "for 1200 points on a sphere and k = 4 to 10 directions the rows of the printed program, {} for k = 10, grow \
+         like (k-1)/k k^{printed_power:.2}, those over all normals, {}, like (k-1)/k k^{all_power:.2}, those found as \
+         needed, {}, like k^{needed_power:.2}; 500 points are read {few} times, 8000 points {many} times",
         last(&printed),
         last(&all),
         last(&needed)

@@ -11,13 +11,15 @@ pub static CLAIM: Claim = Claim {
     id: "center-and-generators",
     place: Place { section: "3", label: "definition" },
     kind: ClaimKind::Statement,
-    statement: "A Minkowski sum of finitely many segments is { p + sum of delta_i v_i : |delta_i| <= 1 } for a centre p and generators v_i, and conversely",
+    statement: "A Minkowski sum of finitely many segments is { p + sum of delta_i v_i : |delta_i| <= 1 } for a centre \
+        p and generators v_i, and conversely",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// Sums segments given by their ends, in any order, and compares with the body of the midpoints' sum and the half-differences.
+/// Sums segments given by their ends, in any order, and compares with the body of the midpoints' sum and the
+/// half-differences.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 37);
     let (mut directions, mut sums) = (0, 0);
@@ -41,7 +43,8 @@ fn check(context: &CheckContext) -> Verdict {
         sums += 1;
     }
     Verdict::Holds(format!(
-        "{sums} sums of up to 7 segments, points among them: support functions equal those of the centre and the generators in {directions} \
-         directions, so the convex sets are equal; each generator is half a segment, which is the converse"
+        "{sums} sums of up to 7 segments, points among them: support functions equal those of the centre and the \
+         generators in {directions} directions, so the convex sets are equal; each generator is half a segment, which \
+         is the converse"
     ))
 }

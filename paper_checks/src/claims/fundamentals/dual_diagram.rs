@@ -16,7 +16,8 @@ pub static CLAIM: Claim = Claim {
     id: "tiling-arrangement-duality",
     place: Place { section: "3", label: "second paragraph" },
     kind: ClaimKind::Statement,
-    statement: "The dual diagram of the tiling is isomorphic to the arrangement of the lines P_i with z = 1: tiles to vertices, tiling edges to edges, tiling vertices to faces",
+    statement: "The dual diagram of the tiling is isomorphic to the arrangement of the lines P_i with z = 1: tiles to \
+        vertices, tiling edges to edges, tiling vertices to faces",
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
@@ -42,8 +43,9 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{} bodies in general position: {tiles} tiles are the crossings of their two lines and of no other, {edges} edges between tiles are \
-         those between neighbours on a line and each line has two unbounded ones, and {faces} tiling vertices have the signs of the faces",
+        "{} bodies in general position: {tiles} tiles are the crossings of their two lines and of no other, {edges} \
+         edges between tiles are those between neighbours on a line and each line has two unbounded ones, and {faces} \
+         tiling vertices have the signs of the faces",
         instances.len()
     ))
 }

@@ -11,14 +11,16 @@ pub static CLAIM: Claim = Claim {
     id: "face-count",
     place: Place { section: "3", label: "first paragraph" },
     kind: ClaimKind::Statement,
-    statement: "In R^d a zonotope with n generators has complexity O(n^(d-1)), and the topology of its boundary is that of an arrangement",
+    statement: "In R^d a zonotope with n generators has complexity O(n^(d-1)), and the topology of its boundary is \
+        that of an arrangement",
     code: &["zonotope::zonotope::faces"],
     figures: &["scaling-face-counts"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// In space: n(n−1) facets, 2n(n−1) edges and n(n−1) + 2 vertices in general position, never more; Euler's formula always.
+/// In space: n(n−1) facets, 2n(n−1) edges and n(n−1) + 2 vertices in general position, never more; Euler's formula
+/// always.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 38);
     let (mut general, mut others) = (0, 0);
@@ -49,7 +51,7 @@ fn check(context: &CheckContext) -> Verdict {
         if independent { general += 1 } else { others += 1 }
     }
     Verdict::Holds(format!(
-        "{general} bodies of R^3 with independent triples have n(n-1) facets, 2n(n-1) edges and n(n-1) + 2 vertices; {others} others have no \
-         more, and Euler's formula holds for all; the library counts the same"
+        "{general} bodies of R^3 with independent triples have n(n-1) facets, 2n(n-1) edges and n(n-1) + 2 vertices; \
+         {others} others have no more, and Euler's formula holds for all; the library counts the same"
     ))
 }

@@ -14,14 +14,16 @@ pub static CLAIM: Claim = Claim {
     id: "upper-hull-tiling",
     place: Place { section: "3", label: "second paragraph" },
     kind: ClaimKind::Statement,
-    statement: "In R^3 the upper hull projects to a tiling of a convex polygon Q by translates of the parallelograms of the projected generators, one for each pair",
+    statement: "In R^3 the upper hull projects to a tiling of a convex polygon Q by translates of the parallelograms \
+        of the projected generators, one for each pair",
     remedy: Some("in general position: parallel projections have no tile, coplanar generators share one"),
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
 };
 
-/// The facets that look up: one for each pair, of the pair's shape; their areas add up to that of Q, and points of Q lie in one of them.
+/// The facets that look up: one for each pair, of the pair's shape; their areas add up to that of Q, and points of Q
+/// lie in one of them.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 42);
     let (mut tilings, mut tiles, mut points) = (0, 0, 0);
@@ -63,8 +65,9 @@ fn check(context: &CheckContext) -> Verdict {
         tiles += upper.len();
     }
     Verdict::Holds(format!(
-        "{tilings} bodies in general position: {tiles} facets look up, one for each pair of generators and with the pair's area, the areas add \
-         up to that of Q, and {points} points lie in a tile just when they lie in Q, in the interior of at most one"
+        "{tilings} bodies in general position: {tiles} facets look up, one for each pair of generators and with the \
+         pair's area, the areas add up to that of Q, and {points} points lie in a tile just when they lie in Q, in the \
+         interior of at most one"
     ))
 }
 

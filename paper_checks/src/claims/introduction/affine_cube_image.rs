@@ -19,8 +19,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// Both are convex, so equal support functions make them equal: the image's is a maximum over the corners of the cube, the sum's the
-/// sum over its segments.
+/// Both are convex, so equal support functions make them equal: the image's is a maximum over the corners of the cube,
+/// the sum's the sum over its segments.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 30);
     let mut compared = 0;
@@ -47,8 +47,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{} bodies, flat and empty ones among them: the sum of the segments reaches as far as the images of all 2^n corners of the \
-         cube in {compared} directions, and contains all of these images",
+        "{} bodies, flat and empty ones among them: the sum of the segments reaches as far as the images of all 2^n \
+         corners of the cube in {compared} directions, and contains all of these images",
         instances.len()
     ))
 }

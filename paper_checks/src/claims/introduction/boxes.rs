@@ -17,7 +17,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// Compares the box { x : |u_i · (x − c)| <= w_i |u_i|² } of orthogonal u_i with the zonotope of the generators w_i u_i, point by point.
+/// Compares the box { x : |u_i · (x − c)| <= w_i |u_i|² } of orthogonal u_i with the zonotope of the generators w_i
+/// u_i, point by point.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 31);
     let (mut boxes, mut points, mut inside) = (0, 0, 0);
@@ -49,8 +50,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{boxes} axis-aligned and oriented boxes, flat ones among them: {points} points lie in the box just when they lie in the \
-         zonotope of its three half-edges ({inside} of them do)"
+        "{boxes} axis-aligned and oriented boxes, flat ones among them: {points} points lie in the box just when they \
+         lie in the zonotope of its three half-edges ({inside} of them do)"
     ))
 }
 

@@ -44,7 +44,7 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "each of the {facets} facets of {solid} bodies of full dimension, reflected through the centre, is the facet with the opposite \
-         normal"
+        "each of the {facets} facets of {solid} bodies of full dimension, reflected through the centre, is the facet \
+         with the opposite normal"
     ))
 }

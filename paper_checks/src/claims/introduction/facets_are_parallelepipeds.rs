@@ -19,7 +19,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// In general position every facet is a parallelogram, and every pair of generators spans two; the truncated octahedron has hexagons.
+/// In general position every facet is a parallelogram, and every pair of generators spans two; the truncated octahedron
+/// has hexagons.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 33);
     let instances = bodies_in_general_position(&mut random, 35);
@@ -52,8 +53,9 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Inconclusive(format!("the truncated octahedron has {hexagons} hexagons"));
     }
     Verdict::Holds(format!(
-        "all {facets} facets of {} bodies of 3 to 9 generators in general position are parallelograms of two generators, two for each \
-         pair; without general position it fails: the truncated octahedron has {hexagons} hexagons of three generators each",
+        "all {facets} facets of {} bodies of 3 to 9 generators in general position are parallelograms of two \
+         generators, two for each pair; without general position it fails: the truncated octahedron has {hexagons} \
+         hexagons of three generators each",
         instances.len()
     ))
 }

@@ -14,14 +14,15 @@ pub static CLAIM: Claim = Claim {
     id: "sphere-arrangement-duality",
     place: Place { section: "1", label: "third paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Outer normals map the faces of a zonotope to the arrangement of one great hypersphere per generator: facets to vertices, a zone to the vertices of its hypersphere",
+    statement: "Outer normals map the faces of a zonotope to the arrangement of one great hypersphere per generator: \
+        facets to vertices, a zone to the vertices of its hypersphere",
     code: &["zonotope::zonotope::faces"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// The outer normals of the facets are the points where circles cross; a facet has a side along a generator just when its normal lies on
-/// the generator's circle; vertices are as many as cells, by Euler's formula on the sphere.
+/// The outer normals of the facets are the points where circles cross; a facet has a side along a generator just when
+/// its normal lies on the generator's circle; vertices are as many as cells, by Euler's formula on the sphere.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 36);
     let (mut solid, mut facets, mut cells) = (0, 0, 0);
@@ -54,8 +55,8 @@ fn check(context: &CheckContext) -> Verdict {
         cells += vertices;
     }
     Verdict::Holds(format!(
-        "{solid} bodies of full dimension, coplanar and parallel generators among them: the normals of {facets} facets are the crossings \
-         of the circles, a facet has a side along a generator just when its normal is on that circle, and the {cells} vertices are as \
-         many as the cells"
+        "{solid} bodies of full dimension, coplanar and parallel generators among them: the normals of {facets} facets \
+         are the crossings of the circles, a facet has a side along a generator just when its normal is on that \
+         circle, and the {cells} vertices are as many as the cells"
     ))
 }

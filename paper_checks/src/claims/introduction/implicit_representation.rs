@@ -11,13 +11,15 @@ pub static CLAIM: Claim = Claim {
     id: "implicit-representation",
     place: Place { section: "1", label: "second bullet" },
     kind: ClaimKind::Statement,
-    statement: "n generators represent a body of up to order n^2 faces in R^3, and sums and differences are concatenations of generator lists",
+    statement: "n generators represent a body of up to order n^2 faces in R^3, and sums and differences are \
+        concatenations of generator lists",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// Joins the lists of pairs of bodies: sum and difference have the lists of both, and as many facets as there are pairs, twice.
+/// Joins the lists of pairs of bodies: sum and difference have the lists of both, and as many facets as there are
+/// pairs, twice.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 50);
     let instances = bodies_in_general_position(&mut random, 28);
@@ -42,7 +44,7 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{pairs} sums A + B and differences A + (-B): the list of generators is that of A followed by that of B, and {numbers} numbers in all \
-         stand for {facets} facets, at most n(n-1) a body"
+        "{pairs} sums A + B and differences A + (-B): the list of generators is that of A followed by that of B, and \
+         {numbers} numbers in all stand for {facets} facets, at most n(n-1) a body"
     ))
 }

@@ -11,7 +11,8 @@ pub static CLAIM: Claim = Claim {
     id: "minkowski-closure",
     place: Place { section: "1", label: "first bullet" },
     kind: ClaimKind::Statement,
-    statement: "Zonotopes are closed under Minkowski sum and difference, so intersection reduces to membership of a point",
+    statement: "Zonotopes are closed under Minkowski sum and difference, so intersection reduces to membership of a \
+        point",
     remedy: Some(
         "the difference is A + (-B), all a - b; the erosion of A by B is another body, and no zonotope in general",
     ),
@@ -20,8 +21,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// The support function of a sum is the sum of the support functions, and sums and differences of points lie in the bodies of the joined
-/// generators.
+/// The support function of a sum is the sum of the support functions, and sums and differences of points lie in the
+/// bodies of the joined generators.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 32);
     let instances = bodies(&mut random, 40);
@@ -52,8 +53,9 @@ fn check(context: &CheckContext) -> Verdict {
         pairs += 1;
     }
     Verdict::Holds(format!(
-        "{pairs} pairs of bodies: A + B and A + (-B) have the generators of both, for their support functions are the sums of those of A \
-         and of B or -B in 10 directions each, and {points} sums and differences of points lie in them; the reduction is Lemma 5.1"
+        "{pairs} pairs of bodies: A + B and A + (-B) have the generators of both, for their support functions are the \
+         sums of those of A and of B or -B in 10 directions each, and {points} sums and differences of points lie in \
+         them; the reduction is Lemma 5.1"
     ))
 }
 

@@ -17,8 +17,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// The octahedron. An edge of a sum of segments is a translate of the parallel segments, so a zonotope is the sum of its edges, one of
-/// each direction: for the octahedron that sum is another body.
+/// The octahedron. An edge of a sum of segments is a translate of the parallel segments, so a zonotope is the sum of
+/// its edges, one of each direction: for the octahedron that sum is another body.
 fn check(_context: &CheckContext) -> Verdict {
     let corners: Vec<Vector> =
         [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]].map(Vector::at).to_vec();
@@ -39,8 +39,8 @@ fn check(_context: &CheckContext) -> Verdict {
         return Verdict::Refuted("the octahedron is the sum of its edges".to_owned());
     }
     Verdict::Holds(format!(
-        "the octahedron is centrally symmetric, and the sum of its {} edge directions at the edges' length is a body of {} vertices and \
-         not the octahedron of {}",
+        "the octahedron is centrally symmetric, and the sum of its {} edge directions at the edges' length is a body \
+         of {} vertices and not the octahedron of {}",
         edges.len(),
         vertices.len(),
         corners.len()

@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "variable-complexity",
     place: Place { section: "1", label: "third bullet" },
     kind: ClaimKind::Statement,
-    statement: "The number of generators can vary over a bounding volume hierarchy, with more of them where few nodes would otherwise fit badly",
+    statement: "The number of generators can vary over a bounding volume hierarchy, with more of them where few nodes \
+        would otherwise fit badly",
     ..Claim::LISTED
 };

@@ -19,7 +19,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// Walks from facet to facet across edges parallel to the generator: the walk meets every facet of the zone once and closes.
+/// Walks from facet to facet across edges parallel to the generator: the walk meets every facet of the zone once and
+/// closes.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 35);
     let (mut zones, mut steps) = (0, 0);
@@ -42,12 +43,13 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "in {zones} zones of bodies in general position the {steps} facets form one closed band each, of 2(n-1) facets joined along the \
-         edges parallel to the generator"
+        "in {zones} zones of bodies in general position the {steps} facets form one closed band each, of 2(n-1) facets \
+         joined along the edges parallel to the generator"
     ))
 }
 
-/// How many facets a walk across the edges of this direction meets before it returns to the first; `None` if an edge has not two facets.
+/// How many facets a walk across the edges of this direction meets before it returns to the first; `None` if an edge
+/// has not two facets.
 fn band_length(zone: &[&Facet], direction: &Vector) -> Option<usize> {
     let mut sharing: BTreeMap<[Vector; 2], Vec<usize>> = BTreeMap::new();
     for (index, facet) in zone.iter().enumerate() {

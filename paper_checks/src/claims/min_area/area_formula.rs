@@ -12,7 +12,8 @@ pub static CLAIM: Claim = Claim {
     id: "area-formula",
     place: Place { section: "4.1", label: "displayed formula" },
     kind: ClaimKind::Statement,
-    statement: "In the notation of the combinatorial description, f(O) = sum over s of ([P_{a'} P_a P_{a+1}] + 4 [P_a ... P_b O] - 2 [P_a ... P_b P_{a'}]) - [P_{a_1} ... P_{a_k}], the last displayed line",
+    statement: "In the notation of the combinatorial description, f(O) = sum over s of ([P_{a'} P_a P_{a+1}] + 4 [P_a \
+        ... P_b O] - 2 [P_a ... P_b P_{a'}]) - [P_{a_1} ... P_{a_k}], the last displayed line",
     code: &["zonotope::enclosing::min_area_zonogon"],
     figures: &["paper-figure-2"],
     check: Check::Run(check),
@@ -46,6 +47,7 @@ fn check(context: &CheckContext) -> Verdict {
     }
     let [one, three, more] = by_runs;
     Verdict::Holds(format!(
-        "the first, second and last lines equal the area of Z(O) exactly: {one} times with k = 1, {three} with k = 3, {more} with k >= 5"
+        "the first, second and last lines equal the area of Z(O) exactly: {one} times with k = 1, {three} with k = 3, \
+            {more} with k >= 5"
     ))
 }

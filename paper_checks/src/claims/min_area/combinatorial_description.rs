@@ -11,7 +11,8 @@ pub static CLAIM: Claim = Claim {
     id: "combinatorial-description",
     place: Place { section: "4.1", label: "fifth paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Z(O) is a circular sequence of runs of consecutive points and runs of consecutive reflected points, in turn",
+    statement: "Z(O) is a circular sequence of runs of consecutive points and runs of consecutive reflected points, in \
+        turn",
     code: &["zonotope::enclosing::centered_zonogon"],
     figures: &["paper-figure-2"],
     check: Check::Run(check),
@@ -42,9 +43,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{tried} zonogons are k runs of consecutive points and k of consecutive reflected points in turn; opposite runs are \
-         reflections, so k is odd (at most {longest} here); the library \
-         finds as many"
+        "{tried} zonogons are k runs of consecutive points and k of consecutive reflected points in turn; opposite \
+         runs are reflections, so k is odd (at most {longest} here); the library finds as many"
     ))
 }
 

@@ -12,7 +12,8 @@ pub static CLAIM: Claim = Claim {
     id: "deciding-side",
     place: Place { section: "4.1", label: "after Corollary 4.4" },
     kind: ClaimKind::Statement,
-    statement: "From the least point O_l of f on a vertical line, found in O(n log n) time, one can tell whether it is the global minimum and, if not, on which side the minimum lies",
+    statement: "From the least point O_l of f on a vertical line, found in O(n log n) time, one can tell whether it is \
+        the global minimum and, if not, on which side the minimum lies",
     code: &["zonotope::lad::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
@@ -51,7 +52,7 @@ fn check(context: &CheckContext) -> Verdict {
     }
     let [left, here, right] = sides;
     Verdict::Holds(format!(
-        "the subgradients at O_l that vanish along the line tell the side: left {left} times, right {right} times, and {here} \
-         times that O_l is a minimum"
+        "the subgradients at O_l that vanish along the line tell the side: left {left} times, right {right} times, and \
+         {here} times that O_l is a minimum"
     ))
 }

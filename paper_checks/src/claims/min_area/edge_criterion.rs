@@ -13,7 +13,8 @@ pub static CLAIM: Claim = Claim {
     id: "edge-criterion",
     place: Place { section: "4.1", label: "before Lemma 4.1" },
     kind: ClaimKind::Statement,
-    statement: "The edge P_t P_{t+1} of H is an edge of Z(O) iff O is to the left of the line l_t through the midpoints of P_s P_t and P_s P_{t+1}, P_s the vertex farthest from the edge",
+    statement: "The edge P_t P_{t+1} of H is an edge of Z(O) iff O is to the left of the line l_t through the \
+        midpoints of P_s P_t and P_s P_{t+1}, P_s the vertex farthest from the edge",
     code: &["zonotope::enclosing::bisectors"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
@@ -44,8 +45,9 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "the side of l_t told {tried} times whether the edge is on Z(O), {on_line} of them from the line itself, where the \
-         edge is part of a longer or a shared one; {ties} parallel edges gave the same line from either farthest vertex"
+        "the side of l_t told {tried} times whether the edge is on Z(O), {on_line} of them from the line itself, where \
+         the edge is part of a longer or a shared one; {ties} parallel edges gave the same line from either farthest \
+         vertex"
     ))
 }
 

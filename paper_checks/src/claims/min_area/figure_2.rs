@@ -12,7 +12,8 @@ pub static CLAIM: Claim = Claim {
     id: "figure-2",
     place: Place { section: "4.1", label: "Figure 2" },
     kind: ClaimKind::Figure,
-    statement: "Z(O) is cut into the quadrilaterals O P_a P'_{a'} P_{a+1} and the caps beyond them, which is the first line of the area formula",
+    statement: "Z(O) is cut into the quadrilaterals O P_a P'_{a'} P_{a+1} and the caps beyond them, which is the first \
+        line of the area formula",
     code: &["zonotope::enclosing::centered_zonogon"],
     figures: &["paper-figure-2"],
     check: Check::Run(check),

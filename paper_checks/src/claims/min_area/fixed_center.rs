@@ -11,7 +11,8 @@ pub static CLAIM: Claim = Claim {
     id: "fixed-center-optimum",
     place: Place { section: "4.1", label: "third paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Among the zonogons centred at O that contain the points, the convex hull Z(O) of the points and their reflections through O has the least area",
+    statement: "Among the zonogons centred at O that contain the points, the convex hull Z(O) of the points and their \
+        reflections through O has the least area",
     code: &["zonotope::enclosing::centered_zonogon"],
     figures: &["polygon-and-reflection"],
     check: Check::Run(check),
@@ -46,8 +47,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{tried} zonogons Z(O) are symmetric about O, contain the points and have only points and reflected points as vertices; \
-         the library builds the same ones"
+        "{tried} zonogons Z(O) are symmetric about O, contain the points and have only points and reflected points as \
+         vertices; the library builds the same ones"
     ))
 }
 

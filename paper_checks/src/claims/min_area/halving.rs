@@ -17,7 +17,8 @@ pub static CLAIM: Claim = Claim {
     id: "halving-search",
     place: Place { section: "4.1", label: "before Theorem 4.5" },
     kind: ClaimKind::Statement,
-    statement: "Each step of the search halves the candidate vertices by slope selection, in O(n log n) time, so O(log n) steps find the minimum",
+    statement: "Each step of the search halves the candidate vertices by slope selection, in O(n log n) time, so O(log \
+        n) steps find the minimum",
     code: &["zonotope::lad::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["scaling-kernel-operations", "scaling-kernel-times", "search-of-theorem-4-5"],
     check: Check::Run(check),

@@ -13,7 +13,8 @@ pub static CLAIM: Claim = Claim {
     id: "hull-suffices",
     place: Place { section: "4", label: "first paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Only the convex hull of the geometry matters: a zonotope encloses the points iff it encloses their hull",
+    statement: "Only the convex hull of the geometry matters: a zonotope encloses the points iff it encloses their \
+        hull",
     code: &["zonotope::hull"],
     check: Check::Run(check),
     ..Claim::LISTED

@@ -61,8 +61,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{values} values of f equal C + 2 sum of max(0, e_t x (O - m_t)); f is affine on each of {cells} faces met, and bends \
-         across each of the {bends} lines, one for each edge"
+        "{values} values of f equal C + 2 sum of max(0, e_t x (O - m_t)); f is affine on each of {cells} faces met, \
+         and bends across each of the {bends} lines, one for each edge"
     ))
 }
 

@@ -12,7 +12,8 @@ pub static CLAIM: Claim = Claim {
     id: "lemma-4.2",
     place: Place { section: "4.1", label: "Lemma 4.2" },
     kind: ClaimKind::Lemma,
-    statement: "The restriction of f to any line can be computed in O(n log n) time: sort the crossings with the lines l_t, then add one slope at each",
+    statement: "The restriction of f to any line can be computed in O(n log n) time: sort the crossings with the lines \
+        l_t, then add one slope at each",
     code: &["zonotope::lad::by_slope_selection", "zonotope::lad::by_line_search"],
     check: Check::Run(check),
     ..Claim::LISTED
@@ -55,8 +56,8 @@ fn check(context: &CheckContext) -> Verdict {
         growth.push(format!("{} at n = {n}", restriction.comparisons));
     }
     Verdict::Holds(format!(
-        "{breaks} breaks sorted and one slope added at each give f on random, vertical, horizontal and edge-parallel lines; \
-         comparisons stay below n log2 n: {}",
+        "{breaks} breaks sorted and one slope added at each give f on random, vertical, horizontal and edge-parallel \
+         lines; comparisons stay below n log2 n: {}",
         growth.join(", ")
     ))
 }

@@ -48,7 +48,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{tried} differences of f within a region equal the step times 2 sum of (-y, x) over the edges (x, y) of H on Z(O)"
+        "{tried} differences of f within a region equal the step times 2 sum of (-y, x) over the edges (x, y) of H on \
+            Z(O)"
     ))
 }
 

@@ -38,6 +38,7 @@ fn check(context: &CheckContext) -> Verdict {
         ambiguous += usize::from(minimizers.len() > 1);
     }
     Verdict::Holds(format!(
-        "for {tried} polygons with area no direction descends from the best vertex; for {ambiguous} of them several vertices are best"
+        "for {tried} polygons with area no direction descends from the best vertex; for {ambiguous} of them several \
+            vertices are best"
     ))
 }

@@ -16,7 +16,8 @@ pub static CLAIM: Claim = Claim {
     id: "volume-formula",
     place: Place { section: "4.1", label: "after Theorem 4.5" },
     kind: ClaimKind::Statement,
-    statement: "The volume of a zonotope is the sum of the volumes of the parallelepipeds formed by all d-tuples of generators",
+    statement: "The volume of a zonotope is the sum of the volumes of the parallelepipeds formed by all d-tuples of \
+        generators",
     code: &["zonotope::zonotope::combinatorics"],
     check: Check::Run(check),
     ..Claim::LISTED
@@ -34,8 +35,8 @@ fn check(context: &CheckContext) -> Verdict {
     match compare_all(context) {
         Err(verdict) => verdict,
         Ok(compared) => Verdict::Holds(format!(
-            "2^d times the sum of abs(det) over all d-tuples is the volume that pyramids over the facets add up to, for {} \
-             bodies of full dimension and {} flat ones in R^1 to R^5; the library computes the same volume",
+            "2^d times the sum of abs(det) over all d-tuples is the volume that pyramids over the facets add up to, \
+             for {} bodies of full dimension and {} flat ones in R^1 to R^5; the library computes the same volume",
             compared.full_dimensional, compared.flat
         )),
     }

@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "most-symmetric-bodies-not-zonoids",
     place: Place { section: "4.1", label: "after Theorem 4.5" },
     kind: ClaimKind::Statement,
-    statement: "In R^d with d >= 3 most centrally symmetric bodies cannot be approximated arbitrarily closely by zonotopes",
+    statement: "In R^d with d >= 3 most centrally symmetric bodies cannot be approximated arbitrarily closely by \
+        zonotopes",
     ..Claim::LISTED
 };

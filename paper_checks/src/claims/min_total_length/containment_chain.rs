@@ -15,16 +15,19 @@ pub static CLAIM: Claim = Claim {
     id: "containment-chain",
     place: Place { section: "4.3", label: "third paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Moving every generator to the nearest net direction and adding eps D along each of the d axes gives a zonotope Z' that contains Z and has total length (1 + d eps) D",
+    statement: "Moving every generator to the nearest net direction and adding eps D along each of the d axes gives a \
+        zonotope Z' that contains Z and has total length (1 + d eps) D",
     remedy: Some(
-        "the printed sums add all generators e_d of the axes: read e_i; with what the moved parts reach along each axis a factor sqrt(d) is enough in place of d",
+        "the printed sums add all generators e_d of the axes: read e_i; with what the moved parts reach along each \
+            axis a factor sqrt(d) is enough in place of d",
     ),
     code: &["zonotope::enclosing::min_total_length::by_direction_net", "zonotope::enclosing::fixed_directions"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// Rational unit vectors, in the plane and in space: Z' contains Z, has that length, and the library's best one is no longer.
+/// Rational unit vectors, in the plane and in space: Z' contains Z, has that length, and the library's best one is no
+/// longer.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 66);
     let tried = (0..12)
@@ -33,9 +36,10 @@ fn check(context: &CheckContext) -> Verdict {
     match tried {
         Err(witness) => Verdict::Refuted(witness),
         Ok(()) => Verdict::Holds(
-            "for 18 zonotopes of R^2 and R^3 with generators along rational unit vectors, each moved to another one within eps, every facet normal of Z' says that Z \
-             is inside, and the lengths add up to (1 + d eps) D; along each axis as much as the moved parts reach there is enough, sqrt(d) eps D in all; the library's zonotope along the same \
-             directions around the vertices is no longer"
+            "for 18 zonotopes of R^2 and R^3 with generators along rational unit vectors, each moved to another one \
+             within eps, every facet normal of Z' says that Z is inside, and the lengths add up to (1 + d eps) D; \
+             along each axis as much as the moved parts reach there is enough, sqrt(d) eps D in all; the library's \
+             zonotope along the same directions around the vertices is no longer"
                 .to_owned(),
         ),
     }

@@ -23,7 +23,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// Nets of the cube's faces: the farthest directions of cells and random ones are near a vector, and the sizes grow as they should.
+/// Nets of the cube's faces: the farthest directions of cells and random ones are near a vector, and the sizes grow as
+/// they should.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 65);
     let found = covered::<2>(&mut random).and_then(|a| Ok(a + covered::<3>(&mut random)? + covered::<4>(&mut random)?));
@@ -37,8 +38,9 @@ fn check(context: &CheckContext) -> Verdict {
         return Verdict::Inconclusive("the sizes of the nets do not grow like 1 / eps^(d-1)".to_owned());
     };
     Verdict::Holds(format!(
-        "{tried} directions of R^2, R^3 and R^4, the corners of the nets' cells, which are farthest from their middles, among them, are within eps of a vector of the net or its \
-         opposite; the sizes grow with 1 / eps to the powers {plane:.2}, {space:.2}, {four:.2}"
+        "{tried} directions of R^2, R^3 and R^4, the corners of the nets' cells, which are farthest from their \
+         middles, among them, are within eps of a vector of the net or its opposite; the sizes grow with 1 / eps to \
+         the powers {plane:.2}, {space:.2}, {four:.2}"
     ))
 }
 

@@ -13,9 +13,11 @@ pub static CLAIM: Claim = Claim {
     id: "theorem-4.7",
     place: Place { section: "4.3", label: "Theorem 4.7" },
     kind: ClaimKind::Theorem,
-    statement: "An enclosing zonotope with total length within O(eps) of the least can be computed in O(n eps^(-(d-1)^2) + eps^(-O(d^2))) time",
+    statement: "An enclosing zonotope with total length within O(eps) of the least can be computed in O(n \
+        eps^(-(d-1)^2) + eps^(-O(d^2))) time",
     remedy: Some(
-        "eps^(-(d-1)/2) directions are enough; and directions found as they are needed reach any precision with a proven ratio",
+        "eps^(-(d-1)/2) directions are enough; and directions found as they are needed reach any precision with a \
+            proven ratio",
     ),
     code: &[
         "zonotope::enclosing::min_total_length::by_direction_net",
@@ -25,7 +27,8 @@ pub static CLAIM: Claim = Claim {
     check: Check::Run(check),
 };
 
-/// Each answer's containment, length and lower bound are checked exactly; its ratio is at most 1 + eps; the nets' sizes grow as they should.
+/// Each answer's containment, length and lower bound are checked exactly; its ratio is at most 1 + eps; the nets' sizes
+/// grow as they should.
 fn check(context: &CheckContext) -> Verdict {
     let mut seen = Seen::default();
     let tried = (0..3)
@@ -39,8 +42,9 @@ fn check(context: &CheckContext) -> Verdict {
         .and_then(|()| keeps::<3>(context.seed, 6, &[0.01], None, &mut seen));
     let found = tried.map(|()| {
         format!(
-            "{} answers for points in R^2 and R^3, by both nets and by directions as needed, hold every point, prove their lower bound by forces whose farthest vertex was \
-             looked for among all, and have ratios of at most 1 + eps; those of nets use at most {:.0} % of eps",
+            "{} answers for points in R^2 and R^3, by both nets and by directions as needed, hold every point, prove \
+             their lower bound by forces whose farthest vertex was looked for among all, and have ratios of at most 1 \
+             + eps; those of nets use at most {:.0} % of eps",
             seen.answers,
             100.0 * seen.largest_share
         )
@@ -102,7 +106,8 @@ fn sizes() -> Result<String, String> {
         exponents.push(format!("{:.2}", growth.exponent.value));
     }
     Ok(format!(
-        "for eps = 2^-4 to 2^-12 in R^2, R^3, R^4 the paper's net grows like 1 / eps to the powers {}, the other one to {}",
+        "for eps = 2^-4 to 2^-12 in R^2, R^3, R^4 the paper's net grows like 1 / eps to the powers {}, the other one \
+            to {}",
         exponents[..3].join(", "),
         exponents[3..].join(", ")
     ))

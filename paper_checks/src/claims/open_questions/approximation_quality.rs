@@ -21,7 +21,9 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::OpenQuestion,
     statement: "In R^3, how well can a zonotope approximate a given centrally symmetric convex polyhedron?",
     remedy: Some(
-        "not arbitrarily well: between the octahedron and t times itself there is a zonotope just when t >= 3/2, however many generators it has; by total length, every single input can be answered to any precision with a proof",
+        "not arbitrarily well: between the octahedron and t times itself there is a zonotope just when t >= 3/2, \
+            however many generators it has; by total length, every single input can be answered to any precision with \
+            a proof",
     ),
     code: &["zonotope::enclosing::min_total_length::by_column_generation"],
     figures: &["mesh-in-zonohedra"],
@@ -40,8 +42,9 @@ fn check(context: &CheckContext) -> Verdict {
     match found {
         Err(reason) => Verdict::Inconclusive(reason),
         Ok(lengths) => Verdict::Holds(format!(
-            "in part: the octahedron conv(±e_i) lies in a truncated octahedron of 6 generators, which lies in 3/2 times the octahedron, and no zonotope does better, for \
-             sum of h(±1,±1,±1) / 8 >= sum of h(e_i) / 2 generator by generator; the least total lengths around solids, proven within 1 %: {}",
+            "in part: the octahedron conv(±e_i) lies in a truncated octahedron of 6 generators, which lies in 3/2 \
+             times the octahedron, and no zonotope does better, for sum of h(±1,±1,±1) / 8 >= sum of h(e_i) / 2 \
+             generator by generator; the least total lengths around solids, proven within 1 %: {}",
             lengths.join(", ")
         )),
     }
@@ -49,8 +52,9 @@ fn check(context: &CheckContext) -> Verdict {
 
 /// The truncated octahedron between the octahedron and 3/2 of it, and the inequality that forbids anything better.
 ///
-/// A zonotope Z around the octahedron has h(e_i) ≥ 1; within t times it, h(±1, ±1, ±1) ≤ t. For a generator g the mean of |s · g| over the eight sign vectors s is at
-/// least |g|_1 / 2: with a ≥ b ≥ c ≥ 0 it is (a+b+c + a+b−c + a−b+c + |b+c−a|) / 4 ≥ (3a+b+c + b+c−a) / 4. And |g|_1 = Σ |e_i · g|, so t ≥ Σ h(e_i) / 2 ≥ 3/2.
+/// A zonotope Z around the octahedron has h(e_i) ≥ 1; within t times it, h(±1, ±1, ±1) ≤ t. For a generator g the mean
+/// of |s · g| over the eight sign vectors s is at least |g|_1 / 2: with a ≥ b ≥ c ≥ 0 it is (a+b+c + a+b−c + a−b+c +
+/// |b+c−a|) / 4 ≥ (3a+b+c + b+c−a) / 4. And |g|_1 = Σ |e_i · g|, so t ≥ Σ h(e_i) / 2 ≥ 3/2.
 fn octahedron(random: &mut Pcg64Mcg) -> Result<(), String> {
     let quarters = [[1, 1, 0], [1, -1, 0], [1, 0, 1], [1, 0, -1], [0, 1, 1], [0, 1, -1]];
     let quarter = |v: [i64; 3]| Vector(v.map(|c| fraction(c, 4)));

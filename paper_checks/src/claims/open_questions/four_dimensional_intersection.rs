@@ -16,7 +16,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::OpenQuestion,
     statement: "How are 4-D space-time zonotopes intersected efficiently?",
     remedy: Some(
-        "as in space, by the direction in which the zonotope reaches least far: the kernel in three variables, by exact descent along edges",
+        "as in space, by the direction in which the zonotope reaches least far: the kernel in three variables, by \
+            exact descent along edges",
     ),
     code: &["zonotope::collision::by_lad_in_r4"],
     check: Check::Run(check),
@@ -46,8 +47,9 @@ fn check(context: &CheckContext) -> Verdict {
     }
     let [inside, boundary, outside] = counts;
     Verdict::Holds(format!(
-        "the kernel in three variables decides {inside} points inside, {boundary} on the boundary and {outside} outside of zonotopes of R^4 as \
-         the normals of all triples of generators do, flat, parallel and empty generators among them"
+        "the kernel in three variables decides {inside} points inside, {boundary} on the boundary and {outside} \
+         outside of zonotopes of R^4 as the normals of all triples of generators do, flat, parallel and empty \
+         generators among them"
     ))
 }
 
@@ -64,7 +66,8 @@ fn target(random: &mut Pcg64Mcg, generators: &[[i64; 4]], index: usize) -> [i64;
     point
 }
 
-/// 0 inside, 1 on the boundary, 2 outside, by the normals of all triples of generators and axes; the axes decide for flat bodies.
+/// 0 inside, 1 on the boundary, 2 outside, by the normals of all triples of generators and axes; the axes decide for
+/// flat bodies.
 fn position(generators: &[[i64; 4]], target: [i64; 4]) -> usize {
     let mut spanning = generators.to_vec();
     spanning.extend((0..4).map(|axis| std::array::from_fn(|i| i64::from(i == axis))));

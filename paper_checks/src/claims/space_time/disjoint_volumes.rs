@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "disjoint-space-time-volumes",
     place: Place { section: "6", label: "second paragraph" },
     kind: ClaimKind::Statement,
-    statement: "If the bounding space-time volumes of two bodies are disjoint over a time step, the bodies do not collide in it; the converse fails",
+    statement: "If the bounding space-time volumes of two bodies are disjoint over a time step, the bodies do not \
+        collide in it; the converse fails",
     ..Claim::LISTED
 };

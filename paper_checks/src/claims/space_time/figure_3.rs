@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "figure-3",
     place: Place { section: "6", label: "Figure 3" },
     kind: ClaimKind::Figure,
-    statement: "The arcs of the vertices of a rotating body, moved to a common origin, and the parallelogram around them",
+    statement: "The arcs of the vertices of a rotating body, moved to a common origin, and the parallelogram around \
+        them",
     ..Claim::LISTED
 };

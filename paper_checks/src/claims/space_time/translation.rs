@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "pure-translation",
     place: Place { section: "6", label: "third paragraph" },
     kind: ClaimKind::Statement,
-    statement: "Adding the translation vector to the generators, with the centre moved by half of it, gives exactly the volume swept by a translating zonotope",
+    statement: "Adding the translation vector to the generators, with the centre moved by half of it, gives exactly \
+        the volume swept by a translating zonotope",
     ..Claim::LISTED
 };

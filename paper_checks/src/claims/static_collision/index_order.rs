@@ -12,9 +12,11 @@ pub static CLAIM: Claim = Claim {
     id: "separator-order",
     place: Place { section: "5.1", label: "separators" },
     kind: ClaimKind::Statement,
-    statement: "Numbering the tiles by the x order of the dual vertices is consistent with the right-to relation of the tiling",
+    statement: "Numbering the tiles by the x order of the dual vertices is consistent with the right-to relation of \
+        the tiling",
     remedy: Some(
-        "where dual vertices share an x, tiles of equal x are not to the right of each other unless a line is vertical: then by y",
+        "where dual vertices share an x, tiles of equal x are not to the right of each other unless a line is \
+            vertical: then by y",
     ),
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "separators"],
@@ -44,13 +46,14 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{} tilings: across each of {edges} edges that are not horizontal the tile on the right has the dual vertex with the larger x, and so \
-         the order of x extends the right-to relation",
+        "{} tilings: across each of {edges} edges that are not horizontal the tile on the right has the dual vertex \
+         with the larger x, and so the order of x extends the right-to relation",
         instances.len()
     ))
 }
 
-/// The sides of a tile, lower end first, that have it on their left (`side` 1: counter-clockwise they rise) or right (−1: they fall).
+/// The sides of a tile, lower end first, that have it on their left (`side` 1: counter-clockwise they rise) or right
+/// (−1: they fall).
 fn rising_edges(tile: &[Point], side: i64) -> Vec<(Point, Point)> {
     let edges = (0..tile.len()).map(|k| (tile[k].clone(), tile[(k + 1) % tile.len()].clone()));
     edges

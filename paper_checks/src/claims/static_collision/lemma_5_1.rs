@@ -13,14 +13,16 @@ pub static CLAIM: Claim = Claim {
     id: "lemma-5.1",
     place: Place { section: "5.1", label: "Lemma 5.1" },
     kind: ClaimKind::Lemma,
-    statement: "Two zonotopes intersect iff the difference of their centres lies in the centred zonotope of all their generators",
+    statement: "Two zonotopes intersect iff the difference of their centres lies in the centred zonotope of all their \
+        generators",
     code: &["zonotope::collision", "zonotope::collision::by_lad"],
     figures: &["certificates-of-intersection"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// From the library's proof about q − p, makes a proof about the two bodies: a point in both, or a direction that separates them.
+/// From the library's proof about q − p, makes a proof about the two bodies: a point in both, or a direction that
+/// separates them.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 39);
     let instances = bodies(&mut random, 60);
@@ -65,8 +67,9 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{} pairs of bodies, flat and empty ones among them: where q - p lies in the zonotope of all generators ({meeting} inside, \
-         {touching} on the boundary) the coefficients give a point of both bodies, where it does not ({apart}) the direction separates them",
+        "{} pairs of bodies, flat and empty ones among them: where q - p lies in the zonotope of all generators \
+         ({meeting} inside, {touching} on the boundary) the coefficients give a point of both bodies, where it does \
+         not ({apart}) the direction separates them",
         meeting + touching + apart
     ))
 }

@@ -20,7 +20,8 @@ pub static CLAIM: Claim = Claim {
     id: "separators",
     place: Place { section: "5.1", label: "separators" },
     kind: ClaimKind::Statement,
-    statement: "The chain of the projected generators in the order in which the vertical line L_k meets their lines separates the first k tiles from the others, and is built in O(n log n) time",
+    statement: "The chain of the projected generators in the order in which the vertical line L_k meets their lines \
+        separates the first k tiles from the others, and is built in O(n log n) time",
     code: &["zonotope::arrangement::separator"],
     figures: &["paper-figure-1", "separators"],
     check: Check::Run(check),
@@ -71,12 +72,13 @@ fn side_evidence(context: &CheckContext) -> Result<String, String> {
         }
     }
     Ok(format!(
-        "{chains} chains of {tilings_seen} tilings have the first k tiles on their left and the others on their right ({tiles} sides), and the \
-         library builds the same chains"
+        "{chains} chains of {tilings_seen} tilings have the first k tiles on their left and the others on their right \
+         ({tiles} sides), and the library builds the same chains"
     ))
 }
 
-/// The chain about the origin: from the top, a step of −2 v' for each line in the order in which L_k meets them from top to bottom.
+/// The chain about the origin: from the top, a step of −2 v' for each line in the order in which L_k meets them from
+/// top to bottom.
 fn chain(body: &Body, facets: &[UpperFacet], k: usize) -> Vec<Point> {
     let x = match (k.checked_sub(1).map(|last| &facets[last].crossing.x), facets.get(k).map(|next| &next.crossing.x)) {
         (Some(last), Some(next)) => (last + next) / integer(2),

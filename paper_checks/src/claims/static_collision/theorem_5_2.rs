@@ -31,7 +31,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// The paper's search and the default method decide as the definition does, with proofs; operations of the paper's fit n log^2 n.
+/// The paper's search and the default method decide as the definition does, with proofs; operations of the paper's fit
+/// n log^2 n.
 fn check(context: &CheckContext) -> Verdict {
     growth::verdict(context, &CLAIM, decision_evidence(context), growth_evidence, &["by_slope_selection"])
 }
@@ -68,8 +69,8 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
     }
     let [inside, boundary, outside] = counts;
     Ok(format!(
-        "{inside} points inside, {boundary} on the boundary and {outside} outside of {} bodies, flat and empty ones among them: the \
-         paper's search and the kernel decide as the definition does, and every proof holds",
+        "{inside} points inside, {boundary} on the boundary and {outside} outside of {} bodies, flat and empty ones \
+         among them: the paper's search and the kernel decide as the definition does, and every proof holds",
         instances.len()
     ))
 }

@@ -13,13 +13,15 @@ pub static CLAIM: Claim = Claim {
     id: "between-the-hulls",
     place: Place { section: "5.1", label: "after Lemma 5.1" },
     kind: ClaimKind::Statement,
-    statement: "A point lies in Z iff it is directly below the upper hull and directly above the lower hull; if its projection is outside Q it is not",
+    statement: "A point lies in Z iff it is directly below the upper hull and directly above the lower hull; if its \
+        projection is outside Q it is not",
     code: &["zonotope::collision::by_slope_selection"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
 
-/// Compares membership by all normals with the heights at which the vertical through the point meets the facets that look up and down.
+/// Compares membership by all normals with the heights at which the vertical through the point meets the facets that
+/// look up and down.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 40);
     let (mut inside, mut outside, mut beside) = (0, 0, 0);
@@ -50,8 +52,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "{} points about bodies of full dimension: {inside} lie between the two hulls and in the body, {outside} neither, {beside} of them \
-         with projections outside Q",
+        "{} points about bodies of full dimension: {inside} lie between the two hulls and in the body, {outside} \
+         neither, {beside} of them with projections outside Q",
         inside + outside
     ))
 }

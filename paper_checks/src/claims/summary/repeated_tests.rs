@@ -7,6 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "summary-repeated-tests",
     place: Place { section: "2", label: "fifth bullet" },
     kind: ClaimKind::Statement,
-    statement: "Bounding volume hierarchies and closest-feature tracking can be run for repeated tests on the generator lists alone",
+    statement: "Bounding volume hierarchies and closest-feature tracking can be run for repeated tests on the \
+        generator lists alone",
     ..Claim::LISTED
 };

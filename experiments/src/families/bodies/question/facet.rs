@@ -57,8 +57,8 @@ impl Facet {
         Some(Self { normal, point: sums.map(|sum| sum.value()), is_flat })
     }
 
-    /// Certified bounds of the gauge of `asked`, less 1, where `asked` is `factor` times the facet's point up to rounding; none
-    /// if the rounding error cannot be written in sums of generators.
+    /// Certified bounds of the gauge of `asked`, less 1, where `asked` is `factor` times the facet's point up to
+    /// rounding; none if the rounding error cannot be written in sums of generators.
     pub fn excess_of(&self, asked: &Exact, factor: &Dyadic, generators: &[[f64; 3]]) -> Option<[f64; 2]> {
         let one = Dyadic::from_f64(1.0);
         let support = dot(&self.normal, &self.point);
@@ -71,7 +71,8 @@ impl Facet {
 
 /// The signs of the products of the generators with a direction: by floats where they leave no doubt.
 fn signs(generators: &[[f64; 3]], direction: &Exact) -> Vec<Ordering> {
-    // Each coordinate of the direction is off by at most 2^-50 of itself, each of five roundings by 2^-53 of the sum of magnitudes.
+    // Each coordinate of the direction is off by at most 2^-50 of itself, each of five roundings by 2^-53 of the sum of
+    // magnitudes.
     const DOUBT: f64 = 1.0 / (1_u64 << 48) as f64;
     let rounded = direction.each_ref().map(Dyadic::to_f64);
     let sign = |generator: &[f64; 3]| {
@@ -85,8 +86,9 @@ fn signs(generators: &[[f64; 3]], direction: &Exact) -> Vec<Ordering> {
     generators.iter().map(sign).collect()
 }
 
-/// A bound for the gauge of a small vector: with the generators put into groups, one for each vector of a basis, and turned to point
-/// along it, the largest coefficient of the vector in terms of the groups' sums. The groups are a guess, the coefficients are exact.
+/// A bound for the gauge of a small vector: with the generators put into groups, one for each vector of a basis, and
+/// turned to point along it, the largest coefficient of the vector in terms of the groups' sums. The groups are a
+/// guess, the coefficients are exact.
 fn coefficient_bound(vector: &Exact, generators: &[[f64; 3]], is_flat: bool) -> Option<f64> {
     if is_zero(vector) {
         return Some(0.0);
@@ -115,7 +117,8 @@ fn coefficient_bound(vector: &Exact, generators: &[[f64; 3]], is_flat: bool) -> 
     Some(largest.ratio(&determinant.abs()) * (1.0 + 1e-12))
 }
 
-/// The dual basis, rounded, of three generators that span much: the longest one, then the ones of the largest area and volume.
+/// The dual basis, rounded, of three generators that span much: the longest one, then the ones of the largest area and
+/// volume.
 fn wide_basis(generators: &[[f64; 3]], is_flat: bool) -> [[f64; 3]; 3] {
     let widest = |measure: &dyn Fn(&[f64; 3]) -> f64| {
         generators.iter().copied().max_by(|v, w| measure(v).total_cmp(&measure(w))).unwrap_or([0.0; 3])

@@ -3,12 +3,14 @@
 //! The truth comes from the construction, in exact arithmetic, and shares nothing with the methods of `collision`:
 //!
 //! 1. The normal u of a facet is the cross product of two random generators, exactly.
-//! 2. A point b of that facet is the sum of the generators with the signs of u · v, those in the facet's plane with a random
-//!    coefficient from −1, −1/2, 0, 1/2, 1. So the gauge of b is 1: u · b = h(u), and the coefficients are a witness.
-//! 3. The point asked about is q = (1 ± gap) b, rounded. u · q / h(u) bounds its gauge from below. From above it is bounded by the
-//!    factor plus the gauge of the rounding error, which is at most the largest coefficient when the error is written in three sums of
-//!    generators. A question whose two bounds are not within a tenth of the wanted gap is not asked:
-//!    the thin bodies of `wide_scales_bodies` have few, and a touching point must be a difference of doubles.
+//! 2. A point b of that facet is the sum of the generators with the signs of u · v, those in the facet's plane with a
+//!    random coefficient from −1, −1/2, 0, 1/2, 1. So the gauge of b is 1: u · b = h(u), and the coefficients are a
+//!    witness.
+//! 3. The point asked about is q = (1 ± gap) b, rounded. u · q / h(u) bounds its gauge from below. From above it is
+//!    bounded by the factor plus the gauge of the rounding error, which is at most the largest coefficient when the
+//!    error is written in three sums of generators. A question whose two bounds are not within a tenth of the wanted
+//!    gap is not asked: the thin bodies of `wide_scales_bodies` have few, and a touching point must be a difference of
+//!    doubles.
 
 mod facet;
 mod placement;
@@ -43,8 +45,8 @@ pub struct Question {
 }
 
 impl Question {
-    /// A question of this placement about a body, for a seed; none when the body has no facet or edge on which a rounded point keeps the
-    /// wanted gap.
+    /// A question of this placement about a body, for a seed; none when the body has no facet or edge on which a
+    /// rounded point keeps the wanted gap.
     pub fn about(generators: Vec<[f64; 3]>, placement: Placement, seed: u64) -> Option<Self> {
         let mut source = RandomSource::new(seed::seed_of(seed, placement.id));
         for _ in 0..TRIES {
@@ -72,7 +74,8 @@ impl Question {
         Displacement::new(self.from, self.to, &self.generators).expect("generated coordinates are finite")
     }
 
-    /// The same as an intersection of two bodies: the first half of the generators around `from`, the others around `to`.
+    /// The same as an intersection of two bodies: the first half of the generators around `from`, the others around
+    /// `to`.
     pub fn bodies(&self) -> [Zonotope<3>; 2] {
         let (first, second) = self.generators.split_at(self.generators.len() / 2);
         [(self.from, first), (self.to, second)].map(|(center, generators)| {
