@@ -29,6 +29,7 @@ pub mod in_space;
 mod instance;
 mod line_search;
 mod method;
+pub(crate) mod of_generators;
 mod optimum;
 mod problem;
 mod rounded_lines;

@@ -17,8 +17,10 @@ pub(crate) mod bounded;
 pub mod dyadic;
 pub(crate) mod exact_product;
 pub mod exact_sum;
+pub(crate) mod lanes;
 pub mod orientation;
 pub(crate) mod pair;
+pub(crate) mod signed_sum;
 pub mod tolerance;
 pub(crate) mod vector;
 

@@ -2,16 +2,16 @@
 
 use std::cmp::Ordering;
 
-use super::basis::Basis;
-use super::certain::Certain;
-use super::exit::Exit;
-use super::flat::spare_axis;
-use super::inside::witness;
-use super::lift::Prism;
-use super::search::{Found, rounded_displacement, search};
-use super::thickness::thickness;
-use super::trail::Trail;
+use crate::collision::by_lad::proof::basis::Basis;
+use crate::collision::by_lad::proof::member_in_doubles::witness;
 use crate::collision::{Displacement, Gauge, Location, Separation, Witness};
+use crate::lad::of_generators::cells::nested::Trail;
+use crate::lad::of_generators::certify::rounded_optimum::Certain;
+use crate::lad::of_generators::certify::unit_gauge_bound::thickness;
+use crate::lad::of_generators::exact::solve::Exit;
+use crate::lad::of_generators::ladder::{Found, rounded_displacement, search};
+use crate::lad::of_generators::span::flat::spare_axis;
+use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::Rational;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::tally::Tally;

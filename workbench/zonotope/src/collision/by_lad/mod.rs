@@ -58,47 +58,17 @@
 //! assert_eq!(by_lad::gauge(&question).value, 2.0);
 //! ```
 
-pub(super) mod basis;
-mod bundles;
-mod cell;
-mod certain;
-mod chart;
-mod clear;
-mod coefficients;
-mod descend;
-mod dual;
-mod exit;
+mod early;
 mod facet;
-mod flat;
-mod inside;
-mod least;
-pub(super) mod lift;
-mod lines;
-mod longest;
-mod median;
-mod pair_direction;
-mod plane;
-mod reduced;
-mod sample;
-mod search;
-pub(super) mod separation;
-mod settle;
-mod shares;
-mod smooth;
-pub(super) mod sums;
-mod thickness;
-mod trail;
-mod turns;
-mod walk;
-pub(super) mod witness;
+pub(crate) mod proof;
 
 pub use facet::Facet;
 
 #[cfg(test)]
 mod tests;
 
-use self::lift::{Prism, lowered};
 use super::{Displacement, Gauge, Location, by_lad_in_r4};
+use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
@@ -113,7 +83,7 @@ pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mu
         return lowered(by_lad_in_r4::locate_counted(&question, tally), question.len());
     }
     match question.in_dimension::<3>() {
-        Some(question) => match clear::locate(&question, tally) {
+        Some(question) => match early::locate(&question, tally) {
             Some(clear) => clear.location(),
             None => lowered(Facet::find(&question, true, tally).location(), question.len()),
         },

@@ -8,13 +8,13 @@
 use super::chain::Chain;
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
-use crate::collision::by_lad::basis::Basis;
-use crate::collision::by_lad::sums::signed_sum;
-use crate::collision::by_lad::witness::rounded;
+use crate::collision::by_lad::proof::basis::Basis;
+use crate::collision::by_lad::proof::member_from_exact::rounded;
 use crate::collision::settling::settle;
 use crate::collision::{Displacement, Witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::vector::{ExactVector, difference, exact, multiple};
 
 /// Vertices with weights.

@@ -1,0 +1,281 @@
+//! Coefficients in terms of a solution of the smooth problem: written, summed up, and proved as they stand.
+//!
+//! The sum of what was written is known but for rounding. What it is off the point by, and all rounding errors, are small: three generators that span space
+//! can make up for it, whatever it is, if their coefficients have a little room.
+
+use wide::f64x2;
+
+use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH, WELL_WITHIN, cross, dot, length};
+use crate::collision::{Displacement, Witness};
+use crate::lad::of_generators::span::flat::SimplePlane;
+use crate::numeric::bounded::BoundedVector;
+use crate::numeric::lanes::{Columns, clipped, columns, product, size, totals};
+use crate::numeric::tolerance::UNIT;
+
+/// Generators whose sums are taken together, so that a term goes through few additions.
+const BLOCK: usize = 512;
+
+/// How many generators the basis is chosen from.
+const PICKS: usize = 16;
+
+/// Sums of lengths between which no product of three leaves the range of doubles.
+const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
+const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
+
+/// Covers the underflow of a product.
+pub(crate) const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+
+/// Covers products of rounding errors.
+pub(crate) const SLACK: f64 = 1.0 + 1.0 / 1_048_576.0;
+
+/// Memory for fewer coefficients is cleared when it is taken, for more when it is first touched.
+const MANY: usize = 1 << 14;
+
+/// Coefficients in terms of y, z and μ.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Combination {
+    y: [f64; 3],
+    z: [f64; 3],
+    factor: f64,
+    lengths: Lengths,
+    /// What coefficients are clipped to in the end.
+    limit: f64,
+}
+
+/// Some generators, and the places of their coefficients.
+pub(crate) type Part<'a> = (&'a [[f64; 3]], &'a mut [f64]);
+
+/// Sums over coefficients that were written.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Written {
+    /// Σ c v.
+    pub(crate) sum: [f64; 3],
+    /// At least Σ |v|.
+    pub(crate) magnitude: f64,
+    pub(crate) count: usize,
+}
+
+impl Written {
+    /// Adds what was summed up over the last generators.
+    #[inline(always)]
+    fn add(&mut self, sum: &mut Columns, sizes: &mut Columns, fresh: &mut usize) {
+        let own = Self { sum: totals(sum), magnitude: totals(sizes).iter().sum(), count: *fresh };
+        *self = self.with(&own);
+        (*sum, *sizes, *fresh) = Default::default();
+    }
+
+    pub(crate) fn with(&self, other: &Self) -> Self {
+        let sum = [0, 1, 2].map(|k| self.sum[k] + other.sum[k]);
+        Self { sum, magnitude: self.magnitude + other.magnitude, count: self.count + other.count }
+    }
+
+    /// The proof with these coefficients, if three of them can correct what they are off by.
+    pub(crate) fn witness(
+        &self,
+        question: &Displacement<'_, 3>,
+        p: &BoundedVector,
+        coefficients: Vec<f64>,
+    ) -> Option<Witness> {
+        let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
+        let basis = correcting_basis(question, &coefficients, rest, self.magnitude)?;
+        Some(Witness { coefficients, basis })
+    }
+}
+
+impl Combination {
+    /// The least coefficients that make up p, where H z = p for all generators; none if they are likely to be too large, seen from some, or, where they
+    /// need not be `exact`, much too large.
+    pub(crate) fn least(z: [f64; 3], lengths: Lengths, among: &[[f64; 3]], exact: bool) -> Option<Self> {
+        let limit = if exact { WELL_WITHIN } else { WELL_WITHIN + ROUGH };
+        (lengths.largest(among, &z) <= limit).then_some(Self::linear(z, lengths))
+    }
+
+    fn linear(z: [f64; 3], lengths: Lengths) -> Self {
+        Self::new(&[0.0; 3], z, 0.0, lengths)
+    }
+
+    pub(crate) fn new(y: &[f64; 3], z: [f64; 3], factor: f64, lengths: Lengths) -> Self {
+        Self { y: *y, z, factor, lengths, limit: WELL_WITHIN }
+    }
+
+    /// Nearly the same coefficients with one product for each: those of μ y + z, clipped to μ.
+    pub(crate) fn merged(&self) -> Self {
+        if self.factor == 0.0 {
+            return *self;
+        }
+        let z = [0, 1, 2].map(|k| self.factor * self.y[k] + self.z[k]);
+        Self { limit: self.factor, ..Self::linear(z, self.lengths) }
+    }
+
+    /// The proof that p is inside, if the coefficients make it up but for what three of them can correct.
+    pub(crate) fn witness(&self, question: &Displacement<'_, 3>, p: &BoundedVector) -> Option<Witness> {
+        let n = question.len();
+        let mut coefficients = if n < MANY { Vec::with_capacity(n) } else { vec![0.0; n] };
+        coefficients.resize(n, 0.0);
+        let [first, second] = question.runs();
+        let (own, others) = coefficients.split_at_mut(first.len());
+        let own = self.write(first.chunks(BLOCK).zip(own.chunks_mut(BLOCK)));
+        let all = own.with(&self.write(second.chunks(BLOCK).zip(others.chunks_mut(BLOCK))));
+        all.witness(question, p, coefficients)
+    }
+
+    /// Writes the coefficients of some generators, a part at a time.
+    #[inline]
+    pub(crate) fn write<'a>(&self, parts: impl Iterator<Item = Part<'a>>) -> Written {
+        match (self.lengths, self.factor == 0.0) {
+            (Lengths::Own, false) => self.write_as::<true, false>(parts),
+            (Lengths::Own, true) => self.write_as::<true, true>(parts),
+            (Lengths::Even(_), false) => self.write_as::<false, false>(parts),
+            (Lengths::Even(_), true) => self.write_as::<false, true>(parts),
+        }
+    }
+
+    fn write_as<'a, const OWN: bool, const LINEAR: bool>(&self, parts: impl Iterator<Item = Part<'a>>) -> Written {
+        let scale = 1.0 / self.lengths.scale();
+        let [y, z] = [self.y, self.z].map(|vector| vector.map(|c| f64x2::splat(c * scale)));
+        let (one, factor, limit) = (f64x2::splat(1.0), f64x2::splat(self.factor), f64x2::splat(self.limit));
+        let (mut sum, mut sizes) = (Columns::default(), Columns::default());
+        let (mut written, mut fresh) = (Written::default(), 0);
+        for (generators, places) in parts {
+            let mut read = |v: Columns| {
+                let scaled = if OWN {
+                    let length = size(&v);
+                    sizes[0] += length;
+                    let weight = one / length;
+                    v.map(|c| weight * c)
+                } else {
+                    for (size, c) in sizes.iter_mut().zip(v) {
+                        *size += c.abs();
+                    }
+                    v
+                };
+                let mut coefficient = product(&scaled, &z);
+                if !LINEAR {
+                    let t = product(&scaled, &y);
+                    coefficient = factor * clipped(t, one) + (coefficient & t.abs().simd_lt(one));
+                }
+                let coefficient = clipped(coefficient, limit);
+                for (sum, c) in sum.iter_mut().zip(v) {
+                    *sum += coefficient * c;
+                }
+                coefficient.to_array()
+            };
+            let (pairs, last) = generators.as_chunks::<2>();
+            let (pair_places, last_place) = places.as_chunks_mut::<2>();
+            for (pair, place) in pairs.iter().zip(pair_places) {
+                *place = read(columns(*pair));
+            }
+            if let ([last], [place]) = (last, last_place) {
+                *place = read(columns([*last, [0.0; 3]]))[0];
+            }
+            fresh += generators.len();
+            if fresh >= BLOCK {
+                written.add(&mut sum, &mut sizes, &mut fresh);
+            }
+        }
+        written.add(&mut sum, &mut sizes, &mut fresh);
+        written
+    }
+}
+
+/// How many additions a term of the sum over so many coefficients goes through, written a part of at most `BLOCK` at a time.
+fn additions(count: usize) -> usize {
+    BLOCK + count / BLOCK + 64
+}
+
+/// How far p is at most from the exact sum of `count` generators with coefficients of at most 1 whose computed sum, in which a term goes through so
+/// many additions, is `sum`: each term and each addition is rounded. `magnitude` is at least Σ |v|.
+#[inline]
+pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitude: f64, count: usize) -> f64 {
+    let off = |k: usize| (p[k].value - sum[k]).abs() + p[k].error;
+    // a sum and not a maximum: NaN stays NaN
+    (off(0) + off(1) + off(2) + UNIT * additions as f64 * magnitude + count as f64 * TINY) * SLACK
+}
+
+/// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is larger than `rest`.
+///
+/// Let r be that rest and a, b, c the three: the correction of the coefficient of a is r · (b × c) / a · (b × c). A product of vectors and
+/// determinants is off by less than 8 u times the product of the lengths |·|_1.
+#[inline]
+pub(crate) fn correcting_basis(
+    question: &Displacement<'_, 3>,
+    coefficients: &[f64],
+    rest: f64,
+    magnitude: f64,
+) -> Option<Vec<usize>> {
+    let n = question.len();
+    if n < 3 || !(SMALLEST..LARGEST).contains(&magnitude) {
+        return None;
+    }
+    let any = [0, n / 2, n - 1];
+    let mut basis = if corrects(question, any, coefficients, rest) {
+        any
+    } else {
+        well_spread(question).filter(|basis| corrects(question, *basis, coefficients, rest))?
+    };
+    if !basis.is_sorted() {
+        basis.sort_unstable();
+    }
+    Some(basis.to_vec())
+}
+
+/// The same in a plane with a normal of zeros and ones: two generators that span it make up for a rest that is in it.
+///
+/// With the normal n for the third vector of a basis the correction of the coefficient of a is r · (b × n) / a · (b × n), and that of n is zero.
+pub(crate) fn correcting_pair(
+    question: &Displacement<'_, 3>,
+    plane: &SimplePlane,
+    rest: f64,
+    magnitude: f64,
+) -> Option<Vec<usize>> {
+    let [a, b] = plane.pair.map(|i| question.generator(i));
+    let volume = length(&a) * length(&b) * length(&plane.normal);
+    let determinant = dot(&a, &cross(&b, &plane.normal)).abs() - 8.0 * UNIT * volume - TINY;
+    let longest = length(&a).max(length(&b)) * length(&plane.normal);
+    let is_moderate = (SMALLEST..LARGEST).contains(&magnitude) && determinant > SMALLEST * SMALLEST;
+    let corrects = rest * longest * SLACK < (1.0 - WELL_WITHIN) * determinant;
+    (is_moderate && corrects).then(|| plane.pair.to_vec())
+}
+
+/// Whether three generators do.
+#[inline(always)]
+fn corrects(question: &Displacement<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
+    let [a, b, c] = [question.generator(basis[0]), question.generator(basis[1]), question.generator(basis[2])];
+    let normal = cross(&b, &c);
+    let lengths = [length(&a), length(&b), length(&c)];
+    let volume = lengths[0] * lengths[1] * lengths[2];
+    let determinant = dot(&a, &normal).abs() - 8.0 * UNIT * volume - TINY;
+    // false for NaN as well
+    let is_spanning = determinant > SMALLEST * SMALLEST * SMALLEST;
+    if !is_spanning {
+        return false;
+    }
+    // |b × c|_1 is at most |b|_1 |c|_1, and no coefficient is nearer to an end than WELL_WITHIN is
+    let longest = lengths[0].max(lengths[1]).max(lengths[2]);
+    if rest * longest * longest * SLACK < (1.0 - WELL_WITHIN) * determinant {
+        return true;
+    }
+    let normals = [normal, cross(&c, &a), cross(&a, &b)];
+    (0..3).all(|k| {
+        let across = length(&normals[k]) + 8.0 * UNIT * volume / lengths[k] + TINY;
+        coefficients[basis[k]].abs() + rest * across / determinant * SLACK < 1.0
+    })
+}
+
+/// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
+pub(crate) fn well_spread(question: &Displacement<'_, 3>) -> Option<[usize; 3]> {
+    let step = question.len().div_ceil(PICKS).max(1);
+    let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
+        let keyed = (0..question.len()).step_by(step).map(|i| (key(&question.generator(i)), i));
+        keyed.fold((0.0, usize::MAX), |best, own| if own.0 > best.0 { own } else { best }).1
+    };
+    let first = best(&|v| dot(v, v));
+    let a = (first != usize::MAX).then(|| question.generator(first))?;
+    let second = best(&|v| {
+        let product = cross(&a, v);
+        dot(&product, &product)
+    });
+    let normal = (second != usize::MAX).then(|| cross(&a, &question.generator(second)))?;
+    let third = best(&|v| dot(&normal, v).abs());
+    (third != usize::MAX && third != first && third != second).then_some([first, second, third])
+}

@@ -1,0 +1,252 @@
+//! Coefficients that make up a point well within the body: those of least size, with the largest ones clipped.
+//!
+//! Let |v| be the largest magnitude of a coordinate of v, t_i = v_i · y / |v_i| and b_i = t_i, clipped to [−1, 1]. The y with Σ b_i v_i = q minimises a
+//! convex function, Σ |v_i| huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ / |v_i| over those that are not clipped. It exists just
+//! if q is in the body; else y goes to infinity where a direction separates. From any y, with s = Σ b_i v_i, the coefficients
+//! μ b_i, and v_i · z / |v_i| more where nothing was clipped, make up p = μ s + H z, and none is larger than μ + |z|_1. Where lengths are
+//! even, one length, that of the longest, does for all and spares a division for each.
+//!
+//! All this only finds coefficients (`coefficients` writes and proves them).
+
+use wide::f64x2;
+
+use crate::collision::by_lad::early::combination::Combination;
+use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
+
+/// No coefficient is nearer to ±1 than this leaves room for.
+pub(crate) const WELL_WITHIN: f64 = 0.9999;
+
+/// What is added to the diagonal of a matrix, in terms of its trace, so that flat bodies have an inverse as well.
+const THIN: f64 = 4e-15;
+
+/// How much larger than those of some generators the coefficients of all are taken to be.
+const MORE: f64 = 1.15;
+
+/// Where a part of the coefficients need not be exact, clipped ones may move by so much.
+pub(crate) const ROUGH: f64 = 0.3;
+
+/// Lengths are even if the longest is no longer than this, in terms of the mean.
+const UNEVEN: f64 = 4.0;
+
+/// With a determinant below this, in terms of the trace, a body may be flat.
+const FLAT: f64 = 4e-15;
+
+/// Generators in two runs.
+pub(crate) type Runs<'a> = [&'a [[f64; 3]]; 2];
+
+/// Sums over generators at some y.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Moments {
+    /// H: xx, xy, xz, yy, yz, zz.
+    hessian: [f64; 6],
+    /// s.
+    pub(crate) sum: [f64; 3],
+    /// Σ |v · y|.
+    pub(crate) reach: f64,
+}
+
+/// What a product with a generator is divided by: its own length, or one for all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Lengths {
+    Own,
+    Even(f64),
+}
+
+impl Lengths {
+    /// The length of the longest generator, if they are even.
+    pub(crate) fn of(runs: Runs<'_>) -> Self {
+        let (mut longest, mut total) = (f64x2::default(), f64x2::default());
+        for run in runs {
+            for_pairs(run, |v| {
+                let size = size(&v);
+                longest = longest.fast_max(size);
+                total += size;
+            });
+        }
+        let [first, second] = longest.to_array();
+        let longest = first.max(second);
+        let count = (runs[0].len() + runs[1].len()) as f64;
+        if longest * count <= UNEVEN * total.reduce_add() { Self::Even(longest) } else { Self::Own }
+    }
+
+    /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
+    pub(crate) fn largest(self, among: &[[f64; 3]], z: &[f64; 3]) -> f64 {
+        let Self::Even(longest) = self else { return length(z).min((3.0 * dot(z, z)).sqrt()) };
+        let wide = z.map(f64x2::splat);
+        let mut largest = f64x2::default();
+        for_pairs(among, |v| largest = largest.fast_max(product(&v, &wide).abs()));
+        let [first, second] = largest.to_array();
+        MORE * first.max(second) / longest
+    }
+
+    /// What products with a vector are to be taken with, and what sums of them are to be divided by.
+    pub(crate) fn scale(self) -> f64 {
+        match self {
+            Self::Own => 1.0,
+            Self::Even(length) => length,
+        }
+    }
+}
+
+#[derive(Default)]
+struct Sums {
+    hessian: [f64x2; 6],
+    sum: Columns,
+    reach: f64x2,
+}
+
+impl Sums {
+    /// Adds two generators; y is scaled where lengths are not their own.
+    #[inline(always)]
+    fn read<const AT_ZERO: bool, const OWN: bool>(&mut self, v: &Columns, y: &Columns) {
+        let one = f64x2::splat(1.0);
+        let weight = if OWN { one / size(v) } else { one };
+        let mut scaled = if OWN { v.map(|c| weight * c) } else { *v };
+        if !AT_ZERO {
+            let t = product(&scaled, y);
+            let coefficient = clipped(t, one);
+            for (sum, c) in self.sum.iter_mut().zip(v) {
+                *sum += coefficient * *c;
+            }
+            self.reach += if OWN { product(v, y) } else { t }.abs();
+            let is_inner = t.abs().simd_lt(one);
+            scaled = scaled.map(|c| c & is_inner);
+        }
+        let [x, y, z] = scaled;
+        let terms = [x * v[0], x * v[1], x * v[2], y * v[1], y * v[2], z * v[2]];
+        for (sum, term) in self.hessian.iter_mut().zip(terms) {
+            *sum += term;
+        }
+    }
+}
+
+impl Moments {
+    /// Σ v vᵀ / |v|, and nothing else.
+    pub(crate) fn at_zero(runs: Runs<'_>, lengths: Lengths) -> Self {
+        match lengths {
+            Lengths::Own => Self::read::<true, true>(runs, &[0.0; 3], 1.0),
+            Lengths::Even(length) => Self::read::<true, false>(runs, &[0.0; 3], length),
+        }
+    }
+
+    /// Σ v vᵀ / |v| if the lengths are their own, else Σ v vᵀ.
+    #[inline(always)]
+    pub(crate) fn weighted<const OWN: bool>(runs: Runs<'_>) -> Self {
+        Self::read::<true, OWN>(runs, &[0.0; 3], 1.0)
+    }
+
+    /// The same with a generator more, at right angles to all, where these are in a plane with the normal n.
+    pub(crate) fn with_normal(&self, [x, y, z]: &[f64; 3]) -> Self {
+        let size = self.trace();
+        let square = [x * x, x * y, x * z, y * y, y * z, z * z];
+        let hessian = [0, 1, 2, 3, 4, 5].map(|i| self.hessian[i] + size * square[i]);
+        Self { hessian, ..*self }
+    }
+
+    /// The trace of H.
+    pub(crate) fn trace(&self) -> f64 {
+        self.hessian[0] + self.hessian[3] + self.hessian[5]
+    }
+
+    pub(crate) fn at(runs: Runs<'_>, lengths: Lengths, y: &[f64; 3]) -> Self {
+        match lengths {
+            Lengths::Own => Self::read::<false, true>(runs, y, 1.0),
+            Lengths::Even(length) => Self::read::<false, false>(runs, y, length),
+        }
+    }
+
+    #[inline(always)]
+    fn read<const AT_ZERO: bool, const OWN: bool>(runs: Runs<'_>, y: &[f64; 3], length: f64) -> Self {
+        let wide = y.map(|c| f64x2::splat(c / length));
+        let mut sums = Sums::default();
+        for run in runs {
+            for_pairs(run, |v| sums.read::<AT_ZERO, OWN>(&v, &wide));
+        }
+        let [xx, xy, xz, yy, yz, zz] = sums.hessian;
+        Self {
+            hessian: [
+                total(xx) / length,
+                total(xy) / length,
+                total(xz) / length,
+                total(yy) / length,
+                total(yz) / length,
+                total(zz) / length,
+            ],
+            sum: totals(&sums.sum),
+            reach: total(sums.reach) * length,
+        }
+    }
+
+    /// H^{-1} r, if H is certainly not singular.
+    #[inline(always)]
+    pub(crate) fn solve_thick(&self, r: &[f64; 3]) -> Option<[f64; 3]> {
+        let [xx, xy, xz, yy, yz, zz] = self.hessian;
+        let trace = xx + yy + zz;
+        let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+        let determinant = dot(&rows[0], &minors[0]);
+        let inverse = 1.0 / determinant;
+        let is_thick = determinant > FLAT * trace * trace * trace;
+        is_thick.then(|| [0, 1, 2].map(|k| dot(&minors[k], r) * inverse))
+    }
+
+    /// H^{-1} r, and whether H is certainly not singular.
+    pub(crate) fn solve(&self, r: &[f64; 3]) -> ([f64; 3], bool) {
+        let [xx, xy, xz, yy, yz, zz] = self.hessian;
+        let trace = xx + yy + zz;
+        let more = THIN * trace;
+        let rows = [[xx + more, xy, xz], [xy, yy + more, yz], [xz, yz, zz + more]];
+        let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+        let determinant = dot(&rows[0], &minors[0]);
+        let inverse = 1.0 / determinant;
+        let solve = |r: &[f64; 3]| minors.map(|row| dot(&row, r) * inverse);
+        let first = solve(r);
+        // what was added to the diagonal is taken back
+        let second = solve(&first.map(|c| more * c));
+        ([0, 1, 2].map(|k| first[k] + second[k]), determinant > FLAT * trace * trace * trace)
+    }
+
+    /// The slope of the smooth problem along a step.
+    pub(crate) fn slope(&self, step: &[f64; 3], target: &[f64; 3]) -> f64 {
+        dot(&self.sum, step) - dot(target, step)
+    }
+
+    /// Coefficients that make up p, if these are well within (−1, 1), or, where they need not be `exact`, if few of them are not.
+    pub(crate) fn combination(
+        &self,
+        lengths: Lengths,
+        y: &[f64; 3],
+        p: &[f64; 3],
+        among: &[[f64; 3]],
+        exact: bool,
+    ) -> Option<Combination> {
+        let factor = dot(p, y) / dot(&self.sum, y);
+        if !(factor > 0.0 && factor < WELL_WITHIN) {
+            return None;
+        }
+        let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
+        let room = if exact { WELL_WITHIN - factor } else { ROUGH };
+        (lengths.largest(among, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
+    }
+
+    /// The Newton step towards a target.
+    pub(crate) fn step(&self, target: &[f64; 3]) -> [f64; 3] {
+        self.solve(&[0, 1, 2].map(|k| target[k] - self.sum[k])).0
+    }
+}
+
+#[inline(always)]
+pub(crate) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+pub(crate) fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// |a|_1.
+#[inline(always)]
+pub(crate) fn length(a: &[f64; 3]) -> f64 {
+    a[0].abs() + a[1].abs() + a[2].abs()
+}

@@ -1,0 +1,154 @@
+//! Coefficients of many generators, written in one pass: a part of the generators at a time, and each part makes up for those before it.
+//!
+//! The generators are dealt out in stretches of a few: all but one of several stretches are of the first part, every second one of those left is of
+//! the second and so on, until the last part has a few only. That last part stands for all. Coefficients that would make up the point if all
+//! generators were like those are written for the first part; what their sum is off by shows how far the last part's mean is from
+//! that of all, and is spread over the parts that follow. In the end the last part has to make up what is left, and it is known.
+
+use std::ops::Range;
+
+use crate::collision::by_lad::early::combination::{Combination, Written};
+use crate::collision::{Displacement, Witness};
+use crate::numeric::bounded::BoundedVector;
+
+/// The last part has at least so many, and the square root of all more.
+const LEAST: usize = 32;
+
+/// One in so many generators is in the last part at least.
+const LARGEST_SHARE: usize = 128;
+
+/// The first part may be larger the more there are in the last, of which so much of the square root tells the mean well enough.
+const STEADY: usize = 8;
+
+/// Stretches of at least and at most so many generators.
+const SHORTEST: usize = 8;
+const LONGEST: usize = 128;
+
+/// How generators are dealt out.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Turns {
+    /// Generators in a stretch.
+    stretch: usize,
+    /// All but one of so many stretches are of the first part.
+    group: usize,
+    /// Parts between the first and the last.
+    halvings: u32,
+}
+
+impl Turns {
+    pub(crate) fn of(count: usize) -> Self {
+        let few = (LEAST + count.isqrt()).max(count / LARGEST_SHARE);
+        let group = (few.isqrt() / STEADY).next_power_of_two().max(2);
+        let halvings = (count / few / group).max(1).ilog2();
+        Self { stretch: (count.isqrt() / 8).clamp(SHORTEST, LONGEST).next_power_of_two(), group, halvings }
+    }
+
+    /// In how many generators a part has a stretch, and where that is.
+    fn places(self, part: u32) -> (usize, Range<usize>) {
+        let first = self.group << part.saturating_sub(1);
+        let end = self.stretch * if part == 0 { first - 1 } else { first };
+        let start = if part == 0 { 0 } else { end - self.stretch };
+        (self.stretch * (self.group << part.min(self.halvings)), start..end)
+    }
+
+    /// The generators of the last part.
+    pub(crate) fn last(self, question: &Displacement<'_, 3>) -> Vec<[f64; 3]> {
+        let (period, range) = self.places(self.halvings + 1);
+        let mut few = Vec::with_capacity((question.len() / period + 2) * self.stretch);
+        for run in question.runs() {
+            for period in run.chunks(period) {
+                few.extend_from_slice(&period[within(&range, period.len())]);
+            }
+        }
+        few
+    }
+
+    /// The proof that p is inside; `steer` gives coefficients with which the generators of the last part, `few` of them, sum up to a vector, exactly
+    /// or nearly.
+    pub(crate) fn witness(
+        self,
+        question: &Displacement<'_, 3>,
+        p: &BoundedVector,
+        few: usize,
+        mut steer: impl FnMut(&[f64; 3], bool) -> Option<Combination>,
+    ) -> Option<Witness> {
+        let n = question.len();
+        let mut coefficients = vec![0.0; n];
+        let mut written = Written::default();
+        let mut bias = [0.0; 3];
+        for part in 0..self.halvings + 2 {
+            let left = (n - written.count) as f64;
+            let is_last = part == self.halvings + 1;
+            if is_last {
+                bias = [0.0; 3];
+            }
+            let mean = [0, 1, 2].map(|k| (p[k].value - written.sum[k]) / left - bias[k]);
+            let mut combination = steer(&mean.map(|c| c * few as f64), is_last)?;
+            if !is_last {
+                combination = combination.merged();
+            }
+            let own = self.write(question, part, &combination, &mut coefficients);
+            if part == 0 {
+                bias = [0, 1, 2].map(|k| own.sum[k] / own.count as f64 - mean[k]);
+            }
+            written = written.with(&own);
+        }
+        written.witness(question, p, coefficients)
+    }
+
+    /// Writes a part's coefficients.
+    fn write(
+        self,
+        question: &Displacement<'_, 3>,
+        part: u32,
+        combination: &Combination,
+        coefficients: &mut [f64],
+    ) -> Written {
+        let [first, second] = question.runs();
+        let (own, others) = coefficients.split_at_mut(first.len());
+        let (period, range) = self.places(part);
+        let write = |run: &[[f64; 3]], places: &mut [f64]| {
+            let periods = run.chunks(period).zip(places.chunks_mut(period));
+            combination.write(periods.map(|(run, places)| {
+                let range = within(&range, run.len());
+                (&run[range.clone()], &mut places[range])
+            }))
+        };
+        write(first, own).with(&write(second, others))
+    }
+}
+
+/// A range, cut off at the end of a run.
+fn within(range: &Range<usize>, len: usize) -> Range<usize> {
+    range.start.min(len)..range.end.min(len)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_generator_has_its_turn_once() {
+        for n in [321, 1000, 5000, 70_000] {
+            let body: Vec<[f64; 3]> = (0..n).map(|i| [f64::from(i); 3]).collect();
+            let turns = Turns::of(body.len());
+            for (first, second) in [body.split_at(body.len()), body.split_at(body.len() / 3)] {
+                let mut turn = vec![0; body.len()];
+                for part in 0..turns.halvings + 2 {
+                    let (period, range) = turns.places(part);
+                    for run in [first, second] {
+                        for period in run.chunks(period) {
+                            for [index, ..] in &period[within(&range, period.len())] {
+                                turn[*index as usize] += 1;
+                            }
+                        }
+                    }
+                }
+                assert!(turn.iter().all(|count| *count == 1), "{n}");
+            }
+            let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
+            let few = turns.last(&question);
+            assert!(few.len() > 30 && few.len() < body.len() / 2 && few.is_sorted_by(|a, b| a[0] < b[0]), "{n}");
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Coefficients of doubles that prove a member, from the exact proof of λ ≥ 1.
+//!
+//! Σ δ_i v_i = λ p with δ_i = ±1 off two generators and λ rational: dividing by λ proves that p is a member, but not in doubles. With a
+//! third generator in the basis the others may all be scaled by the same double c, near 1 / λ or, close to the boundary, 1 itself:
+//! p − c Σ_off sign v is one exact vector, and its three coefficients decide. Where both fail (p so close to the edge of a
+//! facet that the scaling's rounding leaves it), the exact solution with 1 / λ is walked to one in doubles: generators move in
+//! groups from 1 / λ to c, and where that would take a basis coefficient out of [−1, 1], the one that moves first to ±1 stays
+//! there and a generator of the group takes its place.
+
+use crate::collision::by_lad::proof::basis::Basis;
+use crate::collision::by_lad::proof::pivot_to_doubles::walk;
+use crate::collision::{Displacement, Witness};
+use crate::lad::of_generators::exact::solve::Exit;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::vector::{ExactVector, difference, exact, multiple, sum};
+
+/// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.
+pub(crate) struct Combination<'a> {
+    pub(crate) question: &'a Displacement<'a, 3>,
+    pub(crate) exit: &'a Exit,
+    pub(crate) p: &'a ExactVector,
+    pub(crate) basis: Basis,
+    /// Other generators that complete the two of the exit.
+    others: Vec<usize>,
+}
+
+impl<'a> Combination<'a> {
+    pub(crate) fn new(question: &'a Displacement<'a, 3>, exit: &'a Exit, p: &'a ExactVector) -> Self {
+        let plane = Basis::new(exit.basis.iter().map(|&b| (b, question.generator(b))).collect());
+        let (basis, others) = Basis::spanning(question, plane);
+        Self { question, exit, p, basis, others }
+    }
+
+    /// The generators of the exit's basis alone.
+    fn plane(&self) -> Basis {
+        Basis::new(self.exit.basis.iter().map(|&b| (b, self.question.generator(b))).collect())
+    }
+
+    /// Whether the generators span space.
+    pub(crate) fn spans_space(&self) -> bool {
+        self.basis.rank() == 3
+    }
+
+    /// The proof in doubles.
+    pub(crate) fn witness(&self) -> Witness {
+        let Exit { reach, along, .. } = self.exit;
+        if reach == along {
+            return self.scaled(&self.plane(), 1.0).expect("the exit is p itself");
+        }
+        let inverse = along.ratio(reach).min(1.0);
+        let of = |index| self.question.generator(index);
+        let others = self.others.iter().filter(|_| self.exit.basis.len() == 2).map(|&i| self.plane().with(i, of));
+        std::iter::once(self.basis.clone())
+            .chain(others)
+            .flat_map(|basis| [(basis.clone(), inverse), (basis, 1.0)])
+            .find_map(|(basis, factor)| self.scaled(&basis, factor))
+            .unwrap_or_else(|| walk(self, inverse))
+    }
+
+    /// The proof with the coefficient ±`factor` off the basis, if it is one.
+    fn scaled(&self, basis: &Basis, factor: f64) -> Option<Witness> {
+        let signs = &self.exit.signs;
+        // the exit's sum has the basis' third generator in it
+        let in_basis = basis.generators.iter().fold(None, |total: Option<ExactVector>, &b| match signs[b] {
+            0 => total,
+            sign => {
+                let v = exact(self.question.generator(b).map(|c| f64::from(sign) * c));
+                Some(total.map_or_else(|| v.clone(), |total| sum(&total, &v)))
+            }
+        });
+        let off = in_basis.map_or_else(|| self.exit.sum.clone(), |v| difference(&self.exit.sum, &v));
+        let rest = difference(self.p, &multiple(&Dyadic::from_f64(factor), &off));
+        let numerators = basis.numerators(&rest);
+        if numerators.iter().any(|n| n.clone().abs() > *basis.determinant()) {
+            return None;
+        }
+        let mut coefficients: Vec<f64> = signs.iter().map(|&sign| f64::from(sign) * factor).collect();
+        for (&b, numerator) in basis.generators.iter().zip(&numerators) {
+            coefficients[b] = rounded(numerator, basis.determinant());
+        }
+        Some(Witness { coefficients, basis: basis.generators.clone() })
+    }
+}
+
+/// A ratio of magnitude at most 1, as a double of magnitude at most 1.
+pub(crate) fn rounded(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
+    numerator.rounded_ratio(denominator).clamp(-1.0, 1.0)
+}

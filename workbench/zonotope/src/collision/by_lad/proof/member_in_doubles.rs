@@ -1,0 +1,235 @@
+//! The proof of a member in doubles, from a vertex that doubles proved.
+//!
+//! All generators have ±c, c near 1 / λ, but three that make up for the rest: the two of the vertex and a third, off the facet's plane. Where the
+//! point is at an edge of its facet, the two are at the ends of their range; then the third is one that moves both inwards as it
+//! leaves its own end, which it may as far as c can grow towards 1.
+
+use crate::collision::by_lad::early::combination::well_spread;
+use crate::collision::{Displacement, Witness};
+use crate::lad::of_generators::cells::nested::Trail;
+use crate::lad::of_generators::certify::rounded_optimum::Certain;
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::tolerance::UNIT;
+
+/// How many generators are tried as the third.
+const PICKS: usize = 32;
+
+/// A margin of so much of what the other generators leave is enough.
+const ENOUGH: f64 = 0.25;
+
+/// How much of the third's range is left to it when it moves away from its end.
+const MOVE: f64 = 0.5;
+
+/// Three generators and the factor of all others.
+#[derive(Debug, Clone, Copy)]
+struct Attempt {
+    third: usize,
+    sign: f64,
+    factor: f64,
+    /// How far the largest of the three coefficients is from 1, nearly.
+    margin: f64,
+}
+
+/// The proof of a member whose gauge is less than 1.
+pub(crate) fn witness(
+    question: &Displacement<'_, 3>,
+    certain: &Certain,
+    trail: &Trail,
+    p: &BoundedVector,
+) -> Option<Witness> {
+    let inverse = (certain.along.value / certain.reach.value).min(1.0);
+    let n = question.len();
+    let last = certain.cell();
+    let sign = |index: usize| trail.sign(question, &last, index);
+    let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
+    let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
+    // far enough from the ends: no other pick is much better, unless rounding forbids this one
+    let mut enough = ENOUGH * (1.0 - inverse);
+    let mut best = Attempt { third: 0, sign: 0.0, factor: 0.0, margin: 0.0 };
+    for third in picks {
+        let sign = sign(third);
+        let v = question.generator(third);
+        let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
+        let moved = (inverse * (1.0 + MOVE * height)).min(1.0);
+        for factor in [moved, inverse, 1.0] {
+            let own = attempt(question, certain, p, Attempt { third, sign, factor, margin: 0.0 });
+            if own.margin > best.margin {
+                best = own;
+            }
+        }
+        if best.margin > enough && enough > 0.0 {
+            if let Some(found) = prove(question, certain, trail, p, best) {
+                return Some(found);
+            }
+            enough = 0.0;
+        }
+    }
+    let proved = if best.margin > 0.0 { prove(question, certain, trail, p, best) } else { None };
+    proved.or_else(|| prove_by_others(question, certain, trail, p, inverse))
+}
+
+/// The proof by an attempt, if rounding leaves no doubt of it.
+fn prove(
+    question: &Displacement<'_, 3>,
+    certain: &Certain,
+    trail: &Trail,
+    p: &BoundedVector,
+    attempt: Attempt,
+) -> Option<Witness> {
+    let Attempt { third, sign, factor, .. } = attempt;
+    let [a, b] = certain.vectors.map(bounded::exact);
+    let c = bounded::exact(question.generator(third));
+    let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
+    // the coefficients of those that share are rounded
+    let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
+    let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
+    let own = solve(&[a, b, c], &rest)?;
+    let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
+    for &(index, share) in &certain.shares {
+        coefficients[index] = share * factor;
+    }
+    let mut basis = vec![certain.basis[0], certain.basis[1], third];
+    for (&index, value) in basis.iter().zip(own) {
+        coefficients[index] = value;
+    }
+    basis.sort_unstable();
+    Some(Witness { coefficients, basis })
+}
+
+/// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
+fn prove_by_others(
+    question: &Displacement<'_, 3>,
+    certain: &Certain,
+    trail: &Trail,
+    p: &BoundedVector,
+    factor: f64,
+) -> Option<Witness> {
+    let basis = well_spread(question)?;
+    let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
+    basis.iter().all(is_other).then_some(())?;
+    let signs = basis.map(|i| trail.sign(question, &certain.cell(), i));
+    let vectors = basis.map(|i| bounded::exact(question.generator(i)));
+    let pair = certain.vectors.map(bounded::exact);
+    let parts = certain.rest.coefficients;
+    // the coefficients of those that share, and of the two of the vertex, are rounded
+    let size = certain.shared + certain.vectors.as_flattened().iter().map(|c| c.abs()).sum::<f64>();
+    let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * size + f64::MIN_POSITIVE) };
+    let rest = [0, 1, 2].map(|k| {
+        let ends = pair[0][k] * Bounded::exact(parts[0]) + pair[1][k] * Bounded::exact(parts[1]);
+        let own = (0..3).map(|i| vectors[i][k] * Bounded::exact(-signs[i]));
+        let off = own.fold(certain.sum[k] + ends, |sum, term| sum + term);
+        p[k] - off * Bounded::exact(factor) + rounded
+    });
+    let own = solve(&vectors, &rest)?;
+    let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
+    let shares = certain.shares.iter().copied().chain(certain.basis.into_iter().zip(parts));
+    for (index, share) in shares {
+        coefficients[index] = share * factor;
+    }
+    let mut basis = basis.to_vec();
+    for (&index, value) in basis.iter().zip(own) {
+        coefficients[index] = value;
+    }
+    basis.sort_unstable();
+    Some(Witness { coefficients, basis })
+}
+
+/// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).
+fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3]> {
+    let normals = [bounded::cross(b, c), bounded::cross(c, a), bounded::cross(a, b)];
+    let determinant = bounded::dot(c, &normals[2]);
+    let negative = determinant.sign()? < 0;
+    let determinant = if negative { determinant.negated() } else { determinant };
+    let numerators = normals.map(|normal| bounded::dot(rest, &normal));
+    let is_within = numerators.iter().all(|n| n.is_within(determinant));
+    let sign = if negative { -1.0 } else { 1.0 };
+    is_within.then(|| numerators.map(|n| sign * n.value / determinant.value))
+}
+
+/// The attempt with its margin.
+fn attempt(question: &Displacement<'_, 3>, certain: &Certain, p: &BoundedVector, attempt: Attempt) -> Attempt {
+    let [a, b] = &certain.vectors;
+    let c = &question.generator(attempt.third);
+    let normals = [cross(b, c), cross(c, a), cross(a, b)];
+    let determinant = dot(c, &normals[2]);
+    let rest = [0, 1, 2].map(|k| p[k].value - (certain.sum[k].value - attempt.sign * c[k]) * attempt.factor);
+    let largest = normals.iter().fold(0.0f64, |m, normal| m.max((dot(&rest, normal) / determinant).abs()));
+    // none where the third is in the plane of the others
+    Attempt { margin: if determinant == 0.0 { 0.0 } else { 1.0 - largest }, ..attempt }
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Location;
+    use crate::collision::verify::verify;
+    use crate::lad::of_generators::cells::reduced::Reduced;
+
+    /// The proof from the vertex of the first two generators, checked exactly.
+    fn prove(generators: &[[f64; 3]], p: [f64; 3]) -> Option<Witness> {
+        let question = Displacement::new([0.0; 3], p, generators).expect("finite");
+        let p = bounded::exact(p);
+        let certain = Certain::at(&[Reduced::whole(&question)], &p, [0, 1]).ok()?;
+        let witness = witness(&question, &certain, &Trail::default(), &p)?;
+        assert_eq!(verify(&question, &Location::Inside(witness.clone())), Ok(()));
+        Some(witness)
+    }
+
+    const BODY: [[f64; 3]; 6] =
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.1, 1.0], [0.3, 0.0, 1.0], [0.1, -0.2, 1.0], [-0.2, 0.1, 0.7]];
+
+    #[test]
+    fn points_below_a_facet_are_proved() {
+        let top = BODY[2..].iter().fold([0.0; 3], |sum, v| [0, 1, 2].map(|k| sum[k] + v[k]));
+        for (x, y) in [(0.0, 0.0), (0.5, -0.25), (0.999, 0.0), (1.0, 1.0), (-1.0, 0.3)] {
+            for factor in [0.5, 0.9, 1.0 - 1e-9] {
+                let p = [top[0] + x, top[1] + y, top[2]].map(|c| c * factor);
+                let witness = prove(&BODY, p).unwrap_or_else(|| panic!("{x} {y} {factor}"));
+                assert!(witness.basis.len() == 3 && witness.basis[..2] == [0, 1], "{witness:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn shares_of_a_facet_are_part_of_the_proof() {
+        let body: Vec<[f64; 3]> =
+            BODY.into_iter().chain([[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.3, 0.0, 0.0]]).collect();
+        let top = BODY[2..].iter().fold([0.0; 3], |sum, v| [0, 1, 2].map(|k| sum[k] + v[k]));
+        for (x, y) in [(0.0, 0.0), (2.5, 0.7), (-3.2, 0.1), (0.0, 2.9)] {
+            let p = [top[0] + x, top[1] + y, top[2]].map(|c| c * 0.99);
+            let witness = prove(&body, p).unwrap_or_else(|| panic!("{x} {y}"));
+            assert!(witness.basis.iter().all(|index| *index < 6), "{witness:?}");
+        }
+    }
+
+    #[test]
+    fn where_the_two_of_the_vertex_are_nearly_parallel_others_make_up_for_them() {
+        let a = [1.0, 0.3, 0.1];
+        let b = [a[0] + 0.2e-9, a[1] - 0.7e-9, a[2] + 0.4e-9];
+        let normal = cross(&a, &b);
+        let others = [[0.3, 0.6, 2.7], [0.0, 3.0, 0.3], [1.2, -0.9, 1.5], [-0.6, 1.8, 0.9]];
+        let body: Vec<[f64; 3]> = [a, b].into_iter().chain(others).collect();
+        let top = others.iter().fold([0.0; 3], |sum, v| {
+            let sign = f64::copysign(1.0, dot(v, &normal));
+            [0, 1, 2].map(|k| sum[k] + sign * v[k])
+        });
+        for factor in [0.5, 0.9, 1.0 - 1e-9] {
+            let p = [0, 1, 2].map(|k| factor * (top[k] + 0.3 * a[k] - 0.2 * b[k]));
+            let witness = prove(&body, p).unwrap_or_else(|| panic!("{factor}"));
+            assert!(witness.basis.len() == 3, "{witness:?}");
+        }
+    }
+
+    #[test]
+    fn points_outside_are_not() {
+        assert!(prove(&BODY, [0.2, 0.0, 4.0]).is_none());
+    }
+}

@@ -1,0 +1,70 @@
+//! A separating direction of doubles from an exact one.
+
+use crate::collision::{Displacement, Separation};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::vector::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
+
+use crate::numeric::signed_sum::signed_sum;
+
+/// Multiples of the direction that are rounded, in turn: each rounds its coordinates differently.
+const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
+
+/// The proof from an exact direction u with u · p > h(u); `basis` are the generators that u is known to be orthogonal to.
+pub(crate) fn separation(
+    question: &Displacement<'_, 3>,
+    p: &ExactVector,
+    direction: &ExactVector,
+    basis: &[usize],
+) -> Separation<3> {
+    let normal = match *basis {
+        [first, second] => {
+            let [first, second] = [first, second].map(|b| exact(question.generator(b)));
+            let normal = cross(&first, &second);
+            // the same direction in smaller numbers: of integers, perhaps, that are doubles
+            if dot(&normal, p).sign().is_lt() { negated(normal) } else { normal }
+        }
+        _ => direction.clone(),
+    };
+    let longest = (0..3).max_by_key(|&axis| normal[axis].clone().abs()).expect("there are three axes");
+    let [x, y, z] = [0, 1, 2].map(|i| normal[i].rounded_ratio(&normal[longest].clone().abs()));
+    let candidates = MULTIPLES.iter().map(|&factor| rounded_direction(&multiple(&Dyadic::from_f64(factor), &normal)));
+    candidates
+        .chain([[x, y, z]])
+        .chain(neighbours([x, y, z]))
+        .find(|&u| separates(question, p, u))
+        .map_or_else(|| Separation::Exact(direction.clone().map(|v| v.to_rational())), Separation::Rounded)
+}
+
+/// The directions a step of the last place away in one or two coordinates.
+fn neighbours(u: [f64; 3]) -> impl Iterator<Item = [f64; 3]> {
+    let step = |value: f64, step: i32| match step {
+        0 => value,
+        1 => value.next_up(),
+        _ => value.next_down(),
+    };
+    (0..27).filter(|&code| code != 13).map(move |code| {
+        let steps = [code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1];
+        [0, 1, 2].map(|i| step(u[i], steps[i]))
+    })
+}
+
+/// Whether u · p > h(u), exactly. O(n).
+pub(crate) fn separates(question: &Displacement<'_, 3>, p: &ExactVector, u: [f64; 3]) -> bool {
+    if !u.iter().all(|c| c.is_finite()) {
+        return false;
+    }
+    let direction = exact(u);
+    let signed = question.generators().map(|&v| (v, side(v, u, &direction)));
+    dot(&difference(p, &signed_sum(signed)), &direction).sign().is_gt()
+}
+
+/// The sign of v · u.
+fn side(v: [f64; 3], u: [f64; 3], direction: &ExactVector) -> i8 {
+    let [x, y, z] = [v[0] * u[0], v[1] * u[1], v[2] * u[2]];
+    let (value, size) = (x + y + z, x.abs() + y.abs() + z.abs());
+    // five roundings and, where a product is denormal, its absolute error
+    if value.abs() > 8.0 * f64::EPSILON * size + f64::MIN_POSITIVE {
+        return if value > 0.0 { 1 } else { -1 };
+    }
+    dot(&exact(v), direction).sign() as i8
+}

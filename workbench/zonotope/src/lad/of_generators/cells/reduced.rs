@@ -1,0 +1,81 @@
+//! The problem with most generators summed up: their sign is fixed throughout a cell.
+//!
+//! For any signs fixed on a part of the generators, (Σ sign v) · u + Σ_rest |v · u| ≤ h(u), with equality in the cell where those
+//! signs are right. So an optimum of the reduced problem in the cell is an optimum of the whole, by convexity.
+
+use crate::collision::Displacement;
+use crate::lad::of_generators::cells::direction_cone::{Cell, FixedSum};
+use crate::lad::of_generators::plane::rounded_chart::Chart;
+use crate::lad::of_generators::plane::rounded_lines::Lines;
+
+/// Some generators, and the sum of all others.
+#[derive(Debug)]
+pub(crate) struct Reduced {
+    pub(crate) vectors: Vec<[f64; 3]>,
+    /// The index of each in the question.
+    pub(crate) indices: Vec<u32>,
+    pub(crate) fixed: FixedSum,
+    /// The signs of those that were summed up last hold in this cell; none if all generators are left.
+    pub(crate) cell: Option<Cell>,
+}
+
+impl Reduced {
+    /// All generators, none summed up.
+    pub(crate) fn whole(question: &Displacement<'_, 3>) -> Self {
+        Self {
+            vectors: question.generators().copied().collect(),
+            indices: (0..question.len() as u32).collect(),
+            fixed: FixedSum::default(),
+            cell: None,
+        }
+    }
+
+    /// One pass over the question; `expected` generators are likely to cross the cell.
+    pub(crate) fn of_question(question: &Displacement<'_, 3>, cell: Cell, expected: usize) -> Self {
+        let [first, second] = question.runs();
+        let (mut vectors, mut indices) = (Vec::with_capacity(expected), Vec::with_capacity(expected));
+        let mut fixed = FixedSum::default();
+        for (run, offset) in [(first, 0), (second, first.len())] {
+            if !run.is_empty() {
+                fixed = fixed.plus(&cell.split(run, |i| {
+                    vectors.push(run[i]);
+                    indices.push((offset + i) as u32);
+                }));
+            }
+        }
+        Self { vectors, indices, fixed, cell: Some(cell) }
+    }
+
+    /// The same problem with those summed up that miss a cell.
+    pub(crate) fn split(&self, cell: Cell) -> Self {
+        let room = self.vectors.len() / 4 + 16;
+        let (mut vectors, mut indices) = (Vec::with_capacity(room), Vec::with_capacity(room));
+        let fixed = self.fixed.plus(&cell.split(&self.vectors, |i| {
+            vectors.push(self.vectors[i]);
+            indices.push(self.indices[i]);
+        }));
+        Self { vectors, indices, fixed, cell: Some(cell) }
+    }
+
+    pub(crate) fn lines(&self, chart: &Chart) -> Lines {
+        chart.lines(self.vectors.iter().copied())
+    }
+
+    /// The gradient of the whole at a point of the cell.
+    pub(crate) fn gradient(&self, chart: &Chart, [x, y]: [f64; 2]) -> [f64; 2] {
+        let mut sum = self.fixed.sum;
+        for v in &self.vectors {
+            let [a, b, c] = chart.line(v);
+            let sign = f64::copysign(1.0, a * x + b * y + c);
+            sum = [0, 1, 2].map(|k| sum[k] + sign * v[k]);
+        }
+        let [x, y, _] = chart.line(&sum);
+        [x, y]
+    }
+
+    /// The gradient of the summed-up part.
+    pub(crate) fn linear(&self, chart: &Chart) -> [f64; 2] {
+        let [x, y, _] = chart.line(&self.fixed.sum);
+        [x, y]
+    }
+}

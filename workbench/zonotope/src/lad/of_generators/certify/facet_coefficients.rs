@@ -1,0 +1,82 @@
+//! What each of many generators of one facet contributes to a point of it: a zonogon's gauge in the plane, by one weighted median.
+//!
+//! Let v_i be the coordinates of the generators in the plane of the facet and t ≠ 0 a vector of that plane. The gauge of t is 1 / s, where s is the
+//! least of Σ |v_i · w| over all w with w · t = 1: with w = (t + τ t⊥) / (t · t) it is a weighted median of the τ at which one v_i · w vanishes.
+//! There Σ σ_i v_i = s t, with σ_i the sign of v_i · w for all but the median one, whose σ is what makes the sum parallel to t.
+
+use crate::lad::of_generators::guess::crossings::{Crossing, select};
+
+/// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if there are none, the generator that t lies beyond the edges of.
+pub(crate) fn shares(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Vec<f64>, usize> {
+    let square = x * x + y * y;
+    if square == 0.0 {
+        return Ok(vec![0.0; vectors.len()]);
+    }
+    let (mut crossings, mut total) = (Vec::with_capacity(vectors.len()), 0.0);
+    // the signs of those that are parallel to t, and where the others vanish
+    let parts: Vec<[f64; 2]> = vectors.iter().map(|[a, b]| [a * x + b * y, b * x - a * y]).collect();
+    for (i, &[along, across]) in parts.iter().enumerate() {
+        let position = -along / across;
+        if position.is_finite() {
+            crossings.push(Crossing { position, weight: across.abs(), line: i });
+            total += across.abs();
+        }
+    }
+    let median = select(&mut crossings, total / 2.0);
+    let is_before = |i: usize, position: f64, median: &Crossing| {
+        position.total_cmp(&median.position).then(i.cmp(&median.line)).is_lt()
+    };
+    let (mut reach, mut rest) = (0.0, 0.0);
+    let mut signs = Vec::with_capacity(vectors.len());
+    for (i, &[along, across]) in parts.iter().enumerate() {
+        let position = -along / across;
+        let sign = match &median {
+            Some(median) if median.line == i => 0.0,
+            Some(median) if position.is_finite() => {
+                f64::copysign(1.0, if is_before(i, position, median) { across } else { -across })
+            }
+            _ => f64::copysign(1.0, along),
+        };
+        reach += sign * along;
+        rest += sign * across;
+        signs.push(sign);
+    }
+    if let Some(Crossing { line, .. }) = median {
+        let [along, across] = parts[line];
+        signs[line] = (-rest / across).clamp(-1.0, 1.0);
+        reach += signs[line] * along;
+    }
+    let scale = square / reach;
+    match median {
+        Some(median) if scale > 1.0 + BEYOND => Err(median.line),
+        // shares too large by rounding are the caller's to make up for
+        _ => Ok(signs.into_iter().map(|sign| sign * scale.min(1.0)).collect()),
+    }
+}
+
+/// A vector whose gauge exceeds 1 by more than this is not in the zonogon.
+const BEYOND: f64 = 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_square_worked_out_by_hand() {
+        // [−1, 1]² and (1/2, 1/4): the ray leaves through the right edge at (1, 1/2)
+        assert_eq!(shares(&[[1.0, 0.0], [0.0, 1.0]], [0.5, 0.25]), Ok(vec![0.5, 0.25]));
+        // (2, 1) is beyond that edge, which is parallel to the second generator
+        assert_eq!(shares(&[[1.0, 0.0], [0.0, 1.0]], [2.0, 1.0]), Err(1));
+        assert_eq!(shares(&[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]), Ok(vec![0.0, 0.0]));
+    }
+
+    #[test]
+    fn parallel_generators_make_up_for_each_other() {
+        let vectors = [[1.0, 0.0], [3.0, 0.0], [-2.0, 0.0], [0.0, 4.0], [0.0, 0.0]];
+        let target = [-1.0, 4.0];
+        let shares = shares(&vectors, target).expect("(−1, 4) is on an edge");
+        assert!(shares.iter().all(|share| share.abs() <= 1.0), "{shares:?}");
+        let sum = [0, 1].map(|k| shares.iter().zip(&vectors).map(|(share, v)| share * v[k]).sum::<f64>());
+        assert_eq!(sum, target);
+    }
+}

@@ -1,0 +1,100 @@
+//! The sign of v · u for an exact direction u, by pairs of doubles: told for nearly every generator that is not orthogonal to u.
+//!
+//! Each coordinate of u is rounded once, to about 98 bits, with an exponent of its own, and so is each product. So it does not matter how far the
+//! sizes of coordinates and generators are apart.
+
+use crate::numeric::approximation::Approximation;
+use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::vector::ExactVector;
+
+/// Between 2 to the power of this and of its opposite, products of two doubles and their rounding errors are normal numbers.
+const MODERATE: i64 = 300;
+
+/// A direction as pairs of doubles.
+pub(crate) struct PairDirection {
+    /// Each coordinate divided by the power of two below it; none for zero.
+    terms: [Option<(Approximation, i64)>; 3],
+    /// The coordinates themselves, scaled by the same power of two, if they are of moderate size.
+    moderate: Option<[Approximation; 3]>,
+}
+
+impl PairDirection {
+    pub(crate) fn new(direction: &ExactVector) -> Self {
+        let terms = direction.each_ref().map(|c| {
+            let exponent = c.binary_exponent()?;
+            Some((Approximation::of(&c.clone().scaled(-exponent)), exponent))
+        });
+        let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max().unwrap_or(0);
+        let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < MODERATE);
+        let scaled = |c: &Dyadic| Approximation::of(&c.clone().scaled(-largest));
+        Self { terms, moderate: is_moderate.then(|| direction.each_ref().map(scaled)) }
+    }
+
+    /// The sign of v · u if pairs tell and it is not zero.
+    pub(crate) fn certain_sign(&self, v: &[f64; 3]) -> Option<i8> {
+        const SMALL: f64 = f64::from_bits(((1023 - MODERATE) as u64) << 52);
+        const LARGE: f64 = f64::from_bits(((1023 + MODERATE) as u64) << 52);
+        let is_moderate = |c: &f64| *c == 0.0 || (SMALL..LARGE).contains(&c.abs());
+        if let Some(direction) = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate)) {
+            let [x, y, z] = [0, 1, 2].map(|k| direction[k] * Approximation::exact(v[k]));
+            return (x + y + z).sign();
+        }
+        let terms = [0, 1, 2].map(|k| {
+            let ((coordinate, own), exponent) = (self.terms[k]?, i64::from(binary_exponent(v[k])?));
+            Some((coordinate * Approximation::exact(scale_by_power_of_two(v[k], -exponent)), own + exponent))
+        });
+        let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max()?;
+        let sum = terms
+            .into_iter()
+            .flatten()
+            .fold(Approximation::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
+        sum.sign()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::vector::{cross, dot, exact};
+    use proptest::prelude::*;
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            2 => -1.0..1.0f64,
+            1 => (-3i32..4).prop_map(f64::from),
+            1 => any::<f64>().prop_map(|v| if v.is_finite() { v } else { f64::MAX }),
+            1 => (-9i32..9).prop_map(|i| f64::from(i) * f64::from_bits(1)),
+            1 => (-9i32..9).prop_map(|i| 1.0 + f64::from(i) * f64::EPSILON),
+        ]
+    }
+
+    fn vector() -> impl Strategy<Value = [f64; 3]> {
+        proptest::array::uniform3(coordinate())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(2000))]
+
+        #[test]
+        fn a_sign_that_is_told_is_that_of_the_exact_product(a in vector(), b in vector(), v in vector()) {
+            let direction = cross(&exact(a), &exact(b));
+            let pairs = PairDirection::new(&direction);
+            if let Some(sign) = pairs.certain_sign(&v) {
+                prop_assert_eq!(sign, dot(&exact(v), &direction).sign() as i8);
+            }
+            prop_assert_eq!(pairs.certain_sign(&a), None);
+        }
+    }
+
+    #[test]
+    fn differences_far_below_a_double_are_told() {
+        let tiny = f64::from_bits((1023 - 80) << 52);
+        let x = Dyadic::from_f64(1.0) + Dyadic::from_f64(tiny);
+        let pairs = PairDirection::new(&[x, Dyadic::from_f64(-1.0), Dyadic::zero()]);
+        for size in [1.0, f64::from_bits(1), 1e308] {
+            assert_eq!(pairs.certain_sign(&[size, size, 0.0]), Some(1));
+            assert_eq!(pairs.certain_sign(&[-size, -size, 0.0]), Some(-1));
+        }
+        assert_eq!(pairs.certain_sign(&[0.0; 3]), None);
+    }
+}

@@ -1,0 +1,210 @@
+//! Generators in few directions, or nearly: samples say little of the lines between, but much of the sums of each direction.
+//!
+//! The generators of a sample that are parallel but for noise make one line each. Where two of those lines meet is a vertex, and the two bundles cross a
+//! cell around it. If the vertex turns out not to be optimal, the sample is corrected: the difference between the gradient there and that of
+//! the sample is added to its objective, which then has the right gradient near the vertex and the sample's differences farther off.
+
+use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::guess::huber_newton::Guess;
+use crate::lad::of_generators::guess::vertex_descent::descend;
+use crate::lad::of_generators::plane::rounded_chart::Chart;
+use crate::lad::of_generators::plane::rounded_lines::Lines;
+
+/// So many generators of the sample are compared with each other to see whether any are parallel.
+const PROBES: usize = 12;
+
+/// More directions are not few.
+const MOST: usize = 32;
+
+/// The most noise of a direction, as the sine of an angle.
+const NOISE: f64 = 1e-6;
+
+/// How much wider than in the sample a bundle may be.
+const WIDER: f64 = 4.0;
+
+/// The bundles of a sample.
+pub(crate) struct Bundles {
+    bundles: Vec<Bundle>,
+    lines: Lines,
+    /// What is added to the gradient of the sample.
+    linear: [f64; 2],
+    /// The part of all generators that the sample is.
+    part: f64,
+}
+
+/// Generators in one direction.
+#[derive(Debug, Clone, Copy)]
+struct Bundle {
+    /// The direction of one of them, with the largest coordinate 1 or −1.
+    unit: [f64; 3],
+    sum: [f64; 3],
+    noise: f64,
+}
+
+/// Two bundles that meet.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Meeting {
+    first: usize,
+    second: usize,
+    pub(crate) guess: Guess,
+    /// Whether all generators of either bundle are parallel but for rounding.
+    is_sharp: bool,
+}
+
+impl Bundles {
+    /// The bundles of a sample of a part of all generators, if they are few.
+    pub(crate) fn of(sample: &[[f64; 3]], part: f64, chart: &Chart) -> Option<Self> {
+        let step = (sample.len() / PROBES).max(1);
+        let probes: Vec<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
+        let is_repeated = |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < NOISE * NOISE);
+        if !probes.iter().enumerate().any(is_repeated) {
+            return None;
+        }
+        let mut bundles: Vec<Bundle> = Vec::with_capacity(MOST);
+        for v in sample {
+            let Some(own) = unit(v) else { continue };
+            match bundles.iter().position(|bundle| sine_square(&bundle.unit, &own) < NOISE * NOISE) {
+                Some(place) => {
+                    let bundle = &mut bundles[place];
+                    let noise = sine_square(&bundle.unit, &own).sqrt();
+                    let sign = f64::copysign(1.0, dot(&bundle.unit, v));
+                    bundle.sum = [0, 1, 2].map(|k| bundle.sum[k] + sign * v[k]);
+                    bundle.noise = bundle.noise.max(noise);
+                }
+                None if bundles.len() == MOST => return None,
+                None => bundles.push(Bundle { unit: own, sum: *v, noise: 0.0 }),
+            }
+        }
+        let lines = chart.lines(bundles.iter().map(|bundle| bundle.sum).collect::<Vec<_>>().into_iter());
+        Some(Self { bundles, lines, linear: [0.0; 2], part })
+    }
+
+    /// Where the bundles' optimum is.
+    pub(crate) fn meeting(&self, chart: &Chart) -> Option<Meeting> {
+        let (start, _) = self.lines.least_squares()?;
+        let [first, second] = descend(&self.lines, self.linear, start)?;
+        let point = self.lines.meet(first, second);
+        let size = chart.point(point).iter().map(|c| c.abs()).sum::<f64>();
+        let noises = [first, second].map(|i| WIDER * self.bundles[i].noise);
+        let [[a, b, _], [c, d, _]] = [first, second].map(|i| chart.line(&self.bundles[i].unit));
+        let determinant = a * d - b * c;
+        let [one, other] = noises.map(|noise| noise * size / determinant);
+        let sides = [[d * one, -c * one], [-b * other, a * other]];
+        // about half of the lines of either bundle are nearer
+        let band = noises[0].max(noises[1]) * size / (8.0 * WIDER);
+        let is_finite = sides.as_flattened().iter().chain(&point).all(|c| c.is_finite());
+        let is_sharp = noises.iter().all(|noise| *noise < SHARP);
+        is_finite.then_some(Meeting { first, second, guess: Guess { point, band, sides }, is_sharp })
+    }
+
+    /// Of the generators that cross a cell around a meeting, one of either bundle if it is sharp.
+    pub(crate) fn vertex(&self, meeting: &Meeting, reduced: &Reduced) -> Option<[usize; 2]> {
+        let longest = |bundle: usize| {
+            let unit = &self.bundles[bundle].unit;
+            let own = reduced.vectors.iter().enumerate().filter(|(_, v)| is_along(v, unit));
+            own.map(|(i, v)| (dot(v, unit).abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
+        };
+        let found = if meeting.is_sharp { Some([longest(meeting.first)?, longest(meeting.second)?]) } else { None };
+        found.filter(|[first, second]| first != second)
+    }
+
+    /// Whether the optimum is not at a meeting, seen from the generators that cross a cell around it; then the gradient is corrected.
+    pub(crate) fn is_corrected(&mut self, meeting: &Meeting, reduced: &Reduced, chart: &Chart) -> bool {
+        let pair = [meeting.first, meeting.second];
+        let mut sums = [[0.0; 3]; 2];
+        let mut others = reduced.fixed.sum;
+        for v in &reduced.vectors {
+            match pair.iter().position(|&i| is_along(v, &self.bundles[i].unit)) {
+                Some(place) => {
+                    let sign = f64::copysign(1.0, dot(&self.bundles[pair[place]].unit, v));
+                    sums[place] = [0, 1, 2].map(|k| sums[place][k] + sign * v[k]);
+                }
+                None => {
+                    // a line through the same vertex, or nearly: with the sign at its centre
+                    let [a, b, c] = chart.line(v);
+                    let [x, y] = meeting.guess.point;
+                    let sign = f64::copysign(1.0, a * x + b * y + c);
+                    others = [0, 1, 2].map(|k| others[k] + sign * v[k]);
+                }
+            }
+        }
+        let [[a, b, _], [c, d, _]] = sums.map(|sum| chart.line(&sum));
+        let [x, y, _] = chart.line(&others);
+        let determinant = (a * d - b * c).abs();
+        let is_optimal = (x * d - y * c).abs() <= ENOUGH * determinant && (a * y - b * x).abs() <= ENOUGH * determinant;
+        let [px, py] = meeting.guess.point;
+        let mut own = [0.0; 2];
+        for (_, [a, b, c, _]) in self.lines.iter().enumerate().filter(|(i, _)| !pair.contains(i)) {
+            let sign = f64::copysign(1.0, a * px + b * py + c);
+            own = [own[0] + sign * a, own[1] + sign * b];
+        }
+        self.linear = [self.part * x - own[0], self.part * y - own[1]];
+        !is_optimal
+    }
+}
+
+/// Noise of a direction that is rounding.
+const SHARP: f64 = 1e-14;
+
+/// What the coefficients of the two bundles may be for their meeting to be the optimum.
+const ENOUGH: f64 = 1.0 + 1e-6;
+
+fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
+    let size = v.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+    let unit = v.map(|c| c / size);
+    unit.iter().all(|c| c.is_finite()).then_some(unit)
+}
+
+/// The square of the sine of the angle between two directions with the largest coordinate ±1, but for a factor.
+fn sine_square([a, b, c]: &[f64; 3], [d, e, f]: &[f64; 3]) -> f64 {
+    let [x, y, z] = [b * f - c * e, c * d - a * f, a * e - b * d];
+    x * x + y * y + z * z
+}
+
+fn is_along(v: &[f64; 3], unit: &[f64; 3]) -> bool {
+    sine_square(v, unit) < 4.0 * NOISE * NOISE * dot(v, v)
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chart() -> Chart {
+        Chart::new([0.0, 0.0, 1.0])
+    }
+
+    #[test]
+    fn few_directions_are_told_from_many() {
+        let few: Vec<[f64; 3]> = (0..60)
+            .map(|i| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [1.0, 1.0, 1.0]][i % 3].map(|c| c * (1.0 + i as f64)))
+            .collect();
+        let bundles = Bundles::of(&few, 1.0, &chart()).expect("three directions");
+        assert_eq!(bundles.bundles.len(), 3);
+        let many: Vec<[f64; 3]> = (0..60).map(|i| [1.0, f64::from(i), f64::from(i * i)]).collect();
+        assert!(Bundles::of(&many, 1.0, &chart()).is_none());
+    }
+
+    #[test]
+    fn a_wrong_meeting_is_corrected() {
+        // lines x = −0.2, y = −0.3 of weight 1 and x + y = −1 of weight w: with w = 3 the optimum is where the heavy one meets another
+        let body = |w: f64| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [w, w, w]];
+        let sample = body(0.1);
+        let repeated: Vec<[f64; 3]> = sample.iter().copied().cycle().take(24).collect();
+        let mut bundles = Bundles::of(&repeated, 1.0, &chart()).expect("three directions");
+        let first = bundles.meeting(&chart()).expect("there is one");
+        let mut pair = [first.first, first.second];
+        pair.sort_unstable();
+        assert_eq!(pair, [0, 1]);
+        let truth: Vec<[f64; 3]> = body(3.0).iter().copied().cycle().take(24).collect();
+        let question = crate::collision::Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &truth).expect("finite");
+        let reduced = Reduced::of_question(&question, chart().cell(&first.guess, 1.0), 24);
+        assert_eq!(reduced.vectors.len(), 16);
+        assert!(bundles.is_corrected(&first, &reduced, &chart()));
+        let second = bundles.meeting(&chart()).expect("there is one");
+        assert!(second.first == 2 || second.second == 2, "{second:?}");
+    }
+}

@@ -1,0 +1,156 @@
+//! From a point to the vertex at which Σ |a x + b y + c| is least, along lines, in doubles.
+//!
+//! Each line search ends where the slope changes its sign, found by selection among the crossings ahead. What it ends in is checked by
+//! others; here rounding may at worst end the search at the wrong vertex.
+
+use wide::f64x2;
+
+use crate::lad::of_generators::guess::crossings::{Crossing, select};
+use crate::lad::of_generators::plane::rounded_lines::Lines;
+
+/// The most line searches.
+const SEARCHES: usize = 40;
+
+/// The most of them that do not move the vertex.
+const STILL: usize = 2;
+
+/// So many lines, or up to twice as many, tell how far ahead the others have to be looked at.
+const SAMPLE: usize = 64;
+
+/// How much farther that is than it seems to be.
+const MORE: f64 = 1.25;
+
+/// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it; none if no line crosses the one that is
+/// searched. Where many lines meet, it may be a vertex along both of whose lines the objective rises, but not along another.
+pub(crate) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
+    descend_nearly(lines, linear, start, 0.0)
+}
+
+/// The same, or a vertex from which the objective falls by so little, in terms of its kink there.
+pub(crate) fn descend_nearly(lines: &Lines, linear: [f64; 2], start: [f64; 2], enough: f64) -> Option<[usize; 2]> {
+    descend_from(lines, linear, start, nearest(lines, start)?, enough)
+}
+
+/// The same, along a line first.
+pub(crate) fn descend_along(lines: &Lines, linear: [f64; 2], start: [f64; 2], line: usize) -> Option<[usize; 2]> {
+    descend_from(lines, linear, start, line, 0.0)
+}
+
+fn descend_from(lines: &Lines, linear: [f64; 2], start: [f64; 2], mut line: usize, enough: f64) -> Option<[usize; 2]> {
+    let mut point = start;
+    let mut before = usize::MAX;
+    let mut still = 0;
+    let mut crossings = Crossings::of(lines.len());
+    for _ in 0..SEARCHES {
+        let (other, vertex) = search(lines, linear, line, point, &mut crossings)?;
+        still = if is_same(point, vertex) { still + 1 } else { 0 };
+        point = vertex;
+        let ([a, b, c, _], [other_a, other_b, ..]) = (lines.line(line), lines.line(other));
+        let direction = [-other_b, other_a];
+        // the slope along the other line at the vertex, without the two lines through it
+        let turn = a * direction[0] + b * direction[1];
+        let own = f64::copysign(1.0, a * point[0] + b * point[1] + c) * turn;
+        let slope = lines.slope(linear, point, direction) - own;
+        // where the line before comes again, or the vertex stays, rounding would go on in circles
+        if slope.abs() <= turn.abs() * (1.0 + enough) || other == before || still > STILL {
+            return Some([line, other]);
+        }
+        (before, line) = (line, other);
+    }
+    Some([before, line])
+}
+
+fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
+    (a[0] - b[0]).abs() + (a[1] - b[1]).abs() <= 64.0 * f64::EPSILON * (b[0].abs() + b[1].abs())
+}
+
+fn nearest(lines: &Lines, [x, y]: [f64; 2]) -> Option<usize> {
+    let [x, y] = [x, y].map(f64x2::splat);
+    let (mut least, mut nearest) = (f64::INFINITY, None);
+    for (pair, [a, b, c, _]) in lines.pairs().iter().enumerate() {
+        let value = *a * x + *b * y + *c;
+        // not finite for a line without normal
+        let squares = (value * value / (*a * *a + *b * *b)).to_array();
+        for (lane, square) in squares.into_iter().enumerate() {
+            if square < least {
+                (least, nearest) = (square, Some(2 * pair + lane));
+            }
+        }
+    }
+    nearest
+}
+
+/// Where lines cross the one that is searched.
+struct Crossings {
+    /// Of each line, in terms of the direction of the search.
+    places: Vec<f64>,
+    ahead: Vec<Crossing>,
+}
+
+impl Crossings {
+    fn of(len: usize) -> Self {
+        Self { places: Vec::with_capacity(len + 1), ahead: Vec::with_capacity(len.min(SAMPLE)) }
+    }
+
+    /// The lines that cross ahead, no farther than `farthest`, one in so many; half of what the slope gains at all of them.
+    fn gather(&mut self, lines: &Lines, [dx, dy]: [f64; 2], farthest: f64, step: usize) -> f64 {
+        self.ahead.clear();
+        let mut gain = 0.0;
+        let last = farthest.min(f64::MAX);
+        for (line, &position) in self.places[..lines.len()].iter().enumerate().step_by(step) {
+            // zero is ahead where the slope was summed up with the sign before it
+            if position.is_sign_positive() && position <= last {
+                let [a, b, ..] = lines.line(line);
+                let weight = (a * dx + b * dy).abs();
+                gain += weight;
+                self.ahead.push(Crossing { position, weight, line });
+            }
+        }
+        gain
+    }
+
+    /// A place that the crossing looked for is likely to be before.
+    fn farthest(&mut self, lines: &Lines, direction: [f64; 2], target: f64) -> f64 {
+        let step = lines.len() / SAMPLE;
+        if step < 2 {
+            return f64::INFINITY;
+        }
+        let gain = self.gather(lines, direction, f64::INFINITY, step);
+        let target = MORE * target / step as f64 + 2.0 * gain / self.ahead.len() as f64;
+        if target < gain {
+            select(&mut self.ahead, target).map_or(f64::INFINITY, |c| c.position)
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
+/// The minimum along a line: the line that crosses it there, and where.
+fn search(
+    lines: &Lines,
+    linear: [f64; 2],
+    line: usize,
+    [x, y]: [f64; 2],
+    crossings: &mut Crossings,
+) -> Option<(usize, [f64; 2])> {
+    let [a, b, c, _] = lines.line(line);
+    let off = (a * x + b * y + c) / (a * a + b * b);
+    let foot = [x - off * a, y - off * b];
+    let mut direction = [-b, a];
+    // the line itself has no slope along itself, and no crossing
+    let mut slope = lines.slope_and_crossings(linear, foot, direction, &mut crossings.places);
+    if slope > 0.0 {
+        (direction, slope) = (direction.map(|c| -c), -slope);
+        for place in &mut crossings.places {
+            *place = -*place;
+        }
+    }
+    let target = -slope / 2.0;
+    let farthest = crossings.farthest(lines, direction, target);
+    let gain = crossings.gather(lines, direction, farthest, 1);
+    if gain < target && farthest < f64::INFINITY {
+        crossings.gather(lines, direction, f64::INFINITY, 1);
+    }
+    let found = select(&mut crossings.ahead, target)?;
+    Some((found.line, [0, 1].map(|k| foot[k] + found.position * direction[k])))
+}

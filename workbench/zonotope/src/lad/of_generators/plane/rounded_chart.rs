@@ -1,0 +1,104 @@
+//! The plane { u : u · p = 1 } in doubles: for guesses.
+
+use wide::f64x2;
+
+use crate::lad::of_generators::cells::direction_cone::Cell;
+use crate::lad::of_generators::guess::huber_newton::Guess;
+use crate::lad::of_generators::plane::rounded_lines::Lines;
+
+/// The smallest reach of a cell, in terms of its centre.
+const LEAST_REACH: f64 = 1e-11;
+
+/// An ellipse with the square of its shorter axis no less than so much of that of its longer one is taken for a ball.
+const ROUND: f64 = 0.1;
+
+/// Coordinates (x, y) = (u_i, u_j) of the plane, k the axis along which p is longest.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Chart {
+    axes: [usize; 3],
+    /// p_i / p_k and p_j / p_k.
+    slopes: [f64; 2],
+    /// 1 / p_k.
+    inverse: f64,
+}
+
+impl Chart {
+    pub(crate) fn new(p: [f64; 3]) -> Self {
+        let longest = if p[0].abs() >= p[1].abs() && p[0].abs() >= p[2].abs() {
+            0
+        } else if p[1].abs() >= p[2].abs() {
+            1
+        } else {
+            2
+        };
+        let [i, j, k] = [(longest + 1) % 3, (longest + 2) % 3, longest];
+        Self { axes: [i, j, k], slopes: [p[i] / p[k], p[j] / p[k]], inverse: 1.0 / p[k] }
+    }
+
+    /// The line a x + b y + c = v · u.
+    #[inline(always)]
+    pub(crate) fn line(&self, v: &[f64; 3]) -> [f64; 3] {
+        let [i, j, k] = self.axes;
+        [v[i] - v[k] * self.slopes[0], v[j] - v[k] * self.slopes[1], v[k] * self.inverse]
+    }
+
+    /// The lines of some vectors.
+    #[inline(always)]
+    pub(crate) fn lines(&self, mut vectors: impl ExactSizeIterator<Item = [f64; 3]>) -> Lines {
+        let mut lines = Lines::with_capacity(vectors.len());
+        let wide = self.slopes.map(f64x2::splat);
+        let inverse = f64x2::splat(self.inverse);
+        let [i, j, k] = self.axes;
+        let pair = |first: [f64; 3], second: [f64; 3]| {
+            let [x, y, z] = [i, j, k].map(|axis| f64x2::new([first[axis], second[axis]]));
+            let length = (x.abs() + y.abs() + z.abs()).fast_max(f64x2::splat(f64::MIN_POSITIVE));
+            ([x - z * wide[0], y - z * wide[1], z * inverse, f64x2::splat(1.0) / length], length)
+        };
+        while let Some(first) = vectors.next() {
+            match vectors.next() {
+                Some(second) => {
+                    let (pair, lengths) = pair(first, second);
+                    lines.push_pair(pair, lengths);
+                }
+                None => {
+                    let (pair, lengths) = pair(first, [0.0; 3]);
+                    lines.push_last(pair.map(|column| column.to_array()[0]), lengths.to_array()[0]);
+                }
+            }
+        }
+        lines
+    }
+
+    fn direction(&self, [x, y]: [f64; 2], height: f64) -> [f64; 3] {
+        let [i, j, k] = self.axes;
+        let mut u = [0.0; 3];
+        u[i] = x;
+        u[j] = y;
+        u[k] = height * self.inverse - x * self.slopes[0] - y * self.slopes[1];
+        u
+    }
+
+    /// The direction u of a point, u · p = 1.
+    pub(crate) fn point(&self, point: [f64; 2]) -> [f64; 3] {
+        self.direction(point, 1.0)
+    }
+
+    /// The ellipse of a guess, stretched; a ball around it where that is hardly larger.
+    pub(crate) fn cell(&self, guess: &Guess, stretch: f64) -> Cell {
+        let [first, second] = guess.sides.map(|side| self.direction(side, 0.0).map(|c| stretch * c));
+        let center = self.point(guess.point);
+        // not so small that a vertex in which many lines meet is missed by rounding
+        let least = LEAST_REACH * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+        let (xx, xy, yy) = (dot(first, first), dot(first, second), dot(second, second));
+        let (middle, half) = ((xx + yy) / 2.0, ((xx - yy) * (xx - yy) / 4.0 + xy * xy).sqrt());
+        if middle - half >= ROUND * (middle + half) {
+            Cell { center, axes: None, ball: least.max((middle + half).sqrt()) }
+        } else {
+            Cell { center, axes: Some([first, second]), ball: least }
+        }
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

@@ -1,0 +1,153 @@
+//! The plane of a flat body, found exactly, so that a coordinate can be dropped.
+//!
+//! Where all generators and the displacement are orthogonal to n and n_k is not zero, nothing is lost with the coordinate k: the body in the
+//! other two has the same gauge, coefficients that combine to the one combine to the other, and a direction that separates the one with 0
+//! for the coordinate k separates the other.
+
+use wide::f64x2;
+
+use crate::collision::Displacement;
+use crate::numeric::lanes::for_pairs;
+use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero};
+
+/// The plane is looked for among so many generators first.
+const FEW: usize = 64;
+
+/// A simple plane is looked for among so many.
+const PICKS: usize = 16;
+
+/// A plane through the origin that holds all generators and both points and whose normal has only zeros and ones, up to signs.
+pub(crate) struct SimplePlane {
+    pub(crate) normal: [f64; 3],
+    /// Two generators that span the plane, the first before the second.
+    pub(crate) pair: [usize; 2],
+}
+
+impl SimplePlane {
+    /// The plane, if there is one; found from a few generators and checked with all. O(n).
+    pub(crate) fn of(question: &Displacement<'_, 3>) -> Option<Self> {
+        let step = question.len().div_ceil(PICKS).max(1);
+        let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
+            let mut best = (0.0, 0);
+            for i in (0..question.len()).step_by(step) {
+                let own = key(&question.generator(i));
+                if own > best.0 {
+                    best = (own, i);
+                }
+            }
+            (best.0 > 0.0).then_some(best.1)
+        };
+        let first = best(&size)?;
+        let a = question.generator(first);
+        let second = best(&|v| size(&across(&a, v)))?;
+        let normal = across(&a, &question.generator(second));
+        let half = size(&normal) / 2.0;
+        let simple = normal.map(|c| f64::from(i8::from(c > half) - i8::from(c < -half)));
+        let points = [question.from(), question.to()];
+        let [own, others] = question.runs();
+        let is_flat = is_orthogonal_to_all(&points, &simple)
+            && is_orthogonal_to_all(own, &simple)
+            && is_orthogonal_to_all(others, &simple);
+        is_flat.then(|| Self { normal: simple, pair: [first.min(second), first.max(second)] })
+    }
+
+    /// The vector with 0 for that coordinate whose products with vectors of the plane are those of y.
+    pub(crate) fn projected(&self, y: &[f64; 3]) -> [f64; 3] {
+        let axis = self.axis();
+        // a coordinate of the normal is its own inverse, or zero
+        let factor = y[axis] * self.normal[axis];
+        [0, 1, 2].map(|k| if k == axis { 0.0 } else { y[k] - factor * self.normal[k] })
+    }
+
+    /// A coordinate that can be dropped.
+    pub(crate) fn axis(&self) -> usize {
+        self.normal.iter().position(|c| *c != 0.0).unwrap_or(0)
+    }
+}
+
+/// Whether all products with a vector of zeros and ones are zero, exactly.
+fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
+    let wide = simple.map(f64x2::splat);
+    let mut off = f64x2::default();
+    for_pairs(vectors, |v| {
+        let [a, b, c] = [v[0] * wide[0], v[1] * wide[1], v[2] * wide[2]];
+        // zero if a + b is −c: then the sum of both is not rounded
+        let sum = a + b;
+        let b_in_sum = sum - a;
+        let rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
+        off += rest.abs() + (sum + c).abs();
+    });
+    let [first, second] = off.to_array();
+    first == 0.0 && second == 0.0
+}
+
+/// A coordinate that can be dropped: not zero in a normal of a plane through the origin that holds all generators and p.
+pub(crate) fn spare_axis(question: &Displacement<'_, 3>, p: &ExactVector) -> Option<usize> {
+    let normal = normal(question, p)?;
+    let axis = (0..3).max_by_key(|&k| normal[k].clone().abs())?;
+    let ratios = [0, 1, 2].map(|k| normal[k].rounded_ratio(&normal[axis]));
+    let is_simple = ratios.iter().all(|r| [-1.0, 0.0, 1.0].contains(r)) && is_zero(&cross(&exact(ratios), &normal));
+    let is_flat = if is_simple {
+        question.runs().iter().all(|run| is_orthogonal_to_all(run, &ratios))
+    } else {
+        question.generators().all(|v| is_orthogonal(v, &ratios) && dot(&exact(*v), &normal).is_zero())
+    };
+    is_flat.then_some(axis)
+}
+
+/// A normal of the plane of p and two generators that seem to span it, if p is in it.
+fn normal(question: &Displacement<'_, 3>, p: &ExactVector) -> Option<ExactVector> {
+    let few = || question.generators().step_by(question.len().div_ceil(FEW).max(1));
+    let first = longest(few(), size).or_else(|| longest(question.generators(), size))?;
+    let scaled = first.map(|c| c / size(&first));
+    let off = |v: &[f64; 3]| size(&across(&scaled, v));
+    let second = longest(few(), off).or_else(|| longest(question.generators(), off));
+    let normal = cross(&exact(first), &second.map_or_else(|| p.clone(), exact));
+    (!is_zero(&normal) && dot(&normal, p).is_zero()).then_some(normal)
+}
+
+/// The vector with the largest key, if that is positive.
+fn longest<'a>(vectors: impl Iterator<Item = &'a [f64; 3]>, key: impl Fn(&[f64; 3]) -> f64) -> Option<[f64; 3]> {
+    let keyed = vectors.map(|v| (key(v), v)).filter(|(key, _)| *key > 0.0 && key.is_finite());
+    keyed.reduce(|best, own| if own.0 > best.0 { own } else { best }).map(|(_, v)| *v)
+}
+
+fn across(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn size(v: &[f64; 3]) -> f64 {
+    v.iter().fold(0.0f64, |m, c| m.max(c.abs()))
+}
+
+/// False only if v · n is certainly not zero, where n is rounded and its largest coordinate is 1.
+fn is_orthogonal(v: &[f64; 3], n: &[f64; 3]) -> bool {
+    let [x, y, z] = [v[0] * n[0], v[1] * n[1], v[2] * n[2]];
+    let value = (x + y + z).abs();
+    value.is_nan() || value <= 8.0 * f64::EPSILON * (x.abs() + y.abs() + z.abs()) + f64::MIN_POSITIVE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axis(generators: &[[f64; 3]], p: [f64; 3]) -> Option<usize> {
+        spare_axis(&Displacement::new([0.0; 3], p, generators).expect("finite"), &exact(p))
+    }
+
+    #[test]
+    fn planes_are_recognised_exactly() {
+        let (tiny, huge) = (f64::from_bits(1), f64::MAX);
+        assert_eq!(axis(&[[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [3.0, 4.0, 0.0]), Some(2));
+        assert_eq!(axis(&[[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [3.0, 4.0, tiny]), None);
+        assert_eq!(axis(&[[0.1, 5.0, 0.1], [0.3, 2.0, 0.3], [0.0; 3]], [7.0, 1.0, 7.0]), Some(2));
+        assert_eq!(axis(&[[0.1, 5.0, 0.1], [0.3, 2.0, 0.3], [1.0, 0.0, 1.0 + f64::EPSILON]], [7.0, 1.0, 7.0]), None);
+        // n = (3, −2, −1): not a direction of zeros and ones
+        assert_eq!(axis(&[[1.0, 1.0, 1.0], [1.0, 0.0, 3.0], [0.0, 1.0, -2.0]], [2.0, 1.0, 4.0]), Some(0));
+        assert_eq!(axis(&[[1.0, 1.0, 1.0], [1.0, 0.0, 3.0], [0.0, 1.0, -2.0 + 1e-15]], [2.0, 1.0, 4.0]), None);
+        assert_eq!(axis(&[[huge, huge, 0.0], [huge, 0.0, huge]], [0.0, huge, -huge]), Some(2));
+        // parallel generators, and a displacement that makes up the plane
+        assert_eq!(axis(&[[1.0, 1.0, 0.0]; 3], [0.0, 0.0, 1.0]), Some(1));
+        assert_eq!(axis(&[[0.0; 3]; 3], [0.0, 0.0, 1.0]), None);
+    }
+}

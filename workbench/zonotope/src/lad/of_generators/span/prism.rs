@@ -1,0 +1,95 @@
+//! Bodies of the line and the plane as prisms in space.
+//!
+//! Let Z lie in R^D, D < 3. The prism Z × [−s, s]^(3−D) has the generators of Z and one more along each new axis. A displacement p of
+//! R^D lies in t Z just when (p, 0) lies in t times the prism, inside when inside, so the gauge and the status are the same. A
+//! proof for the prism is one for Z: the coefficient of a new generator is 0, and a direction loses its new coordinates.
+
+use std::array;
+use std::ops::Range;
+
+use crate::collision::{Displacement, Location, Separation, Witness};
+use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
+use crate::zonotope::passes::Extents;
+
+/// A longer body's prism has only the width of its longest generator.
+const LARGEST: f64 = f64::from_bits((1023 + 500) << 52);
+
+/// The points and generators of a prism.
+#[derive(Debug)]
+pub(crate) struct Prism {
+    from: [f64; 3],
+    to: [f64; 3],
+    generators: Vec<[f64; 3]>,
+    /// How many generators are those of the body.
+    own: usize,
+}
+
+impl Prism {
+    pub(crate) fn over<const D: usize>(question: &Displacement<'_, D>) -> Self {
+        let generators = question.generators().map(padded).collect();
+        Self::with_axes(padded(&question.from()), padded(&question.to()), generators, D..3)
+    }
+
+    /// The prism over what is left of a body of space when a coordinate is dropped, which is 0 in all points and generators but the new one.
+    pub(crate) fn without(axis: usize, question: &Displacement<'_, 3>) -> Self {
+        let dropped = |v: &[f64; 3]| array::from_fn(|i| if i == axis { 0.0 } else { v[i] });
+        let generators = question.generators().map(dropped).collect();
+        Self::with_axes(dropped(&question.from()), dropped(&question.to()), generators, axis..axis + 1)
+    }
+
+    fn with_axes(from: [f64; 3], to: [f64; 3], mut generators: Vec<[f64; 3]>, axes: Range<usize>) -> Self {
+        let own = generators.len();
+        let total: f64 = Extents::new(&generators).sums().iter().sum();
+        // as wide along the new axis as the body is long, or nearly
+        let size =
+            if total < LARGEST { total } else { generators.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs())) };
+        let size = scale_by_power_of_two(1.0, binary_exponent(size).map_or(0, i64::from));
+        generators.extend(axes.map(|axis| array::from_fn(|i| if i == axis { size } else { 0.0 })));
+        Self { from, to, generators, own }
+    }
+
+    pub(crate) fn question(&self) -> Displacement<'_, 3> {
+        Displacement::of_finite(self.from, self.to, &self.generators)
+    }
+
+    /// Whether a generator is not one of the body.
+    pub(crate) fn is_new(&self, generator: usize) -> bool {
+        generator >= self.own
+    }
+
+    /// The coefficients for the body.
+    pub(crate) fn lower_witness(&self, witness: Witness) -> Witness {
+        lowered_witness(witness, self.own)
+    }
+
+    /// The answer for the body.
+    pub(crate) fn lower<const D: usize>(&self, location: Location<3>) -> Location<D> {
+        lowered(location, self.own)
+    }
+}
+
+/// The answer for a body of R^D with `own` generators, from that for its prism in R^E, or for itself if D = E.
+#[inline]
+pub(crate) fn lowered<const E: usize, const D: usize>(location: Location<E>, own: usize) -> Location<D> {
+    match location {
+        Location::Inside(proof) => Location::Inside(lowered_witness(proof, own)),
+        Location::Boundary(proof) => Location::Boundary(lowered_witness(proof, own)),
+        Location::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
+        Location::Outside(Separation::Exact(u)) => {
+            Location::Outside(Separation::Exact(array::from_fn(|i| u[i].clone())))
+        }
+    }
+}
+
+fn lowered_witness(Witness { mut coefficients, mut basis }: Witness, own: usize) -> Witness {
+    coefficients.truncate(own);
+    // they are in increasing order
+    while basis.last().is_some_and(|&generator| generator >= own) {
+        basis.pop();
+    }
+    Witness { coefficients, basis }
+}
+
+fn padded<const D: usize>(v: &[f64; D]) -> [f64; 3] {
+    array::from_fn(|i| v.get(i).copied().unwrap_or(0.0))
+}

@@ -1,0 +1,107 @@
+//! Exact sums of generators with signs.
+//!
+//! A block of doubles is summed exactly by parts: adding and subtracting a power of two σ far above them splits each into a multiple of
+//! σ's last place and a rest, without error, and those multiples sum up in a double without error. Twice that, and only of
+//! doubles more than 2^30 times smaller than the block's largest a rest is left, for the accumulator.
+
+use crate::numeric::exact_sum::ExactSum;
+use crate::numeric::vector::ExactVector;
+
+/// Doubles summed at once.
+const BLOCK: usize = 256;
+
+/// Magnitudes of a block's largest double between which no σ overflows and no part is lost to underflow.
+const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
+const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
+
+/// Σ sign · v, exactly.
+pub(crate) fn signed_sum(terms: impl Iterator<Item = ([f64; 3], i8)>) -> ExactVector {
+    let mut sums = [ExactSum::default(), ExactSum::default(), ExactSum::default()];
+    let mut blocks = [[0.0; BLOCK]; 3];
+    let mut count = 0;
+    for (v, sign) in terms {
+        for (block, coordinate) in blocks.iter_mut().zip(v) {
+            block[count] = f64::from(sign) * coordinate;
+        }
+        count += 1;
+        if count == BLOCK {
+            flush(&mut sums, &mut blocks);
+            count = 0;
+        }
+    }
+    for block in &mut blocks {
+        block[count..].fill(0.0);
+    }
+    flush(&mut sums, &mut blocks);
+    sums.map(|sum| sum.value())
+}
+
+fn flush(sums: &mut [ExactSum; 3], blocks: &mut [[f64; BLOCK]; 3]) {
+    for (sum, block) in sums.iter_mut().zip(blocks) {
+        add_block(sum, block);
+    }
+}
+
+/// Adds the doubles of a block, exactly, and leaves what it has not room for.
+fn add_block(sum: &mut ExactSum, block: &mut [f64; BLOCK]) {
+    let largest = block.iter().fold(0.0f64, |m, v| if v.abs() > m { v.abs() } else { m });
+    if largest == 0.0 {
+        return;
+    }
+    if !(SMALLEST..LARGEST).contains(&largest) {
+        block.iter().for_each(|&v| sum.add(v));
+        return;
+    }
+    // the power of two not above the largest, times 2^10: BLOCK multiples below 2^1 times the power stay below σ
+    let power = f64::from_bits(largest.to_bits() & (0x7ff << 52));
+    let coarse = power * 1024.0;
+    sum.add(extract(block, coarse));
+    // what is left is at most half of σ's last place, 2^-53 σ: 2^-44 times the power
+    let fine = coarse * (1024.0 * f64::EPSILON);
+    sum.add(extract(block, fine));
+    block.iter().filter(|v| **v != 0.0).for_each(|&v| sum.add(v));
+}
+
+/// Takes the multiples of the last place of σ out of the doubles, and returns their sum.
+fn extract(block: &mut [f64; BLOCK], sigma: f64) -> f64 {
+    const LANES: usize = 4;
+    let mut sums = [0.0; LANES];
+    for row in block.as_chunks_mut::<LANES>().0 {
+        for (sum, value) in sums.iter_mut().zip(row) {
+            let part = (sigma + *value) - sigma;
+            *sum += part;
+            *value -= part;
+        }
+    }
+    sums.iter().sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::dyadic::Dyadic;
+    use proptest::prelude::*;
+
+    fn value() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            4 => -1.0..1.0f64,
+            2 => -1e-12..1e-12f64,
+            1 => any::<u64>().prop_map(|bits| Some(f64::from_bits(bits)).filter(|v| v.is_finite()).unwrap_or(f64::MAX)),
+            1 => (-9i32..9).prop_map(|i| f64::from(i) * f64::from_bits(1)),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+
+        #[test]
+        fn sums_are_exact(values in proptest::collection::vec((value(), -1i8..2), 0..600)) {
+            let sum = signed_sum(values.iter().map(|&(v, sign)| ([v, 1.0, -v], sign)));
+            let truth = values.iter().fold(Dyadic::zero(), |sum, &(v, sign)| sum + Dyadic::from_f64(f64::from(sign) * v));
+            prop_assert_eq!(&sum[0], &truth);
+            prop_assert_eq!(&sum[2], &-truth);
+            let count = values.iter().map(|(_, sign)| f64::from(*sign)).sum();
+            prop_assert_eq!(&sum[1], &Dyadic::from_f64(count));
+        }
+    }
+}
