@@ -7,7 +7,7 @@
 
 use proptest::collection::vec;
 use proptest::prelude::*;
-use zonotope::collision::Displacement;
+use zonotope::collision::Query;
 
 use crate::numbers::{any_magnitude, lattice, moved_by_ulps, plain, power_of_two, scale};
 
@@ -27,8 +27,8 @@ pub struct Asked<const D: usize> {
 
 impl<const D: usize> Asked<D> {
     /// The question as the library takes it.
-    pub fn displacement(&self) -> Displacement<'_, D> {
-        Displacement::new(self.from, self.to, &self.generators).expect("the families make finite numbers")
+    pub fn displacement(&self) -> Query<'_, D> {
+        Query::new(self.from, self.to, &self.generators).expect("the families make finite numbers")
     }
 }
 

@@ -5,9 +5,7 @@ use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
 use zonotope::collision::by_gjk::{self, GjkAnswer};
 use zonotope::collision::by_linear_program;
-use zonotope::collision::{
-    Displacement, Gauge, Location, Separation, by_explicit_faces, by_lad, by_slope_selection, verify,
-};
+use zonotope::collision::{Gauge, Location, Query, Separation, by_explicit_faces, by_lad, by_slope_selection, verify};
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::tally::Tally;
 
@@ -55,12 +53,7 @@ pub(super) struct Reply {
 }
 
 /// Asks the method that a variant names.
-pub(super) fn ask(
-    variant: &str,
-    displacement: &Displacement<3>,
-    seed: u64,
-    tally: &mut impl Tally,
-) -> Result<Reply, String> {
+pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut impl Tally) -> Result<Reply, String> {
     match variant {
         "by_lad" => {
             let Gauge { value, error, location } = by_lad::gauge_counted(displacement, tally);
@@ -129,7 +122,7 @@ pub(super) fn is_exact(variant: &str) -> bool {
 /// Whether a method takes the displacement for a member, be the method exact or not; none if it gives up.
 pub(super) fn guess(
     variant: &str,
-    displacement: &Displacement<3>,
+    displacement: &Query<3>,
     seed: u64,
     tally: &mut impl Tally,
 ) -> Result<Option<bool>, String> {

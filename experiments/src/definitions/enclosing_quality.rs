@@ -4,7 +4,7 @@ use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verd
 use crate::families::clouds::Cloud;
 use crate::hull_in_space::SolidHull;
 use crate::seed::Digest;
-use zonotope::collision::{Displacement, by_lad, by_lad_in_r4};
+use zonotope::collision::{Query, by_lad, by_lad_in_r4};
 use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_column_generation::min_length_enclosing_counted};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::{Zonotope, combinatorics};
@@ -49,7 +49,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         Cloud::Space(points) => measure_in_space(case, &points),
         Cloud::Four(points) => {
             let is_inside = |body: &Zonotope<4>, p: [f64; 4]| {
-                Displacement::of_point(p, body).is_ok_and(|d| by_lad_in_r4::locate(&d).is_member())
+                Query::of_point(p, body).is_ok_and(|d| by_lad_in_r4::locate(&d).is_member())
             };
             Ok(enclosed(case, &points, is_inside)?.0)
         }
@@ -61,7 +61,7 @@ fn measure_in_space(case: &Case, points: &[[f64; 3]]) -> Result<Measurement, Str
     let hull = SolidHull::of(points).ok_or("the points lie in a plane")?;
     let corners: Vec<[f64; 3]> = hull.vertices().into_iter().map(|vertex| points[vertex]).collect();
     let is_inside =
-        |body: &Zonotope<3>, p: [f64; 3]| Displacement::of_point(p, body).is_ok_and(|d| by_lad::locate(&d).is_member());
+        |body: &Zonotope<3>, p: [f64; 3]| Query::of_point(p, body).is_ok_and(|d| by_lad::locate(&d).is_member());
     let (measurement, answer) = enclosed(case, &corners, is_inside)?;
     let hull_volume = hull.volume(points);
     let volume = combinatorics(&answer.zonotope).measure.to_f64_fast();

@@ -7,7 +7,7 @@ use crate::scene::{LegendEntry, Panel, Sample, Scene};
 use crate::style::{
     CENTER, Dash, ENCLOSING, GREY, INK, INPUT, Marker, OPTIMUM, Paint, REFLECTED, Shape, Stroke, text_size, weight,
 };
-use zonotope::collision::{Displacement, Location, Separation, Witness, by_lad};
+use zonotope::collision::{Location, Query, Separation, Witness, by_lad};
 use zonotope::zonotope::Zonotope;
 
 /// The proofs of three answers.
@@ -63,7 +63,7 @@ fn draw_pair(scene: &mut Scene, window: PageBox, second_center: [f64; 2]) {
     let mut panel = Panel::new(scene, Frame::fit(&world, window));
     panel.polygon(&corners[0], &FIRST_PAINT);
     panel.polygon(&corners[1], &SECOND_PAINT);
-    match by_lad::locate(&Displacement::between(&first, &second)) {
+    match by_lad::locate(&Query::between(&first, &second)) {
         Location::Inside(witness) | Location::Boundary(witness) => draw_witness(&mut panel, &first, &second, &witness),
         Location::Outside(Separation::Rounded(direction)) => draw_separation(&mut panel, &first, &second, direction),
         Location::Outside(Separation::Exact(_)) => {}

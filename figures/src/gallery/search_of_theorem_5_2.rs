@@ -6,7 +6,7 @@ use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{LegendEntry, Panel, Sample, Scene};
 use crate::style::{FOCUS, GREY, INK, Marker, OPTIMUM, PALE, PAPER, Paint, Shape, Stroke, text_size};
-use zonotope::collision::Displacement;
+use zonotope::collision::Query;
 use zonotope::collision::by_slope_selection::{self, Hull, SearchStep, Side, Trace};
 use zonotope::zonotope::Zonotope;
 
@@ -72,7 +72,7 @@ impl Strip {
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let pair = DualPair::new(&GENERATOR_ROWS);
     let body = Zonotope::new([0.0; 3], GENERATOR_ROWS.to_vec()).expect("the coordinates are small integers");
-    let question = Displacement::of_point(POINT, &body).expect("the coordinates are small integers");
+    let question = Query::of_point(POINT, &body).expect("the coordinates are small integers");
     let trace = by_slope_selection::trace(&question, SEED);
     let steps: Vec<&SearchStep> = trace.steps.iter().filter(|step| step.hull == Hull::Upper).collect();
 

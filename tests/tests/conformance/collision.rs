@@ -9,7 +9,7 @@ use tests::runner::for_all;
 use zonotope::collision::by_linear_program::{self, Answer};
 use zonotope::collision::verify::verify;
 use zonotope::collision::{
-    Displacement, Gauge, Location, brute_force, by_explicit_faces, by_gjk, by_lad, by_lad_in_r4, by_slope_selection,
+    Gauge, Location, Query, brute_force, by_explicit_faces, by_gjk, by_lad, by_lad_in_r4, by_slope_selection,
 };
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::numeric::dyadic::Dyadic;
@@ -20,8 +20,8 @@ const CASES: [u32; 4] = [150, 400, 850, 250];
 /// For each family in space, by methods that compute in floating point: 20,150 together.
 const ENGINE_CASES: u32 = 1550;
 
-type Locate<const D: usize> = (&'static str, fn(&Displacement<'_, D>) -> Location<D>);
-type Measure<const D: usize> = (&'static str, fn(&Displacement<'_, D>) -> Gauge<D>);
+type Locate<const D: usize> = (&'static str, fn(&Query<'_, D>) -> Location<D>);
+type Measure<const D: usize> = (&'static str, fn(&Query<'_, D>) -> Gauge<D>);
 
 /// The exact methods of a dimension.
 struct Methods<const D: usize> {

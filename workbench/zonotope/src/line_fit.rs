@@ -47,11 +47,12 @@
 use thiserror::Error;
 
 use crate::arrangement::{ExactLine, LineIndex};
-use crate::collision::{Displacement, by_lad};
+use crate::collision::by_lad;
 use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_pruning};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
+use crate::zonotope::query::Query;
 
 /// The seed of the kernel's sample: it decides the time, never the line.
 const SEED: u64 = 0x11;
@@ -130,8 +131,8 @@ fn at_facet(points: &[[f64; 3]], tally: &mut impl Tally) -> Option<Minimizer> {
     if weight <= 0.0 || !are_finite_with_weight(points, weight) {
         return None;
     }
-    let question = Displacement::of_finite([0.0; 3], [0.0, 1.0, 0.0], points);
-    let facet = by_lad::facet_counted(&question, tally);
+    let query = Query::of_finite([0.0; 3], [0.0, 1.0, 0.0], points);
+    let facet = by_lad::facet_counted(&query, tally);
     let is_best = facet.is_sharp() && facet.value().0 < f64::MAX;
     match *facet.basis() {
         [first, second] if is_best && points[first][0] != points[second][0] => {

@@ -1,6 +1,6 @@
 //! The difference of two centres.
 
-use zonotope::collision::{Displacement, by_lad};
+use zonotope::collision::{Query, by_lad};
 use zonotope::zonotope::Zonotope;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
@@ -24,7 +24,7 @@ fn check(_context: &CheckContext) -> Verdict {
     let segment = |center: f64, half: f64| {
         Zonotope::new([center, 0.0, 0.0], vec![[half, 0.0, 0.0]]).expect("the coordinates are finite")
     };
-    let answer = by_lad::locate(&Displacement::between(&segment(p, half), &segment(q, 0.0)));
+    let answer = by_lad::locate(&Query::between(&segment(p, half), &segment(q, 0.0)));
     let sum = Body { center: Vector::exactly([p, 0.0, 0.0]), generators: vec![Vector::exactly([half, 0.0, 0.0])] };
     let truth = sum.holds(&Vector::exactly([q, 0.0, 0.0]));
     let rounded = q - p <= half;

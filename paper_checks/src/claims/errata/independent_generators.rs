@@ -1,6 +1,6 @@
 //! Generators that are not independent.
 
-use zonotope::collision::{Displacement, by_lad};
+use zonotope::collision::{Query, by_lad};
 
 use crate::bodies::{are_independent, bodies, random_member, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
@@ -44,7 +44,7 @@ fn check(context: &CheckContext) -> Verdict {
             let point = member.plus(&shift, &Vector::at(random_vector(&mut random, 2)));
             let rounded = point.0.each_ref().map(|c| c.to_f64_fast());
             let exact = Vector::exactly(rounded);
-            let question = Displacement::of_point(rounded, &zonotope).expect("the point is finite");
+            let question = Query::of_point(rounded, &zonotope).expect("the point is finite");
             let status = match (body.holds_inside(&exact), body.holds(&exact)) {
                 (true, _) => "inside",
                 (false, true) => "boundary",

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
-use zonotope::collision::{Displacement, by_lad_in_r4};
+use zonotope::collision::{Query, by_lad_in_r4};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::instances::generator;
@@ -38,7 +38,7 @@ fn check(context: &CheckContext) -> Verdict {
         let target = target(&mut random, &generators, index);
         let truth = position(&generators, target);
         let rows: Vec<[f64; 4]> = generators.iter().map(|g| g.map(|c| c as f64)).collect();
-        let question = Displacement::new([0.0; 4], target.map(|c| c as f64), &rows).expect("integers are finite");
+        let question = Query::new([0.0; 4], target.map(|c| c as f64), &rows).expect("integers are finite");
         let status = by_lad_in_r4::locate(&question).status();
         if status != ["inside", "boundary", "outside"][truth] {
             return Verdict::Inconclusive(format!("{generators:?} and {target:?}: {status}, case {truth}"));

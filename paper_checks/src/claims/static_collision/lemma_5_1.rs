@@ -1,6 +1,6 @@
 //! Lemma 5.1: from two bodies to a body and a point.
 
-use zonotope::collision::{Displacement, by_lad};
+use zonotope::collision::{Query, by_lad};
 
 use crate::bodies::{BodyInstance, bodies, random_member};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
@@ -35,7 +35,7 @@ fn check(context: &CheckContext) -> Verdict {
             }
             let (a, b) = (first.body(), second.body());
             let zonotopes = [first.in_doubles(), second.in_doubles()];
-            let answer = by_lad::locate(&Displacement::between(&zonotopes[0], &zonotopes[1]));
+            let answer = by_lad::locate(&Query::between(&zonotopes[0], &zonotopes[1]));
             let all: Vec<Vector> = a.generators.iter().chain(&b.generators).cloned().collect();
             let target = a.center.to(&b.center);
             let sum = Body { center: Vector::at([0; 3]), generators: all };

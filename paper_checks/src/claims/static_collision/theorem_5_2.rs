@@ -2,7 +2,7 @@
 
 use experiments::fit::GrowthModel;
 use rand::RngExt;
-use zonotope::collision::{Displacement, by_lad, by_slope_selection};
+use zonotope::collision::{Query, by_lad, by_slope_selection};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
@@ -56,7 +56,7 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
                 (false, true) => 1,
                 (false, false) => 2,
             };
-            let question = Displacement::of_point(rounded, &zonotope).map_err(|error| error.to_string())?;
+            let question = Query::of_point(rounded, &zonotope).map_err(|error| error.to_string())?;
             for answer in [by_slope_selection::locate(&question, context.seed), by_lad::locate(&question)] {
                 if answer.status() != ["inside", "boundary", "outside"][truth] {
                     return Err(format!("{}: {target} is {}", instance.name, answer.status()));
@@ -88,7 +88,7 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
             let direction: [f64; 3] = std::array::from_fn(|_| random.random_range(-1.0..=1.0));
             let vertex = body.support(direction).point();
             let point = vertex.map(|c| 0.9 * c);
-            let question = Displacement::of_point(point, &body).map_err(|error| error.to_string())?;
+            let question = Query::of_point(point, &body).map_err(|error| error.to_string())?;
             let mut counts = OperationCounts::default();
             by_slope_selection::locate_counted(&question, context.seed, &mut counts);
             samples.push(growth::sample(n, &counts));

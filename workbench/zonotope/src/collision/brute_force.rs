@@ -28,7 +28,7 @@
 //! still separates exactly.
 //!
 //! # Errors
-//! None: a [`Displacement`] is valid.
+//! None: a [`Query`] is valid.
 //!
 //! # Panics
 //! Never.
@@ -38,9 +38,9 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, brute_force};
+//! use zonotope::collision::{Query, brute_force};
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
-//! let question = Displacement::new([0.0, 0.0], [1.0, 0.25], &square).unwrap();
+//! let question = Query::new([0.0, 0.0], [1.0, 0.25], &square).unwrap();
 //! assert_eq!(brute_force::exact_gauge(&question), Some(1.into()));
 //! assert_eq!(brute_force::locate(&question).status(), "boundary");
 //! ```
@@ -54,16 +54,16 @@ pub(super) use coefficients::through_facet;
 pub(super) use span::Span;
 use span::{dot, normals};
 
-use super::displacement::Displacement;
 use super::gauge::Gauge;
 use super::location::{Location, Separation};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::query::Query;
 
 pub(super) type Vector = Vec<Dyadic>;
 
 /// Where the displacement lies, with a proof.
-pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
+pub fn locate<const D: usize>(question: &Query<'_, D>) -> Location<D> {
     let point = question.exact().to_vec();
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
     let span = Span::of(&generators, D);
@@ -80,7 +80,7 @@ pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
 }
 
 /// The gauge; `None` when it is infinite.
-pub fn exact_gauge<const D: usize>(question: &Displacement<'_, D>) -> Option<Rational> {
+pub fn exact_gauge<const D: usize>(question: &Query<'_, D>) -> Option<Rational> {
     let point = question.exact().to_vec();
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
     let span = Span::of(&generators, D);
@@ -92,7 +92,7 @@ pub fn exact_gauge<const D: usize>(question: &Displacement<'_, D>) -> Option<Rat
 }
 
 /// The gauge, rounded, and the location.
-pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Gauge<D> {
+pub fn gauge<const D: usize>(question: &Query<'_, D>) -> Gauge<D> {
     let location = locate(question);
     let Some(exact) = exact_gauge(question) else { return Gauge { value: f64::INFINITY, error: 0.0, location } };
     let value = exact.to_f64().value().min(f64::MAX);

@@ -1,7 +1,7 @@
 //! Location and gauge of a displacement, from the explicit faces of the zonotope: the baseline with the size of the output.
 //!
 //! # Statement
-//! Input: a [`Displacement`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i g_i : |δ_i| ≤ 1 } with a
+//! Input: a [`Query`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i g_i : |δ_i| ≤ 1 } with a
 //! proof, and the [`Gauge`]. Touching is [`Location::Boundary`], and so is every member of a flat Z. Zero, parallel and coplanar
 //! generators and none at all are ordinary input.
 //!
@@ -37,15 +37,14 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, by_explicit_faces};
+//! use zonotope::collision::{Query, by_explicit_faces};
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-//! let question = Displacement::new([0.0; 3], [2.0, 1.0, 0.0], &cube).unwrap();
+//! let question = Query::new([0.0; 3], [2.0, 1.0, 0.0], &cube).unwrap();
 //! let gauge = by_explicit_faces::gauge(&question).unwrap();
 //! assert_eq!((gauge.value, gauge.location.status()), (2.0, "outside"));
 //! ```
 
 use super::brute_force::{Span, Tightest, Vector, through_facet};
-use super::displacement::Displacement;
 use super::gauge::Gauge;
 use super::location::{Location, Separation, Witness};
 use super::settling::settle;
@@ -55,6 +54,7 @@ use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::faces::{FaceLattice, Faces, FacesError, Facet, faces};
+use crate::zonotope::query::Query;
 
 /// How far a product of rounded vectors may be off, relative to Σ |product|: two roundings of coordinates, each at most 4 ε, and five of
 /// products and sums, each at most ε / 2.
@@ -64,7 +64,7 @@ const PRODUCT_ERROR: f64 = 16.0 * f64::EPSILON;
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Result<Location<D>, FacesError> {
+pub fn locate<const D: usize>(question: &Query<'_, D>) -> Result<Location<D>, FacesError> {
     locate_counted(question, &mut ())
 }
 
@@ -73,7 +73,7 @@ pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Result<Location
 /// # Errors
 /// [`FacesError::TooManyDirections`].
 pub fn locate_counted<const D: usize>(
-    question: &Displacement<'_, D>,
+    question: &Query<'_, D>,
     tally: &mut impl Tally,
 ) -> Result<Location<D>, FacesError> {
     Ok(gauge_counted(question, tally)?.location)
@@ -83,7 +83,7 @@ pub fn locate_counted<const D: usize>(
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Result<Gauge<D>, FacesError> {
+pub fn gauge<const D: usize>(question: &Query<'_, D>) -> Result<Gauge<D>, FacesError> {
     gauge_counted(question, &mut ())
 }
 
@@ -91,10 +91,7 @@ pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Result<Gauge<D>,
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].
-pub fn gauge_counted<const D: usize>(
-    question: &Displacement<'_, D>,
-    tally: &mut impl Tally,
-) -> Result<Gauge<D>, FacesError> {
+pub fn gauge_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl Tally) -> Result<Gauge<D>, FacesError> {
     const { assert!(D <= 3, "the face lattice is that of a body in space") }
     let displacement = question.exact();
     let point = displacement.to_vec();
@@ -133,7 +130,7 @@ pub fn gauge_counted<const D: usize>(
 }
 
 /// The generators in space, and an axis more for each direction that they leave out.
-fn solid<const D: usize>(question: &Displacement<'_, D>, span: &Span) -> Vec<[f64; 3]> {
+fn solid<const D: usize>(question: &Query<'_, D>, span: &Span) -> Vec<[f64; 3]> {
     let padded = |g: &[f64; D]| std::array::from_fn(|k| g.get(k).copied().unwrap_or(0.0));
     let mut generators: Vec<[f64; 3]> = question.generators().map(padded).collect();
     let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));

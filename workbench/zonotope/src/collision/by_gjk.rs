@@ -34,9 +34,9 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, by_gjk, by_gjk::GjkAnswer};
+//! use zonotope::collision::{Query, by_gjk, by_gjk::GjkAnswer};
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
-//! let question = Displacement::new([0.0, 0.0], [0.5, 0.25], &square).unwrap();
+//! let question = Query::new([0.0, 0.0], [0.5, 0.25], &square).unwrap();
 //! assert_eq!(by_gjk::locate(&question), GjkAnswer::Intersecting);
 //! ```
 
@@ -44,9 +44,9 @@ mod nearest;
 
 use nearest::Simplex;
 
-use super::displacement::Displacement;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::passes::extreme_sum;
+use crate::zonotope::query::Query;
 
 /// The most steps before giving up.
 pub const STEPS: u32 = 128;
@@ -69,12 +69,12 @@ pub enum GjkAnswer<const D: usize> {
 }
 
 /// What the method believes about a displacement.
-pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> GjkAnswer<D> {
+pub fn locate<const D: usize>(question: &Query<'_, D>) -> GjkAnswer<D> {
     locate_counted(question, &mut ())
 }
 
 /// [`locate`], counting a step for each evaluation of the support function.
-pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> GjkAnswer<D> {
+pub fn locate_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl Tally) -> GjkAnswer<D> {
     let [first, second] = question.runs();
     let point: [f64; D] = std::array::from_fn(|i| question.to()[i] - question.from()[i]);
     let mut extreme = |direction: &[f64; D]| -> [f64; D] {
@@ -136,7 +136,7 @@ mod tests {
             p in vector(),
             size in 0.1..6.0f64,
         ) {
-            let question = Displacement::new([0.0; 3], p.map(|v| v * size), &generators).expect("finite");
+            let question = Query::new([0.0; 3], p.map(|v| v * size), &generators).expect("finite");
             let gauge = brute_force::gauge(&question).value;
             prop_assume!(!(0.999..1.001).contains(&gauge));
             let mut counts = OperationCounts::default();
@@ -154,13 +154,13 @@ mod tests {
 
     #[test]
     fn other_dimensions_and_degenerate_bodies() {
-        let ask = |to, generators: &[[f64; 2]]| locate(&Displacement::new([0.0; 2], to, generators).expect("finite"));
+        let ask = |to, generators: &[[f64; 2]]| locate(&Query::new([0.0; 2], to, generators).expect("finite"));
         assert_eq!(ask([0.0, 0.0], &[]), GjkAnswer::Intersecting);
         assert!(matches!(ask([1e-9, 0.0], &[[0.0; 2]]), GjkAnswer::Disjoint { .. }));
         assert_eq!(ask([0.5, 0.0], &[[1.0, 0.0]]), GjkAnswer::Intersecting);
         let huge = [[f64::MAX; 2]; 3];
         assert_eq!(ask([1.0, 0.0], &huge), GjkAnswer::GaveUp);
-        let line = Displacement::new([0.0], [1.5], &[[1.0], [0.25]]).map(|q| locate(&q));
+        let line = Query::new([0.0], [1.5], &[[1.0], [0.25]]).map(|q| locate(&q));
         assert!(matches!(line, Ok(GjkAnswer::Disjoint { .. })));
     }
 }

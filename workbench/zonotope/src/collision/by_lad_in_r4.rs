@@ -1,7 +1,7 @@
 //! Membership, intersection and gauge in R^4, by the kernel in three variables: minimise the support function over u · p = 1.
 //!
 //! # Statement
-//! Input: a [`Displacement`] p and generators of R^4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a proof,
+//! Input: a [`Query`] p and generators of R^4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a proof,
 //! and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and so is every member of a flat
 //! Z. Zero, parallel and dependent generators and none at all are ordinary input; p = 0 has the gauge 0.
 //!
@@ -27,7 +27,7 @@
 //! Every decision is exact. The gauge is rounded within `error`; beyond the range of doubles it is `f64::MAX` with infinite error.
 //!
 //! # Errors
-//! None: a [`Displacement`] is valid.
+//! None: a [`Query`] is valid.
 //!
 //! # Panics
 //! Never.
@@ -37,15 +37,14 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, by_lad_in_r4};
+//! use zonotope::collision::{Query, by_lad_in_r4};
 //! // the cube [−1, 1]⁴ and the point (0, 3, 0, 1)
 //! let cube = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
-//! let question = Displacement::new([0.0; 4], [0.0, 3.0, 0.0, 1.0], &cube).unwrap();
+//! let question = Query::new([0.0; 4], [0.0, 3.0, 0.0, 1.0], &cube).unwrap();
 //! let gauge = by_lad_in_r4::gauge(&question);
 //! assert_eq!((gauge.value, gauge.location.status()), (3.0, "outside"));
 //! ```
 
-use super::displacement::Displacement;
 use super::gauge::Gauge;
 use super::location::{Location, Separation, Witness};
 use super::settling::settle;
@@ -55,24 +54,25 @@ use crate::lad::in_space::homogeneous::{Descent, Instance, Source, Vector4, desc
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
+use crate::zonotope::query::Query;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
-pub fn locate(question: &Displacement<'_, 4>) -> Location<4> {
+pub fn locate(question: &Query<'_, 4>) -> Location<4> {
     locate_counted(question, &mut ())
 }
 
 /// [`locate`], counting its operations.
-pub fn locate_counted(question: &Displacement<'_, 4>, tally: &mut impl Tally) -> Location<4> {
+pub fn locate_counted(question: &Query<'_, 4>, tally: &mut impl Tally) -> Location<4> {
     gauge_counted(question, tally).location
 }
 
 /// The gauge of a displacement and where it lies.
-pub fn gauge(question: &Displacement<'_, 4>) -> Gauge<4> {
+pub fn gauge(question: &Query<'_, 4>) -> Gauge<4> {
     gauge_counted(question, &mut ())
 }
 
 /// [`gauge`], counting its operations.
-pub fn gauge_counted(question: &Displacement<'_, 4>, tally: &mut impl Tally) -> Gauge<4> {
+pub fn gauge_counted(question: &Query<'_, 4>, tally: &mut impl Tally) -> Gauge<4> {
     let p = question.exact();
     let zero = || std::array::from_fn(|_| Dyadic::zero());
     if p.iter().all(Dyadic::is_zero) {
@@ -95,7 +95,7 @@ pub fn gauge_counted(question: &Displacement<'_, 4>, tally: &mut impl Tally) -> 
 
 /// The optimum: Σ δ_i v_i = λ p with λ = reach / along.
 struct Exit<'a> {
-    question: &'a Displacement<'a, 4>,
+    question: &'a Query<'a, 4>,
     instance: &'a Instance<'a>,
     p: Vector4,
     direction: Vector4,

@@ -26,7 +26,7 @@
 //! The engine's numbers are guesses; what is concluded from them is decided in exact arithmetic.
 //!
 //! # Errors
-//! None: a [`Displacement`] is valid, and failures of the engine are answers.
+//! None: a [`Query`] is valid, and failures of the engine are answers.
 //!
 //! # Panics
 //! Never by itself.
@@ -36,20 +36,20 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, by_linear_program};
+//! use zonotope::collision::{Query, by_linear_program};
 //! use zonotope::linear_program::Microlp;
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
-//! let question = Displacement::new([0.0, 0.0], [2.0, 0.5], &square).unwrap();
+//! let question = Query::new([0.0, 0.0], [2.0, 0.5], &square).unwrap();
 //! let answer = by_linear_program::locate(&question, &Microlp);
 //! assert_eq!(answer.location().unwrap().status(), "outside");
 //! ```
 
 mod proof;
 
-use super::displacement::Displacement;
 use super::location::{Location, Witness};
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::zonotope::query::Query;
 
 /// What an engine's optimum proves.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,7 +94,7 @@ impl<const D: usize> Answer<D> {
 }
 
 /// What the engine's optimum proves about a displacement.
-pub fn locate<const D: usize>(question: &Displacement<'_, D>, engine: &dyn Engine) -> Answer<D> {
+pub fn locate<const D: usize>(question: &Query<'_, D>, engine: &dyn Engine) -> Answer<D> {
     let displacement = question.exact();
     let program = ScaledProgram::of(question, &displacement);
     let guess = match &program {
@@ -124,7 +124,7 @@ struct ScaledProgram {
 
 impl ScaledProgram {
     /// `None` for p = 0, which every zonotope holds.
-    fn of<const D: usize>(question: &Displacement<'_, D>, displacement: &[Dyadic; D]) -> Option<Self> {
+    fn of<const D: usize>(question: &Query<'_, D>, displacement: &[Dyadic; D]) -> Option<Self> {
         let count = question.len();
         let axes: Vec<i64> = (0..D)
             .map(|axis| {

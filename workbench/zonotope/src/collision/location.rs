@@ -1,8 +1,8 @@
-//! The answer to a [`Displacement`](super::Displacement), with its proof.
+//! The answer to a [`Query`](super::Query), with its proof.
 
-use super::displacement::Displacement;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::query::Query;
 
 /// Where a displacement p lies relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 } of R^D.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +37,7 @@ pub enum Separation<const D: usize> {
 
 impl<const D: usize> Separation<D> {
     /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
-    pub(super) fn near(question: &Displacement<'_, D>, direction: &[Dyadic; D]) -> Self {
+    pub(super) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
         let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let scaled = direction.clone().map(|v| v.scaled(-largest));
         let rounded = scaled.clone().map(|v| v.to_f64());

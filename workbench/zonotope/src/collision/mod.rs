@@ -1,7 +1,7 @@
 //! Collision: where a point lies relative to a zonotope given by its generators, and so whether two zonotopes meet.
 //!
 //! Lemma 5.1 turns every question into one: where is the exact difference of two points relative to the zonotope of some
-//! generators centred at the origin? [`Displacement`] is that question, [`Location`] its answer with a proof.
+//! generators centred at the origin? [`Query`] is that question, [`Location`] its answer with a proof.
 //!
 //! - membership: the displacement from the centre to the point;
 //! - intersection: the displacement between the centres, relative to the generators of both bodies;
@@ -30,7 +30,6 @@ pub mod by_lad_in_r4;
 #[cfg(feature = "linear-programming")]
 pub mod by_linear_program;
 pub mod by_slope_selection;
-mod displacement;
 mod elimination;
 mod gauge;
 mod location;
@@ -40,6 +39,7 @@ pub mod upper_hull;
 pub mod verify;
 
 pub use by_lad::{gauge, locate};
-pub use displacement::{Displacement, DisplacementError};
+
+pub use crate::zonotope::query::{Query, QueryError};
 pub use gauge::Gauge;
 pub use location::{Location, Separation, Witness};

@@ -1,15 +1,15 @@
 //! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for a witness.
 
-use super::displacement::Displacement;
 use super::elimination::reduce;
 use super::location::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::exact_sum::ExactSum;
+use crate::zonotope::query::Query;
 
 /// The displacement minus the generators off the basis, each with its coefficient. O(n) exact additions.
 pub(super) fn left_over<const D: usize>(
-    question: &Displacement<'_, D>,
+    question: &Query<'_, D>,
     displacement: &[Dyadic; D],
     coefficients: &[f64],
     basis: &[usize],
@@ -33,7 +33,7 @@ pub(super) fn left_over<const D: usize>(
 
 /// The coefficients with Σ δ_b g_b = `sum` over the basis; `None` if its generators are dependent or nothing solves the equation.
 pub(super) fn solve<const D: usize>(
-    question: &Displacement<'_, D>,
+    question: &Query<'_, D>,
     basis: &[usize],
     sum: &[Dyadic; D],
 ) -> Option<Vec<Rational>> {
@@ -52,7 +52,7 @@ pub(super) fn solve<const D: usize>(
 /// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner point: D coefficients of the
 /// basis strictly between −1 and 1. `None` if the basis leaves [−1, 1].
 pub(super) fn near_witness<const D: usize>(
-    question: &Displacement<'_, D>,
+    question: &Query<'_, D>,
     displacement: &[Dyadic; D],
     mut coefficients: Vec<f64>,
 ) -> Option<(Witness, bool)> {
@@ -72,7 +72,7 @@ pub(super) fn near_witness<const D: usize>(
 
 /// Generators, independent in floating point, chosen in turn for the room that their coefficients have times how far they lead out of the
 /// span of those before; in increasing order.
-fn roomy_basis<const D: usize>(question: &Displacement<'_, D>, coefficients: &[f64]) -> Vec<usize> {
+fn roomy_basis<const D: usize>(question: &Query<'_, D>, coefficients: &[f64]) -> Vec<usize> {
     let mut scales = [0i64; D];
     for (axis, scale) in scales.iter_mut().enumerate() {
         *scale = question.generators().filter_map(|g| binary_exponent(g[axis])).max().map_or(0, i64::from);

@@ -17,11 +17,11 @@ use rand::seq::SliceRandom;
 use rand_pcg::Pcg64Mcg;
 use thiserror::Error;
 
-use super::displacement::Displacement;
 use super::location::{Location, Separation, Witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::ExactSum;
+use crate::zonotope::query::Query;
 
 /// Why a location is not proved.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -73,7 +73,7 @@ type Vector = Vec<Dyadic>;
 ///
 /// # Errors
 /// [`VerifyError`] says what is not proved.
-pub fn verify<const D: usize>(question: &Displacement<'_, D>, location: &Location<D>) -> Result<(), VerifyError> {
+pub fn verify<const D: usize>(question: &Query<'_, D>, location: &Location<D>) -> Result<(), VerifyError> {
     match location {
         Location::Outside(separation) => verify_separation(question, separation),
         Location::Inside(witness) => match is_supported(question, &solve(question, witness)?) {
@@ -87,10 +87,7 @@ pub fn verify<const D: usize>(question: &Displacement<'_, D>, location: &Locatio
     }
 }
 
-fn verify_separation<const D: usize>(
-    question: &Displacement<'_, D>,
-    separation: &Separation<D>,
-) -> Result<(), VerifyError> {
+fn verify_separation<const D: usize>(question: &Query<'_, D>, separation: &Separation<D>) -> Result<(), VerifyError> {
     let direction: [Dyadic; D] = match separation {
         Separation::Rounded(direction) => {
             if let Some(coordinate) = direction.iter().position(|v| !v.is_finite()) {
@@ -128,7 +125,7 @@ impl Solved<'_> {
     }
 }
 
-fn solve<'w, const D: usize>(question: &Displacement<'_, D>, witness: &'w Witness) -> Result<Solved<'w>, VerifyError> {
+fn solve<'w, const D: usize>(question: &Query<'_, D>, witness: &'w Witness) -> Result<Solved<'w>, VerifyError> {
     let Witness { coefficients, basis } = witness;
     if coefficients.len() != question.len() {
         return Err(VerifyError::CoefficientCount { expected: question.len(), found: coefficients.len() });
@@ -171,7 +168,7 @@ fn solve<'w, const D: usize>(question: &Displacement<'_, D>, witness: &'w Witnes
 }
 
 /// The displacement minus the generators off the basis, each with its coefficient.
-fn left_over<const D: usize>(question: &Displacement<'_, D>, witness: &Witness) -> [Dyadic; D] {
+fn left_over<const D: usize>(question: &Query<'_, D>, witness: &Witness) -> [Dyadic; D] {
     let mut whole: [ExactSum; D] = std::array::from_fn(|_| ExactSum::default());
     let mut left = question.exact();
     let mut basis = witness.basis.iter().copied().peekable();
@@ -190,7 +187,7 @@ fn left_over<const D: usize>(question: &Displacement<'_, D>, witness: &Witness) 
 }
 
 /// Whether a plane supports the zonotope at the point that the coefficients make.
-fn is_supported<const D: usize>(question: &Displacement<'_, D>, solved: &Solved) -> bool {
+fn is_supported<const D: usize>(question: &Query<'_, D>, solved: &Solved) -> bool {
     let mut subspace = Subspace::whole(D);
     let mut sides: Vec<(usize, i8)> = Vec::new();
     for (i, g) in question.generators().enumerate() {
@@ -311,7 +308,7 @@ mod tests {
     #[test]
     fn wrong_answers_are_refused() {
         let square = [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0]];
-        let question = Displacement::new([0.0; 2], [1.0, 0.25], &square).expect("finite");
+        let question = Query::new([0.0; 2], [1.0, 0.25], &square).expect("finite");
         let check = |location| verify(&question, &location);
         let right = witness(&[1.0, 0.0, 0.5], &[1]);
         assert_eq!(check(Location::Boundary(right.clone())), Ok(()));
@@ -331,7 +328,7 @@ mod tests {
     #[test]
     fn a_basis_that_overshoots_is_refused() {
         let segment = [[1.0], [2.0]];
-        let question = Displacement::new([0.0], [2.5], &segment).expect("finite");
+        let question = Query::new([0.0], [2.5], &segment).expect("finite");
         let coefficients = witness(&[-1.0, 1.0], &[1]);
         assert_eq!(verify(&question, &Location::Inside(coefficients)), Err(VerifyError::Coefficient { generator: 1 }));
         assert_eq!(verify(&question, &Location::Inside(witness(&[1.0, 0.0], &[1]))), Ok(()));

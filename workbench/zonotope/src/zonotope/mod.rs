@@ -10,6 +10,7 @@
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
+//! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
 
 mod cleanup;
@@ -22,6 +23,7 @@ pub mod named;
 mod operations;
 mod outward;
 pub mod passes;
+pub mod query;
 mod rank;
 pub mod zonogon;
 

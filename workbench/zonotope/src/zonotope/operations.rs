@@ -31,7 +31,7 @@ impl<const D: usize> Zonotope<D> {
     /// Minkowski difference. It is not the erosion Z1 ⊖ Z2 = { x : x + Z2 ⊂ Z1 }, which need not be a zonotope. Encloses it; equal if the difference of the
     /// centres is one of doubles. O(n).
     ///
-    /// To decide whether bodies meet use [`Displacement::between`](crate::collision::Displacement::between), which rounds nothing.
+    /// To decide whether bodies meet use [`Query::between`](crate::collision::Query::between), which rounds nothing.
     ///
     /// # Errors
     /// [`ZonotopeError::NonFiniteCenter`] if the centre leaves the range of doubles.

@@ -20,7 +20,7 @@ pub use placement::{PLACEMENTS, Placement};
 use crate::families::source::RandomSource;
 use crate::seed;
 use facet::Facet;
-use zonotope::collision::Displacement;
+use zonotope::collision::Query;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::Zonotope;
 
@@ -70,8 +70,8 @@ impl Question {
     }
 
     /// The question as the library takes it.
-    pub fn displacement(&self) -> Displacement<'_, 3> {
-        Displacement::new(self.from, self.to, &self.generators).expect("generated coordinates are finite")
+    pub fn displacement(&self) -> Query<'_, 3> {
+        Query::new(self.from, self.to, &self.generators).expect("generated coordinates are finite")
     }
 
     /// The same as an intersection of two bodies: the first half of the generators around `from`, the others around

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use zonotope::collision::{
-    Displacement, Gauge, Location, Separation, brute_force, by_explicit_faces, by_lad, by_lad_in_r4, by_linear_program,
+    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_lad, by_lad_in_r4, by_linear_program,
     by_slope_selection,
 };
 use zonotope::linear_program::Clarabel;
@@ -107,7 +107,7 @@ impl Method {
     /// Where the displacement lies, and the method that proved it: what a linear program leaves open is decided by another one.
     pub(super) fn locate<const D: usize>(
         self,
-        question: &Displacement<'_, D>,
+        question: &Query<'_, D>,
         seed: u64,
     ) -> Result<(Self, Location<D>), Refusal>
     where
@@ -129,7 +129,7 @@ impl Method {
         }
     }
 
-    pub(super) fn gauge<const D: usize>(self, question: &Displacement<'_, D>) -> Gauge<D>
+    pub(super) fn gauge<const D: usize>(self, question: &Query<'_, D>) -> Gauge<D>
     where
         Dimension: Methods<D>,
     {
@@ -147,23 +147,23 @@ pub(super) struct Dimension;
 
 pub(super) trait Methods<const D: usize> {
     const KERNEL: Option<Kernel<D>> = None;
-    const SEARCH: Option<fn(&Displacement<'_, D>, u64) -> Location<D>> = None;
-    const EXPLICIT: Option<fn(&Displacement<'_, D>) -> Gauge<D>> = None;
+    const SEARCH: Option<fn(&Query<'_, D>, u64) -> Location<D>> = None;
+    const EXPLICIT: Option<fn(&Query<'_, D>) -> Gauge<D>> = None;
 }
 
 /// The two sides of the kernel.
 pub(super) struct Kernel<const D: usize> {
-    locate: fn(&Displacement<'_, D>) -> Location<D>,
-    gauge: fn(&Displacement<'_, D>) -> Gauge<D>,
+    locate: fn(&Query<'_, D>) -> Location<D>,
+    gauge: fn(&Query<'_, D>) -> Gauge<D>,
 }
 
 macro_rules! up_to_space {
     ($($dimension:literal),*) => {$(
         impl Methods<$dimension> for Dimension {
             const KERNEL: Option<Kernel<$dimension>> = Some(Kernel { locate: by_lad::locate, gauge: by_lad::gauge });
-            const SEARCH: Option<fn(&Displacement<'_, $dimension>, u64) -> Location<$dimension>> =
+            const SEARCH: Option<fn(&Query<'_, $dimension>, u64) -> Location<$dimension>> =
                 Some(by_slope_selection::locate);
-            const EXPLICIT: Option<fn(&Displacement<'_, $dimension>) -> Gauge<$dimension>> = Some(|question| {
+            const EXPLICIT: Option<fn(&Query<'_, $dimension>) -> Gauge<$dimension>> = Some(|question| {
                 by_explicit_faces::gauge(question).expect("the number of generators was checked")
             });
         }

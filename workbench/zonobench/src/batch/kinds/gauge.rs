@@ -1,7 +1,7 @@
 //! `gauge`: how many times a zonotope must be taken to reach from one point to another.
 
 use serde_json::json;
-use zonotope::collision::Displacement;
+use zonotope::collision::Query;
 
 use super::collision::{Dimension, GAUGING, Method, Methods, certificate, names};
 use super::{Kind, Solution};
@@ -29,7 +29,7 @@ where
     let [p, q] = [fields.vector::<D>("p")?, fields.vector::<D>("q")?];
     let generators = fields.vectors::<D>("generators")?;
     let method = Method::chosen::<D>(GAUGING, method, generators.len())?;
-    let question = Displacement::new(p, q, &generators).expect("the numbers of a question are finite");
+    let question = Query::new(p, q, &generators).expect("the numbers of a question are finite");
     let gauge = method.gauge(&question);
     let result = json!({
         "gauge": to_json(gauge.value),

@@ -1,7 +1,7 @@
 //! `intersect`: whether two zonotopes have a point in common.
 
 use serde_json::json;
-use zonotope::collision::Displacement;
+use zonotope::collision::Query;
 
 use super::body::zonotope;
 use super::collision::{Dimension, LOCATING, Method, Methods, certificate, names};
@@ -35,7 +35,7 @@ where
     Dimension: Methods<D>,
 {
     let [a, b] = [zonotope::<D>(&bodies[0])?, zonotope::<D>(&bodies[1])?];
-    let question = Displacement::between(&a, &b);
+    let question = Query::between(&a, &b);
     let method = Method::chosen::<D>(LOCATING, method, question.len())?;
     let (method, location) = method.locate(&question, seed)?;
     let result = json!({

@@ -1,7 +1,7 @@
 //! `member`: whether a point lies in a zonotope.
 
 use serde_json::json;
-use zonotope::collision::Displacement;
+use zonotope::collision::Query;
 
 use super::body::zonotope;
 use super::collision::{Dimension, LOCATING, Method, Methods, certificate, names};
@@ -29,7 +29,7 @@ where
     let point = fields.vector::<D>("point")?;
     let body = zonotope::<D>(fields)?;
     let method = Method::chosen::<D>(LOCATING, method, body.generators().len())?;
-    let question = Displacement::of_point(point, &body).expect("the numbers of a question are finite");
+    let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
     let (method, location) = method.locate(&question, seed)?;
     let result = json!({
         "member": location.is_member(),

@@ -1,7 +1,7 @@
 //! `member_batch`: where many points lie relative to one zonotope.
 
 use serde_json::{Value, json};
-use zonotope::collision::{Displacement, Gauge, by_lad, by_lad_in_r4};
+use zonotope::collision::{Gauge, Query, by_lad, by_lad_in_r4};
 use zonotope::tally::OperationCounts;
 
 use super::body::zonotope;
@@ -36,7 +36,7 @@ fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Resu
 
 fn in_space<const D: usize>(
     fields: &Fields<'_>,
-    gauge: impl Fn(&Displacement<'_, D>, &mut OperationCounts) -> Gauge<D>,
+    gauge: impl Fn(&Query<'_, D>, &mut OperationCounts) -> Gauge<D>,
 ) -> Result<Solution, Refusal> {
     let body = zonotope::<D>(fields)?;
     let points = fields.vectors::<D>("points")?;
@@ -51,7 +51,7 @@ fn in_space<const D: usize>(
     let mut counts = OperationCounts::default();
     let (mut statuses, mut gauges): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
     for point in points {
-        let question = Displacement::of_point(point, &body).expect("the numbers of a question are finite");
+        let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
         let found = gauge(&question, &mut counts);
         statuses.push(found.location.status().into());
         gauges.push(to_json(found.value));

@@ -4,7 +4,7 @@ use super::*;
 use crate::collision::verify::verify;
 
 fn ask<const D: usize>(to: [f64; D], generators: &[[f64; D]]) -> (&'static str, Option<Rational>) {
-    let question = Displacement::new([0.0; D], to, generators).expect("finite");
+    let question = Query::new([0.0; D], to, generators).expect("finite");
     let location = locate(&question);
     assert_eq!(verify(&question, &location), Ok(()), "{location:?}");
     (location.status(), exact_gauge(&question))
@@ -48,7 +48,7 @@ fn no_generators_leave_the_origin() {
 #[test]
 fn the_displacement_is_exact() {
     let generators = [[1e16]];
-    let question = Displacement::new([-1.0], [1e16], &generators).expect("finite");
+    let question = Query::new([-1.0], [1e16], &generators).expect("finite");
     assert_eq!(locate(&question).status(), "outside");
     let gauge = gauge(&question);
     assert_eq!((gauge.value, gauge.error > 0.0), (1.0, true));
@@ -61,7 +61,7 @@ fn a_gap_too_narrow_for_doubles() {
     let generators = [[1.0, 1.0 / 3.0, 0.1], [0.2, 1.0, 1.0 / 7.0], [0.25, 0.5, 1.0]];
     for step in [-1.0, 1.0] {
         let from = [0.0, 0.0, step * f64::from_bits(1)];
-        let question = Displacement::new(from, generators[2], &generators).expect("finite");
+        let question = Query::new(from, generators[2], &generators).expect("finite");
         let location = locate(&question);
         assert_eq!(verify(&question, &location), Ok(()));
         let narrow = matches!(location, Location::Outside(Separation::Exact(_)));

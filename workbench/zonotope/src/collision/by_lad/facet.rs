@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::member_in_doubles::witness;
-use crate::collision::{Displacement, Gauge, Location, Separation, Witness};
+use crate::collision::{Gauge, Location, Query, Separation, Witness};
 use crate::lad::of_generators::cells::nested::Trail;
 use crate::lad::of_generators::certify::rounded_optimum::Certain;
 use crate::lad::of_generators::certify::unit_gauge_bound::thickness;
@@ -19,7 +19,7 @@ use crate::tally::Tally;
 /// Where the ray along a displacement leaves the zonotope: the gauge and the status at once, the full proof on demand.
 #[derive(Debug)]
 pub struct Facet<'q> {
-    question: &'q Displacement<'q, 3>,
+    query: &'q Query<'q, 3>,
     kind: Kind,
 }
 
@@ -63,12 +63,12 @@ struct Proof {
 impl Proof {
     /// Whether the gauge is less or greater than 1; none if that is not certain, or if the gauge is to be known and is not sharp.
     fn new(
-        question: &Displacement<'_, 3>,
+        query: &Query<'_, 3>,
         certain: Box<Certain>,
         trail: Trail,
         sharp: bool,
     ) -> Result<Self, (Box<Certain>, Trail)> {
-        match verdict(question, &certain, sharp) {
+        match verdict(query, &certain, sharp) {
             Some((order, slack)) => Ok(Self { certain, trail, slack, order }),
             None => Err((certain, trail)),
         }
@@ -80,12 +80,12 @@ impl Proof {
 }
 
 /// How the gauge compares to 1, and what the gauge times λ exceeds 1 by at most.
-fn verdict(question: &Displacement<'_, 3>, certain: &Certain, sharp: bool) -> Option<(Ordering, f64)> {
+fn verdict(query: &Query<'_, 3>, certain: &Certain, sharp: bool) -> Option<(Ordering, f64)> {
     let mut slack = certain.slack(f64::INFINITY);
     let mut judged = judge(certain, slack, sharp);
     for share in PARTS {
         if judged.is_none() && slack > 0.0 {
-            slack = certain.slack(thickness(question, share));
+            slack = certain.slack(thickness(query, share));
             judged = judge(certain, slack, sharp);
         }
     }
@@ -113,8 +113,8 @@ fn gauge(certain: &Certain, slack: f64) -> (f64, f64) {
 
 impl<'q> Facet<'q> {
     /// Finds the facet, or, `until_separated`, a separating direction if that is found first.
-    pub(super) fn find(question: &'q Displacement<'q, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
-        Self { question, kind: Kind::find(question, until_separated, tally) }
+    pub(super) fn find(query: &'q Query<'q, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
+        Self { query, kind: Kind::find(query, until_separated, tally) }
     }
 
     /// The gauge within a bound of its error; infinite where no multiple of the body holds the displacement. O(1).
@@ -145,33 +145,33 @@ impl<'q> Facet<'q> {
 
     /// Where the displacement lies, with its proof. O(n) for a member, else O(1) nearly always.
     pub fn location(&self) -> Location<3> {
-        self.kind.location(self.question)
+        self.kind.location(self.query)
     }
 }
 
 impl Kind {
-    fn find(question: &Displacement<'_, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
-        let p = rounded_displacement(question);
+    fn find(query: &Query<'_, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
+        let p = rounded_displacement(query);
         if p.iter().all(|c| c.value == 0.0) {
             return Self::Center;
         }
-        let is_enough = |certain: &Certain| verdict(question, certain, !until_separated).is_some();
-        match search(question, &p, until_separated, &is_enough, tally) {
+        let is_enough = |certain: &Certain| verdict(query, certain, !until_separated).is_some();
+        match search(query, &p, until_separated, &is_enough, tally) {
             Found::Separated(direction) => Self::Separated(direction),
-            Found::Certain(certain, trail) => match Proof::new(question, certain, trail, !until_separated) {
+            Found::Certain(certain, trail) => match Proof::new(query, certain, trail, !until_separated) {
                 Ok(proof) => Self::Certain(proof),
                 Err((certain, trail)) => Self::Exact(Box::new(if certain.is_vertex() {
-                    Exit::of_certain(question, &question.exact(), &certain, &trail)
+                    Exit::of_certain(query, &query.exact(), &certain, &trail)
                 } else {
-                    Exit::near(question, &question.exact(), &trail, tally)
+                    Exit::near(query, &query.exact(), &trail, tally)
                 })),
             },
             Found::Narrowed(trail) => {
-                let p = question.exact();
-                if let Some(axis) = spare_axis(question, &p) {
-                    return Self::Flat(Box::new(Flat::find(axis, question, until_separated, tally)));
+                let p = query.exact();
+                if let Some(axis) = spare_axis(query, &p) {
+                    return Self::Flat(Box::new(Flat::find(axis, query, until_separated, tally)));
                 }
-                Self::Exact(Box::new(Exit::near(question, &p, &trail, tally)))
+                Self::Exact(Box::new(Exit::near(query, &p, &trail, tally)))
             }
         }
     }
@@ -214,26 +214,26 @@ impl Kind {
         }
     }
 
-    fn location(&self, question: &Displacement<'_, 3>) -> Location<3> {
+    fn location(&self, query: &Query<'_, 3>) -> Location<3> {
         match self {
-            Self::Center => center(question),
+            Self::Center => center(query),
             Self::Separated(direction) => Location::Outside(Separation::Rounded(*direction)),
-            Self::Exact(exit) => exit.location(question, &question.exact()),
+            Self::Exact(exit) => exit.location(query, &query.exact()),
             Self::Flat(flat) => flat.location(),
             Self::Certain(proof) => {
-                let p = rounded_displacement(question);
+                let p = rounded_displacement(query);
                 let location = match proof.order {
                     Ordering::Greater => separation(&proof.certain, &p).map(Location::Outside),
-                    _ => witness(question, &proof.certain, &proof.trail, &p).map(Location::Inside),
+                    _ => witness(query, &proof.certain, &proof.trail, &p).map(Location::Inside),
                 };
                 location.unwrap_or_else(|| {
-                    let exact = question.exact();
+                    let exact = query.exact();
                     let exit = if proof.certain.is_vertex() {
-                        Exit::of_certain(question, &exact, &proof.certain, &proof.trail)
+                        Exit::of_certain(query, &exact, &proof.certain, &proof.trail)
                     } else {
-                        Exit::near(question, &exact, &proof.trail, &mut ())
+                        Exit::near(query, &exact, &proof.trail, &mut ())
                     };
-                    exit.location(question, &exact)
+                    exit.location(query, &exact)
                 })
             }
         }
@@ -241,9 +241,9 @@ impl Kind {
 }
 
 impl Flat {
-    fn find(axis: usize, question: &Displacement<'_, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
-        let prism = Prism::without(axis, question);
-        let kind = Kind::find(&prism.question(), until_separated, tally);
+    fn find(axis: usize, query: &Query<'_, 3>, until_separated: bool, tally: &mut impl Tally) -> Self {
+        let prism = Prism::without(axis, query);
+        let kind = Kind::find(&prism.query(), until_separated, tally);
         Self { axis, prism, kind }
     }
 
@@ -257,7 +257,7 @@ impl Flat {
 
     /// A flat body has no inside.
     fn location(&self) -> Location<3> {
-        match self.prism.lower(self.kind.location(&self.prism.question())) {
+        match self.prism.lower(self.kind.location(&self.prism.query())) {
             Location::Inside(witness) | Location::Boundary(witness) => Location::Boundary(witness),
             Location::Outside(Separation::Rounded(mut u)) => {
                 u[self.axis] = 0.0;
@@ -272,9 +272,9 @@ impl Flat {
 }
 
 /// The centre is a member with all coefficients 0, inside just when the generators span space.
-fn center(question: &Displacement<'_, 3>) -> Location<3> {
-    let witness = Witness { coefficients: vec![0.0; question.len()], basis: Vec::new() };
-    if Basis::spanning(question, Basis::new(Vec::new())).0.rank() == 3 {
+fn center(query: &Query<'_, 3>) -> Location<3> {
+    let witness = Witness { coefficients: vec![0.0; query.len()], basis: Vec::new() };
+    if Basis::spanning(query, Basis::new(Vec::new())).0.rank() == 3 {
         Location::Inside(witness)
     } else {
         Location::Boundary(witness)

@@ -1,7 +1,7 @@
 //! Membership, intersection and gauge, by the kernel: minimise the support function over the plane of directions u with u · p = 1.
 //!
 //! # Statement
-//! Input: a [`Displacement`] p and generators of R^D, D ≤ 4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
+//! Input: a [`Query`] p and generators of R^D, D ≤ 4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
 //! proof, and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and so is every
 //! member of a flat Z. Zero, parallel and coplanar generators and none at all are ordinary input; p = 0 has the gauge 0.
 //!
@@ -33,14 +33,14 @@
 //! n generators: O(n) expected, with one pass over the generators and one for the proof of a member; space O(n).
 //!
 //! # Shapes
-//! `question`: n × D generators in two runs, any order, duplicates allowed.
+//! `query`: n × D generators in two runs, any order, duplicates allowed.
 //!
 //! # Numerics
 //! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it; a gauge beyond the range of
 //! doubles is `f64::MAX` with infinite error.
 //!
 //! # Errors
-//! None: the question was validated when it was made.
+//! None: the query was validated when it was made.
 //!
 //! # Panics
 //! Never. More than four dimensions do not compile.
@@ -50,12 +50,12 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, by_lad};
+//! use zonotope::collision::{Query, by_lad};
 //! // the cube [−1, 1]³ and the point (2, 0, 0)
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-//! let question = Displacement::new([0.0; 3], [2.0, 0.0, 0.0], &cube).unwrap();
-//! assert_eq!(by_lad::locate(&question).status(), "outside");
-//! assert_eq!(by_lad::gauge(&question).value, 2.0);
+//! let query = Query::new([0.0; 3], [2.0, 0.0, 0.0], &cube).unwrap();
+//! assert_eq!(by_lad::locate(&query).status(), "outside");
+//! assert_eq!(by_lad::gauge(&query).value, 2.0);
 //! ```
 
 mod early;
@@ -67,58 +67,58 @@ pub use facet::Facet;
 #[cfg(test)]
 mod tests;
 
-use super::{Displacement, Gauge, Location, by_lad_in_r4};
+use super::{Gauge, Location, Query, by_lad_in_r4};
 use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
-pub fn locate<const D: usize>(question: &Displacement<'_, D>) -> Location<D> {
-    locate_counted(question, &mut ())
+pub fn locate<const D: usize>(query: &Query<'_, D>) -> Location<D> {
+    locate_counted(query, &mut ())
 }
 
 /// [`locate`], counting its operations.
-pub fn locate_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> Location<D> {
+pub fn locate_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tally) -> Location<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    if let Some(question) = question.in_dimension::<4>() {
-        return lowered(by_lad_in_r4::locate_counted(&question, tally), question.len());
+    if let Some(query) = query.in_dimension::<4>() {
+        return lowered(by_lad_in_r4::locate_counted(&query, tally), query.len());
     }
-    match question.in_dimension::<3>() {
-        Some(question) => match early::locate(&question, tally) {
+    match query.in_dimension::<3>() {
+        Some(query) => match early::locate(&query, tally) {
             Some(clear) => clear.location(),
-            None => lowered(Facet::find(&question, true, tally).location(), question.len()),
+            None => lowered(Facet::find(&query, true, tally).location(), query.len()),
         },
         None => {
-            let prism = Prism::over(question);
-            prism.lower(Facet::find(&prism.question(), true, tally).location())
+            let prism = Prism::over(query);
+            prism.lower(Facet::find(&prism.query(), true, tally).location())
         }
     }
 }
 
 /// The gauge of a displacement and where it lies.
-pub fn gauge<const D: usize>(question: &Displacement<'_, D>) -> Gauge<D> {
-    gauge_counted(question, &mut ())
+pub fn gauge<const D: usize>(query: &Query<'_, D>) -> Gauge<D> {
+    gauge_counted(query, &mut ())
 }
 
 /// [`gauge`], counting its operations.
-pub fn gauge_counted<const D: usize>(question: &Displacement<'_, D>, tally: &mut impl Tally) -> Gauge<D> {
+pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tally) -> Gauge<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
-    if let Some(question) = question.in_dimension::<4>() {
-        let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&question, tally);
-        return Gauge { value, error, location: lowered(location, question.len()) };
+    if let Some(query) = query.in_dimension::<4>() {
+        let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, tally);
+        return Gauge { value, error, location: lowered(location, query.len()) };
     }
-    let Gauge { value, error, location } = match question.in_dimension::<3>() {
-        Some(question) => Facet::find(&question, false, tally).gauge(),
-        None => Facet::find(&Prism::over(question).question(), false, tally).gauge(),
+    let Gauge { value, error, location } = match query.in_dimension::<3>() {
+        Some(query) => Facet::find(&query, false, tally).gauge(),
+        None => Facet::find(&Prism::over(query).query(), false, tally).gauge(),
     };
-    Gauge { value, error, location: lowered(location, question.len()) }
+    Gauge { value, error, location: lowered(location, query.len()) }
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n) proof.
-pub fn facet<'q>(question: &'q Displacement<'q, 3>) -> Facet<'q> {
-    facet_counted(question, &mut ())
+pub fn facet<'q>(query: &'q Query<'q, 3>) -> Facet<'q> {
+    facet_counted(query, &mut ())
 }
 
 /// [`facet`], counting its operations.
-pub fn facet_counted<'q>(question: &'q Displacement<'q, 3>, tally: &mut impl Tally) -> Facet<'q> {
-    Facet::find(question, false, tally)
+pub fn facet_counted<'q>(query: &'q Query<'q, 3>, tally: &mut impl Tally) -> Facet<'q> {
+    Facet::find(query, false, tally)
 }

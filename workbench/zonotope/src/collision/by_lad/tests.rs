@@ -26,15 +26,15 @@ fn abs(v: Rational) -> Rational {
     if v < Rational::ZERO { -v } else { v }
 }
 
-fn exact_displacement<const D: usize>(question: &Displacement<'_, D>) -> Vector {
-    let (from, to) = (rational(&question.from()), rational(&question.to()));
+fn exact_displacement<const D: usize>(query: &Query<'_, D>) -> Vector {
+    let (from, to) = (rational(&query.from()), rational(&query.to()));
     [0, 1, 2].map(|i| &to[i] - &from[i])
 }
 
 /// The gauge (none where it is infinite) and the status, from the facets of Z ⊕ ε cube as ε → 0.
-fn truth<const D: usize>(question: &Displacement<'_, D>) -> (Option<Rational>, &'static str) {
-    let p = exact_displacement(question);
-    let own: Vec<Vector> = question.generators().map(rational).collect();
+fn truth<const D: usize>(query: &Query<'_, D>) -> (Option<Rational>, &'static str) {
+    let p = exact_displacement(query);
+    let own: Vec<Vector> = query.generators().map(rational).collect();
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis: [f64; 3]| rational(&axis));
     let all: Vec<Vector> = own.iter().chain(&axes).cloned().collect();
     let mut gauge = Some(Rational::ZERO);
@@ -65,9 +65,9 @@ fn truth<const D: usize>(question: &Displacement<'_, D>) -> (Option<Rational>, &
     (gauge, status)
 }
 
-fn check_proof<const D: usize>(question: &Displacement<'_, D>, location: &Location<D>) {
-    let p = exact_displacement(question);
-    let generators: Vec<Vector> = question.generators().map(rational).collect();
+fn check_proof<const D: usize>(query: &Query<'_, D>, location: &Location<D>) {
+    let p = exact_displacement(query);
+    let generators: Vec<Vector> = query.generators().map(rational).collect();
     match location {
         Location::Outside(separation) => {
             let u = match separation {
@@ -75,7 +75,7 @@ fn check_proof<const D: usize>(question: &Displacement<'_, D>, location: &Locati
                 Separation::Exact(u) => std::array::from_fn(|i| u.get(i).cloned().unwrap_or(Rational::ZERO)),
             };
             let reach = generators.iter().fold(Rational::ZERO, |sum, v| sum + abs(dot(v, &u)));
-            assert!(dot(&u, &p) > reach, "{question:?} {u:?} does not separate");
+            assert!(dot(&u, &p) > reach, "{query:?} {u:?} does not separate");
         }
         Location::Inside(witness) | Location::Boundary(witness) => {
             let Witness { coefficients, basis } = witness;
@@ -88,7 +88,7 @@ fn check_proof<const D: usize>(question: &Displacement<'_, D>, location: &Locati
                 rest = std::array::from_fn(|k| &rest[k] - &c * &v[k]);
             }
             let members: Vec<&Vector> = basis.iter().map(|&b| &generators[b]).collect();
-            assert!(solves(&members, &rest), "{question:?} {witness:?}");
+            assert!(solves(&members, &rest), "{query:?} {witness:?}");
         }
     }
 }
@@ -120,20 +120,20 @@ fn solves(members: &[&Vector], rest: &Vector) -> bool {
 }
 
 /// Compares all answers with the definition.
-fn check<const D: usize>(question: &Displacement<'_, D>) {
-    let (truth, status) = truth(question);
-    let located = locate(question);
-    assert_eq!(located.status(), status, "{question:?}");
-    check_proof(question, &located);
-    let Gauge { value, error, location } = gauge(question);
-    assert_eq!(location.status(), status, "{question:?}");
-    check_proof(question, &location);
+fn check<const D: usize>(query: &Query<'_, D>) {
+    let (truth, status) = truth(query);
+    let located = locate(query);
+    assert_eq!(located.status(), status, "{query:?}");
+    check_proof(query, &located);
+    let Gauge { value, error, location } = gauge(query);
+    assert_eq!(location.status(), status, "{query:?}");
+    check_proof(query, &location);
     match truth {
-        None => assert_eq!((value, error), (f64::INFINITY, 0.0), "{question:?}"),
+        None => assert_eq!((value, error), (f64::INFINITY, 0.0), "{query:?}"),
         Some(truth) if error.is_finite() => {
             let off = abs(Rational::try_from(value).expect("finite") - &truth);
-            assert!(off <= Rational::try_from(error).expect("finite"), "{question:?}: {value} ± {error}, not {truth}");
-            assert!(error <= 1e-9 * value + 1e-300, "{question:?}: {value} ± {error}");
+            assert!(off <= Rational::try_from(error).expect("finite"), "{query:?}: {value} ± {error}, not {truth}");
+            assert!(error <= 1e-9 * value + 1e-300, "{query:?}: {value} ± {error}");
         }
         Some(truth) => assert!(value == f64::MAX && truth > Rational::try_from(1e300).expect("finite")),
     }
@@ -231,7 +231,7 @@ fn cross_all<const D: usize>(seed: u64, rounds: usize) {
             let n = random.random_range(0..9);
             let generators = family::<D>(name, n, &mut random);
             let (from, to) = displacement(&generators, &mut random);
-            check(&Displacement::new(from, to, &generators).expect("finite"));
+            check(&Query::new(from, to, &generators).expect("finite"));
         }
     }
 }
@@ -260,30 +260,30 @@ fn prove_all<const D: usize>(seed: u64, sizes: &[usize], rounds: usize) {
             let generators = family::<D>(name, n, &mut random);
             for _ in 0..rounds {
                 let (from, to) = displacement(&generators, &mut random);
-                prove(name, &Displacement::new(from, to, &generators).expect("finite"));
+                prove(name, &Query::new(from, to, &generators).expect("finite"));
             }
         }
     }
 }
 
-fn prove<const D: usize>(name: &str, question: &Displacement<'_, D>) {
-    let located = locate(question);
-    assert_eq!(verify(question, &located), Ok(()), "{name} {}", question.len());
-    let Gauge { value, error, location } = gauge(question);
-    assert_eq!(verify(question, &location), Ok(()), "{name} {}", question.len());
-    assert_eq!(location.status(), located.status(), "{name} {}", question.len());
+fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
+    let located = locate(query);
+    assert_eq!(verify(query, &located), Ok(()), "{name} {}", query.len());
+    let Gauge { value, error, location } = gauge(query);
+    assert_eq!(verify(query, &location), Ok(()), "{name} {}", query.len());
+    assert_eq!(location.status(), located.status(), "{name} {}", query.len());
     if error.is_finite() && value.is_finite() {
-        assert!(error <= 1e-9 * value + 1e-300, "{name} {}: {value} ± {error}", question.len());
+        assert!(error <= 1e-9 * value + 1e-300, "{name} {}: {value} ± {error}", query.len());
     }
     // where rounding a point moves it by little in terms of the body
-    if ["random", "lattice", "bundles"].contains(&name) && value > 0.0 && question.from() == [0.0; D] {
-        let generators: Vec<[f64; D]> = question.generators().copied().collect();
+    if ["random", "lattice", "bundles"].contains(&name) && value > 0.0 && query.from() == [0.0; D] {
+        let generators: Vec<[f64; D]> = query.generators().copied().collect();
         for (factor, is_member) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
-            let scaled = question.to().map(|c| c / value * factor);
-            let moved = Displacement::new([0.0; D], scaled, &generators).expect("finite");
+            let scaled = query.to().map(|c| c / value * factor);
+            let moved = Query::new([0.0; D], scaled, &generators).expect("finite");
             let located = locate(&moved);
-            assert_eq!(located.is_member(), is_member, "{name} {}: {value} ± {error}", question.len());
-            assert_eq!(verify(&moved, &located), Ok(()), "{name} {}", question.len());
+            assert_eq!(located.is_member(), is_member, "{name} {}: {value} ± {error}", query.len());
+            assert_eq!(verify(&moved, &located), Ok(()), "{name} {}", query.len());
         }
     }
 }
@@ -299,7 +299,7 @@ fn lines_that_meet_but_for_the_last_digits_are_told_apart() {
             sum = [0, 1, 2].map(|k| sum[k] + f64::copysign(1.0, v[0]) * v[k]);
         }
         for factor in [1.0, 0.3] {
-            check(&Displacement::new([0.0; 3], sum.map(|c| factor * c), &generators).expect("finite"));
+            check(&Query::new([0.0; 3], sum.map(|c| factor * c), &generators).expect("finite"));
         }
     }
     for name in ["last digits", "thin", "scales", "coordinate scales"] {
@@ -309,10 +309,10 @@ fn lines_that_meet_but_for_the_last_digits_are_told_apart() {
             for v in &generators {
                 sum = [0, 1, 2].map(|k| sum[k] + f64::copysign(1.0, v[0]) * v[k]);
             }
-            let direction = Displacement::new([0.0; 3], [1.0, 0.3, 0.1], &generators).expect("finite");
+            let direction = Query::new([0.0; 3], [1.0, 0.3, 0.1], &generators).expect("finite");
             let edge = [1.0, 0.3, 0.1].map(|c| c / gauge(&direction).value);
             for p in [sum, sum.map(|c| 0.3 * c), edge] {
-                prove(name, &Displacement::new([0.0; 3], p, &generators).expect("finite"));
+                prove(name, &Query::new([0.0; 3], p, &generators).expect("finite"));
             }
         }
     }
@@ -327,7 +327,7 @@ fn many_generators_are_answered_with_proofs() {
 #[test]
 fn the_centre_is_inside_or_on_the_boundary_of_a_flat_body() {
     let generators = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
-    check(&Displacement::new([1e16; 3], [1e16; 3], &generators).expect("finite"));
-    check(&Displacement::<3>::new([0.0; 3], [0.0; 3], &[]).expect("finite"));
-    check(&Displacement::<3>::new([0.0; 3], [1.0, 0.0, 0.0], &[]).expect("finite"));
+    check(&Query::new([1e16; 3], [1e16; 3], &generators).expect("finite"));
+    check(&Query::<3>::new([0.0; 3], [0.0; 3], &[]).expect("finite"));
+    check(&Query::<3>::new([0.0; 3], [1.0, 0.0, 0.0], &[]).expect("finite"));
 }

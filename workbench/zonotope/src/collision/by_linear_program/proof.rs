@@ -1,14 +1,14 @@
 //! What the numbers of an optimum prove, exactly.
 
 use super::Answer;
-use crate::collision::displacement::Displacement;
 use crate::collision::location::{Location, Separation};
 use crate::collision::solving::near_witness;
 use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::query::Query;
 
 /// The separation that a direction or its opposite is.
 pub(super) fn separation<const D: usize>(
-    question: &Displacement<'_, D>,
+    question: &Query<'_, D>,
     displacement: &[Dyadic; D],
     direction: &[Dyadic; D],
 ) -> Option<Separation<D>> {
@@ -19,7 +19,7 @@ pub(super) fn separation<const D: usize>(
 
 /// What coefficients near `times` · p prove about p.
 pub(super) fn membership<const D: usize>(
-    question: &Displacement<'_, D>,
+    question: &Query<'_, D>,
     displacement: &[Dyadic; D],
     coefficients: &[f64],
     times: f64,
@@ -38,7 +38,7 @@ pub(super) fn membership<const D: usize>(
     })
 }
 
-fn reach<const D: usize>(question: &Displacement<'_, D>, direction: &[Dyadic; D]) -> Dyadic {
+fn reach<const D: usize>(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Dyadic {
     question.generators().fold(Dyadic::zero(), |sum, g| sum + dot(direction, &g.map(Dyadic::from_f64)).abs())
 }
 

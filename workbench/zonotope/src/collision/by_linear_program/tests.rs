@@ -6,7 +6,7 @@ use crate::collision::verify::verify;
 use crate::linear_program::{Clarabel, Microlp};
 
 fn check<const D: usize>(to: [f64; D], generators: &[[f64; D]]) -> Vec<Answer<D>> {
-    let question = Displacement::new([0.0; D], to, generators).expect("finite");
+    let question = Query::new([0.0; D], to, generators).expect("finite");
     let truth = brute_force::locate(&question);
     let engines: [&dyn Engine; 2] = [&Clarabel, &Microlp];
     let answers = engines.map(|engine| locate(&question, engine));

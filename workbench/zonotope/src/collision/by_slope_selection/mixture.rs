@@ -11,7 +11,7 @@ use crate::arrangement::dual::Upward;
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::member_from_exact::rounded;
 use crate::collision::settling::settle;
-use crate::collision::{Displacement, Witness};
+use crate::collision::{Query, Witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::signed_sum::signed_sum;
@@ -66,7 +66,7 @@ impl Mixture {
     }
 
     /// The proof that the mean, which is p, is a member.
-    pub(super) fn witness(&self, question: &Displacement<'_, 3>, p: &ExactVector) -> Witness {
+    pub(super) fn witness(&self, question: &Query<'_, 3>, p: &ExactVector) -> Witness {
         let total = self.weights.iter().fold(Dyadic::zero(), |total, weight| total + weight.clone());
         let classes = self.classes(&total);
         let mut coefficients = vec![1.0; self.patterns.len()];
@@ -114,7 +114,7 @@ impl Mixture {
 }
 
 /// Independent generators, as many as there are among the loose ones, with room on both sides where there is a choice.
-fn spanning(question: &Displacement<'_, 3>, loose: &[&Class]) -> Basis {
+fn spanning(question: &Query<'_, 3>, loose: &[&Class]) -> Basis {
     let mut basis = Basis::new(Vec::new());
     let members = || loose.iter().flat_map(|class| class.members.iter().map(|&member| (class.value, member)));
     while basis.rank() < 3 {
@@ -135,7 +135,7 @@ fn spanning(question: &Displacement<'_, 3>, loose: &[&Class]) -> Basis {
 }
 
 /// The proof with doubles off the basis that needs no room. O(n) eliminations.
-fn settled(question: &Displacement<'_, 3>, classes: &[Class], total: &Dyadic) -> Witness {
+fn settled(question: &Query<'_, 3>, classes: &[Class], total: &Dyadic) -> Witness {
     let mut coefficients = vec![Rational::ONE; question.len()];
     for class in classes {
         let value = class.numerator.to_rational() / total.to_rational();
@@ -176,7 +176,7 @@ mod tests {
             // the mean, with every generator multiplied by the total so that it is a point of doubles
             let total: i32 = weights.iter().sum();
             let scaled: Vec<[f64; 3]> = generators.iter().map(|v| v.map(|c| c * f64::from(total))).collect();
-            let question = Displacement::new([0.0; 3], sum, &scaled).expect("finite");
+            let question = Query::new([0.0; 3], sum, &scaled).expect("finite");
             let total = Dyadic::from_f64(total.into());
             let proofs = [mixture.witness(&question, &question.exact()), settled(&question, &mixture.classes(&total), &total)];
             for proof in proofs {

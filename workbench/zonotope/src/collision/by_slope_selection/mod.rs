@@ -1,7 +1,7 @@
 //! Membership and intersection, by the paper's search: binary search over the separators of the tiling of Q (Theorem 5.2).
 //!
 //! # Statement
-//! Input: a [`Displacement`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
+//! Input: a [`Query`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
 //! proof. Z is closed: touching is [`Location::Boundary`], and so is every member of a flat Z. Zero, vertical, level, parallel and
 //! coplanar generators and none at all are ordinary input.
 //!
@@ -55,10 +55,10 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Displacement, by_slope_selection};
+//! use zonotope::collision::{Query, by_slope_selection};
 //! // the octagonal prism of two squares and a unit of height; (3, 0, z) is outside, (2, 0, 1) on an edge
 //! let prism = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-//! let at = |point| Displacement::new([0.0; 3], point, &prism).unwrap();
+//! let at = |point| Query::new([0.0; 3], point, &prism).unwrap();
 //! assert_eq!(by_slope_selection::locate(&at([3.0, 0.0, 0.0]), 0).status(), "outside");
 //! assert_eq!(by_slope_selection::locate(&at([2.0, 1.0, 1.0]), 0).status(), "boundary");
 //! assert_eq!(by_slope_selection::locate(&at([1.0, 1.0, 0.5]), 0).status(), "inside");
@@ -85,7 +85,7 @@ use self::footing::Footing;
 use self::mixture::Mixture;
 use self::shadow::Shadow;
 use self::trace::{Course, Recorder};
-use super::{Displacement, Location, Separation, Witness};
+use super::{Location, Query, Separation, Witness};
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
 use crate::collision::by_lad::proof::separation::separation;
@@ -97,23 +97,19 @@ use crate::numeric::vector::{ExactVector, cross, exact, is_zero, negated};
 use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof; `seed` decides the time, never the answer.
-pub fn locate<const D: usize>(question: &Displacement<'_, D>, seed: u64) -> Location<D> {
+pub fn locate<const D: usize>(question: &Query<'_, D>, seed: u64) -> Location<D> {
     locate_counted(question, seed, &mut ())
 }
 
 /// [`locate`], counting its operations.
-pub fn locate_counted<const D: usize>(
-    question: &Displacement<'_, D>,
-    seed: u64,
-    tally: &mut impl Tally,
-) -> Location<D> {
+pub fn locate_counted<const D: usize>(question: &Query<'_, D>, seed: u64, tally: &mut impl Tally) -> Location<D> {
     const { assert!(D <= 3, "the tiling of the plane answers up to three dimensions") }
     let prism = Prism::over(question);
-    prism.lower(Search::new(&prism.question(), tally).locate(seed, tally, &mut ()))
+    prism.lower(Search::new(&prism.query(), tally).locate(seed, tally, &mut ()))
 }
 
 /// [`locate`] in space, with every separator that is tried and the tiles that are found.
-pub fn trace(question: &Displacement<'_, 3>, seed: u64) -> Trace {
+pub fn trace(question: &Query<'_, 3>, seed: u64) -> Trace {
     let search = Search::new(question, &mut ());
     let mut course = Course::default();
     let location = search.locate(seed, &mut (), &mut course);
@@ -122,7 +118,7 @@ pub fn trace(question: &Displacement<'_, 3>, seed: u64) -> Trace {
 
 /// Where the upper hull is over the projection of p: how high, exactly, or a level direction u with u · p > h(u) where it is not.
 pub(super) fn height_of_upper_hull(
-    question: &Displacement<'_, 3>,
+    question: &Query<'_, 3>,
     seed: u64,
     tally: &mut impl Tally,
 ) -> Result<Rational, [f64; 3]> {
@@ -134,7 +130,7 @@ const SWAPPED: [usize; 3] = [1, 0, 2];
 
 /// A question with the dual arrangement of its generators.
 struct Search<'a> {
-    question: &'a Displacement<'a, 3>,
+    question: &'a Query<'a, 3>,
     p: ExactVector,
     dual: DualArrangement<'a>,
     /// The coordinates of the question that serve as x, y and z.
@@ -142,7 +138,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(question: &'a Displacement<'a, 3>, tally: &mut impl Tally) -> Self {
+    fn new(question: &'a Query<'a, 3>, tally: &mut impl Tally) -> Self {
         let mut axes = UNCHANGED;
         let mut dual = DualArrangement::of_runs(question.runs(), axes, tally);
         if dual.slanted.is_empty() && !dual.level.is_empty() {

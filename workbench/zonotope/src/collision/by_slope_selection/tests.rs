@@ -10,7 +10,7 @@ use crate::tally::{Operation, OperationCounts};
 type Vector = [f64; 3];
 
 fn check(generators: &[Vector], from: Vector, to: Vector) -> Result<(), TestCaseError> {
-    let question = Displacement::new(from, to, generators).expect("the family is finite");
+    let question = Query::new(from, to, generators).expect("the family is finite");
     let truth = brute_force::locate(&question);
     for seed in [0, 1] {
         let location = locate(&question, seed);
@@ -150,12 +150,12 @@ proptest! {
 
     #[test]
     fn the_plane_and_the_line(g in proptest::collection::vec([lattice(), lattice()], 0..6), p in [-4i32..5, -4..5]) {
-        let question = Displacement::new([0.0; 2], p.map(f64::from), &g).expect("finite");
+        let question = Query::new([0.0; 2], p.map(f64::from), &g).expect("finite");
         let location = locate(&question, 0);
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());
         prop_assert_eq!(verify(&question, &location), Ok(()), "{:?}", location);
         let g: Vec<[f64; 1]> = g.iter().map(|v| [v[0]]).collect();
-        let question = Displacement::new([0.0], [f64::from(p[0])], &g).expect("finite");
+        let question = Query::new([0.0], [f64::from(p[0])], &g).expect("finite");
         let location = locate(&question, 0);
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());
         prop_assert_eq!(verify(&question, &location), Ok(()), "{:?}", location);
@@ -174,7 +174,7 @@ fn operations_grow_like_n_log_squared_n() {
         let count = 1usize << exponent;
         let generators = body(count);
         let point = [0.3, -0.2, 0.4].map(|c| c * count as f64 / 2.0);
-        let question = Displacement::new([0.0; 3], point, &generators).expect("finite");
+        let question = Query::new([0.0; 3], point, &generators).expect("finite");
         let mut counts = OperationCounts::default();
         let location = locate_counted(&question, 1, &mut counts);
         assert_eq!(location.status(), by_lad::locate(&question).status());
@@ -211,7 +211,7 @@ fn structured_bodies_take_few_steps() {
             // t times the farthest point in a direction
             let along = |v: &Vector| 0.3 * v[0] + 0.5 * v[1] + 0.8 * v[2];
             let top = generators.iter().fold([0.0; 3], |p, v| [0, 1, 2].map(|i| p[i] + v[i] * along(v).signum()));
-            let question = Displacement::new([0.0; 3], top.map(|c| t * c), &generators).expect("finite");
+            let question = Query::new([0.0; 3], top.map(|c| t * c), &generators).expect("finite");
             let mut counts = OperationCounts::default();
             let location = locate_counted(&question, 0, &mut counts);
             assert_eq!(location.status(), by_lad::locate(&question).status(), "{name}, {t}");
@@ -231,7 +231,7 @@ fn proofs_hold_close_to_the_boundary() {
     while low.next_up() < high {
         let middle = f64::midpoint(low, high);
         let middle = if middle <= low || middle >= high { low.next_up() } else { middle };
-        let displacement = Displacement::new([0.0; 3], question(middle), &generators).expect("finite");
+        let displacement = Query::new([0.0; 3], question(middle), &generators).expect("finite");
         let location = locate(&displacement, 0);
         assert_eq!(verify(&displacement, &location), Ok(()), "{location:?}");
         if location.is_member() { low = middle } else { high = middle }
@@ -241,7 +241,7 @@ fn proofs_hold_close_to_the_boundary() {
 #[test]
 fn a_trace_tells_the_search() {
     let generators = body(12);
-    let question = Displacement::new([0.0; 3], [0.4, 0.3, 0.2], &generators).expect("finite");
+    let question = Query::new([0.0; 3], [0.4, 0.3, 0.2], &generators).expect("finite");
     let trace = trace(&question, 0);
     assert_eq!(trace.location, locate(&question, 0));
     for hull in [Hull::Upper, Hull::Lower] {

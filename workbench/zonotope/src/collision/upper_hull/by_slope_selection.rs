@@ -40,7 +40,7 @@
 //! ```
 
 use super::{Height, HeightError, validate};
-use crate::collision::Displacement;
+use crate::collision::Query;
 use crate::collision::by_slope_selection::height_of_upper_hull;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
@@ -65,7 +65,7 @@ pub fn height_counted(
 ) -> Result<Height, HeightError> {
     validate(generators, p0)?;
     let [x, y] = p0;
-    let question = Displacement::new([0.0; 3], [x, y, 0.0], generators).expect("the coordinates are finite");
+    let question = Query::new([0.0; 3], [x, y, 0.0], generators).expect("the coordinates are finite");
     Ok(match height_of_upper_hull(&question, seed, tally) {
         Ok(height) => Height::OverQ(height),
         Err([x, y, _]) => Height::BesideQ([x, y].map(|c| Dyadic::from_f64(c).to_rational())),

@@ -1,6 +1,5 @@
 //! The optimum in a few passes over the generators: a sample, a cell around its optimum, and what crosses the cell.
 
-use crate::collision::Displacement;
 use crate::lad::of_generators::cells::nested::Trail;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{Certain, Unproved};
@@ -16,6 +15,7 @@ use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::passes::bounded_sum;
+use crate::zonotope::query::Query;
 
 /// At most this many generators are all kept.
 const SMALL: usize = 128;
@@ -77,8 +77,8 @@ enum Missed {
 }
 
 /// `to` − `from` as doubles.
-pub(crate) fn rounded_displacement(question: &Displacement<'_, 3>) -> BoundedVector {
-    let (from, to) = (question.from(), question.to());
+pub(crate) fn rounded_displacement(query: &Query<'_, 3>) -> BoundedVector {
+    let (from, to) = (query.from(), query.to());
     [0, 1, 2].map(|i| {
         let (value, rest) = exact_sum(to[i], -from[i]);
         Bounded { value, error: if rest == 0.0 { 0.0 } else { UNIT * value.abs() } }
@@ -87,7 +87,7 @@ pub(crate) fn rounded_displacement(question: &Displacement<'_, 3>) -> BoundedVec
 
 /// Searches the optimum for a displacement that is not zero, or, if that is enough, a separating direction.
 pub(crate) fn search(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     p: &BoundedVector,
     until_separated: bool,
     is_enough: &dyn Fn(&Certain) -> bool,
@@ -99,28 +99,28 @@ pub(crate) fn search(
         return Found::Narrowed(Trail::default());
     }
     let chart = Chart::new(rounded);
-    if question.len() <= SMALL {
-        tally.add(Operation::GeneratorRead, question.len() as u64);
-        let found = finish(Reduced::whole(question), &chart, p, None, MANY, is_enough);
+    if query.len() <= SMALL {
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        let found = finish(Reduced::whole(query), &chart, p, None, MANY, is_enough);
         return found.unwrap_or_else(|_| Found::Narrowed(Trail::default()));
     }
-    let sample = Sample::of(question, tally);
-    let part = sample.vectors.len() as f64 / question.len() as f64;
+    let sample = Sample::of(query, tally);
+    let part = sample.vectors.len() as f64 / query.len() as f64;
     if sample.longest == f64::INFINITY
         && let Some(bundles) = Bundles::of(&sample.vectors, part, &chart)
     {
-        let found = search_bundles(question, p, until_separated, &chart, bundles, is_enough, tally);
-        return found.unwrap_or_else(|| settle(question, p, &chart, &sample, is_enough, tally));
+        let found = search_bundles(query, p, until_separated, &chart, bundles, is_enough, tally);
+        return found.unwrap_or_else(|| settle(query, p, &chart, &sample, is_enough, tally));
     }
-    let Some(mut guess) = sample_guess(&sample, question.len(), &chart) else {
-        return settle(question, p, &chart, &sample, is_enough, tally);
+    let Some(mut guess) = sample_guess(&sample, query.len(), &chart) else {
+        return settle(query, p, &chart, &sample, is_enough, tally);
     };
     if until_separated {
         let direction = chart.point(guess.point);
         // one pass: not where the sample says that it would be for nothing
         if sample.longest < f64::INFINITY || bounded_sum(&sample.vectors, &direction).value < part * (1.0 - CLEAR) {
-            tally.add(Operation::GeneratorRead, question.len() as u64);
-            if separates(question, p, &direction) {
+            tally.add(Operation::GeneratorRead, query.len() as u64);
+            if separates(query, p, &direction) {
                 return Found::Separated(direction);
             }
         }
@@ -128,8 +128,8 @@ pub(crate) fn search(
     let mut stretch = 1.0;
     for _ in 0..ROUNDS {
         tally.add(Operation::SearchStep, 1);
-        tally.add(Operation::GeneratorRead, question.len() as u64);
-        let reduced = Reduced::of_question(question, chart.cell(&guess, stretch), question.len() / 16 + 64);
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        let reduced = Reduced::of_query(query, chart.cell(&guess, stretch), query.len() / 16 + 64);
         if !is_moderate(&reduced) {
             return Found::Narrowed(Trail::default());
         }
@@ -142,19 +142,19 @@ pub(crate) fn search(
             Err(Missed::Lost) => break,
         }
     }
-    settle(question, p, &chart, &sample, is_enough, tally)
+    settle(query, p, &chart, &sample, is_enough, tally)
 }
 
 /// The optimum where a first guess did not help.
 fn settle(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     p: &BoundedVector,
     chart: &Chart,
     sample: &Sample,
     is_enough: &dyn Fn(&Certain) -> bool,
     tally: &mut impl Tally,
 ) -> Found {
-    let mut settling = Settling { question, chart, p, is_enough, levels: Vec::new(), tally };
+    let mut settling = Settling { query, chart, p, is_enough, levels: Vec::new(), tally };
     match settling.of_sample(sample) {
         Ok(certain) => Found::Certain(Box::new(certain), trail(settling.levels)),
         Err(Unsettled::Doubt) => Found::Narrowed(trail(settling.levels)),
@@ -255,7 +255,7 @@ fn sample_guess(sample: &Sample, population: usize, chart: &Chart) -> Option<Gue
 
 /// The optimum where two of few bundles of parallel generators meet; none if it is not found there.
 fn search_bundles(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     p: &BoundedVector,
     until_separated: bool,
     chart: &Chart,
@@ -267,15 +267,15 @@ fn search_bundles(
     for round in 0..MEETINGS {
         let meeting = bundles.meeting(chart)?;
         if until_separated && round == 0 {
-            tally.add(Operation::GeneratorRead, question.len() as u64);
+            tally.add(Operation::GeneratorRead, query.len() as u64);
             let direction = chart.point(meeting.guess.point);
-            if separates(question, p, &direction) {
+            if separates(query, p, &direction) {
                 return Some(Found::Separated(direction));
             }
         }
         tally.add(Operation::SearchStep, 1);
-        tally.add(Operation::GeneratorRead, question.len() as u64);
-        let reduced = Reduced::of_question(question, chart.cell(&meeting.guess, 1.0), question.len() / 8 + 64);
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        let reduced = Reduced::of_query(query, chart.cell(&meeting.guess, 1.0), query.len() / 8 + 64);
         if !is_moderate(&reduced) {
             return None;
         }

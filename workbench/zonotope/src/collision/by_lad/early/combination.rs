@@ -6,7 +6,7 @@
 use wide::f64x2;
 
 use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH, WELL_WITHIN, cross, dot, length};
-use crate::collision::{Displacement, Witness};
+use crate::collision::{Query, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::{Columns, clipped, columns, product, size, totals};
@@ -70,14 +70,9 @@ impl Written {
     }
 
     /// The proof with these coefficients, if three of them can correct what they are off by.
-    pub(crate) fn witness(
-        &self,
-        question: &Displacement<'_, 3>,
-        p: &BoundedVector,
-        coefficients: Vec<f64>,
-    ) -> Option<Witness> {
+    pub(crate) fn witness(&self, query: &Query<'_, 3>, p: &BoundedVector, coefficients: Vec<f64>) -> Option<Witness> {
         let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
-        let basis = correcting_basis(question, &coefficients, rest, self.magnitude)?;
+        let basis = correcting_basis(query, &coefficients, rest, self.magnitude)?;
         Some(Witness { coefficients, basis })
     }
 }
@@ -108,15 +103,15 @@ impl Combination {
     }
 
     /// The proof that p is inside, if the coefficients make it up but for what three of them can correct.
-    pub(crate) fn witness(&self, question: &Displacement<'_, 3>, p: &BoundedVector) -> Option<Witness> {
-        let n = question.len();
+    pub(crate) fn witness(&self, query: &Query<'_, 3>, p: &BoundedVector) -> Option<Witness> {
+        let n = query.len();
         let mut coefficients = if n < MANY { Vec::with_capacity(n) } else { vec![0.0; n] };
         coefficients.resize(n, 0.0);
-        let [first, second] = question.runs();
+        let [first, second] = query.runs();
         let (own, others) = coefficients.split_at_mut(first.len());
         let own = self.write(first.chunks(BLOCK).zip(own.chunks_mut(BLOCK)));
         let all = own.with(&self.write(second.chunks(BLOCK).zip(others.chunks_mut(BLOCK))));
-        all.witness(question, p, coefficients)
+        all.witness(query, p, coefficients)
     }
 
     /// Writes the coefficients of some generators, a part at a time.
@@ -198,20 +193,20 @@ pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitud
 /// determinants is off by less than 8 u times the product of the lengths |·|_1.
 #[inline]
 pub(crate) fn correcting_basis(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     coefficients: &[f64],
     rest: f64,
     magnitude: f64,
 ) -> Option<Vec<usize>> {
-    let n = question.len();
+    let n = query.len();
     if n < 3 || !(SMALLEST..LARGEST).contains(&magnitude) {
         return None;
     }
     let any = [0, n / 2, n - 1];
-    let mut basis = if corrects(question, any, coefficients, rest) {
+    let mut basis = if corrects(query, any, coefficients, rest) {
         any
     } else {
-        well_spread(question).filter(|basis| corrects(question, *basis, coefficients, rest))?
+        well_spread(query).filter(|basis| corrects(query, *basis, coefficients, rest))?
     };
     if !basis.is_sorted() {
         basis.sort_unstable();
@@ -223,12 +218,12 @@ pub(crate) fn correcting_basis(
 ///
 /// With the normal n for the third vector of a basis the correction of the coefficient of a is r · (b × n) / a · (b × n), and that of n is zero.
 pub(crate) fn correcting_pair(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     plane: &SimplePlane,
     rest: f64,
     magnitude: f64,
 ) -> Option<Vec<usize>> {
-    let [a, b] = plane.pair.map(|i| question.generator(i));
+    let [a, b] = plane.pair.map(|i| query.generator(i));
     let volume = length(&a) * length(&b) * length(&plane.normal);
     let determinant = dot(&a, &cross(&b, &plane.normal)).abs() - 8.0 * UNIT * volume - TINY;
     let longest = length(&a).max(length(&b)) * length(&plane.normal);
@@ -239,8 +234,8 @@ pub(crate) fn correcting_pair(
 
 /// Whether three generators do.
 #[inline(always)]
-fn corrects(question: &Displacement<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
-    let [a, b, c] = [question.generator(basis[0]), question.generator(basis[1]), question.generator(basis[2])];
+fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
+    let [a, b, c] = [query.generator(basis[0]), query.generator(basis[1]), query.generator(basis[2])];
     let normal = cross(&b, &c);
     let lengths = [length(&a), length(&b), length(&c)];
     let volume = lengths[0] * lengths[1] * lengths[2];
@@ -263,19 +258,19 @@ fn corrects(question: &Displacement<'_, 3>, basis: [usize; 3], coefficients: &[f
 }
 
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
-pub(crate) fn well_spread(question: &Displacement<'_, 3>) -> Option<[usize; 3]> {
-    let step = question.len().div_ceil(PICKS).max(1);
+pub(crate) fn well_spread(query: &Query<'_, 3>) -> Option<[usize; 3]> {
+    let step = query.len().div_ceil(PICKS).max(1);
     let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
-        let keyed = (0..question.len()).step_by(step).map(|i| (key(&question.generator(i)), i));
+        let keyed = (0..query.len()).step_by(step).map(|i| (key(&query.generator(i)), i));
         keyed.fold((0.0, usize::MAX), |best, own| if own.0 > best.0 { own } else { best }).1
     };
     let first = best(&|v| dot(v, v));
-    let a = (first != usize::MAX).then(|| question.generator(first))?;
+    let a = (first != usize::MAX).then(|| query.generator(first))?;
     let second = best(&|v| {
         let product = cross(&a, v);
         dot(&product, &product)
     });
-    let normal = (second != usize::MAX).then(|| cross(&a, &question.generator(second)))?;
+    let normal = (second != usize::MAX).then(|| cross(&a, &query.generator(second)))?;
     let third = best(&|v| dot(&normal, v).abs());
     (third != usize::MAX && third != first && third != second).then_some([first, second, third])
 }

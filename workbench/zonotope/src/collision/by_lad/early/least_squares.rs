@@ -9,7 +9,7 @@ use wide::f64x2;
 use crate::collision::by_lad::early::combination::{SLACK, TINY, correcting_basis, correcting_pair, rest};
 use crate::collision::by_lad::early::huber_dual::{Moments, Runs, WELL_WITHIN, dot};
 use crate::collision::by_lad::early::{Clear, INSIDE};
-use crate::collision::{Displacement, Witness};
+use crate::collision::{Query, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
@@ -93,11 +93,8 @@ impl Sums {
 
 /// Tells where p is relative to at most `N` generators, whose coefficients are in terms of their own lengths if `OWN`.
 #[inline]
-pub(crate) fn tell<const OWN: bool, const N: usize>(
-    question: &Displacement<'_, 3>,
-    p: &BoundedVector,
-) -> Result<Clear, Open> {
-    let (runs, n) = (question.runs(), question.len());
+pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &BoundedVector) -> Result<Clear, Open> {
+    let (runs, n) = (query.runs(), query.len());
     let moments = Moments::weighted::<OWN>(runs);
     let own = [p[0].value, p[1].value, p[2].value];
     let thick = moments.solve_thick(&own);
@@ -117,7 +114,7 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(
     let magnitude = magnitude::<OWN>(&moments, n);
     if is_thick && sums.largest() <= WELL_WITHIN {
         let rest = rest(p, &totals(&sums.sum), n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_basis(question, &coefficients[..n], rest, magnitude) {
+        if let Some(basis) = correcting_basis(query, &coefficients[..n], rest, magnitude) {
             return Ok(Clear::Inside(Witness { coefficients: coefficients[..n].to_vec(), basis }));
         }
     }
@@ -134,12 +131,8 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(
 }
 
 /// The proof that p is in a flat body, by coefficients in terms of their own lengths.
-pub(crate) fn tell_flat(
-    question: &Displacement<'_, 3>,
-    p: &BoundedVector,
-    plane: &SimplePlane,
-) -> Result<Witness, Open> {
-    let (runs, n) = (question.runs(), question.len());
+pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimplePlane) -> Result<Witness, Open> {
+    let (runs, n) = (query.runs(), query.len());
     let moments = Moments::weighted::<true>(runs);
     let own = [p[0].value, p[1].value, p[2].value];
     let (y, is_thick) = moments.with_normal(&plane.normal).solve(&own);
@@ -148,7 +141,7 @@ pub(crate) fn tell_flat(
     if is_thick && sums.largest() <= WELL_WITHIN {
         let magnitude = magnitude::<true>(&moments, n);
         let rest = rest(p, &totals(&sums.sum), n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_pair(question, plane, rest, magnitude) {
+        if let Some(basis) = correcting_pair(query, plane, rest, magnitude) {
             return Ok(Witness { coefficients, basis });
         }
     }
@@ -167,12 +160,12 @@ mod tests {
     use crate::collision::verify::verify;
 
     fn told(p: [f64; 3], generators: &[[f64; 3]]) -> Option<&'static str> {
-        let question = Displacement::new([0.0; 3], p, generators).expect("finite");
+        let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = bounded::exact(p);
-        let answers = [tell::<true, 16>(&question, &p).ok(), tell::<false, 16>(&question, &p).ok()];
+        let answers = [tell::<true, 16>(&query, &p).ok(), tell::<false, 16>(&query, &p).ok()];
         let [own, even] = answers.map(|clear| {
             let location = clear?.location::<3>();
-            assert_eq!(verify(&question, &location), Ok(()));
+            assert_eq!(verify(&query, &location), Ok(()));
             Some(location.status())
         });
         assert_eq!(own, even);

@@ -15,7 +15,7 @@ use crate::collision::by_lad::early::combination::Combination;
 use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, Runs, dot};
 use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
 use crate::collision::by_lad::early::stratified_pass::Turns;
-use crate::collision::{Displacement, Location, Separation, Witness};
+use crate::collision::{Location, Query, Separation, Witness};
 use crate::lad::of_generators::ladder::rounded_displacement;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
@@ -71,22 +71,22 @@ impl Clear {
 
 /// The status of p with its proof, if that is clear.
 #[inline]
-pub(crate) fn locate(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Option<Clear> {
-    let p = rounded_displacement(question);
-    let n = question.len();
+pub(crate) fn locate(query: &Query<'_, 3>, tally: &mut impl Tally) -> Option<Clear> {
+    let p = rounded_displacement(query);
+    let n = query.len();
     if n > ALL {
-        return locate_by_sample(question, &p, tally);
+        return locate_by_sample(query, &p, tally);
     }
     tally.add(Operation::GeneratorRead, n as u64);
-    let told = if n <= FEW { tell::<true, FEW>(question, &p) } else { tell::<false, ALL>(question, &p) };
-    told.map_or_else(|open| locate_by_steps(question, &p, &open, tally), Some)
+    let told = if n <= FEW { tell::<true, FEW>(query, &p) } else { tell::<false, ALL>(query, &p) };
+    told.map_or_else(|open| locate_by_steps(query, &p, &open, tally), Some)
 }
 
 /// The same of a member of a body that seems to be flat.
-fn locate_flat(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
-    let plane = SimplePlane::of(question)?;
-    tally.add(Operation::GeneratorRead, 2 * question.len() as u64);
-    let open = match tell_flat(question, p, &plane) {
+fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    let plane = SimplePlane::of(query)?;
+    tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
+    let open = match tell_flat(query, p, &plane) {
         Ok(witness) => return Some(Clear::Flat(witness)),
         Err(open) => open,
     };
@@ -94,8 +94,8 @@ fn locate_flat(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut im
         return None;
     }
     // clipped coefficients are those of the prism over what is left without a coordinate
-    let prism = Prism::without(plane.axis(), question);
-    let body = prism.question();
+    let prism = Prism::without(plane.axis(), query);
+    let body = prism.query();
     let first = body.runs()[0];
     let steps = State::new(&plane.projected(&open.y), open.gauge);
     match steps.prove(&body, &rounded_displacement(&body), Lengths::Own, &first[..first.len().min(ALL)], tally)? {
@@ -105,37 +105,32 @@ fn locate_flat(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut im
 }
 
 /// The proof of a point inside whose least coefficients are too large.
-fn locate_by_steps(
-    question: &Displacement<'_, 3>,
-    p: &BoundedVector,
-    open: &Open,
-    tally: &mut impl Tally,
-) -> Option<Clear> {
+fn locate_by_steps(query: &Query<'_, 3>, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
     // false for NaN as well
     let is_likely = open.gauge < INSIDE;
     if !is_likely {
         return None;
     }
     if !open.is_thick {
-        return locate_flat(question, p, tally);
+        return locate_flat(query, p, tally);
     }
-    let first = question.runs()[0];
-    if question.len() <= FEW {
-        return State::new(&open.y, open.gauge).prove(question, p, Lengths::Own, first, tally);
+    let first = query.runs()[0];
+    if query.len() <= FEW {
+        return State::new(&open.y, open.gauge).prove(query, p, Lengths::Own, first, tally);
     }
-    match Lengths::of(question.runs()) {
-        Lengths::Own => locate_by_all(question, p, tally),
+    match Lengths::of(query.runs()) {
+        Lengths::Own => locate_by_all(query, p, tally),
         // products are taken as they are: y is in terms of any one length
-        Lengths::Even(_) => State::new(&open.y, open.gauge).prove(question, p, Lengths::Even(1.0), first, tally),
+        Lengths::Even(_) => State::new(&open.y, open.gauge).prove(query, p, Lengths::Even(1.0), first, tally),
     }
 }
 
 /// The same from all generators, in terms of their own lengths.
-fn locate_by_all(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, question.len() as u64);
+fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
     let own = p.map(|c| c.value);
-    let (y, is_thick) = Moments::at_zero(question.runs(), Lengths::Own).solve(&own);
-    let reach = reach(question, &y);
+    let (y, is_thick) = Moments::at_zero(query.runs(), Lengths::Own).solve(&own);
+    let reach = reach(query, &y);
     let along = bounded::dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
         return Some(Clear::Outside(y));
@@ -145,34 +140,34 @@ fn locate_by_all(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut 
     if !(is_thick && gauge < INSIDE) {
         return None;
     }
-    let first = question.runs()[0];
+    let first = query.runs()[0];
     let among = &first[..first.len().min(ALL)];
     let least = Combination::least(y, Lengths::Own, among, true);
-    let told = least.and_then(|least| inside(question, p, &least, tally));
-    told.or_else(|| State::new(&y, gauge).prove(question, p, Lengths::Own, among, tally))
+    let told = least.and_then(|least| inside(query, p, &least, tally));
+    told.or_else(|| State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally))
 }
 
-fn locate_by_sample(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
-    let turns = Turns::of(question.len());
-    let few = turns.last(question);
+fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    let turns = Turns::of(query.len());
+    let few = turns.last(query);
     tally.add(Operation::GeneratorRead, few.len() as u64);
-    let part = few.len() as f64 / question.len() as f64;
+    let part = few.len() as f64 / query.len() as f64;
     let own = p.map(|c| c.value * part);
     let lengths = Lengths::of([&few, &[]]);
     let least = Moments::at_zero([&few, &[]], lengths);
     let (y, is_thick) = least.solve(&own);
     let gauge = dot(&own, &y) / bounded_sum(&few, &y).value;
     if gauge > OUTSIDE + DEVIATIONS / (few.len() as f64).sqrt()
-        && let Some(clear) = outside(question, p, y, tally)
+        && let Some(clear) = outside(query, p, y, tally)
     {
         return Some(clear);
     }
     if lengths == Lengths::Own {
         // the longest are not in the sample
-        return locate_by_all(question, p, tally);
+        return locate_by_all(query, p, tally);
     }
     if !is_thick && gauge < INSIDE {
-        return locate_flat(question, p, tally);
+        return locate_flat(query, p, tally);
     }
     if !(is_thick && gauge < INSIDE) {
         return None;
@@ -193,9 +188,9 @@ fn locate_by_sample(question: &Displacement<'_, 3>, p: &BoundedVector, tally: &m
             Sign::Outside(_) | Sign::Neither => None,
         }
     };
-    tally.add(Operation::GeneratorRead, question.len() as u64);
-    let witness = turns.witness(question, p, few.len(), steer).map(Clear::Inside);
-    witness.or_else(|| start.prove(question, p, lengths, &few, tally))
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let witness = turns.witness(query, p, few.len(), steer).map(Clear::Inside);
+    witness.or_else(|| start.prove(query, p, lengths, &few, tally))
 }
 
 /// How long coefficients are looked for, and whether they are to be exact.
@@ -245,17 +240,16 @@ impl State {
     /// The proof of a point by clipped coefficients.
     fn prove(
         mut self,
-        question: &Displacement<'_, 3>,
+        query: &Query<'_, 3>,
         p: &BoundedVector,
         lengths: Lengths,
         among: &[[f64; 3]],
         tally: &mut impl Tally,
     ) -> Option<Clear> {
-        tally.add(Operation::GeneratorRead, question.len() as u64);
-        match self.settle(question.runs(), lengths, &p.map(|c| c.value), among, Effort { steps: STEPS[1], exact: true })
-        {
-            Sign::Inside(combination) => inside(question, p, &combination, tally),
-            Sign::Outside(y) => outside(question, p, y, tally),
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        match self.settle(query.runs(), lengths, &p.map(|c| c.value), among, Effort { steps: STEPS[1], exact: true }) {
+            Sign::Inside(combination) => inside(query, p, &combination, tally),
+            Sign::Outside(y) => outside(query, p, y, tally),
             Sign::Neither => None,
         }
     }
@@ -288,19 +282,14 @@ impl State {
     }
 }
 
-fn outside(question: &Displacement<'_, 3>, p: &BoundedVector, y: [f64; 3], tally: &mut impl Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, question.len() as u64);
-    separates(question, p, &y).then_some(Clear::Outside(y))
+fn outside(query: &Query<'_, 3>, p: &BoundedVector, y: [f64; 3], tally: &mut impl Tally) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    separates(query, p, &y).then_some(Clear::Outside(y))
 }
 
-fn inside(
-    question: &Displacement<'_, 3>,
-    p: &BoundedVector,
-    combination: &Combination,
-    tally: &mut impl Tally,
-) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, question.len() as u64);
-    combination.witness(question, p).map(Clear::Inside)
+fn inside(query: &Query<'_, 3>, p: &BoundedVector, combination: &Combination, tally: &mut impl Tally) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    combination.witness(query, p).map(Clear::Inside)
 }
 
 #[cfg(test)]
@@ -344,11 +333,11 @@ mod tests {
                     let body = body(kind, n, random);
                     let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
                     let factor = [0.0, 0.2, 0.6, 1.6, 9.0][i % 5];
-                    let question = Displacement::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
+                    let query = Query::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
                     let mut counts = OperationCounts::default();
-                    let Some(clear) = locate(&question, &mut counts) else { continue };
+                    let Some(clear) = locate(&query, &mut counts) else { continue };
                     let location = clear.location::<3>();
-                    assert_eq!(verify(&question, &location), Ok(()));
+                    assert_eq!(verify(&query, &location), Ok(()));
                     assert_eq!(location.status(), if factor < 1.0 { "inside" } else { "outside" });
                     (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
                 }
@@ -364,11 +353,11 @@ mod tests {
             let body = body(i % 3, 3 + i % 7, random);
             let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
             let p = point(&body, u, random.random_range(0.7..1.4));
-            let question = Displacement::new([0.0; 3], p, &body).expect("finite");
-            if let Some(clear) = locate(&question, &mut ()) {
+            let query = Query::new([0.0; 3], p, &body).expect("finite");
+            if let Some(clear) = locate(&query, &mut ()) {
                 let location = clear.location::<3>();
-                assert_eq!(verify(&question, &location), Ok(()));
-                assert_eq!(location.status(), brute_force::locate(&question).status());
+                assert_eq!(verify(&query, &location), Ok(()));
+                assert_eq!(location.status(), brute_force::locate(&query).status());
             }
         }
     }
@@ -378,7 +367,7 @@ mod tests {
         let is_told = |size: f64, body: &[[f64; 3]]| {
             let (p, body) = ([0.2, 0.3, 0.0].map(|c| size * c), body.iter().map(|v| v.map(|c| size * c)));
             let body: Vec<[f64; 3]> = body.collect();
-            locate(&Displacement::new([0.0; 3], p, &body).expect("finite"), &mut ()).is_some()
+            locate(&Query::new([0.0; 3], p, &body).expect("finite"), &mut ()).is_some()
         };
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert!(is_told(1.0, &cube) && is_told(1e60, &cube) && is_told(1e-60, &cube));
@@ -387,14 +376,14 @@ mod tests {
         assert!(!is_told(1.0, &[]) && !is_told(1.0, &[[2.0, 3.0, 0.0], [2.0, 3.0, 1.0], [0.0, 0.0, 1.0]]));
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
         for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
-            let question = Displacement::new([0.0; 3], p, &square).expect("finite");
-            let location = locate(&question, &mut ()).expect("it is in a simple plane").location::<3>();
-            assert_eq!(verify(&question, &location), Ok(()));
+            let query = Query::new([0.0; 3], p, &square).expect("finite");
+            let location = locate(&query, &mut ()).expect("it is in a simple plane").location::<3>();
+            assert_eq!(verify(&query, &location), Ok(()));
             assert_eq!(location.status(), "boundary");
         }
         // beside a flat body a direction separates all the same
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let question = Displacement::new([0.0; 3], [0.5, 0.0, 1e-3], &square).expect("finite");
-        assert!(matches!(locate(&question, &mut ()), Some(Clear::Outside(_))));
+        let query = Query::new([0.0; 3], [0.5, 0.0, 1e-3], &square).expect("finite");
+        assert!(matches!(locate(&query, &mut ()), Some(Clear::Outside(_))));
     }
 }

@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use crate::collision::by_lad::early::combination::{Combination, Written};
-use crate::collision::{Displacement, Witness};
+use crate::collision::{Query, Witness};
 use crate::numeric::bounded::BoundedVector;
 
 /// The last part has at least so many, and the square root of all more.
@@ -52,10 +52,10 @@ impl Turns {
     }
 
     /// The generators of the last part.
-    pub(crate) fn last(self, question: &Displacement<'_, 3>) -> Vec<[f64; 3]> {
+    pub(crate) fn last(self, query: &Query<'_, 3>) -> Vec<[f64; 3]> {
         let (period, range) = self.places(self.halvings + 1);
-        let mut few = Vec::with_capacity((question.len() / period + 2) * self.stretch);
-        for run in question.runs() {
+        let mut few = Vec::with_capacity((query.len() / period + 2) * self.stretch);
+        for run in query.runs() {
             for period in run.chunks(period) {
                 few.extend_from_slice(&period[within(&range, period.len())]);
             }
@@ -67,12 +67,12 @@ impl Turns {
     /// or nearly.
     pub(crate) fn witness(
         self,
-        question: &Displacement<'_, 3>,
+        query: &Query<'_, 3>,
         p: &BoundedVector,
         few: usize,
         mut steer: impl FnMut(&[f64; 3], bool) -> Option<Combination>,
     ) -> Option<Witness> {
-        let n = question.len();
+        let n = query.len();
         let mut coefficients = vec![0.0; n];
         let mut written = Written::default();
         let mut bias = [0.0; 3];
@@ -87,24 +87,18 @@ impl Turns {
             if !is_last {
                 combination = combination.merged();
             }
-            let own = self.write(question, part, &combination, &mut coefficients);
+            let own = self.write(query, part, &combination, &mut coefficients);
             if part == 0 {
                 bias = [0, 1, 2].map(|k| own.sum[k] / own.count as f64 - mean[k]);
             }
             written = written.with(&own);
         }
-        written.witness(question, p, coefficients)
+        written.witness(query, p, coefficients)
     }
 
     /// Writes a part's coefficients.
-    fn write(
-        self,
-        question: &Displacement<'_, 3>,
-        part: u32,
-        combination: &Combination,
-        coefficients: &mut [f64],
-    ) -> Written {
-        let [first, second] = question.runs();
+    fn write(self, query: &Query<'_, 3>, part: u32, combination: &Combination, coefficients: &mut [f64]) -> Written {
+        let [first, second] = query.runs();
         let (own, others) = coefficients.split_at_mut(first.len());
         let (period, range) = self.places(part);
         let write = |run: &[[f64; 3]], places: &mut [f64]| {
@@ -146,8 +140,8 @@ mod tests {
                 }
                 assert!(turn.iter().all(|count| *count == 1), "{n}");
             }
-            let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
-            let few = turns.last(&question);
+            let query = Query::new([0.0; 3], [1.0; 3], &body).expect("finite");
+            let few = turns.last(&query);
             assert!(few.len() > 30 && few.len() < body.len() / 2 && few.is_sorted_by(|a, b| a[0] < b[0]), "{n}");
         }
     }

@@ -1,6 +1,6 @@
 //! Linearly independent generators, and exact coordinates in terms of them.
 
-use crate::collision::Displacement;
+use crate::collision::Query;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero, rounded_direction};
 
@@ -37,14 +37,14 @@ impl Basis {
     }
 
     /// A basis extended until it spans all generators, and other generators that might have come last.
-    pub(crate) fn spanning(question: &Displacement<'_, 3>, start: Self) -> (Self, Vec<usize>) {
-        let of = |index| question.generator(index);
+    pub(crate) fn spanning(query: &Query<'_, 3>, start: Self) -> (Self, Vec<usize>) {
+        let of = |index| query.generator(index);
         let (mut basis, mut others) = (start, Vec::new());
         while basis.rank() < 3 {
             let is_missed = |&i: &usize| basis.misses(&exact(of(i)));
-            let mut missed = most_independent(question, &basis).into_iter().filter(is_missed);
+            let mut missed = most_independent(query, &basis).into_iter().filter(is_missed);
             // where floating point proposes none: is there one at all?
-            let Some(first) = missed.next().or_else(|| (0..question.len()).find(is_missed)) else { break };
+            let Some(first) = missed.next().or_else(|| (0..query.len()).find(is_missed)) else { break };
             others = missed.collect();
             basis = basis.with(first, of);
         }
@@ -98,14 +98,14 @@ fn orthogonal(vectors: &[ExactVector]) -> ExactVector {
 }
 
 /// Generators that seem to be farthest from the span of a basis, best first.
-fn most_independent(question: &Displacement<'_, 3>, basis: &Basis) -> Vec<usize> {
+fn most_independent(query: &Query<'_, 3>, basis: &Basis) -> Vec<usize> {
     let normals = basis.rounded_normals();
     let key = |v: &[f64; 3]| {
         let sum = normals.iter().map(|n| (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]).abs()).sum::<f64>();
         if sum.is_finite() { sum } else { 0.0 }
     };
     let mut best: Vec<(f64, usize)> = Vec::new();
-    for (index, v) in question.generators().enumerate() {
+    for (index, v) in query.generators().enumerate() {
         let key = key(v);
         if key > 0.0 && (best.len() < PROPOSALS || key > best[best.len() - 1].0) {
             best.truncate(PROPOSALS - 1);

@@ -9,14 +9,14 @@
 
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::pivot_to_doubles::walk;
-use crate::collision::{Displacement, Witness};
+use crate::collision::{Query, Witness};
 use crate::lad::of_generators::exact::solve::Exit;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, difference, exact, multiple, sum};
 
 /// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.
 pub(crate) struct Combination<'a> {
-    pub(crate) question: &'a Displacement<'a, 3>,
+    pub(crate) query: &'a Query<'a, 3>,
     pub(crate) exit: &'a Exit,
     pub(crate) p: &'a ExactVector,
     pub(crate) basis: Basis,
@@ -25,15 +25,15 @@ pub(crate) struct Combination<'a> {
 }
 
 impl<'a> Combination<'a> {
-    pub(crate) fn new(question: &'a Displacement<'a, 3>, exit: &'a Exit, p: &'a ExactVector) -> Self {
-        let plane = Basis::new(exit.basis.iter().map(|&b| (b, question.generator(b))).collect());
-        let (basis, others) = Basis::spanning(question, plane);
-        Self { question, exit, p, basis, others }
+    pub(crate) fn new(query: &'a Query<'a, 3>, exit: &'a Exit, p: &'a ExactVector) -> Self {
+        let plane = Basis::new(exit.basis.iter().map(|&b| (b, query.generator(b))).collect());
+        let (basis, others) = Basis::spanning(query, plane);
+        Self { query, exit, p, basis, others }
     }
 
     /// The generators of the exit's basis alone.
     fn plane(&self) -> Basis {
-        Basis::new(self.exit.basis.iter().map(|&b| (b, self.question.generator(b))).collect())
+        Basis::new(self.exit.basis.iter().map(|&b| (b, self.query.generator(b))).collect())
     }
 
     /// Whether the generators span space.
@@ -48,7 +48,7 @@ impl<'a> Combination<'a> {
             return self.scaled(&self.plane(), 1.0).expect("the exit is p itself");
         }
         let inverse = along.ratio(reach).min(1.0);
-        let of = |index| self.question.generator(index);
+        let of = |index| self.query.generator(index);
         let others = self.others.iter().filter(|_| self.exit.basis.len() == 2).map(|&i| self.plane().with(i, of));
         std::iter::once(self.basis.clone())
             .chain(others)
@@ -64,7 +64,7 @@ impl<'a> Combination<'a> {
         let in_basis = basis.generators.iter().fold(None, |total: Option<ExactVector>, &b| match signs[b] {
             0 => total,
             sign => {
-                let v = exact(self.question.generator(b).map(|c| f64::from(sign) * c));
+                let v = exact(self.query.generator(b).map(|c| f64::from(sign) * c));
                 Some(total.map_or_else(|| v.clone(), |total| sum(&total, &v)))
             }
         });

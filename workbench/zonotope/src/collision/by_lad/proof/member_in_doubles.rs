@@ -5,7 +5,7 @@
 //! leaves its own end, which it may as far as c can grow towards 1.
 
 use crate::collision::by_lad::early::combination::well_spread;
-use crate::collision::{Displacement, Witness};
+use crate::collision::{Query, Witness};
 use crate::lad::of_generators::cells::nested::Trail;
 use crate::lad::of_generators::certify::rounded_optimum::Certain;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
@@ -31,16 +31,11 @@ struct Attempt {
 }
 
 /// The proof of a member whose gauge is less than 1.
-pub(crate) fn witness(
-    question: &Displacement<'_, 3>,
-    certain: &Certain,
-    trail: &Trail,
-    p: &BoundedVector,
-) -> Option<Witness> {
+pub(crate) fn witness(query: &Query<'_, 3>, certain: &Certain, trail: &Trail, p: &BoundedVector) -> Option<Witness> {
     let inverse = (certain.along.value / certain.reach.value).min(1.0);
-    let n = question.len();
+    let n = query.len();
     let last = certain.cell();
-    let sign = |index: usize| trail.sign(question, &last, index);
+    let sign = |index: usize| trail.sign(query, &last, index);
     let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
     let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
     // far enough from the ends: no other pick is much better, unless rounding forbids this one
@@ -48,29 +43,29 @@ pub(crate) fn witness(
     let mut best = Attempt { third: 0, sign: 0.0, factor: 0.0, margin: 0.0 };
     for third in picks {
         let sign = sign(third);
-        let v = question.generator(third);
+        let v = query.generator(third);
         let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
         let moved = (inverse * (1.0 + MOVE * height)).min(1.0);
         for factor in [moved, inverse, 1.0] {
-            let own = attempt(question, certain, p, Attempt { third, sign, factor, margin: 0.0 });
+            let own = attempt(query, certain, p, Attempt { third, sign, factor, margin: 0.0 });
             if own.margin > best.margin {
                 best = own;
             }
         }
         if best.margin > enough && enough > 0.0 {
-            if let Some(found) = prove(question, certain, trail, p, best) {
+            if let Some(found) = prove(query, certain, trail, p, best) {
                 return Some(found);
             }
             enough = 0.0;
         }
     }
-    let proved = if best.margin > 0.0 { prove(question, certain, trail, p, best) } else { None };
-    proved.or_else(|| prove_by_others(question, certain, trail, p, inverse))
+    let proved = if best.margin > 0.0 { prove(query, certain, trail, p, best) } else { None };
+    proved.or_else(|| prove_by_others(query, certain, trail, p, inverse))
 }
 
 /// The proof by an attempt, if rounding leaves no doubt of it.
 fn prove(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     certain: &Certain,
     trail: &Trail,
     p: &BoundedVector,
@@ -78,13 +73,13 @@ fn prove(
 ) -> Option<Witness> {
     let Attempt { third, sign, factor, .. } = attempt;
     let [a, b] = certain.vectors.map(bounded::exact);
-    let c = bounded::exact(question.generator(third));
+    let c = bounded::exact(query.generator(third));
     let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
     // the coefficients of those that share are rounded
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
     let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
     let own = solve(&[a, b, c], &rest)?;
-    let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
+    let mut coefficients = trail.coefficients(query, &certain.cell(), factor);
     for &(index, share) in &certain.shares {
         coefficients[index] = share * factor;
     }
@@ -98,17 +93,17 @@ fn prove(
 
 /// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
 fn prove_by_others(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     certain: &Certain,
     trail: &Trail,
     p: &BoundedVector,
     factor: f64,
 ) -> Option<Witness> {
-    let basis = well_spread(question)?;
+    let basis = well_spread(query)?;
     let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
     basis.iter().all(is_other).then_some(())?;
-    let signs = basis.map(|i| trail.sign(question, &certain.cell(), i));
-    let vectors = basis.map(|i| bounded::exact(question.generator(i)));
+    let signs = basis.map(|i| trail.sign(query, &certain.cell(), i));
+    let vectors = basis.map(|i| bounded::exact(query.generator(i)));
     let pair = certain.vectors.map(bounded::exact);
     let parts = certain.rest.coefficients;
     // the coefficients of those that share, and of the two of the vertex, are rounded
@@ -121,7 +116,7 @@ fn prove_by_others(
         p[k] - off * Bounded::exact(factor) + rounded
     });
     let own = solve(&vectors, &rest)?;
-    let mut coefficients = trail.coefficients(question, &certain.cell(), factor);
+    let mut coefficients = trail.coefficients(query, &certain.cell(), factor);
     let shares = certain.shares.iter().copied().chain(certain.basis.into_iter().zip(parts));
     for (index, share) in shares {
         coefficients[index] = share * factor;
@@ -147,9 +142,9 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
 }
 
 /// The attempt with its margin.
-fn attempt(question: &Displacement<'_, 3>, certain: &Certain, p: &BoundedVector, attempt: Attempt) -> Attempt {
+fn attempt(query: &Query<'_, 3>, certain: &Certain, p: &BoundedVector, attempt: Attempt) -> Attempt {
     let [a, b] = &certain.vectors;
-    let c = &question.generator(attempt.third);
+    let c = &query.generator(attempt.third);
     let normals = [cross(b, c), cross(c, a), cross(a, b)];
     let determinant = dot(c, &normals[2]);
     let rest = [0, 1, 2].map(|k| p[k].value - (certain.sum[k].value - attempt.sign * c[k]) * attempt.factor);
@@ -175,11 +170,11 @@ mod tests {
 
     /// The proof from the vertex of the first two generators, checked exactly.
     fn prove(generators: &[[f64; 3]], p: [f64; 3]) -> Option<Witness> {
-        let question = Displacement::new([0.0; 3], p, generators).expect("finite");
+        let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = bounded::exact(p);
-        let certain = Certain::at(&[Reduced::whole(&question)], &p, [0, 1]).ok()?;
-        let witness = witness(&question, &certain, &Trail::default(), &p)?;
-        assert_eq!(verify(&question, &Location::Inside(witness.clone())), Ok(()));
+        let certain = Certain::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
+        let witness = witness(&query, &certain, &Trail::default(), &p)?;
+        assert_eq!(verify(&query, &Location::Inside(witness.clone())), Ok(()));
         Some(witness)
     }
 

@@ -42,7 +42,7 @@ pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
 }
 
 fn sum_of(combination: &Combination<'_>, group: &[usize]) -> ExactVector {
-    signed_sum(group.iter().map(|&i| (combination.question.generator(i), combination.exit.signs[i])))
+    signed_sum(group.iter().map(|&i| (combination.query.generator(i), combination.exit.signs[i])))
 }
 
 impl Walk<'_> {
@@ -103,13 +103,13 @@ impl Walk<'_> {
             .min_by(earlier)
             .expect("the group was not settled because a coefficient leaves [−1, 1]");
         let leaving = self.basis.generators[member];
-        let question = self.combination.question;
+        let query = self.combination.query;
         self.coefficients[leaving] = side;
-        self.rest = difference(&self.rest, &exact(question.generator(leaving).map(|c| side * c)));
+        self.rest = difference(&self.rest, &exact(query.generator(leaving).map(|c| side * c)));
         self.waiting = waiting;
         let mut members = self.basis.generators.clone();
         members[member] = generator;
         members.sort_unstable();
-        self.basis = Basis::new(members.into_iter().map(|i| (i, question.generator(i))).collect());
+        self.basis = Basis::new(members.into_iter().map(|i| (i, query.generator(i))).collect());
     }
 }

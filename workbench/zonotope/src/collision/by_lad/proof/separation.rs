@@ -1,6 +1,6 @@
 //! A separating direction of doubles from an exact one.
 
-use crate::collision::{Displacement, Separation};
+use crate::collision::{Query, Separation};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
 
@@ -11,14 +11,14 @@ const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
 
 /// The proof from an exact direction u with u · p > h(u); `basis` are the generators that u is known to be orthogonal to.
 pub(crate) fn separation(
-    question: &Displacement<'_, 3>,
+    query: &Query<'_, 3>,
     p: &ExactVector,
     direction: &ExactVector,
     basis: &[usize],
 ) -> Separation<3> {
     let normal = match *basis {
         [first, second] => {
-            let [first, second] = [first, second].map(|b| exact(question.generator(b)));
+            let [first, second] = [first, second].map(|b| exact(query.generator(b)));
             let normal = cross(&first, &second);
             // the same direction in smaller numbers: of integers, perhaps, that are doubles
             if dot(&normal, p).sign().is_lt() { negated(normal) } else { normal }
@@ -31,7 +31,7 @@ pub(crate) fn separation(
     candidates
         .chain([[x, y, z]])
         .chain(neighbours([x, y, z]))
-        .find(|&u| separates(question, p, u))
+        .find(|&u| separates(query, p, u))
         .map_or_else(|| Separation::Exact(direction.clone().map(|v| v.to_rational())), Separation::Rounded)
 }
 
@@ -49,12 +49,12 @@ fn neighbours(u: [f64; 3]) -> impl Iterator<Item = [f64; 3]> {
 }
 
 /// Whether u · p > h(u), exactly. O(n).
-pub(crate) fn separates(question: &Displacement<'_, 3>, p: &ExactVector, u: [f64; 3]) -> bool {
+pub(crate) fn separates(query: &Query<'_, 3>, p: &ExactVector, u: [f64; 3]) -> bool {
     if !u.iter().all(|c| c.is_finite()) {
         return false;
     }
     let direction = exact(u);
-    let signed = question.generators().map(|&v| (v, side(v, u, &direction)));
+    let signed = query.generators().map(|&v| (v, side(v, u, &direction)));
     dot(&difference(p, &signed_sum(signed)), &direction).sign().is_gt()
 }
 

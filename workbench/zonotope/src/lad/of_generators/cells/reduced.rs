@@ -3,16 +3,16 @@
 //! For any signs fixed on a part of the generators, (Σ sign v) · u + Σ_rest |v · u| ≤ h(u), with equality in the cell where those
 //! signs are right. So an optimum of the reduced problem in the cell is an optimum of the whole, by convexity.
 
-use crate::collision::Displacement;
 use crate::lad::of_generators::cells::direction_cone::{Cell, FixedSum};
 use crate::lad::of_generators::plane::rounded_chart::Chart;
 use crate::lad::of_generators::plane::rounded_lines::Lines;
+use crate::zonotope::query::Query;
 
 /// Some generators, and the sum of all others.
 #[derive(Debug)]
 pub(crate) struct Reduced {
     pub(crate) vectors: Vec<[f64; 3]>,
-    /// The index of each in the question.
+    /// The index of each in the query.
     pub(crate) indices: Vec<u32>,
     pub(crate) fixed: FixedSum,
     /// The signs of those that were summed up last hold in this cell; none if all generators are left.
@@ -21,18 +21,18 @@ pub(crate) struct Reduced {
 
 impl Reduced {
     /// All generators, none summed up.
-    pub(crate) fn whole(question: &Displacement<'_, 3>) -> Self {
+    pub(crate) fn whole(query: &Query<'_, 3>) -> Self {
         Self {
-            vectors: question.generators().copied().collect(),
-            indices: (0..question.len() as u32).collect(),
+            vectors: query.generators().copied().collect(),
+            indices: (0..query.len() as u32).collect(),
             fixed: FixedSum::default(),
             cell: None,
         }
     }
 
-    /// One pass over the question; `expected` generators are likely to cross the cell.
-    pub(crate) fn of_question(question: &Displacement<'_, 3>, cell: Cell, expected: usize) -> Self {
-        let [first, second] = question.runs();
+    /// One pass over the query; `expected` generators are likely to cross the cell.
+    pub(crate) fn of_query(query: &Query<'_, 3>, cell: Cell, expected: usize) -> Self {
+        let [first, second] = query.runs();
         let (mut vectors, mut indices) = (Vec::with_capacity(expected), Vec::with_capacity(expected));
         let mut fixed = FixedSum::default();
         for (run, offset) in [(first, 0), (second, first.len())] {

@@ -21,7 +21,7 @@ use crate::numeric::tolerance::UNIT;
 /// The optimum and what is known of it.
 #[derive(Debug)]
 pub(crate) struct Certain {
-    /// a and b, by their index in the question.
+    /// a and b, by their index in the query.
     pub(crate) basis: [usize; 2],
     pub(crate) vectors: [[f64; 3]; 2],
     /// Whether u is −(v_a × v_b).
@@ -29,7 +29,7 @@ pub(crate) struct Certain {
     pub(crate) direction: BoundedVector,
     /// g, without a and b.
     pub(crate) sum: BoundedVector,
-    /// The other generators whose sign is not certain, by their index in the question, and what each contributes to g, in [−1, 1]; in order.
+    /// The other generators whose sign is not certain, by their index in the query, and what each contributes to g, in [−1, 1]; in order.
     pub(crate) shares: Vec<(usize, f64)>,
     /// At least Σ |v|_1 over those.
     pub(crate) shared: f64,
@@ -247,15 +247,15 @@ impl Near {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::Displacement;
+    use crate::zonotope::query::Query;
 
     const X: [f64; 3] = [1.0, 0.0, 0.0];
     const Y: [f64; 3] = [0.0, 1.0, 0.0];
     const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
     fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<Cell>) -> Result<Certain, Unproved> {
-        let question = Displacement::new([0.0; 3], p, generators).expect("finite");
-        let level = Reduced { cell, ..Reduced::whole(&question) };
+        let query = Query::new([0.0; 3], p, generators).expect("finite");
+        let level = Reduced { cell, ..Reduced::whole(&query) };
         Certain::at(&[level], &exact(p), [0, 1])
     }
 

@@ -4,8 +4,8 @@
 //! gauge of x is at most |y|_1 for x = W y. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞ ≤ ρ < 1/3, and let s be the largest gauge of
 //! the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3 ρ), and the gauge of any x is at most s |x|_1.
 
-use crate::collision::Displacement;
 use crate::numeric::tolerance::UNIT;
+use crate::zonotope::query::Query;
 
 /// Generators read side by side.
 const RUN: usize = 8;
@@ -15,10 +15,10 @@ const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
 
 /// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
-pub(crate) fn thickness(question: &Displacement<'_, 3>, share: usize) -> f64 {
+pub(crate) fn thickness(query: &Query<'_, 3>, share: usize) -> f64 {
     let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
     let mut count = 0;
-    for run in question.runs() {
+    for run in query.runs() {
         // the last ones are always read: they may be the only ones that lead out of a plane
         for part in run.chunks(RUN).rev().step_by(share) {
             count += part.len();
@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     fn of(generators: &[[f64; 3]], share: usize) -> f64 {
-        thickness(&Displacement::new([0.0; 3], [0.0; 3], generators).expect("finite"), share)
+        thickness(&Query::new([0.0; 3], [0.0; 3], generators).expect("finite"), share)
     }
 
     #[test]

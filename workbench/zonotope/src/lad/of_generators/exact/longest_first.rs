@@ -3,7 +3,6 @@
 //! Let u be the optimum of some generators, and δ = sign(v · u) for all others. If the two generators of u's basis make up for the rest with
 //! coefficients in [−1, 1], then u is the optimum of all: the check does not ask why the longest were enough.
 
-use crate::collision::Displacement;
 use crate::lad::by_pruning;
 use crate::lad::of_generators::exact::direction_signs::PairDirection;
 use crate::lad::of_generators::exact::solve::Exit;
@@ -11,6 +10,7 @@ use crate::lad::of_generators::plane::exact_chart::{Plane, PlaneProblem, Vectors
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction};
 use crate::tally::{Operation, Tally};
+use crate::zonotope::query::Query;
 
 /// What is shorter than this part of the longest is left out: some digits more than rounding the displacement takes off.
 const SHORT: f64 = f64::from_bits((1023 - 64) << 52);
@@ -30,17 +30,17 @@ const FEW: usize = 128;
 impl Exit {
     /// The optimum of the longest generators if it is that of all; else a direction to which most generators are nearly orthogonal, if it is one.
     pub(crate) fn of_longest(
-        question: &Displacement<'_, 3>,
+        query: &Query<'_, 3>,
         p: &ExactVector,
         seed: u64,
         tally: &mut impl Tally,
     ) -> Result<Self, Option<[f64; 3]>> {
-        if question.len() < FEW {
+        if query.len() < FEW {
             return Err(None);
         }
-        tally.add(Operation::GeneratorRead, 2 * question.len() as u64);
-        let indices = longest(question);
-        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index)).collect();
+        tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
+        let indices = longest(query);
+        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| query.generator(index)).collect();
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
         let plane = PlaneProblem::new(Vectors::Few(&vectors), &none, Plane::new(p.clone(), None));
         let outcome = by_pruning::minimize_counted(&plane.problem, seed, tally);
@@ -49,23 +49,23 @@ impl Exit {
         let pairs = PairDirection::new(&direction);
         let exact_sign = |v: &[f64; 3]| dot(&exact(*v), &direction).sign() as i8;
         let sign = |v: &[f64; 3]| pairs.certain_sign(v).unwrap_or_else(|| exact_sign(v));
-        let mut signs: Vec<i8> = question.generators().map(sign).collect();
+        let mut signs: Vec<i8> = query.generators().map(sign).collect();
         for (&index, &sign) in indices.iter().zip(&optimum.certificate.signs) {
             signs[index] = sign;
         }
         let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
-        let exit = Self::new(question, p, direction, signs, basis);
-        if exit.is_optimal(question, p) {
+        let exit = Self::new(query, p, direction, signs, basis);
+        if exit.is_optimal(query, p) {
             return Ok(exit);
         }
         let center = rounded_direction(&exit.direction);
-        Err(Some(center).filter(|center| is_meeting(question, center)))
+        Err(Some(center).filter(|center| is_meeting(query, center)))
     }
 
     /// Whether two generators of the basis make up for what all others leave, with coefficients in [−1, 1].
-    fn is_optimal(&self, question: &Displacement<'_, 3>, p: &ExactVector) -> bool {
+    fn is_optimal(&self, query: &Query<'_, 3>, p: &ExactVector) -> bool {
         let [first, second] = self.basis[..] else { return false };
-        let [a, b] = [first, second].map(|index| exact(question.generator(index)));
+        let [a, b] = [first, second].map(|index| exact(query.generator(index)));
         let is_within = |own: &ExactVector, other: &ExactVector| {
             let dual = cross(other, p);
             dot(&self.sum, &dual).abs() <= dot(own, &dual).abs()
@@ -75,12 +75,12 @@ impl Exit {
 }
 
 /// Whether most generators are nearly orthogonal to a direction of size 1: what doubles tell of their signs elsewhere they do not tell there.
-fn is_meeting(question: &Displacement<'_, 3>, center: &[f64; 3]) -> bool {
+fn is_meeting(query: &Query<'_, 3>, center: &[f64; 3]) -> bool {
     let is_near = |v: &&[f64; 3]| {
         let [x, y, z] = [0, 1, 2].map(|k| v[k] * center[k]);
         (x + y + z).abs() <= NEAR * size(v)
     };
-    2 * question.generators().filter(is_near).count() > question.len()
+    2 * query.generators().filter(is_near).count() > query.len()
 }
 
 fn size(v: &[f64; 3]) -> f64 {
@@ -88,10 +88,10 @@ fn size(v: &[f64; 3]) -> f64 {
 }
 
 /// The longest generators; some from everywhere if they are not few.
-fn longest(question: &Displacement<'_, 3>) -> Vec<usize> {
-    let least = SHORT * question.generators().map(size).fold(0.0, f64::max);
-    let long: Vec<usize> = question.generators().zip(0..).filter(|(v, _)| size(v) > least).map(|(_, i)| i).collect();
-    if MOST * long.len() <= question.len() { long } else { (0..question.len()).step_by(SHARE).collect() }
+fn longest(query: &Query<'_, 3>) -> Vec<usize> {
+    let least = SHORT * query.generators().map(size).fold(0.0, f64::max);
+    let long: Vec<usize> = query.generators().zip(0..).filter(|(v, _)| size(v) > least).map(|(_, i)| i).collect();
+    if MOST * long.len() <= query.len() { long } else { (0..query.len()).step_by(SHARE).collect() }
 }
 
 #[cfg(test)]
@@ -113,11 +113,11 @@ mod tests {
                 .collect();
             for _ in 0..5 {
                 let p = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
-                let question = Displacement::new([0.0; 3], p, &body).expect("finite");
-                match Exit::of_longest(&question, &exact(p), 1, &mut ()) {
+                let query = Query::new([0.0; 3], p, &body).expect("finite");
+                match Exit::of_longest(&query, &exact(p), 1, &mut ()) {
                     Ok(exit) => {
                         found += 1;
-                        let reach = question
+                        let reach = query
                             .generators()
                             .fold(Dyadic::zero(), |sum, v| sum + dot(&exact(*v), &exit.direction).abs());
                         assert_eq!(reach, exit.reach, "the signs are not those of the direction");
@@ -138,8 +138,8 @@ mod tests {
                 [x, y, x + y + 1e-14 * z]
             })
             .collect();
-        let question = Displacement::new([0.0; 3], [0.0, 0.0, 1.0], &body).expect("finite");
-        let center = Exit::of_longest(&question, &exact([0.0, 0.0, 1.0]), 1, &mut ()).map(|_| ()).expect_err("a part");
+        let query = Query::new([0.0; 3], [0.0, 0.0, 1.0], &body).expect("finite");
+        let center = Exit::of_longest(&query, &exact([0.0, 0.0, 1.0]), 1, &mut ()).map(|_| ()).expect_err("a part");
         let [x, y, z] = center.expect("all nearly meet");
         assert!((x + z).abs() + (y + z).abs() < 1e-12, "{x} {y} {z}");
     }

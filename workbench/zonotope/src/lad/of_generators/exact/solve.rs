@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::collision::by_lad::proof::member_from_exact::Combination;
 use crate::collision::by_lad::proof::separation::separation;
-use crate::collision::{Displacement, Location, Separation};
+use crate::collision::{Location, Separation};
 use crate::lad::by_pruning;
 use crate::lad::of_generators::cells::direction_cone::Cell;
 use crate::lad::of_generators::cells::nested::Trail;
@@ -16,6 +16,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction, sum};
 use crate::tally::{Operation, Tally};
+use crate::zonotope::query::Query;
 
 /// The seed of the kernel: it decides the time, never the answer.
 const SEED: u64 = 0x5a;
@@ -42,43 +43,43 @@ pub(crate) struct Exit {
 }
 
 impl Exit {
-    /// Solves the kernel problem of a question whose displacement p is not zero.
-    fn find(question: &Displacement<'_, 3>, p: &ExactVector, tally: &mut impl Tally) -> Self {
+    /// Solves the kernel problem of a query whose displacement p is not zero.
+    fn find(query: &Query<'_, 3>, p: &ExactVector, tally: &mut impl Tally) -> Self {
         tally.add(Operation::ExactFallback, 1);
-        let center = match Self::of_longest(question, p, SEED, tally) {
+        let center = match Self::of_longest(query, p, SEED, tally) {
             Ok(exit) => return exit,
             Err(center) => center,
         };
-        tally.add(Operation::GeneratorRead, question.len() as u64);
+        tally.add(Operation::GeneratorRead, query.len() as u64);
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
-        let plane = PlaneProblem::new(Vectors::All(question), &none, Plane::new(p.clone(), center));
+        let plane = PlaneProblem::new(Vectors::All(query), &none, Plane::new(p.clone(), center));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
         let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
-        Self::new(question, p, direction, optimum.certificate.signs.clone(), basis)
+        Self::new(query, p, direction, optimum.certificate.signs.clone(), basis)
     }
 
     /// The optimum after a search that left a trail.
-    pub(crate) fn near(question: &Displacement<'_, 3>, p: &ExactVector, trail: &Trail, tally: &mut impl Tally) -> Self {
-        let elsewhere = match Self::along_trail(question, p, trail, tally) {
+    pub(crate) fn near(query: &Query<'_, 3>, p: &ExactVector, trail: &Trail, tally: &mut impl Tally) -> Self {
+        let elsewhere = match Self::along_trail(query, p, trail, tally) {
             Ok(exit) => return exit,
             Err(elsewhere) => elsewhere,
         };
         // where the minimiser is not unique, another one of the same problem may be outside
         let around = elsewhere.and_then(|cell| {
-            let reduced = Reduced::of_question(question, cell, question.len() / 16);
-            let is_smaller = is_moderate(&reduced) && 2 * reduced.vectors.len() <= question.len();
+            let reduced = Reduced::of_query(query, cell, query.len() / 16);
+            let is_smaller = is_moderate(&reduced) && 2 * reduced.vectors.len() <= query.len();
             is_smaller.then(|| Trail::new(vec![(cell, reduced.indices)]))
         });
         around
-            .and_then(|trail| Self::along_trail(question, p, &trail, tally).ok())
-            .unwrap_or_else(|| Self::find(question, p, tally))
+            .and_then(|trail| Self::along_trail(query, p, &trail, tally).ok())
+            .unwrap_or_else(|| Self::find(query, p, tally))
     }
 
     /// Solves the problem of the generators that cross the cells of a trail; a cell around its optimum if that is not proved to be in the cells.
     fn along_trail(
-        question: &Displacement<'_, 3>,
+        query: &Query<'_, 3>,
         p: &ExactVector,
         trail: &Trail,
         tally: &mut impl Tally,
@@ -88,10 +89,10 @@ impl Exit {
         let count = steps.iter().position(|(_, crossing)| crossing.len() <= FEW).map_or(steps.len(), |step| step + 1);
         let (cell, indices) = steps[..count].last().ok_or(None)?;
         tally.add(Operation::ExactFallback, 1);
-        tally.add(Operation::GeneratorRead, question.len() as u64);
-        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| question.generator(index as usize)).collect();
-        let mut signs = trail.up_to(count).signs(question);
-        let rest = signed_sum(question.generators().copied().zip(signs.iter().copied()));
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| query.generator(index as usize)).collect();
+        let mut signs = trail.up_to(count).signs(query);
+        let rest = signed_sum(query.generators().copied().zip(signs.iter().copied()));
         let plane = PlaneProblem::new(Vectors::Few(&vectors), &rest, Plane::new(p.clone(), Some(cell.coarse_center())));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().ok_or(None)?;
@@ -110,30 +111,25 @@ impl Exit {
     }
 
     /// An optimum that doubles proved.
-    pub(crate) fn of_certain(
-        question: &Displacement<'_, 3>,
-        p: &ExactVector,
-        certain: &Certain,
-        trail: &Trail,
-    ) -> Self {
+    pub(crate) fn of_certain(query: &Query<'_, 3>, p: &ExactVector, certain: &Certain, trail: &Trail) -> Self {
         let [a, b] = certain.vectors.map(exact);
         let direction = if certain.reversed { cross(&b, &a) } else { cross(&a, &b) };
-        let signs = trail.coefficients(question, &certain.cell(), 1.0);
+        let signs = trail.coefficients(query, &certain.cell(), 1.0);
         let mut signs: Vec<i8> = signs.into_iter().map(|sign| sign as i8).collect();
         for index in certain.basis {
             signs[index] = 0;
         }
-        Self::new(question, p, direction, signs, certain.basis.to_vec())
+        Self::new(query, p, direction, signs, certain.basis.to_vec())
     }
 
     pub(crate) fn new(
-        question: &Displacement<'_, 3>,
+        query: &Query<'_, 3>,
         p: &ExactVector,
         direction: ExactVector,
         signs: Vec<i8>,
         basis: Vec<usize>,
     ) -> Self {
-        let sum = signed_sum(question.generators().copied().zip(signs.iter().copied()));
+        let sum = signed_sum(query.generators().copied().zip(signs.iter().copied()));
         Self::with_sum(p, direction, signs, basis, sum)
     }
 
@@ -164,11 +160,11 @@ impl Exit {
     }
 
     /// Where p lies, with its proof.
-    pub(crate) fn location(&self, question: &Displacement<'_, 3>, p: &ExactVector) -> Location<3> {
+    pub(crate) fn location(&self, query: &Query<'_, 3>, p: &ExactVector) -> Location<3> {
         match self.along.cmp(&self.reach) {
-            Ordering::Greater => Location::Outside(self.separation(question, p)),
+            Ordering::Greater => Location::Outside(self.separation(query, p)),
             order => {
-                let combination = Combination::new(question, self, p);
+                let combination = Combination::new(query, self, p);
                 let interior = order == Ordering::Less && combination.spans_space();
                 let witness = combination.witness();
                 if interior { Location::Inside(witness) } else { Location::Boundary(witness) }
@@ -176,7 +172,7 @@ impl Exit {
         }
     }
 
-    fn separation(&self, question: &Displacement<'_, 3>, p: &ExactVector) -> Separation<3> {
-        separation(question, p, &self.direction, &self.basis)
+    fn separation(&self, query: &Query<'_, 3>, p: &ExactVector) -> Separation<3> {
+        separation(query, p, &self.direction, &self.basis)
     }
 }

@@ -4,7 +4,6 @@
 //! whole objective at that point. What the sample's gradient lacks there is added to the sample's objective, so that the next optimum differs from that of all lines
 //! only by what the lines between the two points contribute. A cell that many lines cross is searched in the same way.
 
-use crate::collision::Displacement;
 use crate::lad::of_generators::cells::direction_cone::Cell;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{Certain, Unproved};
@@ -16,6 +15,7 @@ use crate::lad::of_generators::plane::rounded_chart::Chart;
 use crate::lad::of_generators::plane::rounded_lines::Lines;
 use crate::numeric::bounded::BoundedVector;
 use crate::tally::{Operation, Tally};
+use crate::zonotope::query::Query;
 
 /// How often a sample is corrected.
 const ROUNDS: usize = 5;
@@ -40,7 +40,7 @@ const NEARLY: f64 = 2e-8;
 
 /// Problems, each reduced from the one before, that are searched for one optimum.
 pub(crate) struct Settling<'a, 'q, T> {
-    pub(crate) question: &'a Displacement<'q, 3>,
+    pub(crate) query: &'a Query<'q, 3>,
     pub(crate) chart: &'a Chart,
     pub(crate) p: &'a BoundedVector,
     pub(crate) is_enough: &'a dyn Fn(&Certain) -> bool,
@@ -105,7 +105,7 @@ pub(crate) fn descend_and_prove(
 impl<T: Tally> Settling<'_, '_, T> {
     /// The optimum, seen from a sample of all generators.
     pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<Certain, Unsettled> {
-        let (n, len) = (self.question.len(), sample.vectors.len());
+        let (n, len) = (self.query.len(), sample.vectors.len());
         let lines = self.chart.lines(sample.vectors.iter().copied());
         let aim = Aim { longest: sample.longest, ..careful(aim(len, n, SAMPLE_DEVIATIONS)) };
         // generators that were made longer stand for the others already
@@ -153,8 +153,8 @@ impl<T: Tally> Settling<'_, '_, T> {
             point = found.take().filter(|found| part.is_likely(*found, vertex)).unwrap_or(vertex);
             let is_last = round + 1 == ROUNDS && depth == 0;
             if is_last {
-                self.tally.add(Operation::GeneratorRead, self.question.len() as u64);
-                let all = self.chart.lines(self.question.generators().copied().collect::<Vec<_>>().into_iter());
+                self.tally.add(Operation::GeneratorRead, self.query.len() as u64);
+                let all = self.chart.lines(self.query.generators().copied().collect::<Vec<_>>().into_iter());
                 point = all.optimum([0.0; 2], point).unwrap_or(point);
             }
             let cell = match part.lines.guess_at(point, before, part.aim) {
@@ -169,9 +169,9 @@ impl<T: Tally> Settling<'_, '_, T> {
             let (reduced, len) = match self.levels.last() {
                 Some(level) => (level.split(cell), level.vectors.len()),
                 None => {
-                    let n = self.question.len();
+                    let n = self.query.len();
                     self.tally.add(Operation::GeneratorRead, n as u64);
-                    (Reduced::of_question(self.question, cell, n / 16 + 64), n)
+                    (Reduced::of_query(self.query, cell, n / 16 + 64), n)
                 }
             };
             if !is_moderate(&reduced) {
@@ -230,12 +230,12 @@ mod tests {
                 for _ in 0..10 {
                     let body = body(kind, n, random);
                     let p = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
-                    let question = Displacement::new([0.0; 3], p, &body).expect("finite");
-                    let (chart, sample) = (Chart::new(p), Sample::of(&question, &mut ()));
+                    let query = Query::new([0.0; 3], p, &body).expect("finite");
+                    let (chart, sample) = (Chart::new(p), Sample::of(&query, &mut ()));
                     let (p, is_enough) = (exact(p), |_: &Certain| true);
                     let tally = &mut ();
                     let mut settling = Settling {
-                        question: &question,
+                        query: &query,
                         chart: &chart,
                         p: &p,
                         is_enough: &is_enough,
@@ -244,7 +244,7 @@ mod tests {
                     };
                     if let Ok(certain) = settling.of_sample(&sample) {
                         assert!(certain.missing <= 1e-9 * certain.reach.value);
-                        found += usize::from(certain.slack(thickness(&question, 1)) < 1e-9);
+                        found += usize::from(certain.slack(thickness(&query, 1)) < 1e-9);
                     }
                 }
                 assert!(found >= 9, "kind {kind}, {n} generators: {found} of 10");

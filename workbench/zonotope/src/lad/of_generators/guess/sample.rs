@@ -3,8 +3,8 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::collision::Displacement;
 use crate::tally::{Operation, Tally};
+use crate::zonotope::query::Query;
 
 /// So many of the last generators are always in the sample: they may be the only ones that lead out of a plane, those of a prism.
 const LAST: usize = 2;
@@ -27,8 +27,8 @@ pub(crate) struct Sample {
 
 impl Sample {
     /// Of more than a few generators, one from each of many equal stretches; where lengths are very uneven, one from each of many stretches of the same length in all.
-    pub(crate) fn of(question: &Displacement<'_, 3>, tally: &mut impl Tally) -> Self {
-        let n = question.len();
+    pub(crate) fn of(query: &Query<'_, 3>, tally: &mut impl Tally) -> Self {
+        let n = query.len();
         let size = (6 * n.isqrt() + n / 128).min(n);
         tally.add(Operation::GeneratorRead, size as u64);
         let mut random = Pcg64Mcg::seed_from_u64(SEED);
@@ -37,7 +37,7 @@ impl Sample {
         let picks = (0..size).map(|i| {
             let within = (u64::from(random.random::<u32>() >> 16) * step) >> 16;
             let place = ((i as u64 * step + within) >> 32) as usize;
-            question.generator(if i + LAST >= size { n - size + i } else { place })
+            query.generator(if i + LAST >= size { n - size + i } else { place })
         });
         let vectors: Vec<[f64; 3]> = picks.collect();
         let (mut sum, mut squares) = (0.0, 0.0);
@@ -56,14 +56,14 @@ impl Sample {
         // those that are longer count for one stretch each
         let shorter = |stretch: f64| lengths.iter().map(|length| length.min(stretch)).sum::<f64>() * share;
         let stretch = (0..STEPS).fold(sum * share, |stretch, _| shorter(stretch));
-        Self::by_length(question, stretch, size)
+        Self::by_length(query, stretch, size)
     }
 
     /// One generator for each `stretch` of length, made as long as that; those that are longer all the same.
-    fn by_length(question: &Displacement<'_, 3>, stretch: f64, expected: usize) -> Self {
+    fn by_length(query: &Query<'_, 3>, stretch: f64, expected: usize) -> Self {
         let mut vectors = Vec::with_capacity(2 * expected);
         let mut missing = stretch / 2.0;
-        for v in question.generators().take(question.len() - LAST) {
+        for v in query.generators().take(query.len() - LAST) {
             let length = length(v);
             missing -= length;
             if missing <= 0.0 {
@@ -72,7 +72,7 @@ impl Sample {
                 missing = if missing > -stretch { missing + stretch } else { missing.rem_euclid(stretch) };
             }
         }
-        vectors.extend((question.len() - LAST..question.len()).map(|i| question.generator(i)));
+        vectors.extend((query.len() - LAST..query.len()).map(|i| query.generator(i)));
         Self { vectors, longest: stretch }
     }
 }
@@ -88,8 +88,8 @@ mod tests {
     #[test]
     fn even_lengths_are_sampled_by_place() {
         let body: Vec<[f64; 3]> = (0..4096).map(|i| [1.0, f64::from(i), 5000.0]).collect();
-        let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
-        let sample = Sample::of(&question, &mut ());
+        let query = Query::new([0.0; 3], [1.0; 3], &body).expect("finite");
+        let sample = Sample::of(&query, &mut ());
         assert_eq!((sample.vectors.len(), sample.longest), (6 * 64 + 32, f64::INFINITY));
         assert!(sample.vectors.is_sorted_by(|a, b| a[1] < b[1]));
         assert_eq!(sample.vectors[sample.vectors.len() - 1], body[4095]);
@@ -100,8 +100,8 @@ mod tests {
         // one in a hundred is a thousand times as long as the others
         let length = |i: usize| if i.is_multiple_of(100) { 1000.0 } else { 1.0 };
         let body: Vec<[f64; 3]> = (0..10_000).map(|i| [length(i), 0.0, 0.0]).collect();
-        let question = Displacement::new([0.0; 3], [1.0; 3], &body).expect("finite");
-        let sample = Sample::of(&question, &mut ());
+        let query = Query::new([0.0; 3], [1.0; 3], &body).expect("finite");
+        let sample = Sample::of(&query, &mut ());
         assert!((60..1400).contains(&sample.vectors.len()), "{}", sample.vectors.len());
         let total: f64 = body.iter().map(|v| v[0]).sum();
         let own: f64 = sample.vectors.iter().map(|v| v[0]).sum();

@@ -9,7 +9,6 @@
 //! kernel is h(u). Each coefficient is rounded once. So where c is near the optimum, lines that nearly meet there have small offsets
 //! that are known to all their digits: doubles tell apart what in other coordinates differs by less than a rounding.
 
-use crate::collision::Displacement;
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
 use crate::lad::of_generators::exact::direction_signs::PairDirection;
@@ -17,6 +16,7 @@ use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::numeric::vector::{ExactVector, dot, exact, multiple};
+use crate::zonotope::query::Query;
 
 /// The coordinates of the plane for a displacement that is not zero.
 #[derive(Debug, Clone)]
@@ -30,8 +30,8 @@ pub(crate) struct Plane {
 /// The vectors of a kernel problem.
 #[derive(Debug)]
 pub(crate) enum Vectors<'a> {
-    /// The generators of a question.
-    All(&'a Displacement<'a, 3>),
+    /// The generators of a query.
+    All(&'a Query<'a, 3>),
     /// Some generators.
     Few(&'a [[f64; 3]]),
 }
@@ -48,14 +48,14 @@ struct GeneratorLines<'a> {
 impl Vectors<'_> {
     fn len(&self) -> usize {
         match self {
-            Self::All(question) => question.len(),
+            Self::All(query) => query.len(),
             Self::Few(vectors) => vectors.len(),
         }
     }
 
     fn get(&self, position: usize) -> [f64; 3] {
         match self {
-            Self::All(question) => question.generator(position),
+            Self::All(query) => query.generator(position),
             Self::Few(vectors) => vectors[position],
         }
     }

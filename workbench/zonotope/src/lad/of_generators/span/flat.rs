@@ -6,9 +6,9 @@
 
 use wide::f64x2;
 
-use crate::collision::Displacement;
 use crate::numeric::lanes::for_pairs;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero};
+use crate::zonotope::query::Query;
 
 /// The plane is looked for among so many generators first.
 const FEW: usize = 64;
@@ -25,12 +25,12 @@ pub(crate) struct SimplePlane {
 
 impl SimplePlane {
     /// The plane, if there is one; found from a few generators and checked with all. O(n).
-    pub(crate) fn of(question: &Displacement<'_, 3>) -> Option<Self> {
-        let step = question.len().div_ceil(PICKS).max(1);
+    pub(crate) fn of(query: &Query<'_, 3>) -> Option<Self> {
+        let step = query.len().div_ceil(PICKS).max(1);
         let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
             let mut best = (0.0, 0);
-            for i in (0..question.len()).step_by(step) {
-                let own = key(&question.generator(i));
+            for i in (0..query.len()).step_by(step) {
+                let own = key(&query.generator(i));
                 if own > best.0 {
                     best = (own, i);
                 }
@@ -38,13 +38,13 @@ impl SimplePlane {
             (best.0 > 0.0).then_some(best.1)
         };
         let first = best(&size)?;
-        let a = question.generator(first);
+        let a = query.generator(first);
         let second = best(&|v| size(&across(&a, v)))?;
-        let normal = across(&a, &question.generator(second));
+        let normal = across(&a, &query.generator(second));
         let half = size(&normal) / 2.0;
         let simple = normal.map(|c| f64::from(i8::from(c > half) - i8::from(c < -half)));
-        let points = [question.from(), question.to()];
-        let [own, others] = question.runs();
+        let points = [query.from(), query.to()];
+        let [own, others] = query.runs();
         let is_flat = is_orthogonal_to_all(&points, &simple)
             && is_orthogonal_to_all(own, &simple)
             && is_orthogonal_to_all(others, &simple);
@@ -82,26 +82,26 @@ fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
 }
 
 /// A coordinate that can be dropped: not zero in a normal of a plane through the origin that holds all generators and p.
-pub(crate) fn spare_axis(question: &Displacement<'_, 3>, p: &ExactVector) -> Option<usize> {
-    let normal = normal(question, p)?;
+pub(crate) fn spare_axis(query: &Query<'_, 3>, p: &ExactVector) -> Option<usize> {
+    let normal = normal(query, p)?;
     let axis = (0..3).max_by_key(|&k| normal[k].clone().abs())?;
     let ratios = [0, 1, 2].map(|k| normal[k].rounded_ratio(&normal[axis]));
     let is_simple = ratios.iter().all(|r| [-1.0, 0.0, 1.0].contains(r)) && is_zero(&cross(&exact(ratios), &normal));
     let is_flat = if is_simple {
-        question.runs().iter().all(|run| is_orthogonal_to_all(run, &ratios))
+        query.runs().iter().all(|run| is_orthogonal_to_all(run, &ratios))
     } else {
-        question.generators().all(|v| is_orthogonal(v, &ratios) && dot(&exact(*v), &normal).is_zero())
+        query.generators().all(|v| is_orthogonal(v, &ratios) && dot(&exact(*v), &normal).is_zero())
     };
     is_flat.then_some(axis)
 }
 
 /// A normal of the plane of p and two generators that seem to span it, if p is in it.
-fn normal(question: &Displacement<'_, 3>, p: &ExactVector) -> Option<ExactVector> {
-    let few = || question.generators().step_by(question.len().div_ceil(FEW).max(1));
-    let first = longest(few(), size).or_else(|| longest(question.generators(), size))?;
+fn normal(query: &Query<'_, 3>, p: &ExactVector) -> Option<ExactVector> {
+    let few = || query.generators().step_by(query.len().div_ceil(FEW).max(1));
+    let first = longest(few(), size).or_else(|| longest(query.generators(), size))?;
     let scaled = first.map(|c| c / size(&first));
     let off = |v: &[f64; 3]| size(&across(&scaled, v));
-    let second = longest(few(), off).or_else(|| longest(question.generators(), off));
+    let second = longest(few(), off).or_else(|| longest(query.generators(), off));
     let normal = cross(&exact(first), &second.map_or_else(|| p.clone(), exact));
     (!is_zero(&normal) && dot(&normal, p).is_zero()).then_some(normal)
 }
@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     fn axis(generators: &[[f64; 3]], p: [f64; 3]) -> Option<usize> {
-        spare_axis(&Displacement::new([0.0; 3], p, generators).expect("finite"), &exact(p))
+        spare_axis(&Query::new([0.0; 3], p, generators).expect("finite"), &exact(p))
     }
 
     #[test]

@@ -7,9 +7,10 @@
 use std::array;
 use std::ops::Range;
 
-use crate::collision::{Displacement, Location, Separation, Witness};
+use crate::collision::{Location, Separation, Witness};
 use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
 use crate::zonotope::passes::Extents;
+use crate::zonotope::query::Query;
 
 /// A longer body's prism has only the width of its longest generator.
 const LARGEST: f64 = f64::from_bits((1023 + 500) << 52);
@@ -25,16 +26,16 @@ pub(crate) struct Prism {
 }
 
 impl Prism {
-    pub(crate) fn over<const D: usize>(question: &Displacement<'_, D>) -> Self {
-        let generators = question.generators().map(padded).collect();
-        Self::with_axes(padded(&question.from()), padded(&question.to()), generators, D..3)
+    pub(crate) fn over<const D: usize>(query: &Query<'_, D>) -> Self {
+        let generators = query.generators().map(padded).collect();
+        Self::with_axes(padded(&query.from()), padded(&query.to()), generators, D..3)
     }
 
     /// The prism over what is left of a body of space when a coordinate is dropped, which is 0 in all points and generators but the new one.
-    pub(crate) fn without(axis: usize, question: &Displacement<'_, 3>) -> Self {
+    pub(crate) fn without(axis: usize, query: &Query<'_, 3>) -> Self {
         let dropped = |v: &[f64; 3]| array::from_fn(|i| if i == axis { 0.0 } else { v[i] });
-        let generators = question.generators().map(dropped).collect();
-        Self::with_axes(dropped(&question.from()), dropped(&question.to()), generators, axis..axis + 1)
+        let generators = query.generators().map(dropped).collect();
+        Self::with_axes(dropped(&query.from()), dropped(&query.to()), generators, axis..axis + 1)
     }
 
     fn with_axes(from: [f64; 3], to: [f64; 3], mut generators: Vec<[f64; 3]>, axes: Range<usize>) -> Self {
@@ -48,8 +49,8 @@ impl Prism {
         Self { from, to, generators, own }
     }
 
-    pub(crate) fn question(&self) -> Displacement<'_, 3> {
-        Displacement::of_finite(self.from, self.to, &self.generators)
+    pub(crate) fn query(&self) -> Query<'_, 3> {
+        Query::of_finite(self.from, self.to, &self.generators)
     }
 
     /// Whether a generator is not one of the body.

@@ -1,16 +1,16 @@
-//! The question under membership, intersection and gauge.
+//! The query under membership, intersection and gauge.
 
 use thiserror::Error;
 
+use super::implicit::Zonotope;
 use crate::numeric::dyadic::Dyadic;
-use crate::zonotope::Zonotope;
 
 /// Where is the exact vector `to` − `from` relative to the zonotope { Σ δ_i g_i : |δ_i| ≤ 1 }? Every coordinate is finite.
 ///
-/// The generators come in two slices, so that two bodies are put to the question without a copy; a generator's index counts
+/// The generators come in two slices, so that two bodies are put to the query without a copy; a generator's index counts
 /// through the first slice and then the second.
 #[derive(Debug, Clone, Copy)]
-pub struct Displacement<'a, const D: usize> {
+pub struct Query<'a, const D: usize> {
     from: [f64; D],
     to: [f64; D],
     generators: [&'a [[f64; D]]; 2],
@@ -19,7 +19,7 @@ pub struct Displacement<'a, const D: usize> {
 /// Why points and generators are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
-pub enum DisplacementError {
+pub enum QueryError {
     /// A coordinate of one of the two points is NaN or infinite.
     #[error("the {point}'s coordinate {coordinate} is {value}, not a finite number")]
     NonFinitePoint {
@@ -42,20 +42,20 @@ pub enum DisplacementError {
     },
 }
 
-impl<'a, const D: usize> Displacement<'a, D> {
+impl<'a, const D: usize> Query<'a, D> {
     /// The displacement between two points, relative to generators. O(n).
     ///
     /// # Errors
-    /// [`DisplacementError`] names the first coordinate that is not finite.
-    pub fn new(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Result<Self, DisplacementError> {
+    /// [`QueryError`] names the first coordinate that is not finite.
+    pub fn new(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Result<Self, QueryError> {
         for (name, point) in [("start", &from), ("end", &to)] {
             if let Some(coordinate) = non_finite(point) {
-                return Err(DisplacementError::NonFinitePoint { point: name, coordinate, value: point[coordinate] });
+                return Err(QueryError::NonFinitePoint { point: name, coordinate, value: point[coordinate] });
             }
         }
         for (generator, v) in generators.iter().enumerate() {
             if let Some(coordinate) = non_finite(v) {
-                return Err(DisplacementError::NonFiniteGenerator { generator, coordinate, value: v[coordinate] });
+                return Err(QueryError::NonFiniteGenerator { generator, coordinate, value: v[coordinate] });
             }
         }
         Ok(Self { from, to, generators: [generators, &[]] })
@@ -69,10 +69,10 @@ impl<'a, const D: usize> Displacement<'a, D> {
     /// Membership of a point: from the centre of the body to the point. O(1).
     ///
     /// # Errors
-    /// [`DisplacementError::NonFinitePoint`] if a coordinate of the point is not finite.
-    pub fn of_point(point: [f64; D], body: &'a Zonotope<D>) -> Result<Self, DisplacementError> {
+    /// [`QueryError::NonFinitePoint`] if a coordinate of the point is not finite.
+    pub fn of_point(point: [f64; D], body: &'a Zonotope<D>) -> Result<Self, QueryError> {
         if let Some(coordinate) = non_finite(&point) {
-            return Err(DisplacementError::NonFinitePoint { point: "end", coordinate, value: point[coordinate] });
+            return Err(QueryError::NonFinitePoint { point: "end", coordinate, value: point[coordinate] });
         }
         Ok(Self { from: body.center(), to: point, generators: [body.generators(), &[]] })
     }
@@ -83,11 +83,11 @@ impl<'a, const D: usize> Displacement<'a, D> {
         Self { from: a.center(), to: b.center(), generators: [a.generators(), b.generators()] }
     }
 
-    /// The same question, if E is the dimension in which it is asked. O(1).
-    pub(crate) fn in_dimension<const E: usize>(&self) -> Option<Displacement<'a, E>> {
+    /// The same query, if E is the dimension in which it is asked. O(1).
+    pub(crate) fn in_dimension<const E: usize>(&self) -> Option<Query<'a, E>> {
         let coordinates = |v: &[f64; D]| v.first_chunk::<E>().copied();
         let generators = self.generators.map(|run| run.as_flattened().as_chunks::<E>().0);
-        (D == E).then_some(Displacement { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators })
+        (D == E).then_some(Query { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators })
     }
 
     /// Where the displacement starts.
