@@ -14,7 +14,7 @@
 //! | [`enclosing::centered_zonogon`] | the smallest zonogon with a given centre | 4.1, Z(O) |
 //! | [`collision`] | membership, intersection and gauge, with proofs | 5.1, Theorem 5.2 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
-//! | [`lad::in_space`] | the kernel in three variables | under 5.1 in R^4 |
+//! | [`lad::of_forms`] | the kernel in three variables | under 5.1 in R^4 |
 //! | [`line_fit`] | the kernel as a statistician knows it: the line of least absolute deviations | |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |

@@ -18,7 +18,7 @@ pub static CLAIM: Claim = Claim {
         "O_l always lies on a line of the arrangement: decide by the subgradients there that vanish along the vertical \
             line",
     ),
-    code: &["zonotope::lad::by_slope_selection"],
+    code: &["zonotope::lad::of_lines::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
 };

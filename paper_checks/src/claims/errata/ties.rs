@@ -15,7 +15,7 @@ pub static CLAIM: Claim = Claim {
         "many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the \
             vertices on it as well",
     ),
-    code: &["zonotope::lad::by_slope_selection", "zonotope::arrangement::slope_selection"],
+    code: &["zonotope::lad::of_lines::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
 };

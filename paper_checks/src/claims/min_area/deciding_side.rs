@@ -14,7 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "From the least point O_l of f on a vertical line, found in O(n log n) time, one can tell whether it is \
         the global minimum and, if not, on which side the minimum lies",
-    code: &["zonotope::lad::by_slope_selection"],
+    code: &["zonotope::lad::of_lines::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
     ..Claim::LISTED

@@ -19,7 +19,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "Each step of the search halves the candidate vertices by slope selection, in O(n log n) time, so O(log \
         n) steps find the minimum",
-    code: &["zonotope::lad::by_slope_selection", "zonotope::arrangement::slope_selection"],
+    code: &["zonotope::lad::of_lines::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["scaling-kernel-operations", "scaling-kernel-times", "search-of-theorem-4-5"],
     check: Check::Run(check),
     ..Claim::LISTED

@@ -14,7 +14,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Lemma,
     statement: "The restriction of f to any line can be computed in O(n log n) time: sort the crossings with the lines \
         l_t, then add one slope at each",
-    code: &["zonotope::lad::by_slope_selection", "zonotope::lad::by_line_search"],
+    code: &["zonotope::lad::of_lines::by_slope_selection", "zonotope::lad::of_lines::by_line_search"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

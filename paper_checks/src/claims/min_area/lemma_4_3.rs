@@ -13,7 +13,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "4.1", label: "Lemma 4.3" },
     kind: ClaimKind::Lemma,
     statement: "On any line the slope of f never decreases, so that f is unimodal on it",
-    code: &["zonotope::lad::by_slope_selection"],
+    code: &["zonotope::lad::of_lines::by_slope_selection"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED

@@ -11,7 +11,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "4.1", label: "before Theorem 4.5" },
     kind: ClaimKind::Statement,
     statement: "f has a global minimum at a vertex of the arrangement",
-    code: &["zonotope::lad::brute_force"],
+    code: &["zonotope::lad::of_lines::brute_force"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
     ..Claim::LISTED

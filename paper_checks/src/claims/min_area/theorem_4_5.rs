@@ -20,7 +20,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "4.1", label: "Theorem 4.5" },
     kind: ClaimKind::Theorem,
     statement: "The minimum-area zonotope containing n points of the plane can be computed in O(n log^2 n) time",
-    code: &["zonotope::enclosing::min_area_zonogon", "zonotope::lad::by_slope_selection"],
+    code: &["zonotope::enclosing::min_area_zonogon", "zonotope::lad::of_lines::by_slope_selection"],
     figures: &[
         "country-outlines",
         "polygon-and-reflection",

@@ -10,14 +10,14 @@
 //! 1 / min { h(u) : u · p = 1 } with h(u) = Σ |v_i · u| in any dimension, a least-absolute-deviations problem with one variable less.
 //!
 //! # Method
-//! 1. The kernel in three variables (`lad::in_space`) in homogeneous coordinates, the generators as its forms and p as its chart: an
+//! 1. The kernel in three variables (`lad::of_forms`) in homogeneous coordinates, the generators as its forms and p as its chart: an
 //!    optimal u, and coefficients δ_i = ±1 off at most three generators with Σ δ_i v_i = λ p. The gauge is 1 / λ.
 //! 2. λ < 1: u separates.
 //! 3. λ ≥ 1: generators join the three until they span what all span. With the coefficients off this basis multiplied by a
 //!    double near 1 / λ, or by 1, the basis solves Σ δ_i v_i = p exactly; if neither fits in [−1, 1], δ_i / λ is moved there (`settling`).
 //!
 //! # Complexity
-//! n generators: as `lad::in_space::by_line_search`, O(n) a step. Moving coefficients, needed only very near the boundary, takes O(n) exact
+//! n generators: as `lad::of_forms::by_line_search`, O(n) a step. Moving coefficients, needed only very near the boundary, takes O(n) exact
 //! eliminations.
 //!
 //! # Shapes
@@ -49,8 +49,8 @@ use super::gauge::Gauge;
 use super::location::{Location, Separation, Witness};
 use super::settling::settle;
 use super::solving::{left_over, solve};
-use crate::lad::in_space::SpaceCertificate;
-use crate::lad::in_space::homogeneous::{Descent, Instance, Source, Vector4, descend, dot4};
+use crate::lad::of_forms::SpaceCertificate;
+use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend, dot4};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;

@@ -1,56 +1,23 @@
-//! The kernel: weighted least absolute deviations in the plane.
+//! The kernel: weighted least absolute deviations, min linear · x + Σ w_i |a_i · x + b_i|.
 //!
-//! Minimise linear · x + Σ w_i |a_i · x + b_i| over x in the plane, w_i ≥ 0. The objective is convex and linear on each
-//! cell of the arrangement of the lines a_i · x + b_i = 0. Half of the paper reduces to it: the minimum-area enclosing zonogon (4.1) and
-//! membership in a zonotope in space (5.1).
+//! Half of the paper reduces to it: the minimum-area enclosing zonogon (4.1) and membership in a zonotope in space (5.1).
 //!
-//! | method | cost for n lines | what it is |
+//! | form | minimise over | methods, with their costs for n terms |
 //! |---|---|---|
-//! | [`brute_force`] | O(n³), exact rationals | the truth |
-//! | [`by_line_search`] | O(n) a step, few steps | exact descent by weighted medians |
-//! | [`by_slope_selection`] | O(n log² n) expected | the paper's search (Theorem 4.5) |
-//! | [`by_pruning`] | O(n) expected | the default |
+//! | [`of_lines`] | x in the plane: n weighted lines | [`by_pruning`], O(n) expected, the default; [`by_slope_selection`], O(n log² n) expected, the paper's search; [`by_line_search`], O(n) a step |
+//! | `of_generators` | a direction of R^3: n generators | reduced to lines by a chart; expected O(n) |
+//! | [`of_forms`] | x in space: n weighted planes, or linear forms in four variables | [`of_forms::by_line_search`], O(n) a step |
 //!
-//! [`line_fit`](crate::line_fit) is the kernel as a statistician knows it: the line of least absolute deviations through points;
-//! [`in_space`] is the same problem in three variables.
-//!
-//! Every method but the truth returns a minimiser named by its defining lines with a certificate that
-//! [`verify`] checks on its own.
+//! Every form has its truth in exact rationals, and every optimum a certificate that a verifier checks on its own.
+//! [`line_fit`](crate::line_fit) is the kernel as a statistician knows it: the line of least absolute deviations through points.
 
-pub mod brute_force;
-pub mod by_line_search;
-pub mod by_pruning;
-pub mod by_slope_selection;
-mod cell;
-mod cone;
-mod decide;
-mod exact_lines;
-pub mod in_space;
-mod instance;
-mod line_search;
-mod method;
+pub mod of_forms;
 pub(crate) mod of_generators;
-mod optimum;
-mod problem;
-mod rounded_lines;
-mod sides;
-mod solution;
-mod solve;
-pub mod verify;
-mod vertex;
+pub mod of_lines;
 
 pub use crate::arrangement::{ExactLine, LineIndex};
-pub use by_pruning::{minimize, minimize_counted};
-pub use method::Method;
-pub use optimum::{LadCertificate, LadOptimum, LadOutcome, Minimizer};
-pub use problem::{LadError, LadProblem, WeightedLine};
-
-/// What a problem is made of when its lines come from elsewhere than a slice of doubles.
-pub(crate) mod kernel_input {
-    pub(crate) use super::exact_lines::ExactLines;
-    pub(crate) use super::rounded_lines::{Columns, LineError, MadeLines};
-    pub(crate) use crate::arrangement::ExactLine;
-}
-
-#[cfg(test)]
-mod tests;
+pub(crate) use of_lines::kernel_input;
+pub use of_lines::{
+    LadCertificate, LadError, LadOptimum, LadOutcome, LadProblem, Method, Minimizer, WeightedLine, brute_force,
+    by_line_search, by_pruning, by_slope_selection, minimize, minimize_counted, verify,
+};

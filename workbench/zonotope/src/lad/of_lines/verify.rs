@@ -6,8 +6,8 @@
 
 use thiserror::Error;
 
+use super::input::problem::LadProblem;
 use super::optimum::{LadCertificate, LadOptimum, LadOutcome};
-use super::problem::LadProblem;
 use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;

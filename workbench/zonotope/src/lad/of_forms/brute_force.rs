@@ -31,7 +31,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::lad::in_space::{SpaceLadProblem, WeightedPlane, brute_force};
+//! use zonotope::lad::of_forms::{SpaceLadProblem, WeightedPlane, brute_force};
 //! let plane = WeightedPlane { normal: [1.0, 0.0, 0.0], offset: -2.0, weight: 3.0 };
 //! let problem = SpaceLadProblem::new(vec![plane], [1.0, 0.0, 0.0]).unwrap();
 //! assert_eq!(brute_force::minimum(&problem), Some(2.into()));

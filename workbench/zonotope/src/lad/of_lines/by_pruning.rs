@@ -62,13 +62,13 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::cell::{Cell, Frame, Split};
-use super::instance::Instance;
-use super::line_search::{SearchLine, weighted_select};
+use super::descent::line_search::{SearchLine, weighted_select};
+use super::descent::solution::{Near, Optimal, Solution};
+use super::descent::solve::{descend, descend_from, solve_with};
+use super::input::problem::LadProblem;
 use super::optimum::LadOutcome;
-use super::problem::LadProblem;
-use super::solution::{Near, Optimal, Solution};
-use super::solve::{descend, descend_from, solve_with};
-use super::vertex::Vertex;
+use super::subproblem::instance::Instance;
+use super::subproblem::vertex::Vertex;
 use crate::tally::{Operation, Tally};
 
 /// At most this many lines are solved by line searches alone, and a quarter of them where a cell is expected to contain the optimum.

@@ -3,7 +3,7 @@
 //! The pass has no branch that depends on a sign: every line contributes its normal with the sign of its value, masked out where the
 //! value does not exceed its error bound.
 
-use super::rounded_lines::{BLOCK, LineError, RoundedLines};
+use crate::lad::of_lines::input::rounded_lines::{BLOCK, LineError, RoundedLines};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
 /// What a pass yields beside the signs.

@@ -41,7 +41,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::lad::in_space::{SpaceLadProblem, SpaceOutcome, WeightedPlane, minimize};
+//! use zonotope::lad::of_forms::{SpaceLadProblem, SpaceOutcome, WeightedPlane, minimize};
 //! let plane = |normal, offset| WeightedPlane { normal, offset, weight: 1.0 };
 //! let planes = vec![plane([1.0, 0.0, 0.0], -1.0), plane([0.0, 2.0, 0.0], -4.0), plane([0.0, 0.0, 1.0], 3.0)];
 //! let problem = SpaceLadProblem::new(planes, [0.5, 0.0, 0.0]).unwrap();

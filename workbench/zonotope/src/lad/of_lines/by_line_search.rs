@@ -49,11 +49,11 @@
 //! assert_eq!(value, 3.into());
 //! ```
 
-use super::instance::Instance;
-use super::line_search::SearchLine;
+use super::descent::line_search::SearchLine;
+use super::descent::solve::{descend, solve_with};
+use super::input::problem::LadProblem;
 use super::optimum::LadOutcome;
-use super::problem::LadProblem;
-use super::solve::{descend, solve_with};
+use super::subproblem::instance::Instance;
 use crate::tally::Tally;
 
 /// Minimises a problem by line searches. `seed` only decides how lines through one vertex are moved apart.

@@ -12,10 +12,10 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::cone::Cone;
-use super::instance::{Instance, Surroundings};
 use super::line_search::SearchLine;
 use super::solution::{Decision, Optimal, Solution};
 use super::solve::solve;
+use crate::lad::of_lines::subproblem::instance::{Instance, Surroundings};
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 

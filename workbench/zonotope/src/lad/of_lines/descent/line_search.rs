@@ -9,9 +9,9 @@
 use std::cell::OnceCell;
 use std::cmp::Ordering;
 
-use super::instance::{Instance, Surroundings};
-use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
+use crate::lad::of_lines::subproblem::instance::{Instance, Surroundings};
+use crate::lad::of_lines::subproblem::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use thiserror::Error;
 
-use super::cell::Cell;
 use super::exact_lines::{ExactLines, Rows};
-use super::instance::{Instance, Surroundings};
 use super::rounded_lines::{Columns, LineError, MadeLines, RoundedLines};
-use super::vertex::Vertex;
 use crate::arrangement::{ExactLine, LineIndex};
+use crate::lad::of_lines::cell::Cell;
+use crate::lad::of_lines::subproblem::instance::{Instance, Surroundings};
+use crate::lad::of_lines::subproblem::vertex::Vertex;
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::Tally;

@@ -1,7 +1,7 @@
 //! What a method finds on an instance.
 
-use super::cell::Cell;
-use super::vertex::Vertex;
+use crate::lad::of_lines::cell::Cell;
+use crate::lad::of_lines::subproblem::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
 
 /// The outcome of a search on an instance; lines are counted within the instance.

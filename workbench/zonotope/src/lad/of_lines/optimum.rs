@@ -1,9 +1,9 @@
 //! What a method answers: a minimiser named by its defining lines, with coefficients that prove it.
 
-use super::instance::{ExactLinear, Instance, Surroundings};
-use super::problem::LadProblem;
-use super::solution::{Near, Optimal, Solution};
-use super::vertex::Vertex;
+use super::descent::solution::{Near, Optimal, Solution};
+use super::input::problem::LadProblem;
+use super::subproblem::instance::{ExactLinear, Instance, Surroundings};
+use super::subproblem::vertex::Vertex;
 use crate::arrangement::ExactLine;
 use crate::arrangement::LineIndex;
 use crate::numeric::Rational;

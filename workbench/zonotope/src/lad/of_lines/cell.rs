@@ -1,7 +1,7 @@
 //! A small parallelogram around a guess: which lines certainly miss it, and on which side they leave it.
 
-use super::instance::{Instance, Rows};
-use super::sides::read_sides;
+use super::subproblem::instance::{Instance, Rows};
+use super::subproblem::sides::read_sides;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::Tally;
 

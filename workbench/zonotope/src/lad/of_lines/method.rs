@@ -1,7 +1,7 @@
 //! The methods of the kernel by name.
 
+use super::input::problem::LadProblem;
 use super::optimum::LadOutcome;
-use super::problem::LadProblem;
 use super::{by_line_search, by_pruning, by_slope_selection};
 use crate::tally::Tally;
 

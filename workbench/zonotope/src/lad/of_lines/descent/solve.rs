@@ -2,13 +2,13 @@
 
 use std::cmp::Ordering;
 
-use super::by_pruning;
 use super::decide::decide;
-use super::instance::{Instance, Surroundings};
 use super::line_search::{LineMinimum, SearchLine};
 use super::solution::{Decision, Optimal, Solution};
-use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
+use crate::lad::of_lines::by_pruning;
+use crate::lad::of_lines::subproblem::instance::{Instance, Surroundings};
+use crate::lad::of_lines::subproblem::vertex::Vertex;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 

@@ -9,11 +9,11 @@ use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-use super::problem::LadProblem;
-use super::rounded_lines::{Columns, LineError, RoundedLines};
 use super::sides::read_sides;
 use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
+use crate::lad::of_lines::input::problem::LadProblem;
+use crate::lad::of_lines::input::rounded_lines::{Columns, LineError, RoundedLines};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};

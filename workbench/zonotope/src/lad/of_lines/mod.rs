@@ -1,0 +1,48 @@
+//! Weighted least absolute deviations in the plane: the kernel in affine form.
+//!
+//! Minimise linear · x + Σ w_i |a_i · x + b_i| over x in the plane, w_i ≥ 0. The objective is convex, and it is linear on each
+//! cell of the arrangement of the lines a_i · x + b_i = 0. The minimum-area enclosing zonogon of Section 4.1 reduces to it.
+//!
+//! | method | cost for n lines | what it is |
+//! |---|---|---|
+//! | [`brute_force`] | O(n³), exact rationals | the truth |
+//! | [`by_line_search`] | O(n) a step, few steps | exact descent by weighted medians |
+//! | [`by_slope_selection`] | O(n log² n) expected | the paper's search (Theorem 4.5) |
+//! | [`by_pruning`] | O(n) expected | the default |
+//!
+//! Every method but the truth returns a minimiser named by its defining lines, with a certificate that
+//! [`verify`] checks on its own. The methods share four stages:
+//!
+//! | stage | what it holds |
+//! |---|---|
+//! | `input` | the validated problem, its lines in floating point and exactly |
+//! | `subproblem` | some of the lines with a linear term that stands for the others; one pass over them at a vertex |
+//! | `descent` | the minimum along one line, the optimality of a vertex, the descent from vertex to vertex |
+//! | `cell` | a parallelogram around a guess, and the lines that certainly miss it |
+
+pub mod brute_force;
+pub mod by_line_search;
+pub mod by_pruning;
+pub mod by_slope_selection;
+mod cell;
+mod descent;
+mod input;
+mod method;
+mod optimum;
+mod subproblem;
+pub mod verify;
+
+pub use by_pruning::{minimize, minimize_counted};
+pub use input::problem::{LadError, LadProblem, WeightedLine};
+pub use method::Method;
+pub use optimum::{LadCertificate, LadOptimum, LadOutcome, Minimizer};
+
+/// The parts of a problem whose lines do not come from a slice of doubles.
+pub(crate) mod kernel_input {
+    pub(crate) use super::input::exact_lines::ExactLines;
+    pub(crate) use super::input::rounded_lines::{Columns, LineError, MadeLines};
+    pub(crate) use crate::arrangement::ExactLine;
+}
+
+#[cfg(test)]
+mod tests;
