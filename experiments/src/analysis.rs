@@ -6,7 +6,7 @@ use crate::record::CountRow;
 use crate::runner::Records;
 use std::collections::BTreeMap;
 
-/// What a fit plan found on one family.
+/// The fit of one plan on one family.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedGrowth {
     /// The experiment's id.
@@ -15,13 +15,13 @@ pub struct FittedGrowth {
     pub family: &'static str,
     /// The variant's id.
     pub variant: &'static str,
-    /// What was fitted.
+    /// The quantity that was fitted.
     pub quantity: Quantity,
     /// The bound that the theory gives.
     pub bound: Option<GrowthModel>,
     /// The samples (n, y), by increasing size.
     pub samples: Vec<(f64, f64)>,
-    /// Rows left out because they failed, were wrong, or had their time voided.
+    /// The number of rows that were left out because they failed, were wrong, or had their time voided.
     pub left_out: usize,
     /// The fit.
     pub growth: Result<Growth, FitError>,
@@ -102,7 +102,7 @@ fn of_row(row: &CountRow, quantity: Quantity) -> Option<f64> {
     }
 }
 
-/// One median a case; a case with a voided or failed repetition has none.
+/// The median time of each case; a case with a voided or failed repetition has none.
 fn median_times(
     experiment: &str,
     family: &str,

@@ -9,12 +9,12 @@ use std::collections::BTreeMap;
 use std::fmt;
 use zonotope::tally::OperationCounts;
 
-/// How much is run.
+/// How large a run is: which sizes, how many instances and how many repetitions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
-    /// A minute or so.
+    /// The sizes that are finished in about a minute.
     Quick,
-    /// Everything, up to the largest sizes.
+    /// All sizes.
     Full,
 }
 
@@ -27,7 +27,7 @@ impl fmt::Display for Profile {
     }
 }
 
-/// A value for either profile.
+/// A value that depends on the profile.
 #[derive(Clone, Copy, Debug)]
 pub struct PerProfile<T> {
     /// The value of the quick profile.
@@ -37,7 +37,7 @@ pub struct PerProfile<T> {
 }
 
 impl<T: Copy> PerProfile<T> {
-    /// One value for both profiles.
+    /// The same value for both profiles.
     pub const fn both(value: T) -> Self {
         Self { quick: value, full: value }
     }
@@ -56,7 +56,7 @@ impl<T: Copy> PerProfile<T> {
 pub struct Variant {
     /// Stable name: part of every case id.
     pub id: &'static str,
-    /// Name for people.
+    /// The name that reports show.
     pub title: &'static str,
     /// Sizes above are left out for this variant.
     pub largest: PerProfile<usize>,
@@ -67,11 +67,11 @@ pub struct Variant {
 pub enum Quantity {
     /// The sum of all operation counts.
     AllCounts,
-    /// One operation count.
+    /// The operation count of this name.
     Count(&'static str),
-    /// One of the values.
+    /// The value of this name that the measurements record.
     Value(&'static str),
-    /// One lap of the stopwatch, in nanoseconds: the median over the repetitions.
+    /// The lap of this name, in nanoseconds: the median over the repetitions.
     Time(&'static str),
 }
 
@@ -88,13 +88,13 @@ impl fmt::Display for Quantity {
 /// A growth law that an experiment looks for: for every family one fit over all sizes, and one over the last doublings.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPlan {
-    /// What is fitted.
+    /// The quantity that is fitted.
     pub quantity: Quantity,
-    /// For which variant.
+    /// The variant whose samples are fitted.
     pub variant: &'static str,
-    /// On which families, one fit each.
+    /// The families, each of which is fitted by itself.
     pub families: &'static [&'static str],
-    /// What it is compared with.
+    /// The growth models that the samples are compared with.
     pub models: &'static [GrowthModel],
     /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth
     /// contradicts it.
@@ -112,17 +112,17 @@ impl FitPlan {
         Self { quantity: Quantity::AllCounts, variant, families, models, bound }
     }
 
-    /// The same on another quantity.
+    /// The same plan for another quantity.
     #[must_use]
     pub const fn of(self, quantity: Quantity) -> Self {
         Self { quantity, ..self }
     }
 }
 
-/// What is timed after the counting, and how often.
+/// The timed part of an experiment, which follows the counting: its sizes, its repetitions and the timed work.
 #[derive(Clone, Copy, Debug)]
 pub struct Timing {
-    /// Sizes that are timed: some of the experiment's sizes.
+    /// The sizes that are timed, among the experiment's sizes.
     pub sizes: PerProfile<&'static [usize]>,
     /// Timed repetitions of every case, after one that is not recorded.
     pub repetitions: PerProfile<u32>,
@@ -137,13 +137,13 @@ pub type TimedWork = Box<dyn FnMut(&mut Stopwatch) -> Result<u64, String>>;
 /// An experiment.
 #[derive(Clone, Copy, Debug)]
 pub struct Experiment {
-    /// Stable name.
+    /// The stable name of the experiment.
     pub id: &'static str,
-    /// Name for people.
+    /// The name that reports show.
     pub title: &'static str,
-    /// What to notice in the result.
+    /// What a reader should notice in the result.
     pub question: &'static str,
-    /// Claims of the paper that it is evidence for.
+    /// Ids of the claims of the paper for which the experiment is evidence.
     pub claims: &'static [&'static str],
     /// Families (of points, of clouds, of lines or of bodies) that give instances of every size.
     pub families: &'static [&'static str],
@@ -154,13 +154,13 @@ pub struct Experiment {
     pub sizes: PerProfile<&'static [usize]>,
     /// Instances of every family and size, with different seeds.
     pub instances: PerProfile<u32>,
-    /// What is compared.
+    /// The variants that are compared.
     pub variants: &'static [Variant],
     /// Runs a case with counting on, and checks the answer.
     pub measure: fn(&Case) -> Result<Measurement, String>,
-    /// What is timed, if anything.
+    /// The timed part, if the experiment has one.
     pub timing: Option<Timing>,
-    /// Growth laws to look for.
+    /// The growth laws that are fitted.
     pub fits: &'static [FitPlan],
 }
 
@@ -173,13 +173,13 @@ pub struct Case {
     pub family: &'static str,
     /// The variant's id.
     pub variant: &'static str,
-    /// Size of the instance.
+    /// The size of the instance.
     pub n: usize,
-    /// Which of the instances of this family and size.
+    /// The number of the instance among those of its family and size, from 0.
     pub instance: u32,
-    /// Seed of the instance: one for all variants and experiments.
+    /// The seed of the instance, which is the same for all variants and experiments.
     pub instance_seed: u64,
-    /// Seed of the method's own random choices.
+    /// The seed of the method's own random choices.
     pub seed: u64,
 }
 
@@ -250,15 +250,15 @@ impl Case {
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// It passed this check.
+    /// The answer passed the check of this name.
     Correct(String),
-    /// It did not, and its times are void.
+    /// The answer failed a check, for this reason, and its times are void.
     Wrong(String),
-    /// Nothing checked it, for this reason.
+    /// No check was made, for this reason.
     Unchecked(String),
 }
 
-/// What one case yields. Everything in it is the same on every run and machine.
+/// The result of one counted case, the same on every run and machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
     /// Operation counts by name.
@@ -288,7 +288,7 @@ impl Measurement {
         Self { counts, values: BTreeMap::new(), digest, verdict }
     }
 
-    /// The same with one more value.
+    /// The measurement with one more value.
     #[must_use]
     pub fn with_value(mut self, name: &str, value: f64) -> Self {
         self.values.insert(name.to_owned(), value);

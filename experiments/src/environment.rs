@@ -1,4 +1,4 @@
-//! Where and with what a run was made: recorded beside every time.
+//! The environment of a run, which is recorded beside every time: machine, system, compiler, source revision.
 
 use crate::seed::Digest;
 use serde::{Deserialize, Serialize};
@@ -11,17 +11,17 @@ pub const REVISION_VARIABLE: &str = "ZONOBENCH_REVISION";
 /// Everything about the machine and the build that a time depends on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Environment {
-    /// Version of this package.
+    /// The version of this package.
     pub version: String,
     /// Source revision, with `-dirty` for a changed tree; `unknown` without a repository.
     pub revision: String,
-    /// Compiler, with its version.
+    /// The compiler with its version.
     pub toolchain: String,
     /// Target triple, optimisation level and extra compiler flags.
     pub build: String,
     /// Hash of the running program: two builds of one revision differ here when their code does.
     pub program: String,
-    /// Processor model.
+    /// The model of the processor.
     pub cpu: String,
     /// Logical processors available to the process.
     pub processors: usize,
@@ -44,7 +44,7 @@ impl Environment {
         }
     }
 
-    /// A short name that times refer to.
+    /// A short name by which the rows of times refer to the environment.
     pub fn id(&self) -> String {
         let text = format!("{self:?}");
         format!("{:016x}", Digest::default().bytes(text.as_bytes()).finish())

@@ -6,15 +6,15 @@ use thiserror::Error;
 /// A figure: its names, what it illustrates, and how it is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
-    /// Its name in the catalog, in file names and in links.
+    /// The name of the figure in the catalog, in file names and in links.
     pub id: &'static str,
-    /// Its title.
+    /// The title of the figure.
     pub title: &'static str,
-    /// What there is to see, in full sentences.
+    /// The caption: what there is to see, in full sentences.
     pub caption: &'static str,
-    /// The claims that it illustrates.
+    /// Ids of the claims that the figure illustrates.
     pub claims: &'static [&'static str],
-    /// The experiments whose records it shows.
+    /// Ids of the experiments whose records the figure shows.
     pub experiments: &'static [&'static str],
     /// Whether the drawing is the same on every run and machine: it shows no times. Only such figures are committed.
     pub deterministic: bool,
@@ -23,33 +23,33 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Draws it.
+    /// Draws the figure.
     pub fn draw(&self, input: &FigureInput<'_>) -> Result<String, FigureError> {
         (self.draw)(input)
     }
 }
 
-/// What a figure may draw from besides its own instance.
+/// The data that a figure may draw from besides its own instance.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FigureInput<'a> {
     /// The records of the experiments that were run.
     pub records: Option<&'a Records>,
 }
 
-/// Why a figure could not be drawn.
+/// The reason why a figure could not be drawn.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum FigureError {
     /// The experiment has no records in the input.
     #[error("no records of the experiment {0}")]
     NoRecords(&'static str),
-    /// A plot without series.
+    /// The plot has no series.
     #[error("the plot has no series")]
     NoSeries,
-    /// A series without points.
+    /// A series has no points.
     #[error("the series {0} has no points")]
     EmptySeries(String),
-    /// A value that has no place on a logarithmic axis.
+    /// A value has no place on a logarithmic axis.
     #[error("the point ({}, {}) has no place on logarithmic axes", .0[0], .0[1])]
     NotPositive([f64; 2]),
     /// The plotting library failed.

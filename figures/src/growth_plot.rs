@@ -7,20 +7,20 @@ use experiments::definition::{Experiment, FitPlan, Quantity, Variant};
 use experiments::fit::{self, Growth, GrowthModel, ModelVerdict};
 use experiments::runner::Records;
 
-/// What a plot shows of an experiment: a quantity, for chosen variants and families.
+/// A plot of an experiment: one quantity, for chosen variants and families.
 #[derive(Clone, Copy, Debug)]
 pub struct GrowthPlot {
     /// The experiment.
     pub experiment: &'static Experiment,
-    /// What is plotted.
+    /// The quantity that is plotted.
     pub quantity: Quantity,
     /// The families, each with its name in the legend (none if it goes without saying).
     pub families: &'static [(&'static str, Option<&'static str>)],
     /// Whether a variant is shown on a family.
     pub shows: fn(variant: &str, family: &str) -> bool,
-    /// What the horizontal axis counts.
+    /// The name of the horizontal axis.
     pub x_name: &'static str,
-    /// What the vertical axis shows.
+    /// The name of the vertical axis.
     pub y_name: &'static str,
     /// One unit of the vertical axis in units of the quantity.
     pub y_unit: f64,
@@ -28,7 +28,7 @@ pub struct GrowthPlot {
     pub compared_with: Option<&'static str>,
 }
 
-/// Points on a fitted curve.
+/// The number of points on a fitted curve.
 const CURVE_POINTS: i32 = 48;
 
 impl GrowthPlot {
@@ -86,7 +86,7 @@ impl GrowthPlot {
         Some(curve)
     }
 
-    /// Those of the experiment's fit, if it has one.
+    /// The growth models of the experiment's fit, if it has one.
     fn models(&self, variant: &Variant, family: &str) -> &'static [GrowthModel] {
         let is_shown = |plan: &&FitPlan| {
             plan.quantity == self.quantity && plan.variant == variant.id && plan.families.contains(&family)
@@ -150,7 +150,7 @@ fn place_among_models(growth: &Growth, name: impl Fn(GrowthModel) -> String) -> 
     }
 }
 
-/// A size, as a power of two if it is one.
+/// The name of a size: a power of two if it is one.
 fn size_name(size: f64) -> String {
     let exponent = libm::round(libm::log2(size)) as i32;
     if libm::exp2(f64::from(exponent)) == size { power(2, exponent) } else { size.to_string() }
@@ -160,7 +160,7 @@ fn model_name(model: GrowthModel) -> String {
     model.to_string().replace("n^(1/2)", "√n").replace("n^(3/2)", "n √n").replace("^2", "²").replace("^3", "³")
 }
 
-/// Three significant digits, with a power of ten where that is shorter.
+/// A value with three significant digits, and with a power of ten where that is shorter.
 fn three_digits(value: f64) -> String {
     let magnitude = libm::floor(libm::log10(value.abs())) as i32;
     match magnitude {

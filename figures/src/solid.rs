@@ -8,7 +8,7 @@ use zonotope::zonotope::faces::{Faces, Facet, faces};
 /// A face of a convex body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
-    /// Its corners in order around it.
+    /// The corners of the face in order around it.
     pub corners: Vec<[f64; 3]>,
     /// An outer normal of any length.
     pub normal: [f64; 3],

@@ -7,7 +7,7 @@
 /// An opaque sRGB colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Color {
-    /// Red, green, blue.
+    /// The components red, green and blue.
     pub rgb: [u8; 3],
 }
 
@@ -17,7 +17,7 @@ impl Color {
         Self { rgb: [red, green, blue] }
     }
 
-    /// The notation of SVG, `#rrggbb`.
+    /// The colour in the notation of SVG, `#rrggbb`.
     pub fn hex(self) -> String {
         let [red, green, blue] = self.rgb;
         format!("#{red:02x}{green:02x}{blue:02x}")
@@ -49,7 +49,7 @@ pub const REFLECTED: Color = Color::new(0xd5, 0x5e, 0x00);
 pub const ENCLOSING: Color = Color::new(0x00, 0x9e, 0x73);
 /// The optimum.
 pub const OPTIMUM: Color = Color::new(0xa8, 0x32, 0x7d);
-/// What a step is looking at.
+/// The object that a step of an algorithm looks at.
 pub const FOCUS: Color = Color::new(0xe6, 0x9f, 0x00);
 
 /// The colours of the series of a plot, in order of use.
@@ -76,14 +76,14 @@ pub mod text_size {
     pub const HEADING: f64 = 14.5;
 }
 
-/// How a line is broken.
+/// The dash pattern of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dash {
-    /// Unbroken.
+    /// The line is unbroken.
     Solid,
-    /// Long strokes.
+    /// The line is broken into long strokes.
     Dashed,
-    /// Dots.
+    /// The line is broken into dots.
     Dotted,
 }
 
@@ -98,14 +98,14 @@ impl Dash {
     }
 }
 
-/// A line's look.
+/// The look of a line: colour, weight and dash pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// The colour of the line.
     pub color: Color,
-    /// Its weight in page units.
+    /// The weight of the line in page units.
     pub width: f64,
-    /// How it is broken.
+    /// The dash pattern of the line.
     pub dash: Dash,
     /// From 0 (invisible) to 1.
     pub opacity: f64,
@@ -176,7 +176,7 @@ pub struct Marker {
     pub shape: Shape,
     /// Half of its width in page units.
     pub radius: f64,
-    /// Its colour.
+    /// The colour of the line.
     pub color: Color,
 }
 

@@ -10,16 +10,16 @@ use crate::space::{Body, Vector};
 /// A body with the words that name it in a witness; its coordinates are integers.
 #[derive(Clone, Debug)]
 pub struct BodyInstance {
-    /// What it is.
+    /// The words that name the body in a witness.
     pub name: String,
-    /// Its centre.
+    /// The centre of the body.
     pub center: [i64; 3],
-    /// Its generators.
+    /// The generators of the body.
     pub generators: Vec<[i64; 3]>,
 }
 
 impl BodyInstance {
-    /// The body.
+    /// The body in exact rationals.
     pub fn body(&self) -> Body {
         let mut body = Body::about_origin(&self.generators);
         body.center = Vector::at(self.center);

@@ -1,25 +1,25 @@
-//! What a claim is, what its check is given, and what it may answer.
+//! Claims of the paper: their parts, the input of their checks, and the verdicts that a check returns.
 
 use experiments::catalog::EXPERIMENTS;
 
 /// One statement of the paper, or one correction to it.
 #[derive(Debug)]
 pub struct Claim {
-    /// The name by which experiments, figures and reports refer to it, such as `lemma-4.3`.
+    /// The name by which experiments, figures and reports refer to the claim, such as `lemma-4.3`.
     pub id: &'static str,
-    /// Where the paper says it.
+    /// The place of the statement in the paper.
     pub place: Place,
-    /// What sort of statement it is.
+    /// The sort of the statement.
     pub kind: ClaimKind,
     /// The statement, in our own words; for a correction, the paper's statement as it stands.
     pub statement: &'static str,
-    /// What to do or to read instead, where the paper is wrong, silent or weaker than the truth.
+    /// The statement that holds instead, or what to do, where the paper is wrong, silent or weaker than the truth.
     pub remedy: Option<&'static str>,
-    /// The modules that implement it, as Rust paths.
+    /// The modules that implement the statement, as Rust paths.
     pub code: &'static [&'static str],
-    /// Ids of the figures that show it.
+    /// Ids of the figures that show the statement.
     pub figures: &'static [&'static str],
-    /// How it is checked.
+    /// The check of the claim.
     pub check: Check,
 }
 
@@ -36,7 +36,7 @@ impl Claim {
         check: Check::NotYetImplemented,
     };
 
-    /// Ids of the experiments that measure it: those that name it.
+    /// Ids of the experiments that measure the claim: those that name it.
     pub fn experiments(&self) -> Vec<&'static str> {
         let naming = EXPERIMENTS.iter().filter(|experiment| experiment.claims.contains(&self.id));
         naming.map(|experiment| experiment.id).collect()
@@ -71,23 +71,23 @@ pub enum ClaimKind {
     Erratum,
 }
 
-/// How a claim is checked.
+/// The check of a claim.
 #[derive(Clone, Copy, Debug)]
 pub enum Check {
-    /// Nothing checks it yet.
+    /// No check has been written yet.
     NotYetImplemented,
-    /// It says what the claim of this id says, and shares its verdict.
+    /// The claim says what the claim of this id says, and has the same verdict.
     Restates(&'static str),
-    /// By this function.
+    /// This function checks the claim.
     Run(fn(&CheckContext) -> Verdict),
 }
 
-/// What a check is given.
+/// The input of a check: a seed, and what experiments have measured.
 #[derive(Clone, Debug)]
 pub struct CheckContext {
     /// The seed of every random instance.
     pub seed: u64,
-    /// What finished experiments have to say; empty when none was run.
+    /// The measurements of finished experiments; empty when none was run.
     pub measurements: Vec<Measurement>,
 }
 
@@ -99,7 +99,7 @@ impl Default for CheckContext {
 }
 
 impl CheckContext {
-    /// What the experiments that name a claim have measured.
+    /// The measurements of the experiments that name a claim.
     pub fn measurements_for(&self, claim: &Claim) -> Vec<&Measurement> {
         let experiments = claim.experiments();
         self.measurements.iter().filter(|measurement| experiments.contains(&measurement.experiment.as_str())).collect()
@@ -113,13 +113,13 @@ pub struct Measurement {
     pub experiment: String,
     /// The id of the method that was measured.
     pub method: String,
-    /// What was measured, with its numbers.
+    /// The result of the measurement in words, with its numbers.
     pub summary: String,
     /// Whether the measurement agrees with the claim.
     pub agrees: bool,
 }
 
-/// What a check found.
+/// The finding of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The statement held wherever it was tried; the text says where.

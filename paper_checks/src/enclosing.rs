@@ -1,7 +1,7 @@
 //! Zonotopes along given directions, in any dimension, from their definition and in exact rationals.
 //!
-//! Like [`space`](crate::space), the checks' own side of each comparison, without regard to speed: normals by
-//! elimination for every subset of d − 1 directions, programs by the simplex method of this crate.
+//! Like [`space`](crate::space) this is the checks' own side of each comparison, written without regard to speed:
+//! normals by elimination for every subset of d − 1 directions, programs by the simplex method of this crate.
 
 use std::collections::BTreeSet;
 
@@ -58,8 +58,8 @@ pub(crate) fn facet_normals(vectors: &[Row], dimension: usize) -> BTreeSet<Row> 
     found
 }
 
-/// Calls `visit` for every subset of that size.
-fn subsets(count: usize, size: usize, visit: &mut impl FnMut(&[usize])) {
+/// Calls `visit` for every subset of `size` of the numbers below `count`, its members in increasing order.
+pub(crate) fn subsets(count: usize, size: usize, visit: &mut impl FnMut(&[usize])) {
     fn extend(start: usize, count: usize, size: usize, chosen: &mut Vec<usize>, visit: &mut impl FnMut(&[usize])) {
         if chosen.len() == size {
             visit(chosen);
@@ -74,7 +74,7 @@ fn subsets(count: usize, size: usize, visit: &mut impl FnMut(&[usize])) {
     extend(0, count, size, &mut Vec::new(), visit);
 }
 
-/// The dimension of what vectors span.
+/// The dimension of the span of the vectors.
 pub(crate) fn rank(vectors: &[Row]) -> usize {
     eliminated(vectors.to_vec()).1.len()
 }
@@ -100,7 +100,7 @@ fn eliminated(mut rows: Vec<Row>) -> (Vec<Row>, Vec<usize>) {
     (rows, pivots)
 }
 
-/// The vector orthogonal to all of these, if it is unique up to a factor.
+/// The vector orthogonal to all the rows, if it is unique up to a factor.
 fn normal(rows: Vec<Row>, dimension: usize) -> Option<Row> {
     let (rows, pivots) = eliminated(rows);
     if pivots.len() + 1 != dimension {

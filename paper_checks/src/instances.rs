@@ -11,9 +11,9 @@ use crate::ratio::{fraction, integer};
 /// A polygon with the words that name it in a witness.
 #[derive(Clone, Debug)]
 pub struct Instance {
-    /// What it is.
+    /// The words that name the polygon in a witness.
     pub name: String,
-    /// Its vertices, strictly convex, counter-clockwise.
+    /// The vertices of the polygon, strictly convex, counter-clockwise.
     pub polygon: Vec<Point>,
 }
 

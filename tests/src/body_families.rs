@@ -19,7 +19,7 @@ pub type Generators<const D: usize> = Vec<[f64; D]>;
 pub struct Asked<const D: usize> {
     /// Where the displacement starts.
     pub from: [f64; D],
-    /// Where it ends.
+    /// Where the displacement ends.
     pub to: [f64; D],
     /// The generators.
     pub generators: Generators<D>,
@@ -91,11 +91,11 @@ pub fn asked<const D: usize>(generators: BoxedStrategy<Generators<D>>) -> BoxedS
 
 #[derive(Clone, Copy, Debug)]
 enum Start {
-    /// The displacement is `to`.
+    /// The displacement starts at the origin, so that it is `to` itself.
     Origin,
-    /// What the rounding of `to` lost.
+    /// The displacement starts at what the rounding of `to` lost, so that the difference is exact.
     Tail,
-    /// Where differences lose their digits.
+    /// The displacement starts so far away that the difference of its ends loses digits.
     Far,
 }
 

@@ -14,7 +14,7 @@ pub struct Instance<const D: usize> {
     pub points: Vec<[f64; D]>,
     /// The directions; they may be zero, parallel, repeated, and too few.
     pub directions: Vec<[f64; D]>,
-    /// One for each direction, none negative.
+    /// The weight of each direction, none of them negative.
     pub weights: Vec<f64>,
 }
 
@@ -49,8 +49,8 @@ macro_rules! test_on_direction_families {
     )*};
 }
 
-/// More directions than dimensions by at most this.
-const MORE: usize = 3;
+/// By how many the directions outnumber the dimensions at most.
+const SURPLUS_LIMIT: usize = 3;
 
 fn vector<const D: usize>(number: BoxedStrategy<f64>) -> BoxedStrategy<[f64; D]> {
     uniform(number).boxed()
@@ -61,7 +61,7 @@ fn vectors<const D: usize>(number: fn() -> BoxedStrategy<f64>, count: std::ops::
 }
 
 fn weighted<const D: usize>(points: Vectors<D>, directions: Vectors<D>) -> Instances<D> {
-    let weights = vec(prop_oneof![3 => Just(1.0), 2 => 0.25..4.0f64], D + 2 * MORE);
+    let weights = vec(prop_oneof![3 => Just(1.0), 2 => 0.25..4.0f64], D + 2 * SURPLUS_LIMIT);
     (points, directions, weights)
         .prop_map(|(points, directions, mut weights)| {
             weights.truncate(directions.len());
@@ -72,12 +72,12 @@ fn weighted<const D: usize>(points: Vectors<D>, directions: Vectors<D>) -> Insta
 
 /// No degeneracy: directions that span, points anywhere.
 pub fn generic<const D: usize>() -> Instances<D> {
-    weighted(vectors(plain, 1..=9), vectors(plain, D..=D + MORE))
+    weighted(vectors(plain, 1..=9), vectors(plain, D..=D + SURPLUS_LIMIT))
 }
 
 /// Small integers: equal points, zero, parallel and repeated directions, directions that do not span, none at all.
 pub fn lattices<const D: usize>() -> Instances<D> {
-    weighted(vectors(lattice, 1..=7), vectors(lattice, 0..=D + MORE))
+    weighted(vectors(lattice, 1..=7), vectors(lattice, 0..=D + SURPLUS_LIMIT))
 }
 
 /// Multiples of one another, of either sign, and repetitions.
@@ -157,7 +157,7 @@ pub fn scaled<const D: usize>() -> Instances<D> {
 
 /// Some of the weights zero.
 pub fn zero_weights<const D: usize>() -> Instances<D> {
-    (lattices::<D>(), vec(prop::sample::select(vec![0.0, 1.0, 2.0]), D + MORE))
+    (lattices::<D>(), vec(prop::sample::select(vec![0.0, 1.0, 2.0]), D + SURPLUS_LIMIT))
         .prop_map(|(instance, mut weights)| {
             weights.truncate(instance.directions.len());
             Instance { weights, ..instance }

@@ -41,7 +41,7 @@ pub struct Term {
     pub weight: f64,
 }
 
-/// Minimise c·x + Σ w |a·x + b|.
+/// The problem of minimising c·x + Σ w |a·x + b|.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
     /// The terms.

@@ -12,7 +12,7 @@ pub fn root() -> PathBuf {
 pub struct Source {
     /// The path from the workspace's folder, with forward slashes.
     pub path: String,
-    /// What is in it.
+    /// The text of the file.
     pub text: String,
 }
 

@@ -156,7 +156,7 @@ fn answers_verify(dimension: usize, count: usize, numbers: &[f64]) -> Result<(),
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(tests::runner::cases(300)))]
 
     #[test]
     fn numbers_that_are_not_finite_come_first(

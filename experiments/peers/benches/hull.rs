@@ -1,6 +1,6 @@
 //! Planar hulls against the crate `geo` on the same points, and farthest vertices of all edges.
 //!
-//! `cargo bench -p peers --features geo`; a filter such as `-- circle` selects families.
+//! `cargo bench -p peers --features others`; a filter such as `-- circle` selects families.
 
 use std::hint::black_box;
 use std::time::Duration;

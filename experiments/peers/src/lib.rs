@@ -8,6 +8,9 @@
 //! - [`contenders`]: the methods; [`race`]: the interleaved measurement; [`line_fit`]: the L1 line fit against the
 //!   crate `palb`.
 //! - [`experiments::peers`]: the record that a run writes, and the tables made from it.
+//!
+//! The crate is empty without its feature `others`, which brings the other libraries.
+#![cfg(feature = "others")]
 
 pub mod contenders;
 pub mod line_fit;

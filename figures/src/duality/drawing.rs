@@ -24,15 +24,15 @@ const LEFT_TILE: Paint = Paint::fill(FOCUS, 0.3);
 const RIGHT_TILE: Paint = Paint::fill(PAPER, 1.0);
 const LEFT_CROSSING: Marker = Marker::new(Shape::Disc, 9.0, FOCUS.mixed(PAPER, 110));
 const RIGHT_CROSSING: Marker = Marker::new(Shape::Ring, 9.0, GREY);
-/// With more crossings than this, signs and numbers are three quarters as large.
-const ROOMY: usize = 15;
+/// The number of crossings up to which signs and numbers have their full size; beyond it, three quarters of that.
+const FULL_SIZE_LIMIT: usize = 15;
 
 /// The separator of a picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Separator {
-    /// How many tiles it has on its left.
+    /// The number of tiles on the left of the separator.
     pub(crate) k: usize,
-    /// Whether its name stands at its upper end.
+    /// Whether the name of the separator stands at its upper end.
     pub(crate) named: bool,
 }
 
@@ -64,7 +64,7 @@ pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPa
             panel.scene().text(top.moved(0.0, -6.0), Anchor::Middle, &style, &format!("$L_{k}$"));
         }
     }
-    let size = if pair.crossings.len() > ROOMY { 0.75 } else { 1.0 };
+    let size = if pair.crossings.len() > FULL_SIZE_LIMIT { 0.75 } else { 1.0 };
     for (index, crossing) in pair.crossings.iter().enumerate() {
         let marker = if index < left { LEFT_CROSSING } else { RIGHT_CROSSING };
         panel.marker(crossing.place, &Marker { radius: marker.radius * size, ..marker });

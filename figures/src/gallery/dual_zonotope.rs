@@ -35,8 +35,8 @@ const DUAL: Paint = Paint::fill(REFLECTED, 0.12).with_outline(Stroke::new(REFLEC
 const CIRCLE: Stroke = Stroke::new(GREY, weight::MEDIUM).dashed(Dash::Dashed);
 const FARTHEST: Marker = Marker::new(Shape::Star, 8.0, OPTIMUM);
 const CIRCLE_POINTS: usize = 120;
-/// A vertex nearer to the circle than this is marked.
-const REACHES: f64 = 1e-4;
+/// The distance from the circle below which a vertex is marked.
+const MARKED_DISTANCE: f64 = 1e-4;
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let coarse = by_direction_net::least_enclosing(&POINTS, 0.9, Net::Cells).expect("the points are finite");
@@ -85,7 +85,7 @@ fn scaled_forces(answer: &MinLengthZonotope<2>) -> (Vec<Force>, Vec<[f64; 2]>) {
 }
 
 fn draw_points(scene: &mut Scene, window: PageBox, answer: &MinLengthZonotope<2>, forces: &[Force]) {
-    /// Units of the picture for a force of length 1.
+    /// The length, in units of the picture, of an arrow for a force of length 1.
     const FORCE_LENGTH: f64 = 5.0;
     let corners = answer.zonotope.vertices();
     let tip = |(point, force): &Force| [0, 1].map(|c| POINTS[*point][c] + FORCE_LENGTH * force[c]);
@@ -104,7 +104,7 @@ fn draw_dual(scene: &mut Scene, window: PageBox, dual: &[[f64; 2]]) {
     let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&circle), window));
     panel.polygon(dual, &DUAL);
     panel.polygon(&circle, &Paint::outline(CIRCLE));
-    for vertex in dual.iter().filter(|v| norm(**v) > 1.0 - REACHES) {
+    for vertex in dual.iter().filter(|v| norm(**v) > 1.0 - MARKED_DISTANCE) {
         panel.marker(*vertex, &FARTHEST);
     }
 }

@@ -20,7 +20,7 @@ pub const FIGURE: Figure = Figure {
     draw,
 };
 
-/// Variant, family, and the name of the family.
+/// The curves: variant, family, and the name of the family.
 const SHOWN: [(&str, &str, &str); 5] = [
     ("papers_net", "sphere_2", "on a circle"),
     ("net_of_cells", "sphere_2", "on a circle"),

@@ -26,7 +26,7 @@ pub const FIGURE: Figure = Figure {
 /// A polygon without symmetry.
 pub(super) const POINTS: [[f64; 2]; 7] =
     [[0.0, 1.2], [1.6, -0.4], [5.2, 0.0], [7.6, 2.2], [7.2, 4.4], [4.0, 5.6], [1.0, 4.0]];
-/// Off the best centre, inside of the polygon.
+/// A centre inside of the polygon, away from the best one.
 const GIVEN: [f64; 2] = [4.7, 2.1];
 
 const WIDTH: f64 = 840.0;

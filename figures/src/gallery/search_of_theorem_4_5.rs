@@ -30,10 +30,11 @@ pub const FIGURE: Figure = Figure {
     draw,
 };
 
-/// Even coordinates: the lines have integer coefficients, and the search runs on exactly what is drawn.
+/// The points of the figure. Their coordinates are even, so that the lines have integer coefficients and the search
+/// runs on exactly what is drawn.
 const POINTS: [[f64; 2]; 7] =
     [[0.0, 32.0], [8.0, 10.0], [66.0, 2.0], [86.0, 22.0], [86.0, 40.0], [70.0, 60.0], [38.0, 66.0]];
-/// Of the random choices in slope selection, which decide the time only.
+/// The seed of the random choices in slope selection, which affect the time only.
 const SEED: u64 = 1;
 
 const COLUMNS: usize = 3;

@@ -35,7 +35,7 @@ const GENERATOR_ROWS: [[f64; 3]; 7] = [
     [-8.0, 4.0, 0.0],
 ];
 const POINT: [f64; 3] = [14.0, -3.0, 4.0];
-/// Of the random choices in slope selection.
+/// The seed of the random choices in slope selection.
 const SEED: u64 = 1;
 const COLUMNS: usize = 3;
 const CELL: [f64; 2] = [280.0, 306.0];

@@ -11,9 +11,9 @@ use zonotope::hull::{ConvexHull, convex_hull};
 /// A line of the arrangement as it is drawn: a point on it, and its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawnLine {
-    /// A point on it.
+    /// A point on the line.
     pub point: [f64; 2],
-    /// Its direction, not zero.
+    /// The direction of the line, which is not zero.
     pub direction: [f64; 2],
 }
 

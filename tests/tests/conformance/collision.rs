@@ -14,10 +14,10 @@ use zonotope::collision::{
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::numeric::dyadic::Dyadic;
 
-/// Questions for each of the thirteen families: 21,450 in all.
+/// The questions of a long run for each of the thirteen families, by dimension: 21,450 in all.
 const CASES: [u32; 4] = [150, 400, 850, 250];
 
-/// For each family in space, by methods that compute in floating point: 20,150 together.
+/// The questions of a long run for each family in space, by methods that compute in floating point: 20,150 in all.
 const ENGINE_CASES: u32 = 1550;
 
 type Locate<const D: usize> = (&'static str, fn(&Query<'_, D>) -> Location<D>);

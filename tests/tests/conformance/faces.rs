@@ -8,9 +8,11 @@ use zonotope::zonotope::faces::by_recursion::vertices_and_facets;
 use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Vertex, faces};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
-/// Seeds for each random family and each number of generators up to [`MOST`].
+/// The number of seeds for each random family and each number of generators up to [`GENERATOR_LIMIT`].
 const SEEDS: u64 = 265;
-const MOST: usize = 7;
+
+/// The largest number of generators whose faces the twin lists.
+const GENERATOR_LIMIT: usize = 7;
 
 fn set(faces: impl Iterator<Item = SignVector>) -> BTreeSet<SignVector> {
     let faces: Vec<SignVector> = faces.collect();
@@ -53,7 +55,7 @@ fn check_counts<const D: usize>(generators: &[[f64; D]], truth: &[BTreeSet<SignV
 fn faces_in_space_are_those_of_the_twin() {
     let mut cases = 0;
     for family in BODY_FAMILIES {
-        for count in 1..=MOST {
+        for count in 1..=GENERATOR_LIMIT {
             for seed in 0..if family.is_random { SEEDS } else { 1 } {
                 let generators = family.generate(count, seed);
                 let truth = faces_by_dimension(&generators);
@@ -76,7 +78,7 @@ fn faces_in_space_are_those_of_the_twin() {
 #[test]
 fn faces_in_space_time_are_those_of_the_twin() {
     for family in SPACE_TIME_FAMILIES {
-        for count in 1..=MOST {
+        for count in 1..=GENERATOR_LIMIT {
             for seed in 0..8 {
                 let generators = family.generate(count, seed);
                 check_counts(&generators, &faces_by_dimension(&generators));

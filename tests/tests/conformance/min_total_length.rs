@@ -15,8 +15,8 @@ use zonotope::enclosing::min_total_length::{
     MinLengthZonotope, Net, by_direction_net, in_the_plane, min_length_enclosing,
 };
 
-/// Answers of at most so many points times generators are verified whole: containment by exact rational programs.
-const SMALL: usize = 90;
+/// The product of points and generators up to which containment is verified by exact rational programs.
+const EXACT_CONTAINMENT_LIMIT: usize = 90;
 
 fn proven<const D: usize>(
     points: &[[f64; D]],
@@ -27,7 +27,7 @@ fn proven<const D: usize>(
     let largest = points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
     let rounding = if answer.length > 0.0 { 16.0 * f64::EPSILON * (largest / answer.length) } else { 0.0 };
     prop_assert!(answer.ratio <= 1.0 + epsilon + rounding, "{} of {}: {:?}", answer.ratio, epsilon, answer);
-    let is_small = points.len() * answer.zonotope.generators().len() <= SMALL;
+    let is_small = points.len() * answer.zonotope.generators().len() <= EXACT_CONTAINMENT_LIMIT;
     let verdict = if is_small { verify(points, answer) } else { verify_bounds(points, answer) };
     prop_assert!(verdict.is_ok(), "{:?}: {:?}", verdict, answer);
     Ok(())

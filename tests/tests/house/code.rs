@@ -74,7 +74,7 @@ fn the_library_and_the_verifier_do_not_unwrap() {
     refuse(&[LIBRARY, VERIFIER], &[".unwrap()", "panic!(", "dbg!("], |_| false);
 }
 
-/// These differ from machine to machine; `libm` does not.
+/// The system's transcendental functions differ from machine to machine; those of `libm` do not.
 #[test]
 fn transcendental_functions_come_from_libm() {
     let methods = [

@@ -1,6 +1,7 @@
-//! The rules of the house, held by tests: code, documentation, ids, layout, manual.
+//! The rules of the house, held by tests: code, columns, documentation, ids, layout, manual.
 
 mod code;
+mod columns;
 mod documentation;
 mod ids;
 mod layout;

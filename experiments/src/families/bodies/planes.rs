@@ -50,7 +50,9 @@ pub const LATTICE_BODIES_4: BodyFamily<4> = BodyFamily {
     generate: lattice,
 };
 
-const NEAR: f64 = 1e-6;
+/// By how much a generator near the plane leaves it, relative to its length.
+const DISTANCE_FROM_PLANE: f64 = 1e-6;
+/// The largest coordinate of a lattice generator, in absolute value.
 const LARGEST_COORDINATE: usize = 8;
 
 fn flat(n: usize, seed: u64) -> Vec<[f64; 3]> {
@@ -68,7 +70,7 @@ fn near_plane(n: usize, seed: u64) -> Vec<[f64; 3]> {
     (0..n)
         .map(|_| {
             let [along, across, away]: [f64; 3] = normal_vector(&mut source);
-            let away = if source.below(10) == 0 { away } else { NEAR * away };
+            let away = if source.below(10) == 0 { away } else { DISTANCE_FROM_PLANE * away };
             [along + away, across, along - away]
         })
         .collect()

@@ -3,9 +3,9 @@
 /// A solid with its vertices.
 #[derive(Clone, Copy, Debug)]
 pub struct Solid {
-    /// Stable name.
+    /// The stable name of the solid.
     pub name: &'static str,
-    /// Its vertices, centred at the origin.
+    /// The vertices of the solid, centred at the origin.
     pub vertices: fn() -> Vec<[f64; 3]>,
 }
 

@@ -7,9 +7,9 @@ use zonotope::zonotope::{Zonotope, combinatorics};
 
 use crate::bodies::degenerate_bodies;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::enclosing::{doubles, rows};
 use crate::instances::generator;
 use crate::pyramids::{volume_by_pyramids, volume_of_parallelepipeds};
-use crate::ratio::integer;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
@@ -75,14 +75,13 @@ fn compare_random<const D: usize>(random: &mut Pcg64Mcg, count: usize, compared:
 /// Refutes the claim if the parallelepipeds do not add up to the volume of the faces, and leaves it open if the library
 /// has another volume.
 fn compare<const D: usize>(generators: &[[i64; D]], compared: &mut Compared) -> Result<(), Verdict> {
-    let exact: Vec<Vec<RBig>> = generators.iter().map(|g| g.iter().map(|&c| integer(c)).collect()).collect();
+    let exact = rows(generators);
     let parallelepipeds = volume_of_parallelepipeds(&exact, D);
     let pyramids = volume_by_pyramids(&exact, D);
     if parallelepipeds != pyramids {
         return Err(Verdict::Refuted(format!("{generators:?}: parallelepipeds {parallelepipeds}, faces {pyramids}")));
     }
-    let doubles = generators.iter().map(|g| g.map(|c| c as f64)).collect();
-    let body = Zonotope::new([0.0; D], doubles).expect("because integers of this size are finite doubles");
+    let body = Zonotope::new([0.0; D], doubles(generators)).expect("because integers of this size are finite doubles");
     let library = combinatorics(&body).measure;
     if library != pyramids {
         return Err(Verdict::Inconclusive(format!(

@@ -66,8 +66,8 @@ fn target(random: &mut Pcg64Mcg, generators: &[[i64; 4]], index: usize) -> [i64;
     point
 }
 
-/// 0 inside, 1 on the boundary, 2 outside, by the normals of all triples of generators and axes; the axes decide for
-/// flat bodies.
+/// The position of the target, 0 inside, 1 on the boundary or 2 outside, by the normals of all triples of generators
+/// and axes; the axes decide for flat bodies.
 fn position(generators: &[[i64; 4]], target: [i64; 4]) -> usize {
     let mut spanning = generators.to_vec();
     spanning.extend((0..4).map(|axis| std::array::from_fn(|i| i64::from(i == axis))));

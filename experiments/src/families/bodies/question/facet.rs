@@ -7,8 +7,8 @@ use zonotope::numeric::exact_sum::ExactSum;
 
 type Exact = [Dyadic; 3];
 
-/// Pairs of generators that are tried before a body is taken for a segment.
-const PAIRS: usize = 64;
+/// The number of pairs of generators that are tried before a body is taken for a segment.
+const PAIR_LIMIT: usize = 64;
 
 /// A point of a facet of the body { Σ δ_i g_i : |δ_i| ≤ 1 }; of an edge, if the body is flat.
 pub(super) struct Facet {
@@ -26,7 +26,7 @@ impl Facet {
         if generators.len() < 2 {
             return None;
         }
-        let [first, across] = (0..PAIRS).find_map(|_| {
+        let [first, across] = (0..PAIR_LIMIT).find_map(|_| {
             let [v, w] = [0, 1].map(|_| generators[source.below(generators.len())].map(Dyadic::from_f64));
             let across = cross(&v, &w);
             (!is_zero(&across)).then_some([v, across])

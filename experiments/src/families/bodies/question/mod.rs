@@ -24,19 +24,19 @@ use zonotope::collision::Query;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::Zonotope;
 
-/// Facets that are tried before a placement is given up for a body.
-const TRIES: usize = 24;
+/// The number of facets that are tried before a placement is given up for a body.
+const FACET_LIMIT: usize = 24;
 
 /// Where the displacement `to` − `from` lies relative to the zonotope of the generators, with the truth.
 #[derive(Clone, Debug)]
 pub struct Question {
-    /// What was wanted.
+    /// The placement that was asked for.
     pub placement: Placement,
     /// The generators, in the order of the family.
     pub generators: Vec<[f64; 3]>,
     /// Where the displacement starts.
     pub from: [f64; 3],
-    /// Where it ends.
+    /// Where the displacement ends.
     pub to: [f64; 3],
     /// Certified bounds of the gauge less 1; both are zero for a touching question.
     pub excess: [f64; 2],
@@ -49,7 +49,7 @@ impl Question {
     /// rounded point keeps the wanted gap.
     pub fn about(generators: Vec<[f64; 3]>, placement: Placement, seed: u64) -> Option<Self> {
         let mut source = RandomSource::new(seed::seed_of(seed, placement.id));
-        for _ in 0..TRIES {
+        for _ in 0..FACET_LIMIT {
             let facet = Facet::random(&generators, &mut source)?;
             let factor = placement.factor(&mut source);
             let exact = facet.point.each_ref().map(|c| c * &factor);
