@@ -134,6 +134,15 @@ pub struct Timing {
 /// counted run).
 pub type TimedWork = Box<dyn FnMut(&mut Stopwatch) -> Result<u64, String>>;
 
+/// How the values of an experiment's cases are put together in the report's table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tabulated {
+    /// The median over the instances of the largest size: for sizes, ratios and other properties of one instance.
+    MedianAtLargest,
+    /// The sum over all sizes and instances: for counts of rare events, whose median is zero however many there are.
+    Total,
+}
+
 /// An experiment.
 #[derive(Clone, Copy, Debug)]
 pub struct Experiment {
@@ -158,6 +167,8 @@ pub struct Experiment {
     pub variants: &'static [Variant],
     /// Runs a case with counting on, and checks the answer.
     pub measure: fn(&Case) -> Result<Measurement, String>,
+    /// How the values are put together in the report's table.
+    pub table: Tabulated,
     /// The timed part, if the experiment has one.
     pub timing: Option<Timing>,
     /// The growth laws that are fitted.

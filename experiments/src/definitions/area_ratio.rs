@@ -1,7 +1,7 @@
 //! How much larger than the hull the smallest enclosing zonogon is.
 
 use super::{REAL_INPUTS, kernel_methods, min_area_scaling};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use zonotope::enclosing::min_area_zonogon::{min_area_enclosing_zonogon_with, verify};
 use zonotope::tally::OperationCounts;
 
@@ -33,6 +33,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     instances: PerProfile { quick: 5, full: 25 },
     variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[],
 };

@@ -1,7 +1,9 @@
 //! Operations and time of each collision method against the number of generators.
 
 use super::{BODY_SIZES, collision_methods};
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{
+    Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+};
 use crate::fit::GrowthModel;
 use zonotope::tally::OperationCounts;
 
@@ -46,6 +48,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: BODY_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_lad", FAMILIES, Some(GrowthModel::Linear)),

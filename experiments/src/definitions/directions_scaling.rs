@@ -1,7 +1,7 @@
 //! Size and time of the linear programs of 4.2 against the number of directions.
 
 use super::fixed_directions_methods;
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing};
 use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 
@@ -30,6 +30,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         PerProfile { quick: 24, full: 32 },
     ),
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[
         fit("papers_program", Quantity::Value("share_of_bound"), Some(GrowthModel::Constant)),

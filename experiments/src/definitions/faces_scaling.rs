@@ -1,7 +1,7 @@
 //! Size and time of the explicit face lattice against the number of generators.
 
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -36,6 +36,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     instances: PerProfile::both(2),
     variants: &[Variant { id: "by_sweep", title: "Sweep of great circles", largest: PerProfile::both(usize::MAX) }],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_sweep", GENERAL, Some(GrowthModel::Quadratic)).of(Quantity::Value("facets")),

@@ -1,7 +1,7 @@
 //! How often floating point cannot decide and exact arithmetic must.
 
 use super::{BODY_FAMILIES, collision_methods};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use crate::families::bodies::question::Question;
 use crate::seed::{self, Digest};
 use zonotope::tally::{Operation, OperationCounts};
@@ -30,6 +30,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_lad_location", title: "Kernel: location", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[],
 };

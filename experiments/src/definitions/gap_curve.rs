@@ -1,6 +1,6 @@
 //! How the gap between length and lower bound closes, round by round.
 
-use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::{self, Cloud};
 use crate::seed::Digest;
 use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_column_generation::min_length_enclosing_counted};
@@ -44,6 +44,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         largest: PerProfile::both(usize::MAX),
     }],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 1, full: 2 }, prepare }),
     fits: &[],
 };

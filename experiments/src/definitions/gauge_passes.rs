@@ -1,7 +1,7 @@
 //! How often the exact gauge reads its input.
 
 use super::{BODY_FAMILIES, collision_methods};
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant};
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
 use crate::fit::GrowthModel;
 use zonotope::tally::{Operation, OperationCounts};
 
@@ -22,6 +22,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     instances: PerProfile { quick: 3, full: 4 },
     variants: &[Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) }],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[FitPlan {
         quantity: Quantity::Value("passes"),

@@ -2,7 +2,7 @@
 
 use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -27,6 +27,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "brute_force", title: "Gift wrapping", largest: PerProfile::both(1 << 11) },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(5), prepare }),
     fits: &[
         FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES, Some(GrowthModel::Linear))

@@ -1,7 +1,7 @@
 //! The kernel's methods against each other by time, on the same lines in one run.
 
 use super::lad_scaling;
-use crate::definition::{Experiment, PerProfile, Timing, Variant};
+use crate::definition::{Experiment, PerProfile, Tabulated, Timing, Variant};
 
 const SIZES: PerProfile<&[usize]> = PerProfile { quick: &[1 << 12, 1 << 15], full: &[1 << 12, 1 << 15, 1 << 20] };
 
@@ -26,6 +26,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
     ],
     measure: lad_scaling::measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare: lad_scaling::prepare }),
     fits: &[],
 };

@@ -2,7 +2,7 @@
 
 use super::kernel_methods::{self, KernelInput};
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use zonotope::lad::verify;
@@ -39,6 +39,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: super::KERNEL_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),

@@ -1,6 +1,6 @@
 //! How near nets and column generation come to the least total length, and with how many directions.
 
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict};
 use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -39,6 +39,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[
         net_size("papers_net", &["sphere_2"], GrowthModel::Linear),

@@ -2,7 +2,7 @@
 
 use super::REAL_INPUTS;
 use super::kernel_methods::{self, KernelInput};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use zonotope::lad::{LadOutcome, LadProblem, Method, brute_force, verify};
 use zonotope::tally::OperationCounts;
 
@@ -44,6 +44,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[],
 };

@@ -1,7 +1,9 @@
 //! Operations and time of the whole of 4.1, from points to a certified zonogon, against the number of points.
 
 use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES, kernel_methods};
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{
+    Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, min_area_enclosing_zonogon_with, verify};
@@ -30,6 +32,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(1 << 16) },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_slope_selection", HULL_FAMILIES, Some(GrowthModel::LinearLogSquared)),

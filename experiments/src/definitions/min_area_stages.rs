@@ -1,7 +1,7 @@
 //! Where the operations and the time of 4.1 go: hull, farthest vertices, lines, kernel, output.
 
 use super::{SCALING_FAMILIES, min_area_scaling};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::enclosing::min_area_zonogon::{min_area_enclosing_zonogon_with, verify};
 use zonotope::hull::antipodal::farthest_vertices_counted;
@@ -31,6 +31,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     instances: PerProfile::both(1),
     variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 5, full: 7 }, prepare }),
     fits: &[],
 };

@@ -1,7 +1,7 @@
 //! Passes and time of 4.2 against the number of points.
 
 use super::fixed_directions_methods;
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing};
 
 const SIZES: PerProfile<&[usize]> = PerProfile {
     quick: &[1 << 8, 1 << 10, 1 << 12, 1 << 14],
@@ -25,6 +25,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     instances: PerProfile { quick: 1, full: 2 },
     variants: &fixed_directions_methods::variants(PerProfile::both(1 << 14), PerProfile::both(1 << 14)),
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[
         FitPlan::of_operations("by_row_generation", &["ball_3", "sphere_3"], None).of(Quantity::Count("point_read")),

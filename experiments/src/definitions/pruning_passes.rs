@@ -1,7 +1,7 @@
 //! How often pruning reads its input.
 
 use super::{PRUNING_SIZES, lad_scaling};
-use crate::definition::{Experiment, FitPlan, PerProfile, Quantity, Variant};
+use crate::definition::{Experiment, FitPlan, PerProfile, Quantity, Tabulated, Variant};
 use crate::fit::GrowthModel;
 
 const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines", "symmetric_lines", "ellipse_thin"];
@@ -21,6 +21,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     instances: PerProfile { quick: 3, full: 5 },
     variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
     measure: lad_scaling::measure,
+    table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[FitPlan {
         quantity: Quantity::Value("passes"),

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::fixed_directions_methods::{digest, directions, solve};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::Cloud;
 use crate::seed::Digest;
 use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program::extreme_points_of, verify};
@@ -35,6 +35,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_row_generation", title: "Normals as they are needed", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 1, full: 3 }, prepare }),
     fits: &[],
 };

@@ -1,6 +1,8 @@
 //! Operations and time of slope selection against the number of lines.
 
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{
+    Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::arrangement::LineArrangement;
@@ -32,6 +34,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         largest: PerProfile { quick: 1 << 13, full: 1 << 17 },
     }],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: super::SCALING_SIZES, repetitions: PerProfile { quick: 3, full: 5 }, prepare }),
     fits: &[FitPlan::of_operations("randomized", FAMILIES, Some(GrowthModel::Linearithmic))],
 };

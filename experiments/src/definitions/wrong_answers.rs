@@ -1,7 +1,7 @@
 //! Wrong answers of methods that compute in floating point alone, beside those that decide exactly.
 
 use super::{BODY_FAMILIES, collision_methods};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use crate::families::bodies::question::{PLACEMENTS, Question};
 use crate::seed::{self, Digest};
 use zonotope::tally::OperationCounts;
@@ -32,6 +32,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "microlp", title: "Linear program, proof from microlp's guess", largest: PerProfile::both(64) },
     ],
     measure,
+    table: Tabulated::Total,
     timing: None,
     fits: &[],
 };

@@ -1,5 +1,5 @@
 use super::*;
-use crate::definition::{Case, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::record::{CountOutcome, TimeOutcome};
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,6 +23,7 @@ static TOY: Experiment = Experiment {
         variant("drifts", 4),
     ],
     measure,
+    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: PerProfile::both(&[4, 8]), repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[],
 };

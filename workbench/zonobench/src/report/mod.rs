@@ -12,6 +12,7 @@ mod html;
 mod manifest;
 mod pages;
 mod peers;
+mod totals;
 mod values;
 
 use experiments::analysis::{self, FittedGrowth};

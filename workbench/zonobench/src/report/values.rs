@@ -2,13 +2,22 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use experiments::definition::Experiment;
+use experiments::definition::{Experiment, Tabulated};
 use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow};
 
 use super::html::{Escaped, grouped, table};
+use super::totals::total_table;
 
-/// For every input and method the values at the largest size: the middle one of the instances. Empty without values.
+/// The values put together as the experiment says. Empty without values.
 pub(super) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
+    match experiment.table {
+        Tabulated::MedianAtLargest => median_table(experiment, rows),
+        Tabulated::Total => total_table(experiment, rows),
+    }
+}
+
+/// For every input and method the values at the largest size: the median over the instances.
+fn median_table(experiment: &Experiment, rows: &[CountRow]) -> String {
     let rows = rows.iter().filter(|row| row.fault().is_none());
     let rows = rows.map(|row| Row {
         key: &row.key,
@@ -76,7 +85,7 @@ fn values(row: &CountRow) -> &BTreeMap<String, f64> {
     }
 }
 
-fn title(experiment: &Experiment, variant: &str) -> String {
+pub(super) fn title(experiment: &Experiment, variant: &str) -> String {
     let found = experiment.variants.iter().find(|candidate| candidate.id == variant);
     Escaped(found.map_or(variant, |variant| variant.title)).to_string()
 }
