@@ -3,6 +3,7 @@
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files; [`json`] reads and writes JSON; [`output`] writes files whole or not at all.
 //! - [`report`] lays out what `reproduce` found.
+//! - `digest` names files by their SHA-256.
 //! - [`enclosure`] is the answer of least area, with its exact check.
 //! - [`batch`] answers questions that are lines of JSON; [`verify`] checks answers with exact arithmetic of its own.
 //!
@@ -12,6 +13,7 @@
 pub mod batch;
 pub mod cli;
 pub mod commands;
+mod digest;
 pub mod enclosure;
 pub mod input;
 pub mod json;

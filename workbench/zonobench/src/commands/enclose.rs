@@ -8,7 +8,7 @@ mod summary;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use anyhow::anyhow;
+use anyhow::{anyhow, bail};
 use clap::Args;
 use serde_json::json;
 use zonotope::lad::Method;
@@ -17,6 +17,7 @@ use super::Ending;
 use super::asking::{Asking, Objective, Usage};
 use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
+use crate::input::{Points, Reading};
 use crate::output::{Existing, check_outputs, write_whole};
 use crate::progress::Progress;
 
@@ -50,35 +51,47 @@ pub struct Options {
 /// Reads, solves, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let existing = Existing::from_force(options.force);
-    let objective = options.asking.objective(&options.file)?;
-    if objective == Objective::Area && options.obj.is_some() {
-        return Err(Usage("--obj: only a zonotope of space is written as a mesh".to_owned()).into());
-    }
-    if objective == Objective::Length && options.exact {
-        return Err(Usage("--exact: only the least area is computed in exact numbers".to_owned()).into());
+    if let Some(objective) = options.asking.stated_objective(&options.file)? {
+        check_usage(options, objective)?;
     }
     let outputs = [&options.svg, &options.json, &options.obj].into_iter().flatten();
     check_outputs(outputs, &[&options.file], existing)?;
+    let progress = Progress::of(3, "reading");
+    let (reading, objective) = options.asking.read(&options.file)?;
+    check_usage(options, objective)?;
     match objective {
-        Objective::Area => by_area(options, existing),
-        Objective::Length => by_length::run(options, existing),
+        Objective::Area => by_area(options, &reading, progress, existing),
+        Objective::Length => by_length::run(options, &reading, progress, existing),
     }
 }
 
-fn by_area(options: &Options, existing: Existing) -> anyhow::Result<Ending> {
-    let source = options.asking.source(&options.file);
-    let progress = Progress::of(3, "reading");
-    let points = source.read()?;
+/// Refuses options that make no sense for the objective.
+fn check_usage(options: &Options, objective: Objective) -> Result<(), Usage> {
+    match objective {
+        Objective::Area if options.obj.is_some() => {
+            Err(Usage("--obj: only a zonotope of space is written as a mesh".to_owned()))
+        }
+        Objective::Length if options.exact => {
+            Err(Usage("--exact: only the least area is computed in exact numbers".to_owned()))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn by_area(options: &Options, reading: &Reading, progress: Progress, existing: Existing) -> anyhow::Result<Ending> {
+    let Points::Plane(points) = &reading.points else {
+        bail!("{}: the least area is that of points with two coordinates", options.file.display());
+    };
     progress.next("solving");
-    let enclosure = Enclosure::of(&points, Method::default(), options.seed)
+    let enclosure = Enclosure::of(points, Method::default(), options.seed)
         .map_err(|error| anyhow!("{}: {error}", options.file.display()))?;
     progress.next("checking");
-    let proof = enclosure.check(&points);
+    let proof = enclosure.check(points);
     drop(progress);
 
     let exact = options.exact.then(|| enclosure.exact());
     if let Some(file) = &options.svg {
-        let svg = drawing::draw(&options.file, &points, &enclosure);
+        let svg = drawing::draw(&options.file, points, &enclosure);
         write_whole(file, svg.as_bytes(), existing)?;
     }
     if let Some(file) = &options.json {
@@ -90,11 +103,12 @@ fn by_area(options: &Options, existing: Existing) -> anyhow::Result<Ending> {
             "id": question_name(&options.file),
             "kind": "min_area",
             "method": enclosure.method.name(),
+            "request": options.asking.record(reading, Objective::Area)?,
             "result": result,
         });
         write_whole(file, format!("{answer}\n").as_bytes(), existing)?;
     }
-    let text = summary::summary(options, &points, &enclosure, proof.as_ref(), exact.as_ref());
+    let text = summary::summary(options, reading, &enclosure, proof.as_ref(), exact.as_ref());
     io::stdout().lock().write_all(text.as_bytes())?;
     Ok(if proof.is_ok() { Ending::Good } else { Ending::Bad })
 }

@@ -1,15 +1,17 @@
 //! `zonobench verify`: answers checked against their questions, exactly.
 
+mod data;
+
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use clap::Args;
 
-use super::asking::{Asking, Objective};
+use super::asking::Asking;
 use super::{Ending, open};
 use crate::batch::MAX_LINE_BYTES;
-use crate::input::{Format, on_one_line};
+use crate::input::on_one_line;
 use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
 use crate::verify::{Verdict, check};
 
@@ -21,20 +23,37 @@ pub struct Options {
     questions: PathBuf,
     /// The answers, in the order of the questions; or the file that `--json` wrote.
     answers: PathBuf,
-    /// Of a data file, what `enclose` was asked.
+    /// Of a data file, what `enclose` was asked, where the answer does not record it.
     #[command(flatten)]
     asking: Asking,
 }
 
 /// Checks every answer: a line each on standard output.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let Questions { trees: mut questions, are_data } = questions(options)?;
     let answers = lines(&options.answers)?;
+    let Some(about_data) = data::question(options, answers.first().and_then(Option::as_ref))? else {
+        return of_questions(options, &answers);
+    };
+    let mut output = BufWriter::new(io::stdout().lock());
+    let (verdict, ending) = match answers.first() {
+        None => (Verdict::Wrong("there is no answer".to_owned()), Ending::Bad),
+        Some(None) => (Verdict::Wrong("the answer is not JSON".to_owned()), Ending::Bad),
+        Some(Some(answer)) => about_data.judge(answer),
+    };
+    write_verdict(&mut output, &question_name(&options.questions), about_data.question(), &verdict)?;
+    let has_more = answers.len() > 1;
+    if has_more {
+        writeln!(output, "-\t-\tWRONG\t{} answers to 1 question", answers.len())?;
+    }
+    output.flush()?;
+    Ok(if has_more { Ending::Bad } else { ending })
+}
+
+/// Checks the answers to questions that are lines of JSON.
+fn of_questions(options: &Options, answers: &[Option<Tree>]) -> anyhow::Result<Ending> {
+    let questions = lines(&options.questions)?;
     let mut output = BufWriter::new(io::stdout().lock());
     let mut wrong = 0;
-    if are_data && let (Some(Some(question)), Some(Some(answer))) = (questions.first_mut(), answers.first()) {
-        rename(question, answer);
-    }
     for (index, question) in questions.iter().enumerate() {
         let verdict = match (question, answers.get(index)) {
             (_, None) => Verdict::Wrong("there is no answer".to_owned()),
@@ -42,17 +61,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
             (None, Some(Some(answer))) => unread_question(answer),
             (Some(question), Some(Some(answer))) => check(question, answer),
         };
-        let name = |name| question.as_ref().and_then(|question| question.field(name)).and_then(Tree::text);
-        write!(output, "{}", name("id").map_or_else(|| format!("question {}", index + 1), on_one_line))?;
-        write!(output, "\t{}\t", name("kind").map_or_else(|| "-".to_owned(), on_one_line))?;
-        match verdict {
-            Verdict::Right(proved) => writeln!(output, "right\t{proved}")?,
-            Verdict::Unchecked(reason) => writeln!(output, "unchecked\t{}", on_one_line(&reason))?,
-            Verdict::Wrong(reason) => {
-                wrong += 1;
-                writeln!(output, "WRONG\t{}", on_one_line(&reason))?;
-            }
-        }
+        wrong += u64::from(matches!(verdict, Verdict::Wrong(_)));
+        write_verdict(&mut output, &format!("question {}", index + 1), question.as_ref(), &verdict)?;
     }
     if answers.len() > questions.len() {
         wrong += 1;
@@ -62,67 +72,29 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     Ok(if wrong == 0 { Ending::Good } else { Ending::Bad })
 }
 
+/// Writes the line of a question; one without an id has the given name.
+fn write_verdict(
+    output: &mut impl Write,
+    nameless: &str,
+    question: Option<&Tree>,
+    verdict: &Verdict,
+) -> io::Result<()> {
+    let name = |field| question.and_then(|question| question.field(field)).and_then(Tree::text).map(on_one_line);
+    let [id, kind] = [("id", nameless), ("kind", "-")].map(|(field, other)| name(field).unwrap_or(other.to_owned()));
+    let (word, reason) = match verdict {
+        Verdict::Right(proved) => ("right", proved.clone()),
+        Verdict::Unchecked(reason) => ("unchecked", on_one_line(reason)),
+        Verdict::Wrong(reason) => ("WRONG", on_one_line(reason)),
+    };
+    writeln!(output, "{id}\t{kind}\t{word}\t{reason}")
+}
+
 /// A line that is no JSON document must have been refused.
 fn unread_question(answer: &Tree) -> Verdict {
     match answer.field("error") {
         Some(_) => Verdict::Unchecked("refused; the question is no JSON document that is read here".to_owned()),
         None => Verdict::Wrong("the question is not JSON, but it was answered".to_owned()),
     }
-}
-
-/// What answers are checked against.
-struct Questions {
-    trees: Vec<Option<Tree>>,
-    /// Whether they are one question made of a data file.
-    are_data: bool,
-}
-
-impl Questions {
-    fn of_data(question: Option<Tree>) -> Self {
-        Self { trees: vec![question], are_data: true }
-    }
-
-    fn of_lines(file: &Path) -> anyhow::Result<Self> {
-        Ok(Self { trees: lines(file)?, are_data: false })
-    }
-}
-
-/// Data are asked about under whatever name the answer has.
-fn rename(question: &mut Tree, answer: &Tree) {
-    if let (Tree::Object(fields), Some(id)) = (question, answer.field("id")) {
-        fields.iter_mut().filter(|(name, _)| name == "id").for_each(|(_, own)| *own = id.clone());
-    }
-}
-
-/// The questions; a data file is one question, named after the file.
-fn questions(options: &Options) -> anyhow::Result<Questions> {
-    let file = &options.questions;
-    let asking = &options.asking;
-    let source = asking.source(file);
-    let format = source.known_format();
-    if format.is_none() {
-        return Questions::of_lines(file);
-    }
-    if asking.format.is_none() && format == Some(Format::Json) {
-        // What the name does not tell, the content does: data have no kind.
-        let questions = Questions::of_lines(file)?;
-        let first = questions.trees.first();
-        if first.is_some_and(|first| first.as_ref().is_some_and(|first| first.field("kind").is_some())) {
-            return Ok(questions);
-        }
-    }
-    if asking.objective(file)? == Objective::Length {
-        let question = asking.question_of_length(&question_name(file), &source.read_any()?)?;
-        return Ok(Questions::of_data(json::read(question.to_string().as_bytes(), MAX_VALUES).ok()));
-    }
-    let points = source.read()?;
-    let points = points.into_iter().map(|point| Tree::List(point.map(Tree::Number).into())).collect();
-    let text = |text: &str| Tree::Text(text.to_owned());
-    Ok(Questions::of_data(Some(Tree::Object(vec![
-        ("id".to_owned(), text(&question_name(file))),
-        ("kind".to_owned(), text("min_area")),
-        ("input".to_owned(), Tree::Object(vec![("points".to_owned(), Tree::List(points))])),
-    ]))))
 }
 
 /// The id of the question that a data file stands for.

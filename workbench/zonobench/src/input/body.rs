@@ -1,12 +1,15 @@
-//! A zonotope from a file.
+//! A zonotope from a file: a table of generators, a document, or an answer that holds a body.
+
+mod document;
 
 use std::path::{Path, PathBuf};
 
-use super::bytes::read_limited;
-use super::document::{number, parse};
+use super::bytes::{read_limited, text};
+use super::document::parse;
 use super::error::{InputError, Place, Problem};
-use super::{Format, push_limited, table};
-use crate::json::Tree;
+use super::{Format, table};
+
+pub use document::body_of_answer;
 
 /// A zonotope of any dimension: every vector has as many coordinates as the centre, at least one, all finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +18,8 @@ pub struct Body {
     pub center: Vec<f64>,
     /// The generators.
     pub generators: Vec<Vec<f64>>,
+    /// Whether the generators are rounded: products of directions and coefficients of an answer that no doubles equal.
+    pub is_rounded: bool,
 }
 
 /// A file with a zonotope.
@@ -27,8 +32,9 @@ pub struct BodySource {
 }
 
 impl BodySource {
-    /// Reads the zonotope: rows of a table are generators; a document is a list of generators, or an object with `generators`
-    /// and perhaps a `center`.
+    /// Reads the zonotope: rows of a table are generators; a document is a list of generators, an object with `generators`
+    /// and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre `c`, or an answer that
+    /// holds a body.
     pub fn read(&self) -> Result<Body, InputError> {
         let file = &self.file;
         let format = self
@@ -37,44 +43,14 @@ impl BodySource {
             .ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
         let content = read_limited(file)?;
         match format {
-            Format::Csv => body(file, None, table::rows(file, &content)?),
-            Format::Json => document(file, &parse(file, &content)?),
+            Format::Csv => body(file, None, table::rows(file, text(&content))?),
+            Format::Json => document::body(file, &parse(file, text(&content))?),
             other => {
                 let problem = format!("the format {other} holds no zonotopes; csv and json do");
                 Err(Problem::Shape(problem).at(file, Place::File))
             }
         }
     }
-}
-
-fn document(file: &Path, document: &Tree) -> Result<Body, InputError> {
-    let misshapen = |problem: String, place: Place| Problem::Shape(problem).at(file, place);
-    let (rows, path) = match (document.list(), document.field("generators").and_then(Tree::list)) {
-        (Some(rows), _) => (rows, ""),
-        (None, Some(rows)) => (rows, "generators"),
-        (None, None) => {
-            let found = document.describe();
-            let problem =
-                format!("expected a list of generators, or an object with a list `generators`, found {found}");
-            return Err(misshapen(problem, Place::File));
-        }
-    };
-    let mut generators = Vec::new();
-    for (index, row) in rows.iter().enumerate() {
-        let row = vector(file, row, &format!("{path}[{index}]"))?;
-        push_limited(&mut generators, row).map_err(|problem| problem.at(file, Place::File))?;
-    }
-    let center = document.field("center").map(|center| vector(file, center, "center")).transpose()?;
-    body(file, center, generators)
-}
-
-fn vector(file: &Path, value: &Tree, path: &str) -> Result<Vec<f64>, InputError> {
-    let components = value.list().ok_or_else(|| {
-        Problem::Shape(format!("expected a vector, found {}", value.describe())).at(file, Place::Path(path.to_owned()))
-    })?;
-    let component =
-        |(index, value)| number(value).map_err(|problem| problem.at(file, Place::Path(format!("{path}[{index}]"))));
-    components.iter().enumerate().map(component).collect()
 }
 
 fn body(file: &Path, center: Option<Vec<f64>>, generators: Vec<Vec<f64>>) -> Result<Body, InputError> {
@@ -86,7 +62,7 @@ fn body(file: &Path, center: Option<Vec<f64>>, generators: Vec<Vec<f64>>) -> Res
         let problem = Problem::Ragged { found: generators[index].len(), expected: dimension };
         return Err(problem.at(file, Place::Path(format!("generators[{index}]"))));
     }
-    Ok(Body { center: center.unwrap_or_else(|| vec![0.0; dimension]), generators })
+    Ok(Body { center: center.unwrap_or_else(|| vec![0.0; dimension]), generators, is_rounded: false })
 }
 
 #[cfg(test)]
@@ -97,23 +73,66 @@ mod tests {
         let file = Path::new(name);
         let read = match Format::of_extension(file) {
             Some(Format::Csv) => table::rows(file, content.as_bytes()).and_then(|rows| body(file, None, rows)),
-            _ => parse(file, content.as_bytes()).and_then(|tree| document(file, &tree)),
+            _ => parse(file, content.as_bytes()).and_then(|tree| document::body(file, &tree)),
         };
         read.map_err(|error| error.to_string())
     }
 
     #[test]
     fn tables_and_documents_hold_the_same_body() {
-        let square = Body { center: vec![0.0, 0.0], generators: vec![vec![1.0, 0.0], vec![0.0, 2.0]] };
+        let generators = vec![vec![1.0, 0.0], vec![0.0, 2.0]];
+        let square = Body { center: vec![0.0, 0.0], generators, is_rounded: false };
         assert_eq!(read("z.csv", "1,0\n0,2\n"), Ok(square.clone()));
         assert_eq!(read("z.csv", "x;y\n1;0\n\n0;2"), Ok(square.clone()));
         assert_eq!(read("z.json", "[[1,0],[0,2]]"), Ok(square.clone()));
         assert_eq!(read("z.json", r#"{"generators":[[1,0],[0,2]],"name":"a square"}"#), Ok(square.clone()));
         let moved = read("z.json", r#"{"center":[5,6],"generators":[[1,0],[0,2]]}"#);
-        assert_eq!(moved, Ok(Body { center: vec![5.0, 6.0], ..square }));
+        assert_eq!(moved, Ok(Body { center: vec![5.0, 6.0], ..square.clone() }));
         let point = read("z.json", r#"{"center":[5,6,7],"generators":[]}"#);
-        assert_eq!(point, Ok(Body { center: vec![5.0, 6.0, 7.0], generators: vec![] }));
+        assert_eq!(point, Ok(Body { center: vec![5.0, 6.0, 7.0], generators: vec![], is_rounded: false }));
+        let matrix = read("z.json", r#"{"c":[5,6],"G":[[1,0],[0,2]]}"#);
+        assert_eq!(matrix, Ok(Body { center: vec![5.0, 6.0], ..square }));
+        let wide = read("z.json", r#"{"G":[[1,2,3],[4,5,6]]}"#).map(|body| body.generators);
+        assert_eq!(wide, Ok(vec![vec![1.0, 4.0], vec![2.0, 5.0], vec![3.0, 6.0]]));
         assert_eq!(read("z.csv", "7\n8\n").map(|body| body.generators), Ok(vec![vec![7.0], vec![8.0]]));
+    }
+
+    #[test]
+    fn answers_hold_bodies() {
+        let zonogon = r#"{"id":"p","kind":"min_area","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]]}}"#;
+        let square =
+            Body { center: vec![1.0, 1.0], generators: vec![vec![1.0, 0.0], vec![0.0, 1.0]], is_rounded: false };
+        assert_eq!(read("a.json", zonogon), Ok(square.clone()));
+        let along = |coefficients: &str| {
+            let result = format!(r#"{{"status":"optimal","center":[1,1],"coefficients":{coefficients}}}"#);
+            let request = r#"{"directions":[[1,0],[3,3],[0,0.1]]}"#;
+            format!(r#"{{"kind":"min_length_dirs","request":{request},"result":{result}}}"#)
+        };
+        let exact = Body { generators: vec![vec![1.0, 0.0], vec![6.0, 6.0]], ..square.clone() };
+        assert_eq!(read("a.json", &along("[1,2,0]")), Ok(exact));
+        let rounded = Body { generators: vec![vec![1.0, 0.0], vec![0.0, 0.1 * 3.0]], is_rounded: true, ..square };
+        assert_eq!(read("a.json", &along("[1,0,3]")), Ok(rounded));
+    }
+
+    #[test]
+    fn answers_without_a_body_say_so() {
+        let answers = [
+            (
+                r#"{"result":{"status":"infeasible","certificate":{}}}"#,
+                "no zonotope along the directions contains the points",
+            ),
+            (r#"{"error":{"code":"empty","message":"there are no points"}}"#, "is a refusal: there are no points"),
+            (r#"{"result":{"member":true}}"#, "holds no zonotope"),
+            (r#"{"result":{"center":[0],"coefficients":[1]}}"#, "names no directions"),
+            (r#"{"request":{"directions":[[1]]},"result":{"center":[0],"coefficients":[1,2]}}"#, "2 coefficients"),
+            (r#"{"result":{"center":[0],"generators":[["x"]]}}"#, "result.generators[0][0]: 'x' is not a number"),
+            (r#"{"c":[0,0],"G":[[1,2],[3]]}"#, "G[1]: the row has 1 cells, not 2"),
+            (r#"{"c":[0,0,0],"G":[[1,2],[3,4]]}"#, "G: the matrix has 2 rows, not 3"),
+        ];
+        for (answer, complaint) in answers {
+            let found = read("a.json", answer).expect_err("there is no body");
+            assert!(found.starts_with("a.json: ") && found.contains(complaint), "{found}");
+        }
     }
 
     #[test]

@@ -18,18 +18,28 @@ pub enum Column {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Columns(pub Vec<Column>);
 
-impl FromStr for Columns {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let columns: Vec<Column> = text.split(',').map(|name| column(name.trim())).collect::<Result<_, _>>()?;
-        if !(2..=MOST_COORDINATES).contains(&columns.len()) {
+impl Columns {
+    /// Columns that are not too many and each there once. One column is enough where the columns were guessed.
+    pub fn new(columns: Vec<Column>) -> Result<Self, String> {
+        if !(1..=MOST_COORDINATES).contains(&columns.len()) {
             return Err(format!("give two to {MOST_COORDINATES} columns, such as 2,3 or lon,lat"));
         }
         if columns.iter().enumerate().any(|(index, column)| columns[..index].contains(column)) {
             return Err("two of the columns are the same".to_owned());
         }
         Ok(Self(columns))
+    }
+}
+
+impl FromStr for Columns {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let columns: Vec<Column> = text.split(',').map(|name| column(name.trim())).collect::<Result<_, _>>()?;
+        if columns.len() < 2 {
+            return Err(format!("give two to {MOST_COORDINATES} columns, such as 2,3 or lon,lat"));
+        }
+        Self::new(columns)
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::points::{Points, Wanted};
+use super::reading::{Reading, columns_of};
 use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
 /// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
@@ -13,7 +14,7 @@ pub(super) fn points(
     content: &[u8],
     columns: Option<&Columns>,
     wanted: Wanted,
-) -> Result<Points, InputError> {
+) -> Result<Reading, InputError> {
     let document = parse(file, content)?;
     let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
         (Some(rows), _) => (rows, String::new()),
@@ -42,7 +43,35 @@ pub(super) fn points(
             .push(&point)
             .map_err(|problem| at((problem, String::new())))?;
     }
-    Ok(points.unwrap_or(Points::Plane(Vec::new())))
+    let points = points.unwrap_or(Points::Plane(Vec::new()));
+    let (columns, left_out) =
+        rows.first().map_or_else(Default::default, |first| parts(first, columns, points.dimension()));
+    let is_mixed = rows.windows(2).any(|pair| pair[0].list().is_some() != pair[1].list().is_some());
+    let columns = if is_mixed { Vec::new() } else { columns };
+    Ok(Reading::of(points, (columns, left_out)))
+}
+
+/// The parts of a row that hold the coordinates, and the others.
+fn parts(row: &Tree, columns: Option<&Columns>, dimension: usize) -> (Vec<Column>, Vec<String>) {
+    if let Tree::Object(fields) = row {
+        let names = names(columns, dimension);
+        let left_out = fields.iter().map(|(name, _)| name.clone()).filter(|name| !names.contains(name)).collect();
+        return (names.into_iter().map(Column::Name).collect(), left_out);
+    }
+    let cells = row.list().map_or(0, <[Tree]>::len);
+    let chosen: Vec<usize> = match columns {
+        Some(Columns(chosen)) => chosen.iter().filter_map(|column| position(column, cells).ok()).collect(),
+        None => (0..cells).collect(),
+    };
+    columns_of(&vec![String::new(); cells], &chosen)
+}
+
+/// The names of an object's fields that hold its coordinates.
+fn names(columns: Option<&Columns>, dimension: usize) -> Vec<String> {
+    match columns {
+        Some(Columns(chosen)) => chosen.iter().map(Column::to_string).collect(),
+        None => ["x", "y", "z"].iter().take(dimension).map(|&name| name.to_owned()).collect(),
+    }
 }
 
 /// Parses a document, with the parser's complaints placed in the file.
@@ -93,13 +122,11 @@ fn coordinates(
             positions.into_iter().map(coordinate).collect()
         }
         Tree::Object(fields) => {
-            let names: Vec<String> = match columns {
-                Some(Columns(chosen)) => chosen.iter().map(Column::to_string).collect(),
-                None => {
-                    let in_space = wanted == Wanted::Any && row.field("z").is_some();
-                    ["x", "y", "z"][..if in_space { 3 } else { 2 }].iter().map(|&name| name.to_owned()).collect()
-                }
-            };
+            let in_space = ["x", "y", "z"].iter().all(|name| row.field(name).is_some());
+            if in_space && wanted == Wanted::Planar && columns.is_none() {
+                return Err((Problem::ThirdCoordinate, String::new()));
+            }
+            let names = names(columns, if in_space { 3 } else { 2 });
             let coordinate = |name: &String| {
                 let value = row.field(name).ok_or_else(|| {
                     let available: Vec<_> = fields.iter().map(|(field, _)| field.as_str()).collect();
@@ -148,7 +175,7 @@ mod tests {
     fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
         let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
         let points = points(Path::new("p.json"), content.as_bytes(), columns.as_ref(), Wanted::Planar);
-        match points.map_err(|error| error.to_string())? {
+        match points.map_err(|error| error.to_string())?.points {
             Points::Plane(points) => Ok(points),
             other => panic!("{other:?} are not points of the plane"),
         }
@@ -167,13 +194,31 @@ mod tests {
 
     #[test]
     fn any_number_of_coordinates() {
-        let read = |content: &str| points(Path::new("p.json"), content.as_bytes(), None, Wanted::Any);
+        let read = |content: &str| {
+            points(Path::new("p.json"), content.as_bytes(), None, Wanted::Any).map(|reading| reading.points)
+        };
         let space = Points::Space(vec![[1.0, 2.0, 3.0]]);
         assert_eq!(read("[[1,2,3]]").expect("points"), space);
         assert_eq!(read("[{\"z\":3,\"x\":1,\"y\":2}]").expect("points"), space);
         assert_eq!(read("[[1]]").expect("points"), Points::Line(vec![[1.0]]));
         let mixed = read("[[1,2,3],{\"x\":1,\"y\":2}]").expect_err("two dimensions");
         assert_eq!(mixed.to_string(), "p.json: [1]: the row has 2 cells, not 3");
+    }
+
+    #[test]
+    fn a_third_coordinate_is_not_dropped_in_silence() {
+        let read = |columns: Option<&str>, wanted: Wanted| {
+            let columns = columns.map(|columns| columns.parse().expect("well formed"));
+            let content = br#"[{"id":"a","x":1,"y":2,"z":3}]"#;
+            points(Path::new("p.json"), content, columns.as_ref(), wanted).map_err(|error| error.to_string())
+        };
+        let reading = read(None, Wanted::PlaneOrSpace).expect("points of space");
+        assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0]]));
+        assert_eq!(reading.in_words().as_deref(), Some("x, y, z; left out: id"));
+        assert!(read(None, Wanted::Planar).expect_err("in space").contains("[0]: has the columns x, y and z"));
+        let chosen = read(Some("z,x"), Wanted::Planar).expect("points of the plane");
+        assert_eq!(chosen.points, Points::Plane(vec![[3.0, 1.0]]));
+        assert_eq!(chosen.in_words().as_deref(), Some("z, x; left out: id, y"));
     }
 
     #[test]

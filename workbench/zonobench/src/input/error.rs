@@ -103,6 +103,9 @@ pub enum Problem {
     /// Two columns have the name of a coordinate.
     #[error("two columns are named '{0}'; choose with --columns by number")]
     TwoColumns(String),
+    /// Points of the plane are wanted, but the columns are those of points of space.
+    #[error("has the columns x, y and z, so its points are in space; choose two columns with --columns")]
+    ThirdCoordinate,
     /// A numbered column does not exist.
     #[error("there is no column {number}; the row has {cells} cells")]
     NoColumnNumber {

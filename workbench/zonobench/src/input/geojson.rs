@@ -4,23 +4,38 @@ use std::path::Path;
 
 use super::document::{number, parse};
 use super::error::{InputError, Place, Problem};
+use super::points::Points;
 use super::push_limited;
+use super::reading::Reading;
 use crate::json::Tree;
 
 /// Reads the positions (longitude, latitude; altitudes are left out) of a GeoJSON object.
-pub(super) fn points(file: &Path, content: &[u8]) -> Result<Vec<[f64; 2]>, InputError> {
+pub(super) fn points(file: &Path, content: &[u8]) -> Result<Reading, InputError> {
     let document = parse(file, content)?;
-    let mut points = Vec::new();
-    object(&document, String::new(), &mut points).map_err(|(problem, path)| {
+    let mut positions = Positions::default();
+    object(&document, String::new(), &mut positions).map_err(|(problem, path)| {
         let place = if path.is_empty() { Place::File } else { Place::Path(path) };
         problem.at(file, place)
     })?;
-    Ok(points)
+    let left_out = match positions.altitudes {
+        0 => Vec::new(),
+        1 => vec!["the altitude of 1 position".to_owned()],
+        count => vec![format!("the altitudes of {count} positions")],
+    };
+    Ok(Reading::without_columns(Points::Plane(positions.points), left_out))
+}
+
+/// The positions met so far.
+#[derive(Default)]
+struct Positions {
+    points: Vec<[f64; 2]>,
+    /// How many of them have more than two coordinates.
+    altitudes: usize,
 }
 
 type Misplaced = (Problem, String);
 
-fn object(value: &Tree, path: String, points: &mut Vec<[f64; 2]>) -> Result<(), Misplaced> {
+fn object(value: &Tree, path: String, met: &mut Positions) -> Result<(), Misplaced> {
     let kind = value.field("type").and_then(Tree::text).unwrap_or_default();
     let below = |field: &str| {
         if path.is_empty() { field.to_owned() } else { format!("{path}.{field}") }
@@ -30,11 +45,11 @@ fn object(value: &Tree, path: String, points: &mut Vec<[f64; 2]>) -> Result<(), 
         _ => Err((Problem::Shape(format!("a {kind} needs a list `{field}`")), path.clone())),
     };
     match kind {
-        "FeatureCollection" => each(members("features")?, &below("features"), points, object),
-        "GeometryCollection" => each(members("geometries")?, &below("geometries"), points, object),
+        "FeatureCollection" => each(members("features")?, &below("features"), met, object),
+        "GeometryCollection" => each(members("geometries")?, &below("geometries"), met, object),
         "Feature" => match value.field("geometry") {
             Some(Tree::Null) => Ok(()),
-            Some(geometry) => object(geometry, below("geometry"), points),
+            Some(geometry) => object(geometry, below("geometry"), met),
             None => Err((Problem::Shape("a Feature needs a `geometry`".to_owned()), path)),
         },
         "Point" | "MultiPoint" | "LineString" | "MultiLineString" | "Polygon" | "MultiPolygon" => {
@@ -47,7 +62,7 @@ fn object(value: &Tree, path: String, points: &mut Vec<[f64; 2]>) -> Result<(), 
             let coordinates = value
                 .field("coordinates")
                 .ok_or_else(|| (Problem::Shape(format!("a {kind} needs `coordinates`")), path.clone()))?;
-            positions(coordinates, depth, below("coordinates"), points)
+            positions(coordinates, depth, below("coordinates"), met)
         }
         _ => Err((Problem::Shape("is no GeoJSON object: it has no `type` that GeoJSON knows".to_owned()), path)),
     }
@@ -56,27 +71,28 @@ fn object(value: &Tree, path: String, points: &mut Vec<[f64; 2]>) -> Result<(), 
 fn each(
     members: &[Tree],
     path: &str,
-    points: &mut Vec<[f64; 2]>,
-    read: impl Fn(&Tree, String, &mut Vec<[f64; 2]>) -> Result<(), Misplaced>,
+    met: &mut Positions,
+    read: impl Fn(&Tree, String, &mut Positions) -> Result<(), Misplaced>,
 ) -> Result<(), Misplaced> {
-    members.iter().enumerate().try_for_each(|(index, member)| read(member, format!("{path}[{index}]"), points))
+    members.iter().enumerate().try_for_each(|(index, member)| read(member, format!("{path}[{index}]"), met))
 }
 
 /// The positions under `depth` levels of lists.
-fn positions(value: &Tree, depth: u32, path: String, points: &mut Vec<[f64; 2]>) -> Result<(), Misplaced> {
+fn positions(value: &Tree, depth: u32, path: String, met: &mut Positions) -> Result<(), Misplaced> {
     let Tree::List(members) = value else {
         let problem = Problem::Shape(format!("expected a list, found {}", value.describe()));
         return Err((problem, path));
     };
     if depth > 0 {
-        return each(members, &path, points, |member, path, points| positions(member, depth - 1, path, points));
+        return each(members, &path, met, |member, path, met| positions(member, depth - 1, path, met));
     }
     if members.len() < 2 {
         return Err((Problem::Shape("a position needs two coordinates".to_owned()), path));
     }
     let coordinate = |index: usize| number(&members[index]).map_err(|problem| (problem, format!("{path}[{index}]")));
     let point = [coordinate(0)?, coordinate(1)?];
-    push_limited(points, point).map_err(|problem| (problem, path))
+    met.altitudes += usize::from(members.len() > 2);
+    push_limited(&mut met.points, point).map_err(|problem| (problem, path))
 }
 
 #[cfg(test)]
@@ -84,7 +100,21 @@ mod tests {
     use super::*;
 
     fn read(content: &str) -> Result<Vec<[f64; 2]>, String> {
-        points(Path::new("p.geojson"), content.as_bytes()).map_err(|error| error.to_string())
+        match points(Path::new("p.geojson"), content.as_bytes()).map_err(|error| error.to_string())?.points {
+            Points::Plane(points) => Ok(points),
+            other => panic!("{other:?} are not points of the plane"),
+        }
+    }
+
+    #[test]
+    fn altitudes_are_left_out_and_said_to_be() {
+        let left_out = |content: &str| {
+            points(Path::new("p.geojson"), content.as_bytes()).map(|reading| reading.left_out).expect("GeoJSON")
+        };
+        assert_eq!(left_out(r#"{"type":"MultiPoint","coordinates":[[1,2]]}"#), Vec::<String>::new());
+        assert_eq!(left_out(r#"{"type":"MultiPoint","coordinates":[[1,2,3],[4,5]]}"#), ["the altitude of 1 position"]);
+        let two = r#"{"type":"MultiPoint","coordinates":[[1,2,3],[4,5,6]]}"#;
+        assert_eq!(left_out(two), ["the altitudes of 2 positions"]);
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod error;
 mod geojson;
 mod mesh;
 mod points;
+mod reading;
 mod table;
 
 use std::fmt;
@@ -19,13 +20,14 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-pub use body::{Body, BodySource};
+pub use body::{Body, BodySource, body_of_answer};
 pub use bytes::MAX_FILE_BYTES;
 pub use columns::{Column, Columns};
 pub use error::{InputError, Place, Problem, on_one_line};
-pub use points::Points;
+pub use points::{Points, Wanted};
+pub use reading::Reading;
 
-use points::Wanted;
+use crate::digest::sha256;
 
 /// The largest number of points that a file may hold.
 pub const MAX_POINTS: usize = 10_000_000;
@@ -96,38 +98,32 @@ pub struct PointSource {
 }
 
 impl PointSource {
-    /// Reads points of the plane, in the order of the file; at least one.
-    pub fn read(&self) -> Result<Vec<[f64; 2]>, InputError> {
-        match self.read_as(Wanted::Planar)? {
-            Points::Plane(points) => Ok(points),
-            other => Err(Problem::NotPlanar(other.dimension()).at(&self.file, Place::File)),
-        }
-    }
-
-    /// Reads points of as many dimensions as the file has, in its order; at least one.
-    pub fn read_any(&self) -> Result<Points, InputError> {
-        self.read_as(Wanted::Any)
-    }
-
     /// The format that was chosen, or that the name tells.
     pub fn known_format(&self) -> Option<Format> {
         self.format.or_else(|| Format::of_extension(&self.file))
     }
 
-    fn read_as(&self, wanted: Wanted) -> Result<Points, InputError> {
+    /// Reads the points, in the order of the file; at least one.
+    pub fn read(&self, wanted: Wanted) -> Result<Reading, InputError> {
         let file = &self.file;
         let format = self.known_format().ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
         let content = bytes::read_limited(file)?;
-        let points = match format {
-            Format::Csv => table::points(file, &content, self.columns.as_ref(), wanted)?,
-            Format::Geojson => Points::Plane(geojson::points(file, &content)?),
-            Format::Json => document::points(file, &content, self.columns.as_ref(), wanted)?,
-            mesh => Points::Space(mesh::vertices(file, &content, mesh)?),
+        let text = bytes::text(&content);
+        let mut reading = match format {
+            Format::Csv => table::points(file, text, self.columns.as_ref(), wanted)?,
+            Format::Geojson => geojson::points(file, text)?,
+            Format::Json => document::points(file, text, self.columns.as_ref(), wanted)?,
+            mesh => Reading::without_columns(Points::Space(mesh::vertices(file, text, mesh)?), Vec::new()),
         };
-        if points.is_empty() {
+        if reading.points.is_empty() {
             return Err(Problem::Empty.at(file, Place::File));
         }
-        Ok(points)
+        if wanted == Wanted::Planar && reading.points.dimension() != 2 {
+            return Err(Problem::NotPlanar(reading.points.dimension()).at(file, Place::File));
+        }
+        reading.format = Some(format);
+        reading.sha256 = sha256(&content);
+        Ok(reading)
     }
 }
 

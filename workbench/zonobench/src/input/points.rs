@@ -77,9 +77,12 @@ impl Points {
 
 /// What points a file should hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wanted {
-    /// Two coordinates: of a table with more, two columns are guessed by their names or must be chosen.
+pub enum Wanted {
+    /// Two coordinates: of a table with more, two columns are guessed by their names or must be chosen. Columns x, y and z
+    /// are no points of the plane, unless two of them are chosen.
     Planar,
+    /// Three coordinates if the columns are named x, y and z, else two.
+    PlaneOrSpace,
     /// One to four coordinates: as many as there are.
     Any,
 }
@@ -88,7 +91,7 @@ impl Wanted {
     /// Whether a row of so many cells holds nothing but coordinates.
     pub(super) fn takes_all(self, cells: usize) -> bool {
         match self {
-            Self::Planar => cells == 2,
+            Self::Planar | Self::PlaneOrSpace => cells == 2,
             Self::Any => (1..=MOST_COORDINATES).contains(&cells),
         }
     }
@@ -97,7 +100,7 @@ impl Wanted {
     pub(super) fn in_words(self) -> &'static str {
         match self {
             Self::Planar => "two",
-            Self::Any => "two to four",
+            Self::PlaneOrSpace | Self::Any => "two to four",
         }
     }
 }

@@ -8,12 +8,13 @@ use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::points::{MOST_COORDINATES, Points, Wanted};
 use super::push_limited;
+use super::reading::{Reading, columns_of};
 
 /// Pairs of header names that are taken for coordinates when no columns are chosen, in the order first, second coordinate.
 const KNOWN_NAMES: [[&str; 2]; 6] =
     [["x", "y"], ["lon", "lat"], ["lng", "lat"], ["long", "lat"], ["longitude", "latitude"], ["easting", "northing"]];
 
-/// Names of three coordinates, which come before pairs where any number of coordinates will do.
+/// Names of three coordinates, which come before pairs.
 const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// Reads the points of a table.
@@ -25,7 +26,7 @@ pub(super) fn points(
     content: &[u8],
     columns: Option<&Columns>,
     wanted: Wanted,
-) -> Result<Points, InputError> {
+) -> Result<Reading, InputError> {
     let mut table = Table { file, content, columns: vec![0, 1], width: None };
     table.read(columns, wanted)
 }
@@ -70,12 +71,12 @@ impl<'a> Table<'a> {
             .from_reader(self.content)
     }
 
-    fn read(&mut self, columns: Option<&Columns>, wanted: Wanted) -> Result<Points, InputError> {
+    fn read(&mut self, columns: Option<&Columns>, wanted: Wanted) -> Result<Reading, InputError> {
         let mut reader = self.reader();
         let mut rows = reader.byte_records().filter(|row| !row.as_ref().is_ok_and(is_blank));
 
         let Some(first) = rows.next() else {
-            return Ok(Points::Plane(Vec::new()));
+            return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
         let first = self.parsed(first)?;
         let second = rows.next().map(|row| self.parsed(row)).transpose()?;
@@ -83,7 +84,9 @@ impl<'a> Table<'a> {
 
         let mut points = Points::of_dimension(self.columns.len()).expect("no more columns are chosen than are read");
         let named = columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
-        let opening = if named || self.is_header(&first, second.as_ref()) { None } else { Some(first) };
+        let has_header = named || self.is_header(&first, second.as_ref());
+        let names: Vec<String> = if has_header { cells(&first) } else { vec![String::new(); first.len()] };
+        let opening = if has_header { None } else { Some(first) };
         for row in opening.into_iter().chain(second).map(Ok).chain(rows.map(|row| self.parsed(row))) {
             let row = row?;
             let mut point = [0.0; MOST_COORDINATES];
@@ -94,7 +97,7 @@ impl<'a> Table<'a> {
                 .push(&point[..self.columns.len()])
                 .map_err(|problem| problem.at(self.file, Place::Line(self.line(&row))))?;
         }
-        Ok(points)
+        Ok(Reading::of(points, columns_of(&names, &self.columns)))
     }
 
     /// The row, if it parses.
@@ -109,7 +112,7 @@ impl<'a> Table<'a> {
         wanted: Wanted,
     ) -> Result<Vec<usize>, InputError> {
         self.width = Some(first.len());
-        let names: Vec<String> = first.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect();
+        let names = cells(first);
         let position = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
         if let Some(Columns(chosen)) = columns {
             let place = |column: &Column| match column {
@@ -123,7 +126,10 @@ impl<'a> Table<'a> {
             return chosen.iter().map(|column| place(column).map_err(at_first)).collect();
         }
         let known = |names: &[&str]| names.iter().map(|name| position(name)).collect::<Option<Vec<usize>>>();
-        let in_space = (wanted == Wanted::Any).then(|| known(&SPACE_NAMES)).flatten();
+        let in_space = known(&SPACE_NAMES);
+        if wanted == Wanted::Planar && in_space.is_some() {
+            return Err(Problem::ThirdCoordinate.at(self.file, Place::Line(self.line(first))));
+        }
         if let Some(columns) = in_space.or_else(|| KNOWN_NAMES.iter().find_map(|pair| known(pair))) {
             return match columns.iter().find(|&&column| is_repeated(&names, &names[column])) {
                 Some(&column) => {
@@ -175,6 +181,11 @@ impl<'a> Table<'a> {
     }
 }
 
+/// The cells of a row as text, without the space around them.
+fn cells(row: &ByteRecord) -> Vec<String> {
+    row.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect()
+}
+
 fn is_repeated(names: &[String], name: &str) -> bool {
     names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() > 1
 }
@@ -201,7 +212,7 @@ mod tests {
     fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
         let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
         let points = points(Path::new("points.csv"), content.as_bytes(), columns.as_ref(), Wanted::Planar);
-        match points.map_err(|error| error.to_string())? {
+        match points.map_err(|error| error.to_string())?.points {
             Points::Plane(points) => Ok(points),
             other => panic!("{other:?} are not points of the plane"),
         }
@@ -212,7 +223,7 @@ mod tests {
         let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
         assert_eq!(read("1,2\n3,4\n", None), expected);
         assert_eq!(read("a,b\n1,2\n3,4", None), expected);
-        assert_eq!(read("y,z,x\n2,0,1\n4,0,3\n", None), expected);
+        assert_eq!(read("y,w,x\n2,0,1\n4,0,3\n", None), expected);
         assert_eq!(read("name,Lat,LON\np,2,1\nq,4,3\n", None), expected);
         assert_eq!(read("150,4,setosa\n1,2,0\n3,4,0\n", Some("1,2")), expected);
         assert_eq!(
@@ -263,6 +274,7 @@ mod tests {
         let read = |content: &str, columns: Option<&str>| {
             let columns = columns.map(|columns| columns.parse().expect("well formed"));
             points(Path::new("p.csv"), content.as_bytes(), columns.as_ref(), Wanted::Any)
+                .map(|reading| reading.points)
                 .map_err(|error| error.to_string())
         };
         assert_eq!(read("z,x,y,w\n3,1,2,9\n", None), Ok(Points::Space(vec![[1.0, 2.0, 3.0]])));
@@ -272,6 +284,38 @@ mod tests {
         let iris = "150,4,setosa,versicolor,virginica\n5.1,3.5,1.4,0.2,0\n";
         assert_eq!(read(iris, Some("1,2,3,4")), Ok(Points::Four(vec![[5.1, 3.5, 1.4, 0.2]])));
         assert_eq!(read(iris, None), Err("p.csv: has 5 column(s); choose two to four with --columns".into()));
+    }
+
+    /// Three columns x, y, z are a point of space each: none of them is dropped unless the others are chosen.
+    #[test]
+    fn a_third_coordinate_is_not_dropped_in_silence() {
+        let read = |columns: Option<&str>, wanted: Wanted| {
+            let columns = columns.map(|columns| columns.parse().expect("well formed"));
+            let content = b"Name,X,y,Z\na,1,2,3\n";
+            points(Path::new("p.csv"), content, columns.as_ref(), wanted).map_err(|error| error.to_string())
+        };
+        for wanted in [Wanted::PlaneOrSpace, Wanted::Any] {
+            let reading = read(None, wanted).expect("points of space");
+            assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0]]));
+            assert_eq!(reading.in_words().as_deref(), Some("X, y, Z; left out: Name"));
+        }
+        let refused = "p.csv: line 1: has the columns x, y and z, so its points are in space; choose two columns with \
+                       --columns";
+        assert_eq!(read(None, Wanted::Planar), Err(refused.to_owned()));
+        let chosen = read(Some("x,y"), Wanted::Planar).expect("points of the plane");
+        assert_eq!(chosen.points, Points::Plane(vec![[1.0, 2.0]]));
+        assert_eq!(chosen.in_words().as_deref(), Some("X, y; left out: Name, Z"));
+    }
+
+    #[test]
+    fn the_columns_told_are_columns_to_choose() {
+        for content in ["a,b,c\n1,2,x\n", "7;8;x\n9;9;y\n", "q,q,r\n1,2,3\n", "2,1,z\n5,6,7\n"] {
+            let columns: Columns = "2,1".parse().expect("well formed");
+            let read = |columns| points(Path::new("p.csv"), content.as_bytes(), Some(columns), Wanted::Planar);
+            let reading = read(&columns).expect("two columns of numbers");
+            let again = read(&Columns(reading.columns.clone())).expect("the same columns");
+            assert_eq!(reading, again, "{content}");
+        }
     }
 
     #[test]

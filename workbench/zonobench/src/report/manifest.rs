@@ -1,7 +1,8 @@
 //! The manifest: what a run was, and the hash of every file that it wrote.
 
 use serde::Serialize;
-use sha2::{Digest, Sha256};
+
+use crate::digest::sha256;
 
 /// A file of a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -17,9 +18,7 @@ pub struct OutputFile {
 impl OutputFile {
     /// The entry of a file with the given content.
     pub fn new(path: impl Into<String>, content: &[u8], deterministic: bool) -> Self {
-        let hash = Sha256::digest(content);
-        let sha256 = hash.iter().map(|byte| format!("{byte:02x}")).collect();
-        Self { path: path.into(), sha256, deterministic }
+        Self { path: path.into(), sha256: sha256(content), deterministic }
     }
 }
 

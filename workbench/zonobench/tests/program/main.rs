@@ -1,5 +1,6 @@
 //! The program as its user meets it: arguments, files and standard input in; output, complaints and status out.
 
+mod answers;
 mod readers;
 mod refusals;
 mod usage;

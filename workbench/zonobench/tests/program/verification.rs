@@ -111,4 +111,5 @@ fn a_data_file_is_verified_against_the_answer_of_enclose() {
     assert!(checked.stdout.starts_with("p.csv\tmin_area\tright\t"), "{}", checked.stdout);
     let other = run(folder.path(), &["verify", "p.csv", "p.answer.json", "--columns", "b,a"]);
     assert_eq!(other.status, 1, "{}", other.stdout);
+    assert!(other.stdout.starts_with("p.csv\t-\tunchecked\tthe options ask for something else"), "{}", other.stdout);
 }

@@ -1,16 +1,18 @@
-//! What is asked of the points of a file: the objective of `enclose`, told `verify` in the same words.
+//! What is asked of the points of a file: the objective of `enclose`, which `verify` reads from the answer's `request`.
 
-use std::path::{Path, PathBuf};
-use std::str::FromStr;
+mod directions;
+mod request;
 
-use anyhow::{Context, bail};
+use std::path::Path;
+
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use thiserror::Error;
-use zonotope::enclosing::min_total_length::direction_net::cell_corners;
 
-use crate::input::{Columns, Format, PointSource, Points};
-use crate::json::{to_json, vector_to_json};
+use self::directions::{Directions, length};
+pub(super) use self::request::Recorded;
+use crate::input::{Columns, Format, PointSource, Points, Reading, Wanted};
+use crate::json::{self, Tree, to_json, vector_to_json};
 
 /// A command line that parses but makes no sense.
 #[derive(Debug, Error)]
@@ -18,7 +20,7 @@ use crate::json::{to_json, vector_to_json};
 pub struct Usage(pub String);
 
 /// How to read the points, and what zonotope around them is wanted.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 pub struct Asking {
     /// The columns that hold the coordinates, two to four, by name or by number from 1.
     #[arg(long, value_name = "X,Y,…")]
@@ -27,7 +29,8 @@ pub struct Asking {
     #[arg(long)]
     pub format: Option<Format>,
     /// What is to be least: the area (in the plane) or the total length of the generators. Without it, the area of points of
-    /// the plane, the length where three or four columns, a mesh, directions or a precision are given.
+    /// the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or four columns,
+    /// directions or a precision are given.
     #[arg(long)]
     objective: Option<Objective>,
     /// Use these directions alone: a file with a direction a row, `axes`, or `net:K`, the corners of K cells along each side
@@ -48,36 +51,8 @@ pub enum Objective {
     Length,
 }
 
-/// Where directions come from.
-#[derive(Debug, Clone, PartialEq, Eq)]
-enum Directions {
-    Axes,
-    Net(usize),
-    File(PathBuf),
-}
-
 /// The precision where none is given.
 const EPSILON: f64 = 1e-3;
-
-/// Nets of more directions are not made.
-const MOST_DIRECTIONS: usize = 1000;
-
-impl FromStr for Directions {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "axes" {
-            return Ok(Self::Axes);
-        }
-        let Some(cells) = text.strip_prefix("net:") else {
-            return Ok(Self::File(PathBuf::from(text)));
-        };
-        match cells.parse() {
-            Ok(cells) if (1..=MOST_DIRECTIONS).contains(&cells) => Ok(Self::Net(cells)),
-            _ => Err(format!("a net has 1 to {MOST_DIRECTIONS} cells a side")),
-        }
-    }
-}
 
 fn precision(text: &str) -> Result<f64, String> {
     let number: f64 = text.parse().map_err(|_| format!("'{text}' is not a number"))?;
@@ -90,8 +65,28 @@ impl Asking {
         PointSource { file: file.to_path_buf(), format: self.format, columns: self.columns.clone() }
     }
 
-    /// What is to be least, if the options agree about it.
-    pub(super) fn objective(&self, file: &Path) -> Result<Objective, Usage> {
+    /// Whether no option is given.
+    pub(super) fn is_empty(&self) -> bool {
+        let Self { columns, format, objective, directions, epsilon } = self;
+        let is_read_by_default = columns.is_none() && format.is_none();
+        is_read_by_default && objective.is_none() && directions.is_none() && epsilon.is_none()
+    }
+
+    /// These options, and for what they leave open those of `other`. A precision takes the place of directions, and
+    /// directions that of a precision.
+    pub(super) fn or(&self, other: &Self) -> Self {
+        let goal = if self.directions.is_some() || self.epsilon.is_some() { self } else { other };
+        Self {
+            columns: self.columns.clone().or_else(|| other.columns.clone()),
+            format: self.format.or(other.format),
+            objective: self.objective.or(other.objective),
+            directions: goal.directions.clone(),
+            epsilon: goal.epsilon,
+        }
+    }
+
+    /// What is to be least, if the options say it and agree about it.
+    pub(super) fn stated_objective(&self, file: &Path) -> Result<Option<Objective>, Usage> {
         let is_mesh = self.source(file).known_format().is_some_and(Format::is_mesh);
         let reason = if self.directions.is_some() {
             Some("--directions ask for the least length")
@@ -106,10 +101,46 @@ impl Asking {
         };
         match (self.objective, reason) {
             (Some(Objective::Area), Some(reason)) => Err(Usage(format!("--objective area: {reason}"))),
-            (Some(objective), _) => Ok(objective),
-            (None, Some(_)) => Ok(Objective::Length),
-            (None, None) => Ok(Objective::Area),
+            (Some(objective), _) => Ok(Some(objective)),
+            (None, Some(_)) => Ok(Some(Objective::Length)),
+            (None, None) => Ok(None),
         }
+    }
+
+    /// The points, and what is to be least around them: where the options leave it open, the area of points of the plane and
+    /// the length of points of space.
+    pub(super) fn read(&self, file: &Path) -> anyhow::Result<(Reading, Objective)> {
+        let stated = self.stated_objective(file)?;
+        let wanted = match stated {
+            Some(Objective::Area) => Wanted::Planar,
+            Some(Objective::Length) => Wanted::Any,
+            None => Wanted::PlaneOrSpace,
+        };
+        let reading = self.source(file).read(wanted)?;
+        let told = if reading.points.dimension() == 2 { Objective::Area } else { Objective::Length };
+        Ok((reading, stated.unwrap_or(told)))
+    }
+
+    /// The question about the points of a file, in the format of `solve`.
+    pub(super) fn question(&self, id: &str, file: &Path) -> anyhow::Result<(Tree, Reading)> {
+        let (reading, objective) = self.read(file)?;
+        let question = match objective {
+            Objective::Length => {
+                let question = self.question_of_length(id, &reading.points)?;
+                json::read(question.to_string().as_bytes(), usize::MAX)?
+            }
+            Objective::Area => {
+                let point = |row: &[f64]| Tree::List(row.iter().map(|&x| Tree::Number(x)).collect());
+                let points = Tree::List(reading.points.rows().map(point).collect());
+                let text = |text: &str| Tree::Text(text.to_owned());
+                Tree::Object(vec![
+                    ("id".to_owned(), text(id)),
+                    ("kind".to_owned(), text("min_area")),
+                    ("input".to_owned(), Tree::Object(vec![("points".to_owned(), points)])),
+                ])
+            }
+        };
+        Ok((question, reading))
     }
 
     /// The question of least length about the points, in the format of `solve`.
@@ -119,79 +150,12 @@ impl Asking {
             let epsilon = self.epsilon.unwrap_or(EPSILON);
             return Ok(json!({"id": id, "kind": "min_length_all", "input": {"points": rows, "epsilon": epsilon}}));
         };
-        let directions = match directions {
-            Directions::File(file) => {
-                let source = PointSource { file: file.clone(), format: None, columns: None };
-                let directions = source.read_any().context("--directions")?;
-                if directions.dimension() != points.dimension() {
-                    bail!(
-                        "{}: directions with {} coordinates for points with {}",
-                        file.display(),
-                        directions.dimension(),
-                        points.dimension()
-                    );
-                }
-                directions.rows().map(<[f64]>::to_vec).collect()
-            }
-            Directions::Axes => axes(points.dimension()),
-            Directions::Net(cells) => net(*cells, points.dimension())?,
-        };
+        let directions = directions.vectors(points.dimension())?;
         let weights: Vec<Value> = directions.iter().map(|direction| to_json(length(direction))).collect();
         let directions: Vec<Value> = directions.iter().map(|direction| vector_to_json(direction)).collect();
         let input = json!({"points": rows, "directions": directions, "weights": weights});
         Ok(json!({"id": id, "kind": "min_length_dirs", "input": input}))
     }
-
-    /// The options as they are written on a command line.
-    pub(super) fn words(&self) -> String {
-        let mut words = String::new();
-        if let Some(columns) = &self.columns {
-            words.push_str(&format!(" --columns {columns}"));
-        }
-        if let Some(format) = self.format {
-            words.push_str(&format!(" --format {format}"));
-        }
-        if let Some(objective) = self.objective.and_then(|objective| objective.to_possible_value()) {
-            words.push_str(&format!(" --objective {}", objective.get_name()));
-        }
-        match &self.directions {
-            None => {}
-            Some(Directions::Axes) => words.push_str(" --directions axes"),
-            Some(Directions::Net(cells)) => words.push_str(&format!(" --directions net:{cells}")),
-            Some(Directions::File(file)) => words.push_str(&format!(" --directions {}", file.display())),
-        }
-        if let Some(epsilon) = self.epsilon {
-            words.push_str(&format!(" --epsilon {epsilon:?}"));
-        }
-        words
-    }
-}
-
-fn axes(dimension: usize) -> Vec<Vec<f64>> {
-    let unit = |axis: usize| (0..dimension).map(|other| f64::from(u8::from(other == axis))).collect();
-    (0..dimension).map(unit).collect()
-}
-
-fn net(cells: usize, dimension: usize) -> anyhow::Result<Vec<Vec<f64>>> {
-    let faces = dimension.saturating_mul((cells + 1).saturating_pow(dimension as u32 - 1));
-    if faces > 4 * MOST_DIRECTIONS {
-        bail!("--directions net:{cells}: more than {MOST_DIRECTIONS} directions in {dimension} dimensions");
-    }
-    Ok(match dimension {
-        1 => axes(1),
-        2 => cell_corners::<2>(cells).iter().map(|v| v.to_vec()).collect(),
-        3 => cell_corners::<3>(cells).iter().map(|v| v.to_vec()).collect(),
-        _ => cell_corners::<4>(cells).iter().map(|v| v.to_vec()).collect(),
-    })
-}
-
-/// The Euclidean length: what a unit of a direction costs if the total length is to be least.
-fn length(v: &[f64]) -> f64 {
-    let largest = v.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    if largest == 0.0 {
-        return 0.0;
-    }
-    largest * v.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt()
 }
 
 #[cfg(test)]
@@ -199,20 +163,24 @@ mod tests {
     use super::*;
 
     #[test]
-    fn directions_by_name() {
-        assert_eq!("axes".parse(), Ok(Directions::Axes));
-        assert_eq!("net:3".parse(), Ok(Directions::Net(3)));
-        assert_eq!("a.csv".parse(), Ok(Directions::File("a.csv".into())));
-        for wrong in ["net:", "net:0", "net:x", "net:1001"] {
-            assert!(wrong.parse::<Directions>().is_err(), "{wrong}");
-        }
+    fn options_take_the_place_of_recorded_ones() {
+        let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
+        let precise = Asking { epsilon: Some(0.5), format: Some(Format::Csv), ..Asking::default() };
+        let both = precise.or(&along_axes);
+        assert_eq!((both.directions, both.epsilon, both.format), (None, Some(0.5), Some(Format::Csv)));
+        let both = Asking::default().or(&along_axes);
+        assert_eq!((both.directions, both.epsilon), (Some(Directions::Axes), None));
+        assert!(Asking::default().is_empty() && !precise.is_empty());
     }
 
     #[test]
-    fn nets_and_lengths() {
-        assert_eq!([1, 2, 3].map(|cells| net(cells, 2).expect("small").len()), [2, 4, 6]);
-        assert_eq!(net(1, 3).expect("small").len(), 4);
-        assert!(net(100, 4).is_err());
-        assert_eq!((length(&[3.0, 4.0]), length(&[0.0]), length(&[1e300, 0.0])), (5.0, 0.0, 1e300));
+    fn the_options_decide_before_the_data_do() {
+        let file = Path::new("p.csv");
+        let stated = |asking: &Asking| asking.stated_objective(file).map_err(|Usage(message)| message);
+        assert_eq!(stated(&Asking::default()), Ok(None));
+        let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
+        assert_eq!(stated(&along_axes), Ok(Some(Objective::Length)));
+        let both = Asking { objective: Some(Objective::Area), ..along_axes };
+        assert_eq!(stated(&both), Err("--objective area: --directions ask for the least length".to_owned()));
     }
 }

@@ -9,41 +9,47 @@ use super::summary::verification;
 use super::{Options, solid};
 use crate::batch;
 use crate::commands::Ending;
+use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
 use crate::commands::table::{Table, counted, figure, tuple};
 use crate::commands::verify::question_name;
-use crate::input::{Body, Points};
+use crate::input::{Body, Reading, body_of_answer};
 use crate::json::{self, Line, MAX_VALUES, Tree};
 use crate::output::{Existing, write_whole};
 use crate::progress::Progress;
 use crate::verify::{Verdict, check};
 
 /// Reads, solves, checks, and prints a summary.
-pub(super) fn run(options: &Options, existing: Existing) -> anyhow::Result<Ending> {
+pub(super) fn run(
+    options: &Options,
+    reading: &Reading,
+    progress: Progress,
+    existing: Existing,
+) -> anyhow::Result<Ending> {
     let file = &options.file;
     let name = question_name(file);
-    let progress = Progress::of(3, "reading");
-    let points = options.asking.source(file).read_any()?;
+    let points = &reading.points;
     if options.obj.is_some() && points.dimension() != 3 {
         bail!("{}: only a zonotope of space is written as a mesh", file.display());
     }
-    let question = options.asking.question_of_length(&name, &points)?;
+    let question = options.asking.question_of_length(&name, points)?;
     progress.next("solving");
-    let answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), options.seed).content;
+    let mut answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), options.seed).content;
     if let Some(message) = answer["error"]["message"].as_str() {
         bail!("{}: {message}", file.display());
     }
+    answer["request"] = options.asking.record(reading, Objective::Length)?;
     progress.next("checking");
     let tree = |value: &Value| json::read(value.to_string().as_bytes(), MAX_VALUES);
     let (question, answered) = (tree(&question)?, tree(&answer)?);
     let verdict = check(&question, &answered);
     drop(progress);
 
-    let body = body(&question, &answered);
+    let body = body_of_answer(file, &answered)?;
     if body.is_none() && (options.svg.is_some() || options.obj.is_some()) {
         bail!("{}: no zonotope along the directions contains the points, so none is drawn", file.display());
     }
-    let drawn = |body: &Body| options.svg.as_ref().map(|file| (file, solid::draw(&name, &points, body)));
+    let drawn = |body: &Body| options.svg.as_ref().map(|file| (file, solid::draw(&name, points, body)));
     let meshed = |body: &Body| -> anyhow::Result<_> {
         options.obj.as_ref().map(|file| Ok((file, export::mesh(&name, body, f64::MAX)?.to_obj()))).transpose()
     };
@@ -55,41 +61,27 @@ pub(super) fn run(options: &Options, existing: Existing) -> anyhow::Result<Endin
     if let Some(file) = &options.json {
         write_whole(file, format!("{answer}\n").as_bytes(), existing)?;
     }
-    let text = summary(options, &points, &question, &answer, body.as_ref(), &verdict);
+    let text = summary(options, reading, &question, &answer, body.as_ref(), &verdict);
     io::stdout().lock().write_all(text.as_bytes())?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
-}
-
-/// The zonotope of an answer, the products of coefficients and directions rounded: for pictures and counts.
-fn body(question: &Tree, answer: &Tree) -> Option<Body> {
-    let result = answer.field("result")?;
-    let vector = |tree: &Tree| tree.list()?.iter().map(Tree::float).collect::<Option<Vec<f64>>>();
-    let vectors = |tree: &Tree| tree.list()?.iter().map(vector).collect::<Option<Vec<_>>>();
-    let center = vector(result.field("center")?)?;
-    let generators = match result.field("generators") {
-        Some(generators) => vectors(generators)?,
-        None => {
-            let directions = vectors(question.field("input")?.field("directions")?)?;
-            let lengths = vector(result.field("coefficients")?)?;
-            let products = directions.iter().zip(&lengths).filter(|(_, c)| **c > 0.0);
-            products.map(|(direction, c)| direction.iter().map(|x| x * c).collect()).collect()
-        }
-    };
-    Some(Body { center, generators })
 }
 
 /// The answer in a few lines.
 fn summary(
     options: &Options,
-    points: &Points,
+    reading: &Reading,
     question: &Tree,
     answer: &Value,
     body: Option<&Body>,
     verdict: &Verdict,
 ) -> String {
     let mut table = Table::default();
+    let points = &reading.points;
     let coordinates = counted(points.dimension(), "coordinate", "coordinates");
     table.row("points", format!("{} in {}, with {coordinates}", points.len(), options.file.display()));
+    if let Some(columns) = reading.in_words() {
+        table.row("columns", columns);
+    }
     let directions = question.field("input").and_then(|input| input.field("directions")).and_then(Tree::list);
     table.row("directions", directions.map_or("any".to_owned(), |directions| directions.len().to_string()));
     let result = &answer["result"];

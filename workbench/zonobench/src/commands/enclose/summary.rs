@@ -5,12 +5,13 @@ use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 use super::Options;
 use crate::commands::table::{Table, counted, figure};
 use crate::enclosure::Enclosure;
+use crate::input::Reading;
 use verifier::MinAreaProof;
 
 /// The answer in a few lines.
 pub(super) fn summary(
     options: &Options,
-    points: &[[f64; 2]],
+    reading: &Reading,
     enclosure: &Enclosure,
     proof: Result<&MinAreaProof, &String>,
     exact: Option<&ExactZonogon>,
@@ -18,8 +19,10 @@ pub(super) fn summary(
     let found = &enclosure.found;
     let (hull_area, ratio) = enclosure.hull_area_and_ratio();
     let [x, y] = found.zonogon.center();
-    let mut lines: Vec<(&str, String)> = vec![
-        ("points", format!("{} in {}", points.len(), options.file.display())),
+    let mut lines: Vec<(&str, String)> =
+        vec![("points", format!("{} in {}", reading.points.len(), options.file.display()))];
+    lines.extend(reading.in_words().map(|columns| ("columns", columns)));
+    lines.extend([
         ("hull", format!("{}, area {}", counted(found.hull.vertex_count(), "vertex", "vertices"), figure(hull_area))),
         ("centre", format!("({}, {})", figure(x), figure(y))),
         ("zonogon", counted(found.zonogon.generators().len(), "generator", "generators")),
@@ -32,7 +35,7 @@ pub(super) fn summary(
             ),
         ),
         ("lower bound", figure(found.lower_bound)),
-    ];
+    ]);
     match proof {
         Ok(proof) => {
             let gap = if found.hull.has_area() {
@@ -73,7 +76,10 @@ pub(super) fn verification(options: &Options) -> String {
     match &options.json {
         None => "--json FILE writes the answer; zonobench verify checks it against the points".to_owned(),
         Some(answer) => {
-            let words = options.asking.words();
+            // A name tells the format again and the answer records the rest; standard input has no name.
+            let is_nameless = options.file.as_os_str() == "-";
+            let format = options.asking.format.filter(|_| is_nameless);
+            let words = format.map_or(String::new(), |format| format!(" --format {format}"));
             format!("zonobench verify {} {}{words}", options.file.display(), answer.display())
         }
     }

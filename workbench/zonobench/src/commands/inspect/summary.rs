@@ -6,7 +6,7 @@ use zonotope::numeric::dyadic::Dyadic;
 
 use super::Options;
 use super::measures::Measures;
-use crate::commands::table::{Table, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
 use crate::verify::Verdict;
 
@@ -25,7 +25,12 @@ pub(super) fn summary(
     let dimension = body.center.len();
     table.row(
         "body",
-        format!("{} in {}", counted(body.generators.len(), "generator", "generators"), options.file.display()),
+        format!(
+            "{} in {}{}",
+            counted(body.generators.len(), "generator", "generators"),
+            options.file.display(),
+            if body.is_rounded { ROUNDED } else { "" }
+        ),
     );
     let mut zones = counted(measures.directions, "direction", "directions");
     let parallel = body.generators.len() - measures.zeros - measures.directions;

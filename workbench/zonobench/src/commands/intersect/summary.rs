@@ -2,7 +2,7 @@
 
 use super::Options;
 use super::meeting::{Meeting, Proof};
-use crate::commands::table::{Table, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
 use crate::verify::Verdict;
 
@@ -14,7 +14,8 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
     let mut table = Table::default();
     for (name, body, file) in [("a", &meeting.bodies[0], &options.a), ("b", &meeting.bodies[1], &options.b)] {
         let count = counted(body.generators.len(), "generator", "generators");
-        table.row(name, format!("{count} in {}, centre {}", file.display(), tuple(&body.center)));
+        let rounded = if body.is_rounded { ROUNDED } else { "" };
+        table.row(name, format!("{count} in {}, centre {}{rounded}", file.display(), tuple(&body.center)));
     }
     table.row("dimension", meeting.dimension().to_string());
     let answer = match meeting.status.as_str() {

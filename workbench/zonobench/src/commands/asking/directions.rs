@@ -1,0 +1,115 @@
+//! Directions by name: the axes, the corners of a net of cells, or the rows of a file.
+
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use anyhow::{Context, bail};
+use zonotope::enclosing::min_total_length::direction_net::cell_corners;
+
+use crate::input::{PointSource, Wanted};
+
+/// Where directions come from.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Directions {
+    /// The unit vectors of the coordinate axes.
+    Axes,
+    /// The corners of so many cells along each side of the faces of a cube.
+    Net(usize),
+    /// The rows of a file.
+    File(PathBuf),
+    /// The vectors themselves, as an answer records them.
+    Vectors(Vec<Vec<f64>>),
+}
+
+/// The largest number of directions that a net may have, and of cells along a side.
+const NET_LIMIT: usize = 1000;
+
+impl FromStr for Directions {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "axes" {
+            return Ok(Self::Axes);
+        }
+        let Some(cells) = text.strip_prefix("net:") else {
+            return Ok(Self::File(PathBuf::from(text)));
+        };
+        match cells.parse() {
+            Ok(cells) if (1..=NET_LIMIT).contains(&cells) => Ok(Self::Net(cells)),
+            _ => Err(format!("a net has 1 to {NET_LIMIT} cells a side")),
+        }
+    }
+}
+
+impl Directions {
+    /// The directions for points with so many coordinates.
+    pub(super) fn vectors(&self, dimension: usize) -> anyhow::Result<Vec<Vec<f64>>> {
+        match self {
+            Self::Axes => Ok(axes(dimension)),
+            Self::Net(cells) => net(*cells, dimension),
+            Self::Vectors(vectors) => match vectors.iter().find(|vector| vector.len() != dimension) {
+                Some(vector) => bail!("directions with {} coordinates for points with {dimension}", vector.len()),
+                None => Ok(vectors.clone()),
+            },
+            Self::File(file) => {
+                let source = PointSource { file: file.clone(), format: None, columns: None };
+                let directions = source.read(Wanted::Any).context("--directions")?.points;
+                let found = directions.dimension();
+                if found != dimension {
+                    bail!("{}: directions with {found} coordinates for points with {dimension}", file.display());
+                }
+                Ok(directions.rows().map(<[f64]>::to_vec).collect())
+            }
+        }
+    }
+}
+
+fn axes(dimension: usize) -> Vec<Vec<f64>> {
+    let unit = |axis: usize| (0..dimension).map(|other| f64::from(u8::from(other == axis))).collect();
+    (0..dimension).map(unit).collect()
+}
+
+fn net(cells: usize, dimension: usize) -> anyhow::Result<Vec<Vec<f64>>> {
+    let faces = dimension.saturating_mul((cells + 1).saturating_pow(dimension as u32 - 1));
+    if faces > 4 * NET_LIMIT {
+        bail!("--directions net:{cells}: more than {NET_LIMIT} directions in {dimension} dimensions");
+    }
+    Ok(match dimension {
+        1 => axes(1),
+        2 => cell_corners::<2>(cells).iter().map(|v| v.to_vec()).collect(),
+        3 => cell_corners::<3>(cells).iter().map(|v| v.to_vec()).collect(),
+        _ => cell_corners::<4>(cells).iter().map(|v| v.to_vec()).collect(),
+    })
+}
+
+/// The Euclidean length: what a unit of a direction costs if the total length is to be least.
+pub(super) fn length(v: &[f64]) -> f64 {
+    let largest = v.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    largest * v.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_by_name() {
+        assert_eq!("axes".parse(), Ok(Directions::Axes));
+        assert_eq!("net:3".parse(), Ok(Directions::Net(3)));
+        assert_eq!("a.csv".parse(), Ok(Directions::File("a.csv".into())));
+        for wrong in ["net:", "net:0", "net:x", "net:1001"] {
+            assert!(wrong.parse::<Directions>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn nets_and_lengths() {
+        assert_eq!([1, 2, 3].map(|cells| net(cells, 2).expect("small").len()), [2, 4, 6]);
+        assert_eq!(net(1, 3).expect("small").len(), 4);
+        assert!(net(100, 4).is_err());
+        assert_eq!((length(&[3.0, 4.0]), length(&[0.0]), length(&[1e300, 0.0])), (5.0, 0.0, 1e300));
+    }
+}

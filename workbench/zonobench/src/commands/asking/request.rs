@@ -1,0 +1,143 @@
+//! What an answer records of the question: the options, the columns that were read, the data's SHA-256.
+
+use clap::ValueEnum;
+use serde_json::{Map, Value};
+use thiserror::Error;
+
+use super::{Asking, Directions, EPSILON, Objective};
+use crate::input::{Column, Columns, Format, Reading};
+use crate::json::{Tree, to_json, vector_to_json};
+
+/// The question that an answer records.
+#[derive(Debug, Clone)]
+pub(crate) struct Recorded {
+    /// The options that ask it again of the same data, whatever defaults and guesses the first reading rested on.
+    pub(crate) asking: Asking,
+    /// The SHA-256 of the data.
+    pub(crate) sha256: String,
+}
+
+/// A `request` that cannot be read.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error("the answer's `request` has no readable `{0}`")]
+pub(crate) struct RecordError(&'static str);
+
+impl Asking {
+    /// The `request` of an answer about the points that were read.
+    pub(crate) fn record(&self, reading: &Reading, objective: Objective) -> anyhow::Result<Value> {
+        let mut request = Map::new();
+        request.insert("command".to_owned(), "enclose".into());
+        let objective_name = objective.to_possible_value().expect("no objective is hidden from the command line");
+        request.insert("objective".to_owned(), objective_name.get_name().into());
+        if let Some(format) = reading.format {
+            request.insert("format".to_owned(), format.to_string().into());
+        }
+        if !reading.columns.is_empty() {
+            let column = |column: &Column| match column {
+                Column::Number(number) => Value::from(*number),
+                Column::Name(name) => Value::from(name.as_str()),
+            };
+            request.insert("columns".to_owned(), reading.columns.iter().map(column).collect());
+        }
+        if objective == Objective::Length {
+            match &self.directions {
+                Some(directions) => {
+                    let vectors = directions.vectors(reading.points.dimension())?;
+                    let vectors = vectors.iter().map(|vector| vector_to_json(vector)).collect();
+                    request.insert("directions".to_owned(), vectors);
+                }
+                None => {
+                    request.insert("epsilon".to_owned(), to_json(self.epsilon.unwrap_or(EPSILON)));
+                }
+            }
+        }
+        request.insert("sha256".to_owned(), reading.sha256.clone().into());
+        Ok(Value::Object(request))
+    }
+}
+
+impl Recorded {
+    /// The question that an answer records; `None` if it records none.
+    pub(crate) fn of(answer: &Tree) -> Option<Result<Self, RecordError>> {
+        answer.field("request").map(recorded)
+    }
+}
+
+fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
+    fn field<T>(request: &Tree, name: &'static str, read: fn(&Tree) -> Option<T>) -> Result<Option<T>, RecordError> {
+        request.field(name).map(|value| read(value).ok_or(RecordError(name))).transpose()
+    }
+    let asking = Asking {
+        columns: field(request, "columns", columns)?,
+        format: field(request, "format", |value| Format::from_str(value.text()?, false).ok())?,
+        objective: field(request, "objective", |value| Objective::from_str(value.text()?, false).ok())?,
+        directions: field(request, "directions", directions)?,
+        epsilon: field(request, "epsilon", |value| value.float().filter(|&epsilon| 0.0 < epsilon && epsilon < 1.0))?,
+    };
+    let sha256 = field(request, "sha256", |value| value.text().map(str::to_owned))?;
+    Ok(Recorded { asking, sha256: sha256.ok_or(RecordError("sha256"))? })
+}
+
+fn columns(value: &Tree) -> Option<Columns> {
+    let column = |value: &Tree| match value {
+        Tree::Text(name) => Some(Column::Name(name.clone())),
+        other => other.index().filter(|&number| number > 0).map(Column::Number),
+    };
+    let columns: Vec<Column> = value.list()?.iter().map(column).collect::<Option<_>>()?;
+    Columns::new(columns).ok()
+}
+
+fn directions(value: &Tree) -> Option<Directions> {
+    let component = |value: &Tree| value.float().filter(|number| number.is_finite());
+    let vector = |value: &Tree| value.list()?.iter().map(component).collect::<Option<Vec<f64>>>();
+    Some(Directions::Vectors(value.list()?.iter().map(vector).collect::<Option<_>>()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::Points;
+    use crate::json::{MAX_VALUES, read};
+
+    fn record(asking: &Asking, objective: Objective) -> String {
+        let columns = vec![Column::Name("y".into()), Column::Number(3)];
+        let points = Points::Plane(vec![[1.0, 2.0]]);
+        let reading = Reading { points, columns, left_out: Vec::new(), format: Some(Format::Csv), sha256: "ab".into() };
+        asking.record(&reading, objective).expect("the axes are directions").to_string()
+    }
+
+    #[test]
+    fn what_is_recorded_asks_the_same_question_again() {
+        let area = record(&Asking::default(), Objective::Area);
+        let expected = r#"{"command":"enclose","objective":"area","format":"csv","columns":["y",3],"sha256":"ab"}"#;
+        assert_eq!(area, expected);
+        let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
+        for (asking, fields) in
+            [(along_axes, "\"directions\":[[1.0,0.0],[0.0,1.0]]"), (Asking::default(), "\"epsilon\":0.001")]
+        {
+            let text = record(&asking, Objective::Length);
+            assert!(text.contains(fields), "{text}");
+            let request = read(text.as_bytes(), MAX_VALUES).expect("JSON");
+            let again = recorded(&request).expect("a record is readable");
+            assert_eq!(again.sha256, "ab");
+            assert_eq!(record(&again.asking, Objective::Length), text);
+        }
+    }
+
+    #[test]
+    fn a_record_that_cannot_be_read_names_the_field() {
+        let complaint = |text: &str| recorded(&read(text.as_bytes(), MAX_VALUES).expect("JSON")).map(|_| ());
+        assert_eq!(complaint(r#"{"sha256":"ab"}"#), Ok(()));
+        assert_eq!(complaint("{}"), Err(RecordError("sha256")));
+        for (name, value) in [
+            ("columns", "[0]"),
+            ("columns", "7"),
+            ("format", "\"x\""),
+            ("objective", "1"),
+            ("directions", "[1]"),
+            ("epsilon", "2"),
+        ] {
+            assert_eq!(complaint(&format!(r#"{{"{name}":{value},"sha256":"ab"}}"#)), Err(RecordError(name)), "{value}");
+        }
+    }
+}

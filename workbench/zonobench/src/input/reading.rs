@@ -1,0 +1,76 @@
+//! What was read of a file: the points, and which part of the file they are.
+
+use super::Format;
+use super::columns::Column;
+use super::points::Points;
+
+/// The points of a file, with the parts of the file that they come from and those that were left out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// The points, in the order of the file.
+    pub points: Points,
+    /// The columns that hold the coordinates, in the order of the coordinates; chosen again, they give the same points. The
+    /// list is empty for formats without columns, and for a JSON document that mixes lists and objects.
+    pub columns: Vec<Column>,
+    /// The columns, or other parts such as altitudes, that the points leave out.
+    pub left_out: Vec<String>,
+    /// The format of the file.
+    pub format: Option<Format>,
+    /// The SHA-256 of the file.
+    pub sha256: String,
+}
+
+impl Reading {
+    /// Points from the given columns, of a file that is yet to be named.
+    pub(super) fn of(points: Points, (columns, left_out): (Vec<Column>, Vec<String>)) -> Self {
+        Self { points, columns, left_out, format: None, sha256: String::new() }
+    }
+
+    /// Points of a file that has no columns.
+    pub(super) fn without_columns(points: Points, left_out: Vec<String>) -> Self {
+        Self::of(points, (Vec::new(), left_out))
+    }
+
+    /// The columns in words, with what they leave out: "x, y; left out: id"; `None` where nothing was chosen.
+    pub fn in_words(&self) -> Option<String> {
+        let used: Vec<String> = self.columns.iter().map(Column::to_string).collect();
+        match (used.is_empty(), self.left_out.is_empty()) {
+            (true, true) => None,
+            (true, false) => Some(format!("left out: {}", self.left_out.join(", "))),
+            (false, true) => Some(used.join(", ")),
+            (false, false) => Some(format!("{}; left out: {}", used.join(", "), self.left_out.join(", "))),
+        }
+    }
+}
+
+/// The columns of a row, told by their names where a name is there and no other column has it, else by their numbers.
+pub(super) fn columns_of(names: &[String], chosen: &[usize]) -> (Vec<Column>, Vec<String>) {
+    let column = |index: usize| {
+        let name = &names[index];
+        let is_unique = names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() == 1;
+        if name.is_empty() || !is_unique { Column::Number(index + 1) } else { Column::Name(name.clone()) }
+    };
+    let described = |index: usize| match column(index) {
+        Column::Number(number) => format!("column {number}"),
+        Column::Name(name) => name,
+    };
+    let left_out = (0..names.len()).filter(|index| !chosen.contains(index)).map(described).collect();
+    (chosen.iter().map(|&index| column(index)).collect(), left_out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_told_by_name_where_the_name_is_theirs_alone() {
+        let names = ["x", "", "X", "height"].map(str::to_owned);
+        let (columns, left_out) = columns_of(&names, &[3, 0]);
+        assert_eq!(columns, [Column::Name("height".into()), Column::Number(1)]);
+        assert_eq!(left_out, ["column 2", "column 3"]);
+        let points = Points::Plane(vec![[1.0, 2.0]]);
+        let reading = Reading::of(points.clone(), (columns, left_out));
+        assert_eq!(reading.in_words().as_deref(), Some("height, 1; left out: column 2, column 3"));
+        assert_eq!(Reading::without_columns(points, Vec::new()).in_words(), None);
+    }
+}

@@ -1,0 +1,177 @@
+//! Answers that `enclose` writes: what they say of the columns, what `verify` makes of them, and the bodies that they hold.
+
+use std::fs;
+use std::path::Path;
+
+use crate::run;
+use serde_json::{Value, json};
+
+const SPACE: &str = "name,x,y,z\nA,0,0,1\nB,3,1,0\nC,1,2,5\nD,-1,0.5,2\n";
+
+/// What `enclose` prints about a file in the folder; the answer goes to `a.json`.
+fn enclosed(folder: &Path, file: &str, words: &[&str]) -> String {
+    let outcome = run(folder, &[&["enclose", file, "--json", "a.json", "--force"], words].concat());
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""), "{file} {words:?}");
+    outcome.stdout
+}
+
+/// The status of `verify`, with the kind, the verdict and the reason that it prints about `a.json`.
+fn verified(folder: &Path, file: &str, words: &[&str]) -> (i32, [String; 3]) {
+    let outcome = run(folder, &[&["verify", file, "a.json"], words].concat());
+    assert_eq!(outcome.stderr, "", "{words:?}");
+    let cells: Vec<&str> = outcome.stdout.trim_end().split('\t').collect();
+    (outcome.status, [1, 2, 3].map(|cell| cells[cell].to_owned()))
+}
+
+fn row<'a>(summary: &'a str, label: &str) -> &'a str {
+    let line = summary.lines().find_map(|line| line.strip_prefix(label));
+    line.unwrap_or_else(|| panic!("no {label} in {summary}")).trim_start()
+}
+
+fn change(folder: &Path, change: impl FnOnce(&mut Value)) {
+    let file = folder.join("a.json");
+    let mut answer = serde_json::from_str(&fs::read_to_string(&file).expect("an answer")).expect("JSON");
+    change(&mut answer);
+    fs::write(&file, answer.to_string()).expect("written");
+}
+
+#[test]
+fn a_table_of_space_is_enclosed_in_space() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), SPACE).expect("written");
+    let summary = enclosed(folder, "p.csv", &[]);
+    assert_eq!(row(&summary, "points"), "4 in p.csv, with 3 coordinates");
+    assert_eq!(row(&summary, "columns"), "x, y, z; left out: name");
+    let (status, [kind, verdict, _]) = verified(folder, "p.csv", &[]);
+    assert_eq!((status, kind.as_str(), verdict.as_str()), (0, "min_length_all", "right"));
+
+    let plane = run(folder, &["enclose", "p.csv", "--objective", "area"]);
+    assert_eq!(plane.status, 1);
+    assert!(plane.stderr.contains("columns x, y and z") && plane.stderr.contains("--columns"), "{}", plane.stderr);
+    let summary = enclosed(folder, "p.csv", &["--objective", "area", "--columns", "x,z"]);
+    assert_eq!(row(&summary, "columns"), "x, z; left out: name, y");
+    assert_eq!(run(folder, &["enclose", "p.csv", "--exact"]).status, 2);
+}
+
+#[test]
+fn what_is_left_out_is_said() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("map.csv"), "lat,lon,height\n1,2,3\n4,6,5\n2,0,1\n").expect("written");
+    assert_eq!(row(&enclosed(folder, "map.csv", &[]), "columns"), "lon, lat; left out: height");
+    fs::write(folder.join("map.geojson"), r#"{"type":"MultiPoint","coordinates":[[0,0,9],[6,0],[0,6,1]]}"#)
+        .expect("written");
+    assert_eq!(row(&enclosed(folder, "map.geojson", &[]), "columns"), "left out: the altitudes of 2 positions");
+}
+
+#[test]
+fn verify_needs_no_option() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), SPACE).expect("written");
+    fs::write(folder.join("p.dat"), SPACE).expect("written");
+    fs::write(folder.join("d.csv"), "1,0,0\n0,1,0\n0,0,1\n1,1,1\n").expect("written");
+    let asked: [(&str, &[&str], &str); 6] = [
+        ("p.csv", &["--columns", "3,2"], "min_area"),
+        ("p.csv", &["--columns", "y,x", "--exact"], "min_area"),
+        ("p.csv", &["--columns", "x,y", "--epsilon", "0.25"], "min_length_all"),
+        ("p.csv", &["--directions", "net:2"], "min_length_dirs"),
+        ("p.csv", &["--directions", "d.csv"], "min_length_dirs"),
+        ("p.dat", &["--format", "csv", "--objective", "length"], "min_length_all"),
+    ];
+    for (file, words, kind) in asked {
+        let summary = enclosed(folder, file, words);
+        assert_eq!(row(&summary, "verify"), format!("zonobench verify {file} a.json"), "{words:?}");
+        let (status, [found, verdict, reason]) = verified(folder, file, &[]);
+        assert_eq!((status, found.as_str(), verdict.as_str()), (0, kind, "right"), "{words:?}: {reason}");
+        let repeated: Vec<&str> = words.iter().copied().filter(|word| *word != "--exact").collect();
+        assert_eq!(verified(folder, file, &repeated).0, 0, "{words:?}");
+    }
+}
+
+#[test]
+fn options_that_ask_for_something_else_make_no_answer_wrong() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), SPACE).expect("written");
+    let asked: [(&[&str], &[&[&str]]); 3] = [
+        (&["--columns", "x,y"], &[&["--columns", "y,x"], &["--objective", "length"], &["--epsilon", "0.1"]]),
+        (&[], &[&["--columns", "x,y"], &["--epsilon", "1e-9"], &["--directions", "axes"], &["--objective", "area"]]),
+        (&["--directions", "axes"], &[&["--directions", "net:2"], &["--epsilon", "0.1"], &["--columns", "z,y,x"]]),
+    ];
+    for (words, others) in asked {
+        enclosed(folder, "p.csv", words);
+        for other in others {
+            let (status, [_, verdict, reason]) = verified(folder, "p.csv", other);
+            assert_eq!((status, verdict.as_str()), (1, "unchecked"), "{words:?} {other:?}: {reason}");
+        }
+    }
+}
+
+#[test]
+fn wrong_answers_are_wrong_and_others_are_not() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let verdict = |file: &str| {
+        let (status, [_, verdict, reason]) = verified(folder, file, &[]);
+        (status, verdict, reason)
+    };
+    fs::write(folder.join("p.csv"), SPACE).expect("written");
+    let spoilt = |answer: &mut Value| answer["result"]["center"][0] = json!(100.0);
+    for words in [&["--columns", "x,y"][..], &["--directions", "axes"], &[]] {
+        enclosed(folder, "p.csv", words);
+        change(folder, spoilt);
+        let (status, word, reason) = verdict("p.csv");
+        assert_eq!((status, word.as_str()), (1, "WRONG"), "{words:?}: {reason}");
+        // The same answer without its record may be right for other columns.
+        change(folder, |answer| drop(answer.as_object_mut().expect("an object").remove("request")));
+        let (status, word, reason) = verdict("p.csv");
+        assert_eq!((status, word.as_str()), (1, "unchecked"), "{words:?}: {reason}");
+    }
+
+    // Other data: what is right for them is right, what is not may have been right for those of the answer.
+    enclosed(folder, "p.csv", &[]);
+    fs::write(folder.join("p.csv"), SPACE.replace(",5\n", ",5.0\n")).expect("written");
+    assert_eq!(verdict("p.csv").1, "right");
+    fs::write(folder.join("p.csv"), SPACE.replace(",5\n", ",50\n")).expect("written");
+    let (status, word, reason) = verdict("p.csv");
+    assert_eq!((status, word.as_str()), (1, "unchecked"), "{reason}");
+    assert!(reason.starts_with("the data are not those that the answer was computed from"), "{reason}");
+
+    change(folder, |answer| answer["request"]["columns"] = json!(["x", "y", "w"]));
+    let (status, word, reason) = verdict("p.csv");
+    assert_eq!((status, word.as_str()), (1, "unchecked"), "{reason}");
+    assert!(reason.contains("no column 'w'"), "{reason}");
+    change(folder, |answer| answer["request"]["columns"] = json!(0));
+    assert_eq!(verdict("p.csv").2, "the answer's `request` has no readable `columns`");
+}
+
+#[test]
+fn answers_are_bodies() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), SPACE).expect("written");
+    fs::write(folder.join("cube.json"), r#"{"c":[9,0,0],"G":[[1,0,0],[0,1,0],[0,0,1]]}"#).expect("written");
+    let shapes: [(&[&str], &str, bool); 4] = [
+        (&["--columns", "x,y"], "in 2", false),
+        (&["--columns", "x,y,z", "--epsilon", "0.1"], "in 3", true),
+        (&["--directions", "axes"], "in 3", true),
+        (&["--directions", "net:2"], "in 3", true),
+    ];
+    for (words, dimension, in_space) in shapes {
+        enclosed(folder, "p.csv", words);
+        let inspected = run(folder, &["inspect", "a.json"]);
+        assert_eq!(inspected.status, 0, "{words:?}: {}", inspected.stderr);
+        assert!(row(&inspected.stdout, "dimension").contains(dimension), "{words:?}: {}", inspected.stdout);
+        let met = run(folder, &["intersect", "a.json", if in_space { "cube.json" } else { "a.json" }]);
+        assert_eq!(met.status, 0, "{words:?}: {}", met.stderr);
+        let answer = row(&met.stdout, "answer");
+        assert_eq!(answer.contains("disjoint"), in_space, "{words:?}: {answer}");
+    }
+    let summary = run(folder, &["inspect", "a.json"]).stdout;
+    assert!(row(&summary, "body").ends_with("; coefficients times directions, rounded"), "{summary}");
+    let axes = enclosed(folder, "p.csv", &["--directions", "axes"]);
+    assert!(axes.contains("3 generators"), "{axes}");
+    assert_eq!(row(&run(folder, &["inspect", "a.json"]).stdout, "volume"), "40 = 40.0");
+}
