@@ -173,5 +173,6 @@ fn answers_are_bodies() {
     assert!(row(&summary, "body").ends_with("; coefficients times directions, rounded"), "{summary}");
     let axes = enclosed(folder, "p.csv", &["--directions", "axes"]);
     assert!(axes.contains("3 generators"), "{axes}");
-    assert_eq!(row(&run(folder, &["inspect", "a.json"]).stdout, "volume"), "40 = 40.0");
+    let inspected = run(folder, &["inspect", "a.json"]).stdout;
+    assert!(row(&inspected, "volume").contains("= 40.0"), "{inspected}");
 }
