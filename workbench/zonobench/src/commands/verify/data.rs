@@ -15,11 +15,15 @@ use crate::input::Format;
 use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
 use crate::verify::{Verdict, check};
 
+/// What is said of an answer to another question than the one at hand, as far as anyone knows.
+const NO_RECORD: &str = "the answer does not record what was asked, and as an answer to these options it fails";
+const OTHER_DATA: &str = "the data are not those that the answer was computed from, and for these it fails";
+
 /// A question about a data file.
 pub(super) struct AboutData {
     question: Result<Tree, String>,
     /// Why an answer that fails the check may be right for another question, or for other data.
-    doubt: Option<String>,
+    doubt: Option<&'static str>,
 }
 
 /// The question that `enclose` was asked about the file, if the file holds data and no questions.
@@ -45,8 +49,7 @@ pub(super) fn question(options: &Options, answer: Option<&Tree>) -> anyhow::Resu
 
 fn without_record(asking: &Asking, file: &Path) -> anyhow::Result<AboutData> {
     let (question, _) = asking.question(&question_name(file), file)?;
-    let doubt = "the answer does not record what was asked, and as an answer to these options it fails".to_owned();
-    Ok(AboutData { question: Ok(question), doubt: Some(doubt) })
+    Ok(AboutData { question: Ok(question), doubt: Some(NO_RECORD) })
 }
 
 fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Result<AboutData> {
@@ -66,8 +69,8 @@ fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Res
         }
     }
     let has_changed = reading.sha256 != recorded.sha256;
-    let doubt = has_changed.then(|| "the data are not those that the answer was computed from, and for these it fails");
-    Ok(AboutData { question: Ok(question), doubt: doubt.map(str::to_owned) })
+    let doubt = has_changed.then_some(OTHER_DATA);
+    Ok(AboutData { question: Ok(question), doubt })
 }
 
 impl AboutData {
