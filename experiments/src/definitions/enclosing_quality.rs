@@ -5,7 +5,7 @@ use crate::families::clouds::Cloud;
 use crate::hull_in_space::SolidHull;
 use crate::seed::Digest;
 use zonotope::collision::{Query, by_lad, by_lad_in_r4};
-use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_column_generation::min_length_enclosing_counted};
+use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_vertex_sets::min_length_enclosing_counted};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::{Zonotope, combinatorics};
 

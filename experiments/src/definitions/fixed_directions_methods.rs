@@ -38,9 +38,9 @@ pub(super) fn solve<const D: usize>(
     tally: &mut impl Tally,
 ) -> Result<DirectedZonotope<D>, String> {
     let answer: Result<Enclosure<D>, FixedDirectionsError> = match variant {
-        "papers_program" => papers_program::least_enclosing(problem, &Clarabel),
-        "support_form" => support_form::least_enclosing(problem, &Clarabel),
-        "by_row_generation" => by_row_generation::least_enclosing_counted(problem, tally),
+        "papers_program" => papers_program::min_length_by_papers_program(problem, &Clarabel),
+        "support_form" => support_form::min_length_by_support_form(problem, &Clarabel),
+        "by_row_generation" => by_row_generation::min_length_along_counted(problem, tally),
         other => return Err(format!("no method is called {other}")),
     };
     match answer.map_err(|error| error.to_string())? {

@@ -3,7 +3,7 @@
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::{self, Cloud};
 use crate::seed::Digest;
-use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_column_generation::min_length_enclosing_counted};
+use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_vertex_sets::min_length_enclosing_counted};
 use zonotope::tally::{OperationCounts, Tally};
 
 const SIZES: PerProfile<&[usize]> = PerProfile { quick: &[100, 200], full: &[100, 200, 500, 1000] };

@@ -5,7 +5,7 @@ use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::enclosing::min_total_length::{
-    MinLengthZonotope, Net, by_column_generation::min_length_enclosing_counted, by_direction_net,
+    MinLengthZonotope, Net, by_direction_net, by_vertex_sets::min_length_enclosing_counted,
 };
 use zonotope::tally::OperationCounts;
 
@@ -81,7 +81,7 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measur
     let size = net.map(|net| net.size(D, epsilon));
     let answer = match net {
         Some(_) if size.is_some_and(|size| size > SOLVED_NET) => None,
-        Some(net) => Some(by_direction_net::least_enclosing(points, epsilon, net)),
+        Some(net) => Some(by_direction_net::min_length_by_net(points, epsilon, net)),
         None => Some(min_length_enclosing_counted(points, epsilon, &mut counts)),
     };
     let measurement = match answer.transpose().map_err(|error| error.to_string())? {

@@ -9,7 +9,7 @@ use crate::style::{Dash, ENCLOSING, GREY, INPUT, PAPER, Paint, Stroke, text_size
 use experiments::data::mesh;
 use experiments::families::clouds::solid as platonic;
 use experiments::hull_in_space::SolidHull;
-use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, least_enclosing};
+use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 use zonotope::enclosing::min_total_length::min_length_enclosing;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
@@ -104,7 +104,7 @@ fn direction_sets() -> [Vec<[f64; 3]>; 4] {
 fn along(points: &[[f64; 3]], directions: &[[f64; 3]]) -> (Zonotope<3>, f64) {
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(points, directions, &weights).expect("the coordinates are finite");
-    let Ok(Enclosure::Optimal(answer)) = least_enclosing(&problem) else {
+    let Ok(Enclosure::Optimal(answer)) = min_length_along(&problem) else {
         unreachable!("three diagonals of a solid span space")
     };
     (answer.zonotope(&problem).expect("the mesh is far from the range's ends"), answer.value)

@@ -7,7 +7,7 @@ use crate::scene::{LegendEntry, Panel, Sample, Scene};
 use crate::style::{ENCLOSING, FOCUS, GREY, INPUT, Paint, Stroke, text_size, weight};
 use experiments::data::outline;
 use std::f64::consts::PI;
-use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, least_enclosing};
+use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 use zonotope::enclosing::min_total_length::min_length_enclosing;
 use zonotope::zonotope::Zonotope;
 
@@ -69,7 +69,7 @@ fn spread(count: usize) -> Vec<[f64; 2]> {
 fn along(points: &[[f64; 2]], directions: &[[f64; 2]]) -> (Zonotope<2>, f64) {
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(points, directions, &weights).expect("the coordinates are finite");
-    let Ok(Enclosure::Optimal(answer)) = least_enclosing(&problem) else {
+    let Ok(Enclosure::Optimal(answer)) = min_length_along(&problem) else {
         unreachable!("two different directions or more span the plane")
     };
     (answer.zonotope(&problem).expect("the outline is far from the range's ends"), answer.value)

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use tests::direction_families::Instance;
 use tests::kernel_twin::exactly;
 use zonotope::enclosing::fixed_directions::{
-    Enclosure, FixedDirections, FixedDirectionsError, brute_force, least_enclosing, papers_program, support_form,
+    Enclosure, FixedDirections, FixedDirectionsError, brute_force, min_length_along, papers_program, support_form,
     verify,
 };
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
@@ -18,10 +18,16 @@ type Answer<const D: usize> = Result<Enclosure<D>, FixedDirectionsError>;
 
 /// Every method and engine by name.
 fn answers<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<(String, Answer<D>)> {
-    let mut answers = vec![("row generation".to_owned(), least_enclosing(problem))];
+    let mut answers = vec![("row generation".to_owned(), min_length_along(problem))];
     for engine in [&Clarabel as &dyn Engine, &Microlp] {
-        answers.push((format!("support form, {}", engine.name()), support_form::least_enclosing(problem, engine)));
-        answers.push((format!("paper's program, {}", engine.name()), papers_program::least_enclosing(problem, engine)));
+        answers.push((
+            format!("support form, {}", engine.name()),
+            support_form::min_length_by_support_form(problem, engine),
+        ));
+        answers.push((
+            format!("paper's program, {}", engine.name()),
+            papers_program::min_length_by_papers_program(problem, engine),
+        ));
     }
     answers
 }

@@ -1,7 +1,7 @@
 //! Section 4.2, second paragraph.
 
 use dashu_ratio::RBig;
-use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, brute_force, least_enclosing};
+use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, brute_force, min_length_along};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::enclosing::{Row, dot, doubles, facet_normals, papers_program, rows};
@@ -41,7 +41,7 @@ fn check(_context: &CheckContext) -> Verdict {
     let answer = |corners: &[[f64; 3]]| {
         let problem = FixedDirections::new(corners, &directions, &[1.0, 1.0]).map_err(|error| error.to_string())?;
         let truth = brute_force::least_length(&problem).map(|optimum| optimum.value);
-        Ok::<_, String>((least_enclosing(&problem).map_err(|error| error.to_string())?, truth))
+        Ok::<_, String>((min_length_along(&problem).map_err(|error| error.to_string())?, truth))
     };
     let mut lifted = corners.clone();
     lifted[2][2] = f64::from_bits(1);

@@ -26,7 +26,7 @@ pub static CLAIM: Claim = Claim {
             zonotope as optimum; in the plane the optimum is the least perimeter(Z(O)) / 4",
     ),
     code: &[
-        "zonotope::enclosing::min_total_length::by_column_generation",
+        "zonotope::enclosing::min_total_length::by_vertex_sets",
         "zonotope::enclosing::min_total_length::in_the_plane",
     ],
     check: Check::Run(check),

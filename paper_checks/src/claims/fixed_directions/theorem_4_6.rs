@@ -51,7 +51,8 @@ fn optimal<const D: usize>(random: &mut Pcg64Mcg, count: usize, k: usize) -> Res
     let weights = vec![1.0; k];
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
     let name = || format!("{points:?} along {directions:?}");
-    let Enclosure::Optimal(answer) = by_row_generation::least_enclosing(&problem).map_err(|error| error.to_string())?
+    let Enclosure::Optimal(answer) =
+        by_row_generation::min_length_along(&problem).map_err(|error| error.to_string())?
     else {
         return Err(format!("{} is called infeasible", name()));
     };
@@ -73,9 +74,9 @@ fn growth(context: &CheckContext) -> Result<String, String> {
         let weights = vec![1.0; k];
         let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
         let answers = [
-            papers_program::least_enclosing(&problem, &Clarabel),
-            support_form::least_enclosing(&problem, &Clarabel),
-            by_row_generation::least_enclosing(&problem),
+            papers_program::min_length_by_papers_program(&problem, &Clarabel),
+            support_form::min_length_by_support_form(&problem, &Clarabel),
+            by_row_generation::min_length_along(&problem),
         ];
         for (answer, samples) in answers.into_iter().zip([&mut printed, &mut all, &mut needed]) {
             let answer = answer.map_err(|error| error.to_string())?;
@@ -97,7 +98,7 @@ fn growth(context: &CheckContext) -> Result<String, String> {
         let points = clouds::on_sphere::<3>(n, context.seed);
         let directions = clouds::on_sphere::<3>(8, context.seed + 8);
         let problem = FixedDirections::new(&points, &directions, &[1.0; 8]).map_err(|error| error.to_string())?;
-        let answer = by_row_generation::least_enclosing(&problem).map_err(|error| error.to_string())?;
+        let answer = by_row_generation::min_length_along(&problem).map_err(|error| error.to_string())?;
         Ok(answer.optimal().map_or(0, |zonotope| zonotope.effort.passes))
     };
     let (few, many) = (passes(500)?, passes(8000)?);

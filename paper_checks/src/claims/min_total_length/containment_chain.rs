@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
-use zonotope::enclosing::fixed_directions::{FixedDirections, least_enclosing};
+use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::enclosing::{Row, absolute, dot, facet_normals};
@@ -113,7 +113,7 @@ fn best_is_no_longer<const D: usize>(generators: &[Row], near: &[(Row, RBig)], l
     let directions: Vec<[f64; D]> = near.iter().map(|(v, _)| rounded(v)).chain(axes).collect();
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(&vertices, &directions, &weights).map_err(|error| error.to_string())?;
-    let answer = least_enclosing(&problem).map_err(|error| error.to_string())?;
+    let answer = min_length_along(&problem).map_err(|error| error.to_string())?;
     let value = answer.optimal().ok_or("the axes span")?.value;
     let slack = RBig::ONE + fraction(1, 1_000_000_000);
     if exactly(value) > length * slack { Err(format!("{near:?}: {value} is above {length}")) } else { Ok(()) }

@@ -21,7 +21,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &[
         "zonotope::enclosing::min_total_length::by_direction_net",
-        "zonotope::enclosing::min_total_length::by_column_generation",
+        "zonotope::enclosing::min_total_length::by_vertex_sets",
     ],
     figures: &["length-ratio", "directions-needed", "dual-zonotope", "gap-curve"],
     check: Check::Run(check),
@@ -68,7 +68,7 @@ fn keeps<const D: usize>(
     let points = clouds::on_sphere::<D>(count, seed);
     for &epsilon in precisions {
         let answer = match net {
-            Some(net) => by_direction_net::least_enclosing(&points, epsilon, net),
+            Some(net) => by_direction_net::min_length_by_net(&points, epsilon, net),
             None => min_length_enclosing(&points, epsilon),
         };
         let answer = answer.map_err(|error| error.to_string())?;

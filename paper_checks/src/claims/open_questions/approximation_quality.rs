@@ -25,7 +25,7 @@ pub static CLAIM: Claim = Claim {
             however many generators it has; by total length, every single input can be answered to any precision with \
             a proof",
     ),
-    code: &["zonotope::enclosing::min_total_length::by_column_generation"],
+    code: &["zonotope::enclosing::min_total_length::by_vertex_sets"],
     figures: &["mesh-in-zonohedra"],
     check: Check::Run(check),
 };

@@ -51,26 +51,8 @@ use crate::numeric::orientation::{Turn, orientation};
 use crate::tally::{Operation, Tally};
 
 use super::bisectors::Bisectors;
+pub use super::boundary_vertex::BoundaryVertex;
 use super::half_turn::{EdgeVisitor, HalfTurn};
-
-/// A vertex of the hull, or its reflection in the centre.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct BoundaryVertex {
-    /// The vertex of the hull.
-    pub vertex: VertexIndex,
-    /// Whether its reflection is meant.
-    pub reflected: bool,
-}
-
-impl BoundaryVertex {
-    pub(crate) fn new(vertex: usize, reflected: bool) -> Self {
-        Self { vertex: VertexIndex::new(vertex), reflected }
-    }
-
-    fn opposite(self) -> Self {
-        Self { reflected: !self.reflected, ..self }
-    }
-}
 
 /// A maximal run of the combinatorial description: P_first … P_last, or P'_first … P'_last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

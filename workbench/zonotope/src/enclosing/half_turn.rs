@@ -11,7 +11,7 @@
 
 use std::cmp::Ordering;
 
-use super::centered_zonogon::BoundaryVertex;
+use super::boundary_vertex::BoundaryVertex;
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::numeric::dyadic::Dyadic;

@@ -9,6 +9,7 @@
 //! | [`min_total_length`] | the zonotope of least total length around points of any dimension (4.3) |
 
 pub mod bisectors;
+mod boundary_vertex;
 pub mod centered_zonogon;
 pub mod fixed_directions;
 mod half_turn;

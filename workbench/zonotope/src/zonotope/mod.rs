@@ -11,6 +11,7 @@
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
+//! | `ray_exit` | where a ray from the centre leaves, in floating point |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
 
 mod cleanup;
@@ -25,6 +26,7 @@ mod outward;
 pub mod passes;
 pub mod query;
 mod rank;
+pub(crate) mod ray_exit;
 pub mod zonogon;
 
 pub use combinatorics::{Combinatorics, combinatorics};

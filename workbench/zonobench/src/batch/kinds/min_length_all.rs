@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use zonotope::enclosing::min_total_length::{
-    MinLengthError, MinLengthZonotope, Net, Outcome, by_column_generation, by_direction_net,
+    MinLengthError, MinLengthZonotope, Net, Outcome, by_direction_net, by_vertex_sets,
 };
 
 use super::{Kind, Solution};
@@ -45,9 +45,9 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
         return Err(Refusal::new(Code::TooLarge, message));
     }
     let found = match method {
-        "by_direction_net" => by_direction_net::least_enclosing(&points, epsilon, Net::Cells),
-        "by_papers_net" => by_direction_net::least_enclosing(&points, epsilon, Net::Paper),
-        _ => by_column_generation::min_length_enclosing(&points, epsilon),
+        "by_direction_net" => by_direction_net::min_length_by_net(&points, epsilon, Net::Cells),
+        "by_papers_net" => by_direction_net::min_length_by_net(&points, epsilon, Net::Paper),
+        _ => by_vertex_sets::min_length_enclosing(&points, epsilon),
     };
     found.map(|found| result(&found)).map_err(|error| {
         let code = match error {

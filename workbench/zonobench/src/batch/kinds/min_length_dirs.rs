@@ -60,9 +60,9 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| refusal(&error))?;
     check_size(&problem, method)?;
     let enclosure = match method {
-        "support_form" => support_form::least_enclosing(&problem, &Clarabel),
-        "papers_program" => papers_program::least_enclosing(&problem, &Clarabel),
-        _ => by_row_generation::least_enclosing(&problem),
+        "support_form" => support_form::min_length_by_support_form(&problem, &Clarabel),
+        "papers_program" => papers_program::min_length_by_papers_program(&problem, &Clarabel),
+        _ => by_row_generation::min_length_along(&problem),
     };
     enclosure.map(|enclosure| result(&enclosure)).map_err(|error| refusal(&error))
 }

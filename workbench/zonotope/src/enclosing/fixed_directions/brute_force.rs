@@ -43,7 +43,7 @@
 //! ```
 
 use super::problem::FixedDirections;
-use super::rational_simplex::{Column, maximize};
+use super::rational::simplex::{Column, maximize};
 use super::span::{Span, rational};
 use crate::numeric::Rational;
 

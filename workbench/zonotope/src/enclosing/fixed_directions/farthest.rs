@@ -1,6 +1,6 @@
 //! The farthest of many points along each of some normals, with the points read once.
 
-use super::facet_descent::dot;
+use crate::zonotope::ray_exit::dot;
 
 /// So many points are looked at together: their coordinates stay in the nearest memory while all normals pass over them.
 const BLOCK: usize = 256;

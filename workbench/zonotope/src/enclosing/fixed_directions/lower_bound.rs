@@ -4,12 +4,12 @@
 //! zero exactly; divided by the most that a direction is loaded with, they are within all limits.
 
 use super::answer::Force;
-use super::facet_descent::dot;
 use super::problem::FixedDirections;
 use super::scaled::Scaled;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
+use crate::zonotope::ray_exit::dot;
 
 /// Forces in doubles that add up to zero exactly: pairs of a point and a vector.
 pub(crate) fn balanced<const D: usize>(pulls: &[(usize, [f64; D])]) -> Vec<(usize, [f64; D])> {

@@ -15,29 +15,18 @@
 //! [linear programs](crate::linear_program), whose answer is only where they begin to prove their own. Every answer but the truth's contains the points exactly and proves its lower bound;
 //! [`verify`] checks both on its own.
 
+#[cfg(feature = "linear-programming")]
+mod all_normals;
 mod answer;
-mod basis;
 pub mod brute_force;
 pub mod by_row_generation;
-mod center;
-#[cfg(feature = "linear-programming")]
-mod extreme_points;
-mod facet_chart;
-mod facet_descent;
-mod facet_map;
+mod contain;
 mod farthest;
-mod generation;
-mod lattice;
-mod lengthened;
 mod lower_bound;
-mod normal_program;
-#[cfg(feature = "linear-programming")]
-mod normals;
 #[cfg(feature = "linear-programming")]
 pub mod papers_program;
 mod problem;
-mod rational_simplex;
-mod repair;
+mod rational;
 mod scaled;
 mod solve;
 mod span;
@@ -46,12 +35,11 @@ pub mod support_form;
 pub mod verify;
 
 pub use answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
-pub(crate) use facet_descent::{Facet, FacetDescent, dot, inverse};
-pub(crate) use generation::Generation;
+pub(crate) use by_row_generation::Generation;
 pub(crate) use lower_bound::balanced;
 pub(crate) use problem::first_non_finite;
 
-pub use by_row_generation::{least_enclosing, least_enclosing_counted};
+pub use by_row_generation::{min_length_along, min_length_along_counted};
 pub use problem::{FixedDirections, FixedDirectionsError};
 
 #[cfg(test)]

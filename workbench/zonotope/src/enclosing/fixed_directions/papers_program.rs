@@ -36,20 +36,20 @@
 //! use zonotope::linear_program::Clarabel;
 //! let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 4.0]];
 //! let problem = FixedDirections::new(&triangle, &[[1.0, 0.0], [0.0, 1.0]], &[1.0, 1.0])?;
-//! let answer = papers_program::least_enclosing(&problem, &Clarabel)?;
+//! let answer = papers_program::min_length_by_papers_program(&problem, &Clarabel)?;
 //! // half the width and half the height
 //! assert!((answer.optimal().expect("feasible").value - 3.0).abs() < 1e-12);
 //! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
 //! ```
 
+use super::all_normals::extreme_points;
 use super::answer::Enclosure;
-use super::extreme_points::extreme_points;
-use super::facet_descent::FacetDescent;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
 use super::solve::solve_with;
 use super::span::Span;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
+use crate::zonotope::ray_exit::FacetDescent;
 
 /// A point whose ray leaves the zonotope at less than this multiple may touch it at the optimum.
 const NEARLY_TOUCHES: f64 = 1.0 + 1e-6;
@@ -70,7 +70,7 @@ pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Ve
 ///
 /// # Errors
 /// When a coefficient of the answer is no double.
-pub fn least_enclosing<const D: usize>(
+pub fn min_length_by_papers_program<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {

@@ -1,20 +1,19 @@
 //! From a program over normals to a proven answer: what all methods share.
 
 use super::answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
-use super::basis::{exact_inverse, long_basis};
 use super::brute_force;
-use super::center::{Wanted, nearest_doubles};
-use super::facet_map::FacetMap;
-use super::generation::Generation;
+use super::by_row_generation::Generation;
+use super::contain::flat_center::{Wanted, nearest_doubles};
+use super::contain::{below, contain_exactly, exact_inverse, generators, long_basis, value_above};
 use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
-use super::repair::{below, contain_exactly, generators, value_above};
 use super::scaled::Scaled;
 use super::span::{Span, rational};
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
+use crate::zonotope::ray_exit::FacetMap;
 
 /// A relative gap with which floating point is left alone.
 const TIGHT: f64 = 1e-13;

@@ -35,18 +35,18 @@
 //! use zonotope::linear_program::Clarabel;
 //! let diamond = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 //! let problem = FixedDirections::new(&diamond, &[[1.0, 1.0], [1.0, -1.0]], &[1.0, 1.0])?;
-//! let answer = support_form::least_enclosing(&problem, &Clarabel)?;
+//! let answer = support_form::min_length_by_support_form(&problem, &Clarabel)?;
 //! // the diamond itself: both coefficients are a half
 //! assert!((answer.optimal().expect("feasible").value - 1.0).abs() < 1e-12);
 //! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
 //! ```
 
+use super::all_normals::facet_normals;
 use super::answer::Enclosure;
-use super::facet_descent::dot;
-use super::normals::facet_normals;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::solve::solve_with;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
+use crate::zonotope::ray_exit::dot;
 
 /// A row whose two sides differ by less than this, in coordinates of size 1, may be tight at the optimum.
 const NEARLY_TIGHT: f64 = 1e-6;
@@ -55,7 +55,7 @@ const NEARLY_TIGHT: f64 = 1e-6;
 ///
 /// # Errors
 /// When a coefficient of the answer is no double.
-pub fn least_enclosing<const D: usize>(
+pub fn min_length_by_support_form<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {

@@ -24,7 +24,7 @@ fn check<const D: usize>(
 ) -> Result<(), TestCaseError> {
     let problem = FixedDirections::new(points, directions, weights).expect("valid");
     let truth = brute_force::least_length(&problem);
-    let answer = match least_enclosing(&problem) {
+    let answer = match min_length_along(&problem) {
         Err(error) => {
             prop_assert_eq!(error, FixedDirectionsError::OutOfRange);
             return Ok(());
@@ -166,7 +166,7 @@ fn the_best_centre_of_a_flat_zonotope_that_is_one_of_doubles() {
 fn a_point_is_the_centre_where_no_other_doubles_are_in_the_span() {
     let points = [[0.2, 0.6000000000000001], [0.1, 0.30000000000000004], [0.2, 0.6000000000000001]];
     let problem = FixedDirections::new(&points, &points[1..2], &[1.0]).expect("valid");
-    let answer = least_enclosing(&problem).expect("in range");
+    let answer = min_length_along(&problem).expect("in range");
     assert_eq!(answer.optimal().map(|answer| (answer.value, answer.lower_bound)), Some((1.0, 0.5)));
     assert!(verify::verify(&problem, &answer).is_ok());
 }

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use super::answer::{DirectedZonotope, Enclosure, OffSpan};
 use super::problem::FixedDirections;
-use super::rational_simplex::{Column, maximize};
+use super::rational::simplex::{Column, maximize};
 use super::span::{dot, rational};
 use crate::numeric::Rational;
 

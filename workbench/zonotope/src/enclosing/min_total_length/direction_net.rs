@@ -5,6 +5,61 @@
 //! it is within sqrt(d−1)/m of the cell's middle and within 2 sqrt(d−1)/m of each of its corners. Both are outside the unit ball, and
 //! there x ↦ x/|x| brings no two points farther apart. So the same bounds hold for the distance of unit vectors.
 
+/// Which net.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Net {
+    /// Theorem 4.7 as it stands: mesh ε/d, and the axes.
+    Paper,
+    /// The corners of cells of diameter sqrt(2ε / (1 + ε)): enough for the same ratio.
+    Cells,
+}
+
+impl Net {
+    /// Cells along a side of a face of the cube in so many dimensions.
+    fn cells(self, dimension: usize, epsilon: f64) -> usize {
+        let width = (dimension as f64 - 1.0).sqrt();
+        let mesh = match self {
+            Self::Paper => epsilon / dimension as f64,
+            Self::Cells => (2.0 * epsilon / (1.0 + epsilon)).sqrt() / 2.0,
+        };
+        // One more than the quotient's integer part: the mesh keeps a margin over rounding.
+        ((width / mesh).floor() as usize).saturating_add(1)
+    }
+
+    /// How many directions the net for a precision has in R^dimension, or a few more: those that several cells share are counted more than once.
+    pub fn size(self, dimension: usize, epsilon: f64) -> usize {
+        let side = self.cells(dimension, epsilon).saturating_add(usize::from(self == Self::Cells));
+        dimension.saturating_mul(side.saturating_pow(dimension as u32 - 1)).saturating_add(dimension)
+    }
+
+    /// The directions, in the first `rank` coordinates.
+    pub(super) fn directions<const D: usize>(self, rank: usize, epsilon: f64) -> Vec<[f64; D]> {
+        match rank {
+            1 => self.embedded::<1, D>(epsilon),
+            2 => self.embedded::<2, D>(epsilon),
+            3 => self.embedded::<3, D>(epsilon),
+            _ => self.embedded::<D, D>(epsilon),
+        }
+    }
+
+    fn embedded<const R: usize, const D: usize>(self, epsilon: f64) -> Vec<[f64; D]> {
+        let cells = self.cells(R, epsilon);
+        let mut net: Vec<[f64; R]> = match self {
+            Self::Paper => cell_middles(cells),
+            Self::Cells => cell_corners(cells),
+        };
+        if self == Self::Paper {
+            let axes = (0..R).map(|a| std::array::from_fn(|c| f64::from(u8::from(a == c))));
+            for axis in axes {
+                if !net.contains(&axis) {
+                    net.push(axis);
+                }
+            }
+        }
+        net.iter().map(|v| std::array::from_fn(|c| if c < R { v[c] } else { 0.0 })).collect()
+    }
+}
+
 /// The middles of the cells of a grid with `cells` a side, unit vectors up to rounding: every unit vector or its opposite is within sqrt(D − 1) / `cells` of one.
 pub fn cell_middles<const D: usize>(cells: usize) -> Vec<[f64; D]> {
     let middle = |i: usize| (2 * i + 1) as f64 / cells as f64 - 1.0;

@@ -3,8 +3,8 @@
 //! A vertex is Σ ± λ_j with the signs of λ_j · v for some direction v. Each cell of the arrangement of the planes v ⊥ λ_j touches an intersection of d − 2 of them, which is a
 //! circle of directions; a walk around it meets the other planes in the order of their angles and changes one sign at a time.
 
-use crate::enclosing::fixed_directions::dot;
 use crate::numeric::tolerance::UNIT;
+use crate::zonotope::ray_exit::dot;
 
 /// What an enumeration of the vertices found.
 pub(crate) struct FarVertices<const D: usize> {

@@ -3,10 +3,11 @@
 use super::answer::LengthForce;
 use super::dual_zonotope::{FarVertices, far_vertices};
 use super::frame::Frame;
-use crate::enclosing::fixed_directions::{balanced, dot};
+use crate::enclosing::fixed_directions::balanced;
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::UNIT;
+use crate::zonotope::ray_exit::dot;
 
 /// The best lower bound so far, and its forces in the frame.
 pub(super) struct Best<const D: usize> {

@@ -7,36 +7,27 @@
 //! |---|---|---|
 //! | [`in_the_plane`] | about 10^4 convex hulls | D = 2: the truth, in floating point |
 //! | [`by_direction_net`] | fixed directions, O(ε^{−(d−1)}) or O(ε^{−(d−1)/2}) of them | Theorem 4.7, and a better net |
-//! | [`by_column_generation`] | some ten to hundred Newton steps; in a plane some fifty convex hulls | generators as they are needed, their directions free; the default |
+//! | [`by_vertex_sets`] | some ten to hundred Newton steps; in a plane some fifty convex hulls | generators as they are needed, their directions free; the default |
 //!
 //! Every answer contains the points exactly, proves its ratio and says whether that is what was asked for ([`Outcome`]); [`verify`] checks it. [`direction_net`] holds the nets.
 
-mod along_net;
 mod answer;
-mod best_center;
-pub mod by_column_generation;
+mod box_coordinates;
 pub mod by_direction_net;
-mod cholesky;
-mod cone;
-mod containment;
+pub mod by_vertex_sets;
+mod conclude;
+mod contain;
 pub mod direction_net;
 mod dual_zonotope;
-mod even;
-mod finish;
 mod frame;
-mod growing;
+mod frame_zonotope;
 pub mod in_the_plane;
-mod inner_points;
-mod interior;
 mod lower_bound;
-mod real;
-mod settling;
-mod sides;
 pub mod verify;
 
 pub use answer::{LengthForce, MinLengthError, MinLengthZonotope, Outcome};
-pub use by_column_generation::{min_length_enclosing, min_length_enclosing_counted};
-pub use by_direction_net::Net;
+pub use by_vertex_sets::{min_length_enclosing, min_length_enclosing_counted};
+pub use direction_net::Net;
 
 #[cfg(test)]
 mod tests;

@@ -4,19 +4,20 @@
 //! Σ [−1, 1] γ_k ⊂ Σ [−1, 1] g_k ⊕ box(Σ ε_k), so adding the box's two generators gives a zonogon that contains Z(O). It lies
 //! itself in Z(O) ⊕ box(2 Σ ε_k), which bounds its area.
 //!
-//! Many edges in an ordinary range are rounded as they are met, with one bound for all errors ([`as_met`]); where that, or doubles at all, are
-//! not precise enough, errors are taken exactly and the areas are measured exactly ([`exactly`]).
+//! Many edges in an ordinary range are rounded as they are met, with one bound for all errors ([`streaming`]); where that, or doubles at all, are
+//! not precise enough, errors are taken exactly and the areas are measured exactly ([`exact`]).
 
-mod as_met;
-mod exactly;
+mod exact;
+mod streaming;
 
 use super::bisectors::Frame;
-use super::centered_zonogon::{BoundaryVertex, CenteredZonogon};
+use super::boundary_vertex::BoundaryVertex;
+use super::centered_zonogon::CenteredZonogon;
 use super::half_turn::HalfTurn;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 
-pub(crate) use exactly::round_outward as round_outward_exactly;
+pub(crate) use exact::round_outward as round_outward_exactly;
 
 /// A zonogon in doubles around Z(O), with areas.
 #[derive(Debug)]
@@ -31,7 +32,7 @@ pub(crate) struct Outward {
 
 /// Rounds Z(O) outward. O(h).
 pub(crate) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Outward {
-    as_met::round_outward(half_turn, frame)
+    streaming::round_outward(half_turn, frame)
         .unwrap_or_else(|| round_outward_exactly(&CenteredZonogon::of(half_turn), frame))
 }
 

@@ -1,0 +1,22 @@
+//! The points that are extreme along a facet normal: the only ones that the paper's program needs.
+
+use std::collections::BTreeSet;
+
+use super::normals::facet_normals;
+use crate::enclosing::fixed_directions::farthest::farthest;
+use crate::tally::{Operation, Tally};
+
+/// For every facet normal of the directions, both ways, the farthest point: the scan of Theorem 4.6, O(n k^{d−1}). In increasing order. Ties and
+/// near ties are decided by rounded heights.
+pub(crate) fn extreme_points<const D: usize>(
+    rank: usize,
+    points: &[[f64; D]],
+    directions: &[[f64; D]],
+    tally: &mut impl Tally,
+) -> Vec<usize> {
+    let normals = facet_normals(rank, directions);
+    tally.add(Operation::PointRead, (points.len() * normals.len()) as u64);
+    let found = farthest(points, 0..points.len(), &normals);
+    let found: BTreeSet<usize> = found.into_iter().flatten().map(|far| far.point).collect();
+    found.into_iter().collect()
+}

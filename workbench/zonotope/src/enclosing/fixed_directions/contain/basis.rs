@@ -1,0 +1,95 @@
+//! Bases of directions, long generators first, and their inverse.
+
+use crate::enclosing::fixed_directions::problem::FixedDirections;
+use crate::enclosing::fixed_directions::scaled::Scaled;
+use crate::enclosing::fixed_directions::span::{Span, rational};
+use crate::numeric::Rational;
+use crate::zonotope::ray_exit::dot;
+
+/// Independent vectors, long ones first: indices, as many as the first `rank` coordinates allow.
+pub(super) fn independent<const D: usize>(rank: usize, vectors: &[[f64; D]]) -> Vec<usize> {
+    let mut rest = vectors.to_vec();
+    let mut chosen = Vec::with_capacity(rank);
+    for _ in 0..rank {
+        let Some(best) = (0..rest.len()).max_by(|&a, &b| dot(&rest[a], &rest[a]).total_cmp(&dot(&rest[b], &rest[b])))
+        else {
+            break;
+        };
+        let length = dot(&rest[best], &rest[best]).sqrt();
+        if length.is_nan() || length <= 0.0 {
+            break;
+        }
+        let unit = rest[best].map(|c| c / length);
+        for v in &mut rest {
+            let along = dot(v, &unit);
+            *v = std::array::from_fn(|c| v[c] - along * unit[c]);
+        }
+        rest[best] = [0.0; D];
+        chosen.push(best);
+    }
+    chosen
+}
+
+/// A basis of directions with long generators, independent beyond doubt; by exact elimination where floating point leaves any.
+pub(in crate::enclosing::fixed_directions) fn long_basis<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    scaled: &Scaled<D>,
+    generators: &[[f64; D]],
+) -> Vec<usize> {
+    let longest = generators.iter().map(|g| dot(g, g)).fold(0.0, f64::max).sqrt().max(f64::MIN_POSITIVE);
+    let lengthened: Vec<[f64; D]> = generators
+        .iter()
+        .zip(&scaled.directions)
+        .map(|(g, d)| std::array::from_fn(|c| g[c] / longest + 1e-3 * d.vector[c]))
+        .collect();
+    let basis = independent(scaled.rank, &lengthened);
+    let exactly = |basis: &[usize]| {
+        let vectors: Vec<[f64; D]> = basis.iter().map(|&b| problem.directions()[scaled.directions[b].index]).collect();
+        Span::of(&vectors).dimension()
+    };
+    if basis.len() == scaled.rank && exactly(&basis) == scaled.rank {
+        return basis;
+    }
+    let mut basis = Vec::with_capacity(scaled.rank);
+    for candidate in 0..scaled.directions.len() {
+        basis.push(candidate);
+        if exactly(&basis) < basis.len() {
+            basis.pop();
+        }
+    }
+    basis
+}
+
+/// The inverse of the matrix with the basis for columns, row by row, in units of the input.
+pub(in crate::enclosing::fixed_directions) fn exact_inverse<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    scaled: &Scaled<D>,
+    basis: &[usize],
+) -> Vec<Vec<Rational>> {
+    let rank = basis.len();
+    let mut rows: Vec<Vec<Rational>> = scaled
+        .coordinates
+        .iter()
+        .enumerate()
+        .map(|(r, &c)| {
+            let left = basis.iter().map(|&b| rational(problem.directions()[scaled.directions[b].index][c]));
+            left.chain((0..rank).map(|k| if k == r { Rational::ONE } else { Rational::ZERO })).collect()
+        })
+        .collect();
+    for column in 0..rank {
+        let Some(pivot) = (column..rank).find(|&row| !rows[row][column].is_zero()) else { continue };
+        rows.swap(column, pivot);
+        let head = rows[column][column].clone();
+        let pivot_row: Vec<Rational> = rows[column].iter().map(|v| v / &head).collect();
+        for row in rows.iter_mut() {
+            let factor = row[column].clone();
+            if !factor.is_zero() {
+                for (v, p) in row.iter_mut().zip(&pivot_row) {
+                    *v -= &factor * p;
+                }
+            }
+        }
+        rows[column] = pivot_row;
+    }
+    rows.into_iter().map(|row| row[rank..].to_vec()).collect()
+}

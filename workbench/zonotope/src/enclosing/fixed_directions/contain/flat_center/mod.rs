@@ -1,0 +1,128 @@
+//! A centre in doubles from which the directions reach the points.
+//!
+//! Where the directions span less than the whole space, few doubles lie in the affine span of the points; where they nearly do, the nearest doubles may be far in terms of
+//! what the directions take to reach them. So among those on a grid the nearest is sought in these terms.
+
+mod lattice;
+
+use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+use crate::enclosing::fixed_directions::problem::FixedDirections;
+use crate::enclosing::fixed_directions::scaled::Scaled;
+use crate::enclosing::fixed_directions::span::{Span, rational};
+use crate::numeric::Rational;
+use crate::numeric::dyadic::{Dyadic, binary_exponent};
+
+/// A small coordinate is not made finer than this many bits below the largest one's last.
+const FINER: i64 = 60;
+
+/// How often a grid is made coarser because its nearest point is no double.
+const GRIDS: usize = 8;
+
+/// So many of the points are tried.
+const POINTS: usize = 64;
+
+/// The place of a centre in the affine span of the points, and what it costs to miss it.
+pub(in crate::enclosing::fixed_directions) struct Wanted<'a, const D: usize> {
+    pub(in crate::enclosing::fixed_directions) problem: &'a FixedDirections<'a, D>,
+    pub(in crate::enclosing::fixed_directions) span: &'a Span<D>,
+    /// The coordinates of the span.
+    pub(in crate::enclosing::fixed_directions) place: Vec<Rational>,
+    /// The rows of a linear map of the span's coordinates, independent: a miss costs as much as the length of its image.
+    pub(in crate::enclosing::fixed_directions) cost: Vec<Vec<Rational>>,
+}
+
+/// The nearest doubles to a centre in scaled coordinates of the whole space.
+pub(in crate::enclosing::fixed_directions) fn nearest_doubles<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    scaled: &Scaled<D>,
+    guess: &[f64; D],
+) -> [f64; D] {
+    let mut center = problem.points()[0];
+    for (i, &c) in scaled.coordinates.iter().enumerate() {
+        let shift = if guess[i].is_finite() { guess[i] } else { 0.0 };
+        let exact = Dyadic::from_f64(center[c]) + Dyadic::from_f64(shift).scaled(scaled.exponent);
+        center[c] = exact.to_f64().clamp(-f64::MAX, f64::MAX);
+    }
+    center
+}
+
+impl<const D: usize> Wanted<'_, D> {
+    /// Doubles in the affine span of the points that it costs little to miss the place by; in the worst case one of the points.
+    pub(in crate::enclosing::fixed_directions) fn center(&self) -> [f64; D] {
+        let miss = |center: &[f64; D]| {
+            let image = self.image(&self.span.pivots().iter().map(|&c| rational(center[c])).collect::<Vec<_>>());
+            let target = self.image(&self.place);
+            image.iter().zip(&target).fold(Rational::ZERO, |sum, (a, b)| sum + (a - b) * (a - b))
+        };
+        let own = self.problem.points().iter().copied().take(POINTS);
+        let candidates = self.on_a_grid().into_iter().chain(own).map(|center| (miss(&center), center));
+        let least = candidates.reduce(|a, b| if b.0 < a.0 { b } else { a });
+        least.map_or(self.problem.points()[0], |(_, center)| center)
+    }
+
+    fn image(&self, coordinates: &[Rational]) -> Vec<Rational> {
+        let entry = |row: &Vec<Rational>| row.iter().zip(coordinates).fold(Rational::ZERO, |sum, (a, x)| sum + a * x);
+        self.cost.iter().map(entry).collect()
+    }
+
+    /// The nearest point of the finest grid whose nearest point is one of doubles.
+    fn on_a_grid(&self) -> Option<[f64; D]> {
+        let first = self.problem.points()[0].map(rational);
+        let shift: Vec<Rational> = self.place.iter().zip(self.span.pivots()).map(|(p, &c)| p - &first[c]).collect();
+        let lifted = self.span.lift(&shift);
+        let exponents: [i64; D] = std::array::from_fn(|c| {
+            let place = (&first[c] + &lifted[c]).to_f64_fast();
+            binary_exponent(place.clamp(-f64::MAX, f64::MAX)).map_or(LEAST, i64::from)
+        });
+        let top = exponents.into_iter().max().unwrap_or(LEAST);
+        let mut exponents = exponents.map(|e| (e.max(top - FINER) - 52).max(LEAST));
+        let zeros: Vec<[Rational; D]> = self.span.annihilators();
+        for _ in 0..GRIDS {
+            let units = exponents.map(|e| Dyadic::new(IBig::ONE, e).to_rational());
+            let rows = zeros.iter().map(|zero| {
+                let right = zero.iter().zip(&first).fold(Rational::ZERO, |sum, (a, b)| sum - a * b);
+                whole([zero.iter().zip(&units).map(|(a, unit)| a * unit).chain([right]).collect()]).swap_remove(0)
+            });
+            let cost = self.cost.iter().map(|row| {
+                let pivots = self.span.pivots().iter();
+                row.iter().zip(pivots).map(|(a, &c)| a * &units[c]).collect()
+            });
+            // together, so that all have one denominator
+            let mut cost: Vec<Vec<IBig>> = whole(cost.chain([self.image(&self.place)]));
+            let target = cost.pop()?;
+            let image = |x: &[IBig]| {
+                let entry = |row: &Vec<IBig>| {
+                    row.iter().zip(self.span.pivots()).fold(IBig::ZERO, |sum, (a, &c)| sum + a * &x[c])
+                };
+                cost.iter().map(entry).collect()
+            };
+            let found = lattice::near(D, &rows.collect::<Vec<_>>(), image, &target)?;
+            let exact: [Dyadic; D] = std::array::from_fn(|c| Dyadic::new(found[c].clone(), exponents[c]));
+            let rounded: [f64; D] = std::array::from_fn(|c| exact[c].to_f64());
+            let is_double = |c: usize| rounded[c].is_finite() && rational(rounded[c]) == exact[c].to_rational();
+            if (0..D).all(is_double) {
+                return Some(rounded);
+            }
+            for c in (0..D).filter(|&c| !is_double(c)) {
+                exponents[c] += (found[c].bit_len() as i64 - 53).max(1);
+            }
+        }
+        None
+    }
+}
+
+/// The exponent of the least denormal number.
+const LEAST: i64 = -1074;
+
+/// The same multiple of all numbers, the least that makes them whole.
+fn whole(rows: impl IntoIterator<Item = Vec<Rational>>) -> Vec<Vec<IBig>> {
+    let rows: Vec<Vec<Rational>> = rows.into_iter().collect();
+    let multiple = rows.iter().flatten().fold(Rational::ONE, |multiple, v| {
+        let denominator = (v * &multiple).denominator().clone();
+        multiple * Rational::from(denominator)
+    });
+    let whole = |v: &Rational| (v * &multiple).into_parts().0;
+    rows.iter().map(|row| row.iter().map(whole).collect()).collect()
+}

@@ -1,0 +1,78 @@
+//! Coefficients for points near the boundary of a zonotope that may be flat, or nearly so.
+//!
+//! From a flat zonotope a ray that leaves its plane by no more than rounding departs at once, though the point is reached but for that rounding. So where a ray departs before its
+//! point, the search is repeated with the shortest generators of a basis lengthened, step by step, and the coefficients are used for the zonotope as it is.
+
+use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
+
+/// A zonotope and lengthened ones, each with room for the search.
+pub(crate) struct Lengthened<'a, const D: usize> {
+    rank: usize,
+    generators: &'a [[f64; D]],
+    /// The generators that are lengthened, as vectors of length 1.
+    basis: Vec<(usize, [f64; D])>,
+    /// The least lengths of the basis, one for each step.
+    least: Vec<f64>,
+    descents: Vec<FacetDescent<D>>,
+}
+
+/// The least lengths beside the longest generator.
+const FIRST: f64 = 1e-13;
+const GROWTH: f64 = 16.0;
+const LAST: f64 = 1e-3;
+
+impl<'a, const D: usize> Lengthened<'a, D> {
+    /// The zonotope of generators, to be lengthened along a basis of independent vectors that belong to them.
+    pub(crate) fn new(rank: usize, generators: &'a [[f64; D]], basis: impl Iterator<Item = (usize, [f64; D])>) -> Self {
+        let length = |v: &[f64; D]| dot(v, v).sqrt();
+        let longest = generators.iter().map(length).fold(0.0, f64::max);
+        let unit = |v: [f64; D]| {
+            let l = length(&v);
+            v.map(|c| c / l)
+        };
+        let basis: Vec<(usize, [f64; D])> = basis.map(|(b, v)| (b, unit(v))).collect();
+        let shortest = basis.iter().map(|(b, _)| length(&generators[*b])).fold(f64::INFINITY, f64::min);
+        let factors = std::iter::successors(Some(FIRST), |f| Some(f * GROWTH)).take_while(|f| *f <= LAST);
+        let least = std::iter::once(0.0).chain(factors.map(|f| f * longest).filter(|l| shortest < *l)).collect();
+        Self { rank, generators, basis, least, descents: Vec::new() }
+    }
+
+    /// How many zonotopes there are: the one given and the lengthened ones.
+    pub(crate) fn steps(&self) -> usize {
+        self.least.len()
+    }
+
+    /// As [`FacetDescent::facet`] for one of them, the first being the one given.
+    pub(crate) fn facet(&mut self, step: usize, point: &[f64; D]) -> Option<Facet<D>> {
+        while self.descents.len() <= step {
+            let least = self.least[self.descents.len()];
+            let mut generators = self.generators.to_vec();
+            for (b, unit) in &self.basis {
+                let generator = &mut generators[*b];
+                if dot(generator, generator).sqrt() < least {
+                    *generator = unit.map(|c| c * least);
+                }
+            }
+            self.descents.push(FacetDescent::new(self.rank, &generators));
+        }
+        self.descents[step].facet(point)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_that_leaves_the_plane_of_a_square_by_rounding() {
+        let generators = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]];
+        let basis = [(0, [1.0, 0.0, 0.0]), (1, [0.0, 1.0, 0.0]), (2, [0.0, 0.0, 2.0])];
+        let mut lengthened = Lengthened::new(3, &generators, basis.into_iter());
+        let point = [0.5, 0.5, 1e-16];
+        assert!(lengthened.facet(0, &point).is_none_or(|facet| facet.gauge < 1e-3));
+        let facet = lengthened.facet(1, &point).expect("they span");
+        assert!((facet.gauge - 2.0).abs() < 1e-12);
+        assert!(facet.coefficients[..2].iter().all(|c| (c - 1.0).abs() < 1e-12));
+        assert_eq!(Lengthened::new(3, &basis.map(|(_, v)| v), basis.into_iter()).steps(), 1);
+    }
+}

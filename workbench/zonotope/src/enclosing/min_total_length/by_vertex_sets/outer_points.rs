@@ -1,0 +1,180 @@
+//! Leaves out points that lie in a simplex of others: what contains those contains them.
+//!
+//! From a point o far out, q − o = Σ α_i (e_i − o) with α ≥ 0 and least Σ α_i is a linear program over the points kept so far, with as many rows as dimensions. Its
+//! basis is a simplex with o; when Σ α_i < 1 and q is in it by exact signs, q is left out, else it is kept. Points far from the middle come first.
+
+use std::cmp::Ordering;
+
+use crate::enclosing::min_total_length::frame::Frame;
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::ray_exit::{dot, inverse};
+
+/// Fewer points than this are all kept.
+const FEW: usize = 48;
+
+/// Pivots for one point.
+const MOST_PIVOTS: usize = 60;
+
+/// What an axis costs in place of a point.
+const DEAR: f64 = 1e6;
+
+/// Simplices are made of so many points, those kept first; and where most of these were kept, so are all others.
+const MOST_CORNERS: usize = 500;
+
+/// Coefficients below this are taken for zero: such a point is kept.
+const MARGIN: f64 = 1e-9;
+
+/// The places of the points that are not proven to lie in a simplex of others; all of them where they are few or do not span the space.
+pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
+    let all = || distinct(points, (0..points.len()).collect());
+    if points.len() < FEW || D < 3 {
+        return all();
+    }
+    let frame = Frame::new(points);
+    if frame.rank() < D {
+        return all();
+    }
+    let inside = &frame.points;
+    let count = points.len() as f64;
+    let sum = inside.iter().fold([0.0; D], |sum, p| std::array::from_fn(|c| sum[c] + p[c]));
+    let distance = |j: usize| {
+        let apart: [f64; D] = std::array::from_fn(|c| inside[j][c] - sum[c] / count);
+        dot(&apart, &apart)
+    };
+    let mut order: Vec<(f64, usize)> = (0..points.len()).map(|j| (distance(j), j)).collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let apex = order[0].1;
+    let mut kept = vec![apex];
+    let mut relative: Vec<[f64; D]> = Vec::new();
+    for (done, &(_, j)) in order.iter().enumerate().skip(1) {
+        if kept.len() > MOST_CORNERS && 8 * kept.len() > 7 * done {
+            kept.push(j);
+            continue;
+        }
+        let q: [f64; D] = std::array::from_fn(|c| inside[j][c] - inside[apex][c]);
+        let is_inner = simplex_around(&relative, &q).is_some_and(|basis| {
+            let corners = basis.map(|i| kept[i + 1]);
+            is_in_simplex(&points[j], &points[apex], &corners.map(|i| points[i]))
+        });
+        if !is_inner {
+            kept.push(j);
+            if relative.len() < MOST_CORNERS {
+                relative.push(q);
+            }
+        }
+    }
+    distinct(points, kept)
+}
+
+/// The first of all equal points each, in their order.
+fn distinct<const D: usize>(points: &[[f64; D]], mut places: Vec<usize>) -> Vec<usize> {
+    let order = |a: &usize, b: &usize| points[*a].partial_cmp(&points[*b]).unwrap_or(Ordering::Equal).then(a.cmp(b));
+    places.sort_unstable_by(order);
+    places.dedup_by_key(|place| points[*place]);
+    places.sort_unstable();
+    places
+}
+
+/// Points that make up a simplex with the origin which holds q, within rounding.
+fn simplex_around<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> Option<[usize; D]> {
+    // Axes with the signs of q, which no answer may need, come first.
+    let mut basis = [usize::MAX; D];
+    let mut columns: [[f64; D]; D] =
+        std::array::from_fn(|a| std::array::from_fn(|c| if a == c { 1f64.copysign(q[c]) } else { 0.0 }));
+    for _ in 0..MOST_PIVOTS {
+        let matrix = std::array::from_fn(|row| std::array::from_fn(|i| columns[i][row]));
+        let rows = inverse(D, &matrix)?;
+        let alphas: [f64; D] = std::array::from_fn(|i| dot(&rows[i], q));
+        let is_whole = basis.iter().all(|&i| i != usize::MAX);
+        if is_whole && alphas.iter().sum::<f64>() < 1.0 - MARGIN {
+            return alphas.iter().all(|&alpha| alpha > MARGIN).then_some(basis);
+        }
+        let mut price = [0.0; D];
+        for (i, row) in rows.iter().enumerate() {
+            let cost = if basis[i] == usize::MAX { DEAR } else { 1.0 };
+            price = std::array::from_fn(|c| price[c] + cost * row[c]);
+        }
+        let mut best = (1.0 + MARGIN, usize::MAX);
+        for (i, point) in points.iter().enumerate() {
+            let worth = dot(&price, point);
+            if worth > best.0 {
+                best = (worth, i);
+            }
+        }
+        let entering = points.get(best.1)?;
+        let leaving = (0..D)
+            .filter_map(|i| {
+                let rate = dot(&rows[i], entering);
+                (rate > MARGIN * MARGIN).then(|| (alphas[i].max(0.0) / rate, i))
+            })
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        basis[leaving.1] = best.1;
+        columns[leaving.1] = *entering;
+    }
+    None
+}
+
+/// Whether a point lies in the interior of a simplex, exactly.
+fn is_in_simplex<const D: usize>(q: &[f64; D], apex: &[f64; D], corners: &[[f64; D]; D]) -> bool {
+    let difference = |p: &[f64; D]| -> Vec<Dyadic> {
+        p.iter().zip(apex).map(|(a, b)| Dyadic::from_f64(*a) - Dyadic::from_f64(*b)).collect()
+    };
+    let rows: Vec<Vec<Dyadic>> = corners.iter().map(difference).collect();
+    let q = difference(q);
+    let whole = determinant(&rows);
+    let mut rest = whole.clone();
+    // Cramer's rule: the coefficients of the corners and, for the apex, what they leave of 1.
+    let is_within = (0..D).all(|i| {
+        let replaced: Vec<Vec<Dyadic>> =
+            rows.iter().enumerate().map(|(r, row)| if r == i { q.clone() } else { row.clone() }).collect();
+        let part = determinant(&replaced);
+        rest = &rest - &part;
+        part.sign() == whole.sign()
+    });
+    is_within && !whole.is_zero() && rest.sign() == whole.sign()
+}
+
+fn determinant(rows: &[Vec<Dyadic>]) -> Dyadic {
+    let columns: Vec<usize> = (0..rows.len()).collect();
+    minor(rows, &columns)
+}
+
+fn minor(rows: &[Vec<Dyadic>], columns: &[usize]) -> Dyadic {
+    let Some((row, rest)) = rows.split_first() else { return Dyadic::new(1.into(), 0) };
+    columns.iter().enumerate().fold(Dyadic::zero(), |sum, (i, &column)| {
+        let others: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
+        let term = &row[column] * &minor(rest, &others);
+        if i % 2 == 0 { sum + term } else { sum - term }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_grid_in_a_cube_the_inner_points_are_left_out() {
+        let side = [-2.0, -1.0, 0.0, 1.0, 2.0];
+        let mut points: Vec<[f64; 3]> = Vec::new();
+        for x in side {
+            for y in side {
+                // FrameZonotope points off the planes of corners.
+                let off = |c: f64, by: f64| if c.abs() < 2.0 { c + by } else { c };
+                points.extend(side.map(|z| [off(x, 0.1 * y + 0.02), off(y, 0.13 * z + 0.03), off(z, 0.07 * x + 0.05)]));
+            }
+        }
+        let kept = outer_points(&points);
+        let corner = |p: &[f64; 3]| p.iter().all(|c| c.abs() == 2.0);
+        assert!((0..points.len()).filter(|&j| corner(&points[j])).all(|j| kept.contains(&j)));
+        let inner = |p: &[f64; 3]| p.iter().all(|c| c.abs() < 1.5);
+        // Ties end a search now and then: such a point is kept.
+        assert!(kept.iter().filter(|&&j| inner(&points[j])).count() <= 2, "{kept:?}");
+        let corners = [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
+        assert!(is_in_simplex(&[1.0, 1.0, 1.0], &[0.0; 3], &corners));
+        assert!(!is_in_simplex(&[2.0, 1.0, 1.0], &[0.0; 3], &corners));
+    }
+    #[test]
+    fn of_equal_points_the_first_is_kept() {
+        assert_eq!(outer_points(&[[1.0, 0.0], [0.0, 2.0], [1.0, -0.0], [0.0, 2.0], [3.0, 3.0]]), [0, 1, 4]);
+    }
+}

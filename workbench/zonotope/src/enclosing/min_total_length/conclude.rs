@@ -1,0 +1,66 @@
+//! From a zonotope in the frame and forces to a proven answer: what the methods share.
+
+use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
+use super::contain::around;
+use super::frame::Frame;
+use super::frame_zonotope::FrameZonotope;
+use super::lower_bound::Best;
+use crate::enclosing::fixed_directions::first_non_finite;
+use crate::numeric::dyadic::scale_by_power_of_two;
+use crate::zonotope::Zonotope;
+
+pub(super) fn validate<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<(), MinLengthError> {
+    if let Some((point, coordinate, value)) = first_non_finite(points) {
+        return Err(MinLengthError::NonFinite { point, coordinate, value });
+    }
+    if points.is_empty() {
+        return Err(MinLengthError::Empty);
+    }
+    if epsilon > 0.0 && epsilon < 1.0 { Ok(()) } else { Err(MinLengthError::BadEpsilon(epsilon)) }
+}
+
+/// The answer with its proofs, in units of the input.
+pub(super) fn conclude<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    inner: FrameZonotope<D>,
+    best: &Best<D>,
+    progress: Vec<[f64; 2]>,
+    directions: usize,
+    epsilon: f64,
+) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    let around = around(points, frame, &inner).ok_or(MinLengthError::OutOfRange)?;
+    let in_units = |v: f64| scale_by_power_of_two(v, frame.exponent);
+    let progress = progress.into_iter().map(|bounds| bounds.map(in_units)).collect();
+    Ok(proven(points, frame, around, best, progress, directions, epsilon))
+}
+
+/// A zonotope around the points and its length, with the proof of what is best.
+pub(super) fn proven<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    (zonotope, length): (Zonotope<D>, f64),
+    best: &Best<D>,
+    progress: Vec<[f64; 2]>,
+    directions: usize,
+    epsilon: f64,
+) -> MinLengthZonotope<D> {
+    let (lower_bound, forces) = best.proven(points, frame);
+    let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
+    let outcome = if ratio <= 1.0 + epsilon { Outcome::WithinEpsilon } else { Outcome::EndedBefore };
+    MinLengthZonotope { zonotope, length, lower_bound, ratio, outcome, forces, progress, directions }
+}
+
+pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    let zonotope = Zonotope::new(points[0], Vec::new()).map_err(|_| MinLengthError::OutOfRange)?;
+    Ok(MinLengthZonotope {
+        zonotope,
+        length: 0.0,
+        lower_bound: 0.0,
+        ratio: 1.0,
+        outcome: Outcome::WithinEpsilon,
+        forces: Vec::new(),
+        progress: Vec::new(),
+        directions: 0,
+    })
+}

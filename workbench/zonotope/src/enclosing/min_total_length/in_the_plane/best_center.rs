@@ -1,0 +1,258 @@
+//! The plane: the best centre, and with it the generators and the forces, without a linear program.
+//!
+//! With the centre O fixed the best zonogon is the convex hull of the points and their reflections in O; its half-edges are the generators. Where the
+//! unit tangent turns from t to t' at a vertex, half their difference pulls at the point there: such forces λ_j load no direction by more than 1, as a tangent that turns by π
+//! passes each value twice, and they add up to −∇ of the length at O. So Σ λ_j · (p_j − x) is a lower bound of the length for any centre x, exact at O, and averages
+//! of the forces at several centres whose sums cancel are forces for the proof.
+//!
+//! The length is convex in O: each gradient cuts off a part of the plane, and the next O is the centroid of what is left.
+
+use crate::enclosing::fixed_directions::balanced;
+use crate::enclosing::min_total_length::frame::Frame;
+use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
+use crate::enclosing::min_total_length::lower_bound::Best;
+use crate::hull::convex_hull;
+use crate::zonotope::ray_exit::dot;
+
+/// The length at one centre: length(x) ≥ height + slope · x.
+struct Cut<const D: usize> {
+    slope: [f64; 2],
+    height: f64,
+    forces: Vec<(usize, [f64; D])>,
+}
+
+/// More centres than this are not tried: the part of the plane that is left is as small as rounding by then.
+const MOST_CENTERS: usize = 160;
+
+/// The centre is sought in the box of the points made so much wider.
+const WIDER: f64 = 1.125;
+
+/// So many of the last cuts are combined.
+const LAST: usize = 48;
+
+/// A slope that is nothing, and the sine of an angle that is none.
+const FLAT: f64 = 1e-15;
+
+/// No more coefficients of vertices than this are noted.
+const MOST_WITNESSES: usize = 1 << 20;
+
+/// What the sum of forces costs that does not cancel: some point of the frame has to bear it.
+const DEAR: f64 = 4.0;
+
+/// How often the cuts are combined.
+const OFTEN: usize = 8;
+
+/// The best zonogon in the plane of the frame; best lengths and lower bounds as they come nearer.
+pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
+    frame: &Frame<D>,
+    epsilon: f64,
+    best: &mut Best<D>,
+) -> (FrameZonotope<D>, Vec<[f64; 2]>) {
+    let points: Vec<[f64; 2]> = frame.points.iter().map(|p| [p[0], p[1]]).collect();
+    let hull = hull_of(&points);
+    let (low, high) = hull.iter().fold(([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]), |(low, high), &j| {
+        let p = points[j];
+        ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
+    });
+    let mut target = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
+    // The best centre may lie on the edge of the box; cuts from both sides of it are needed to prove that.
+    let [x, y] = [0, 1].map(|c| WIDER * (high[c] - low[c]) / 2.0);
+    let corner = |a: f64, b: f64| [target[0] + a * x, target[1] + b * y];
+    let mut place = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    let mut cuts: Vec<Cut<D>> = Vec::new();
+    let mut inner =
+        FrameZonotope { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new(), witnesses: Vec::new() };
+    let mut shortest = None;
+    let mut progress = Vec::new();
+    for round in 1..=MOST_CENTERS {
+        let zonogon = Zonogon::around(&points, &hull, target);
+        let cut = zonogon.cut(&points, &hull);
+        let generators = zonogon.generators();
+        let upper: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum();
+        if upper < inner.upper {
+            let center = in_space(&target, 1.0);
+            inner = FrameZonotope { upper, center, generators, witnesses: Vec::new() };
+            shortest = Some(zonogon);
+        }
+        place = part_below(&place, target, cut.slope);
+        let is_flat = cut.slope == [0.0; 2];
+        cuts.push(cut);
+        let next = centroid(&place);
+        if round % OFTEN == 0 || is_flat || next.is_none() || round == MOST_CENTERS {
+            let last = &cuts[cuts.len().saturating_sub(LAST)..];
+            if let Some(pulls) = combined(last) {
+                best.improve(2, &frame.points, balanced(&pulls), f64::INFINITY);
+            }
+            progress.push([inner.upper, best.lower]);
+            if inner.upper <= (1.0 + 0.5 * epsilon) * best.lower {
+                break;
+            }
+        }
+        match next {
+            Some(next) if !is_flat => target = next,
+            _ => break,
+        }
+    }
+    inner.witnesses = shortest.map_or_else(Vec::new, |zonogon: Zonogon| zonogon.witnesses(&hull));
+    (inner, progress)
+}
+
+/// The least zonogon with a given centre.
+struct Zonogon {
+    /// The vertices: places in the hull of the points, those of their reflections after them.
+    boundary: Vec<usize>,
+    /// Half the edges that follow them.
+    edges: Vec<[f64; 2]>,
+    /// How many points the hull has.
+    own: usize,
+    /// Rounding may tell a vertex from its opposite; then both halves of the edges count by half.
+    is_symmetric: bool,
+}
+
+impl Zonogon {
+    fn around(points: &[[f64; 2]], hull: &[usize], center: [f64; 2]) -> Self {
+        let own = hull.iter().map(|&j| [points[j][0] - center[0], points[j][1] - center[1]]);
+        let around: Vec<[f64; 2]> = own.clone().chain(own.map(|p| p.map(|c| -c))).collect();
+        let boundary = hull_of(&around);
+        let (count, own) = (boundary.len(), hull.len());
+        let edges = (0..count)
+            .map(|k| {
+                let (a, b) = (around[boundary[k]], around[boundary[(k + 1) % count]]);
+                [(b[0] - a[0]) / 2.0, (b[1] - a[1]) / 2.0]
+            })
+            .collect();
+        let half = count / 2;
+        let is_symmetric = count.is_multiple_of(2) && (0..half).all(|k| boundary[k] % own == boundary[k + half] % own);
+        Self { boundary, edges, own, is_symmetric }
+    }
+
+    fn cut<const D: usize>(&self, points: &[[f64; 2]], hull: &[usize]) -> Cut<D> {
+        let count = self.edges.len();
+        let unit = |e: &[f64; 2]| {
+            let length = (e[0] * e[0] + e[1] * e[1]).sqrt();
+            if length > 0.0 { e.map(|c| c / length) } else { [0.0; 2] }
+        };
+        let tangents: Vec<[f64; 2]> = self.edges.iter().map(unit).collect();
+        let mut cut = Cut { slope: [0.0; 2], height: 0.0, forces: Vec::with_capacity(count) };
+        for (k, &vertex) in self.boundary.iter().enumerate() {
+            let (before, after) = (tangents[(k + count - 1) % count], tangents[k]);
+            let point = hull[vertex % self.own];
+            // Each point with its reflection is there twice.
+            let share = if vertex >= self.own { -0.25 } else { 0.25 };
+            let force = [share * (before[0] - after[0]), share * (before[1] - after[1])];
+            cut.slope = [cut.slope[0] - force[0], cut.slope[1] - force[1]];
+            cut.height += force[0] * points[point][0] + force[1] * points[point][1];
+            cut.forces.push((point, in_space(&force, 1.0)));
+        }
+        cut
+    }
+
+    fn used(&self) -> (&[[f64; 2]], f64) {
+        if self.is_symmetric { (&self.edges[..self.edges.len() / 2], 1.0) } else { (&self.edges, 0.5) }
+    }
+
+    fn generators<const D: usize>(&self) -> Vec<[f64; D]> {
+        let (edges, factor) = self.used();
+        edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect()
+    }
+
+    /// The coefficients of those points that are vertices opposite their reflections: 1 for the edges from one to the other, −1 for those back. None where these are too many.
+    fn witnesses(&self, hull: &[usize]) -> Vec<(usize, Vec<f64>)> {
+        let (edges, _) = self.used();
+        if edges.len() * self.own > MOST_WITNESSES {
+            return Vec::new();
+        }
+        let mut places = vec![None; 2 * self.own];
+        for (k, &vertex) in self.boundary.iter().enumerate() {
+            places[vertex] = Some(k);
+        }
+        let of_point = |(point, (end, begin)): (&usize, (&Option<usize>, &Option<usize>))| {
+            let (end, begin) = (end.as_ref()?, begin.as_ref()?);
+            let is_before = |i: &usize| if begin < end { (begin..end).contains(&i) } else { i >= begin || i < end };
+            let present = (0..edges.len()).filter(|&i| edges[i] != [0.0; 2]);
+            Some((*point, present.map(|i| if is_before(&i) { 1.0 } else { -1.0 }).collect()))
+        };
+        let (own, reflected) = places.split_at(self.own);
+        hull.iter().zip(own.iter().zip(reflected)).filter_map(of_point).collect()
+    }
+}
+
+fn in_space<const D: usize>(v: &[f64; 2], factor: f64) -> [f64; D] {
+    std::array::from_fn(|c| if c < 2 { factor * v[c] } else { 0.0 })
+}
+
+/// The average of forces at three centres whose sums cancel that proves most.
+fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
+    let cross = |i: usize, j: usize| cuts[i].slope[0] * cuts[j].slope[1] - cuts[i].slope[1] * cuts[j].slope[0];
+    let mut most: Option<(f64, [(usize, f64); 3])> = None;
+    let mut offer = |shares: [(usize, f64); 3]| {
+        let height = shares.iter().map(|&(i, share)| share * cuts[i].height).sum::<f64>();
+        let left = |c: usize| shares.iter().map(|&(i, share)| share * cuts[i].slope[c]).sum::<f64>().abs();
+        // Slopes that are nearly parallel cancel badly.
+        let worth = height - DEAR * (left(0) + left(1));
+        if worth.is_finite() && most.as_ref().is_none_or(|m| worth > m.0) {
+            most = Some((worth, shares));
+        }
+    };
+    for i in 0..cuts.len() {
+        if cuts[i].slope.iter().all(|c| c.abs() < FLAT) {
+            offer([(i, 1.0), (i, 0.0), (i, 0.0)]);
+        }
+        for j in 0..i {
+            let along = cuts[i].slope[0] * cuts[j].slope[0] + cuts[i].slope[1] * cuts[j].slope[1];
+            if cross(i, j).abs() <= FLAT * along.abs() && along < 0.0 {
+                let [a, b] = [i, j].map(|i| cuts[i].slope.map(f64::abs).into_iter().fold(0.0, f64::max));
+                offer([(i, b / (a + b)), (j, a / (a + b)), (j, 0.0)]);
+            }
+            for k in 0..j {
+                let shares = [cross(j, k), cross(k, i), cross(i, j)];
+                let sum: f64 = shares.iter().sum();
+                if sum != 0.0 && shares.iter().all(|s| s / sum >= 0.0) {
+                    offer([(i, shares[0] / sum), (j, shares[1] / sum), (k, shares[2] / sum)]);
+                }
+            }
+        }
+    }
+    let (_, shares) = most?;
+    let forces = shares
+        .into_iter()
+        .flat_map(|(i, share)| cuts[i].forces.iter().map(move |(point, force)| (*point, force.map(|c| c * share))));
+    Some(forces.collect())
+}
+
+/// The part of a convex polygon where slope · (x − at) ≤ 0.
+fn part_below(polygon: &[[f64; 2]], at: [f64; 2], slope: [f64; 2]) -> Vec<[f64; 2]> {
+    let height = |p: &[f64; 2]| slope[0] * (p[0] - at[0]) + slope[1] * (p[1] - at[1]);
+    let mut part = Vec::with_capacity(polygon.len() + 1);
+    for (a, b) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+        let (above_a, above_b) = (height(a), height(b));
+        if above_a <= 0.0 {
+            part.push(*a);
+        }
+        if above_a < 0.0 && above_b > 0.0 || above_a > 0.0 && above_b < 0.0 {
+            let share = above_a / (above_a - above_b);
+            part.push([a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]);
+        }
+    }
+    part
+}
+
+/// The centroid of a convex polygon; `None` if it has no area to speak of.
+fn centroid(polygon: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let (first, rest) = polygon.split_first()?;
+    let (mut area, mut moment) = (0.0, [0.0; 2]);
+    for pair in rest.windows(2) {
+        let [a, b] = [0, 1].map(|i| [pair[i][0] - first[0], pair[i][1] - first[1]]);
+        let twice = a[0] * b[1] - a[1] * b[0];
+        area += twice;
+        moment = [0, 1].map(|c| moment[c] + twice * (a[c] + b[c]) / 3.0);
+    }
+    let next = [0, 1].map(|c| first[c] + moment[c] / area);
+    (area > 0.0 && next.iter().all(|c| c.is_finite())).then_some(next)
+}
+
+/// The vertices of the convex hull, counterclockwise.
+fn hull_of(points: &[[f64; 2]]) -> Vec<usize> {
+    let hull = convex_hull(points).expect("a frame of rank 2 has points, and finite ones");
+    hull.indices().iter().map(|index| index.get()).collect()
+}
