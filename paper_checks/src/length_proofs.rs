@@ -32,7 +32,8 @@ pub(crate) fn check_directed<const D: usize>(
     if let Some(point) = first_outside(&center, &generators, &points) {
         return Err(format!("point {point} is outside"));
     }
-    let forces: Vec<(usize, Row)> = answer.forces.iter().map(|force| (force.point, force.vector.to_vec())).collect();
+    let forces: Vec<(usize, Row)> =
+        answer.multipliers.iter().map(|force| (force.point, force.vector.to_vec())).collect();
     let gain = balanced_gain(&forces, &points, D)?;
     for (v, weight) in directions.iter().zip(&weights) {
         let load = forces.iter().fold(RBig::ZERO, |sum, (_, force)| sum + absolute(dot(force, v)));
@@ -73,8 +74,11 @@ pub(crate) fn check_shortest<const D: usize>(points: &[[f64; D]], answer: &MinLe
     if exactly(answer.length) * (RBig::ONE + rounding()) < length(&generators) {
         return Err(format!("the generators are longer than {}", answer.length));
     }
-    let forces: Vec<(usize, Row)> =
-        answer.forces.iter().map(|force| (force.point, force.vector.iter().copied().map(exactly).collect())).collect();
+    let forces: Vec<(usize, Row)> = answer
+        .multipliers
+        .iter()
+        .map(|force| (force.point, force.vector.iter().copied().map(exactly).collect()))
+        .collect();
     let gain = balanced_gain(&forces, &points, D)?;
     let vectors: Vec<Row> = forces.into_iter().map(|(_, force)| force).collect();
     let farthest = farthest_vertex_squared(&vectors, D).ok_or("the forces do not span")?;

@@ -81,7 +81,7 @@ fn measure_in<const D: usize>(points: &[[f64; D]]) -> Result<Measurement, String
     };
     let measurement = Measurement::new(&counts, digest(&answer), Verdict::of_check("the proven ratio", is_kept))
         .with_value("excess", answer.length / answer.lower_bound - 1.0)
-        .with_value("forces", answer.forces.len() as f64)
+        .with_value("forces", answer.multipliers.len() as f64)
         .with_value("rounds", answer.progress.len() as f64);
     let reached = REACHED.iter().filter_map(|(gap, name)| {
         let round = answer.progress.iter().position(|[upper, lower]| *upper <= (1.0 + gap) * lower)?;

@@ -60,7 +60,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     }
     let extreme = extreme_points_of(&problem);
     let among: BTreeSet<usize> = extreme.iter().copied().collect();
-    let is_kept = match answer.forces.iter().find(|force| !among.contains(&force.point)) {
+    let is_kept = match answer.multipliers.iter().find(|force| !among.contains(&force.point)) {
         Some(force) => Err(format!("a force acts at point {}, which is not among them", force.point)),
         None => Ok(()),
     };

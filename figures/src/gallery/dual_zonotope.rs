@@ -77,10 +77,10 @@ fn norm([x, y]: [f64; 2]) -> f64 {
 
 /// The forces, each with its point, and their zonogon, divided by the distance of its farthest vertex.
 fn scaled_forces(answer: &MinLengthZonotope<2>) -> (Vec<Force>, Vec<[f64; 2]>) {
-    let vectors: Vec<[f64; 2]> = answer.forces.iter().map(|force| force.vector).collect();
+    let vectors: Vec<[f64; 2]> = answer.multipliers.iter().map(|force| force.vector).collect();
     let dual = Zonotope::new([0.0; 2], vectors).expect("forces are finite").vertices();
     let farthest = dual.iter().map(|&v| norm(v)).fold(f64::MIN_POSITIVE, f64::max);
-    let forces = answer.forces.iter().map(|force| (force.point, force.vector.map(|c| c / farthest))).collect();
+    let forces = answer.multipliers.iter().map(|force| (force.point, force.vector.map(|c| c / farthest))).collect();
     (forces, dual.into_iter().map(|v| v.map(|c| c / farthest)).collect())
 }
 

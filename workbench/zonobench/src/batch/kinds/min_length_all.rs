@@ -62,7 +62,7 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
 /// The result of an answer, as it is written.
 pub(crate) fn result<const D: usize>(found: &MinLengthZonotope<D>) -> Value {
     let generators: Vec<Value> = found.zonotope.generators().iter().map(|g| vector_to_json(g)).collect();
-    let forces = found.forces.iter();
+    let forces = found.multipliers.iter();
     let forces: Vec<Value> =
         forces.map(|force| json!({"point": force.point, "vector": vector_to_json(&force.vector)})).collect();
     json!({

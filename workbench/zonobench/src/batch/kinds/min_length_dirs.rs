@@ -72,7 +72,7 @@ pub(crate) fn result<const D: usize>(enclosure: &Enclosure<D>) -> Value {
     let exact = |v: &[Rational; D]| v.iter().map(|c| Value::from(c.to_string())).collect::<Value>();
     match enclosure {
         Enclosure::Optimal(zonotope) => {
-            let forces = zonotope.forces.iter();
+            let forces = zonotope.multipliers.iter();
             let forces: Vec<Value> =
                 forces.map(|force| json!({"point": force.point, "vector": exact(&force.vector)})).collect();
             json!({

@@ -27,16 +27,17 @@ pub struct DirectedZonotope<const D: usize> {
     /// A number that Σ w_i c_i is not below for any zonotope along the directions that contains the points.
     pub lower_bound: f64,
     /// What proves the lower bound.
-    pub forces: Vec<Force<D>>,
+    pub multipliers: Vec<Multiplier<D>>,
     /// What it took.
     pub effort: Effort,
 }
 
-/// A vector λ_j that pulls at a point j. Forces with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for each direction prove Σ w_i c_i ≥ Σ λ_j · p_j.
+/// The multiplier λ_j of a point j in the dual program. Multipliers with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for each direction
+/// prove Σ w_i c_i ≥ Σ λ_j · p_j.
 ///
 /// For if p_j = p + Σ b_ij v_i with |b_ij| ≤ c_i, then Σ λ_j · p_j = Σ_ij b_ij λ_j · v_i ≤ Σ_i c_i Σ_j |λ_j · v_i|.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Force<const D: usize> {
+pub struct Multiplier<const D: usize> {
     /// The point, from 0.
     pub point: usize,
     /// The vector, exactly.
@@ -65,6 +66,23 @@ pub struct OffSpan<const D: usize> {
     pub functional: [Rational; D],
 }
 
+/// An optimum in rationals.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExactOptimum<const D: usize> {
+    /// The least Σ w_i c_i.
+    pub value: Rational,
+    /// The centre p.
+    pub center: [Rational; D],
+    /// The coefficients c_i, none negative.
+    pub coefficients: Vec<Rational>,
+    /// The multipliers that prove that nothing is smaller: points j with vectors λ_j, Σ λ_j = 0, Σ_j |λ_j · v_i| ≤ w_i for every
+    /// direction, and Σ λ_j · p_j the value.
+    pub multipliers: Vec<(usize, [Rational; D])>,
+}
+
+/// Bounds whose relative gap is at most this are tight: rounding a sum of coefficients alone may cost as much.
+pub(super) const TIGHT_RELATIVE_GAP: f64 = 1e-13;
+
 impl<const D: usize> Enclosure<D> {
     /// The zonotope, if there is one.
     pub fn optimal(&self) -> Option<&DirectedZonotope<D>> {
@@ -76,6 +94,11 @@ impl<const D: usize> Enclosure<D> {
 }
 
 impl<const D: usize> DirectedZonotope<D> {
+    /// Whether the bounds differ by no more than rounding.
+    pub(super) fn is_tight(&self) -> bool {
+        self.value - self.lower_bound <= TIGHT_RELATIVE_GAP * self.lower_bound
+    }
+
     /// How far the value may exceed the least possible one, relative to the lower bound; zero when both are zero.
     pub fn relative_gap(&self) -> f64 {
         if self.value == self.lower_bound { 0.0 } else { (self.value - self.lower_bound) / self.lower_bound }

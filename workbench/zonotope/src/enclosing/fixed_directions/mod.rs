@@ -26,7 +26,7 @@ mod lower_bound;
 #[cfg(feature = "linear-programming")]
 pub mod papers_program;
 mod problem;
-mod rational;
+pub mod rational;
 mod scaled;
 mod solve;
 mod span;
@@ -34,7 +34,7 @@ mod span;
 pub mod support_form;
 pub mod verify;
 
-pub use answer::{DirectedZonotope, Effort, Enclosure, Force, OffSpan};
+pub use answer::{DirectedZonotope, Effort, Enclosure, ExactOptimum, Multiplier, OffSpan};
 pub(crate) use by_row_generation::Generation;
 pub(crate) use lower_bound::balanced;
 pub(crate) use problem::first_non_finite;

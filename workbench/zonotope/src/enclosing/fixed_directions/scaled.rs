@@ -33,6 +33,14 @@ pub(crate) struct Scaled<const D: usize> {
     pub(crate) weight_exponent: i64,
 }
 
+/// A problem with the exact span of its directions and in scaled coordinates.
+#[derive(Clone, Copy)]
+pub(crate) struct Setting<'a, const D: usize> {
+    pub(crate) problem: &'a FixedDirections<'a, D>,
+    pub(crate) scaled: &'a Scaled<D>,
+    pub(crate) span: &'a Span<D>,
+}
+
 impl<const D: usize> Scaled<D> {
     /// p − q in the units of the points here, rounded once.
     pub(crate) fn difference(&self, p: f64, q: f64) -> f64 {

@@ -1,6 +1,6 @@
 //! Checks an answer in exact arithmetic, with code that shares nothing with the methods.
 //!
-//! The lower bound rests on forces λ_j with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i ([`Force`](super::Force)); an infeasible problem on a functional that vanishes on
+//! The lower bound rests on multipliers λ_j with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i ([`Multiplier`](super::Multiplier)); an infeasible problem on a functional that vanishes on
 //! the directions but not on a difference of two points. Containment is decided for each point by the rational program
 //! max { t : Σ δ_i c_i v_i = t (point − p), |δ_i| ≤ 1 } ≥ 1.
 
@@ -25,11 +25,11 @@ pub enum FixedDirectionsDefect {
     /// The value is below Σ w_i c_i, or more than a relative 1e-12 above it.
     #[error("the value is not that of the coefficients")]
     Value,
-    /// The forces do not add up to zero, or load a direction beyond its weight.
-    #[error("the forces prove nothing")]
-    Forces,
-    /// The lower bound is above what the forces prove.
-    #[error("the lower bound is above what the forces prove")]
+    /// The multipliers do not add up to zero, or load a direction beyond its weight.
+    #[error("the multipliers prove nothing")]
+    Multipliers,
+    /// The lower bound is above what the multipliers prove.
+    #[error("the lower bound is above what the multipliers prove")]
     LowerBound,
     /// The functional does not separate the two points from the span.
     #[error("the functional does not prove that the points are out of reach")]
@@ -55,7 +55,7 @@ pub fn verify<const D: usize>(
     }
 }
 
-/// Checks value and lower bound, but not that the points are inside: O(k) exact operations for each force.
+/// Checks value and lower bound, but not that the points are inside: O(k) exact operations for each multiplier.
 ///
 /// # Errors
 /// The first defect found.
@@ -75,19 +75,22 @@ pub fn verify_bounds<const D: usize>(
     }
     let mut sum: [Rational; D] = std::array::from_fn(|_| Rational::ZERO);
     let mut bound = Rational::ZERO;
-    for force in &zonotope.forces {
-        let point = problem.points().get(force.point).ok_or(FixedDirectionsDefect::Forces)?;
-        bound += dot(&force.vector, &point.map(rational));
-        sum = std::array::from_fn(|c| &sum[c] + &force.vector[c]);
+    for multiplier in &zonotope.multipliers {
+        let point = problem.points().get(multiplier.point).ok_or(FixedDirectionsDefect::Multipliers)?;
+        bound += dot(&multiplier.vector, &point.map(rational));
+        sum = std::array::from_fn(|c| &sum[c] + &multiplier.vector[c]);
     }
     if sum.iter().any(|c| !c.is_zero()) {
-        return Err(FixedDirectionsDefect::Forces);
+        return Err(FixedDirectionsDefect::Multipliers);
     }
     for (v, &weight) in problem.directions().iter().zip(problem.weights()) {
         let v = v.map(rational);
-        let load = zonotope.forces.iter().fold(Rational::ZERO, |load, force| load + absolute(dot(&force.vector, &v)));
+        let load = zonotope
+            .multipliers
+            .iter()
+            .fold(Rational::ZERO, |load, multiplier| load + absolute(dot(&multiplier.vector, &v)));
         if load > rational(weight) {
-            return Err(FixedDirectionsDefect::Forces);
+            return Err(FixedDirectionsDefect::Multipliers);
         }
     }
     if rational(zonotope.lower_bound) > bound { Err(FixedDirectionsDefect::LowerBound) } else { Ok(()) }

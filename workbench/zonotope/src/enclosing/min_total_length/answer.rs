@@ -55,7 +55,7 @@ pub struct MinLengthZonotope<const D: usize> {
     /// Whether `ratio` is what was asked for.
     pub outcome: Outcome,
     /// What proves the lower bound.
-    pub forces: Vec<LengthForce<D>>,
+    pub multipliers: Vec<LengthMultiplier<D>>,
     /// The length of the best zonotope and the lower bound after each round.
     pub progress: Vec<[f64; 2]>,
     /// How many directions were tried.
@@ -65,7 +65,7 @@ pub struct MinLengthZonotope<const D: usize> {
 /// A vector λ_j that pulls at a point j: if Σ λ_j = 0 and Σ_j |λ_j · v| ≤ 1 for every unit vector v, no zonotope around the points has
 /// a total length below Σ λ_j · p_j. The condition says that no vertex Σ ± λ_j is farther than 1 from the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LengthForce<const D: usize> {
+pub struct LengthMultiplier<const D: usize> {
     /// The point, from 0.
     pub point: usize,
     /// The vector, times the largest coordinate difference of the points rounded to a power of two: only directions and proportions count, as

@@ -1,4 +1,4 @@
-//! From a zonotope in the frame and forces to a proven answer: what the methods share.
+//! From a zonotope in the frame and multipliers to a proven answer: what the methods share.
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::contain::around;
@@ -45,10 +45,10 @@ pub(super) fn proven<const D: usize>(
     directions: usize,
     epsilon: f64,
 ) -> MinLengthZonotope<D> {
-    let (lower_bound, forces) = best.proven(points, frame);
+    let (lower_bound, multipliers) = best.proven(points, frame);
     let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
     let outcome = if ratio <= 1.0 + epsilon { Outcome::WithinEpsilon } else { Outcome::EndedBefore };
-    MinLengthZonotope { zonotope, length, lower_bound, ratio, outcome, forces, progress, directions }
+    MinLengthZonotope { zonotope, length, lower_bound, ratio, outcome, multipliers, progress, directions }
 }
 
 pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {
@@ -59,7 +59,7 @@ pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result
         lower_bound: 0.0,
         ratio: 1.0,
         outcome: Outcome::WithinEpsilon,
-        forces: Vec::new(),
+        multipliers: Vec::new(),
         progress: Vec::new(),
         directions: 0,
     })

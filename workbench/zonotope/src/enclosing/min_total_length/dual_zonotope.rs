@@ -1,4 +1,4 @@
-//! The zonotope of the forces: its vertices far from the origin are the directions that a set of directions lacks.
+//! The zonotope of the multipliers: its vertices far from the origin are the directions that a set of directions lacks.
 //!
 //! A vertex is Σ ± λ_j with the signs of λ_j · v for some direction v. Each cell of the arrangement of the planes v ⊥ λ_j touches an intersection of d − 2 of them, which is a
 //! circle of directions; a walk around it meets the other planes in the order of their angles and changes one sign at a time.
@@ -12,25 +12,25 @@ pub(crate) struct FarVertices<const D: usize> {
     pub(crate) radius: f64,
     /// Vertices that are farthest in a neighbourhood and farther than was asked, each once up to sign, the farthest first.
     pub(crate) peaks: Vec<[f64; D]>,
-    /// Vertices that are farthest in a neighbourhood on a circle of directions orthogonal to rank − 2 of the forces, and farther than was asked.
+    /// Vertices that are farthest in a neighbourhood on a circle of directions orthogonal to rank − 2 of the multipliers, and farther than was asked.
     pub(crate) on_circles: Vec<[f64; D]>,
 }
 
 /// The vertices of Σ [−1, 1] λ_j, whose first `rank` coordinates count, farther than `least` from the origin. O(m^{rank−1} log m).
-pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], least: f64) -> FarVertices<D> {
-    let total: f64 = forces.iter().map(length).sum();
+pub(crate) fn far_vertices<const D: usize>(rank: usize, multipliers: &[[f64; D]], least: f64) -> FarVertices<D> {
+    let total: f64 = multipliers.iter().map(length).sum();
     let (mut found, mut on_circles): (Vec<[f64; D]>, Vec<[f64; D]>) = (Vec::new(), Vec::new());
     let mut farthest: f64 = 0.0;
     if rank == 1 {
         return FarVertices {
-            radius: total * (1.0 + (forces.len() + 8) as f64 * UNIT),
+            radius: total * (1.0 + (multipliers.len() + 8) as f64 * UNIT),
             peaks: Vec::new(),
             on_circles: Vec::new(),
         };
     }
     let mut is_walked = false;
-    let mut circle = Circle { forces, angles: Vec::with_capacity(forces.len()) };
-    for_subsets(forces.len(), rank.saturating_sub(2), |subset| {
+    let mut circle = Circle { multipliers, angles: Vec::with_capacity(multipliers.len()) };
+    for_subsets(multipliers.len(), rank.saturating_sub(2), |subset| {
         if let Some((distance, vertex)) = circle.farthest(rank, subset, least, &mut on_circles) {
             is_walked = true;
             farthest = farthest.max(distance);
@@ -39,11 +39,11 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
             }
         }
     });
-    // No circle where all forces are parallel; then one vertex adds up their lengths, and nothing is farther.
+    // No circle where all multipliers are parallel; then one vertex adds up their lengths, and nothing is farther.
     if !is_walked {
         farthest = total;
     }
-    let mut peaks: Vec<[f64; D]> = found.iter().map(|vertex| climb(forces, *vertex)).collect();
+    let mut peaks: Vec<[f64; D]> = found.iter().map(|vertex| climb(multipliers, *vertex)).collect();
     peaks.sort_by(|a, b| length(b).total_cmp(&length(a)));
     let mut distinct: Vec<[f64; D]> = Vec::new();
     for peak in peaks {
@@ -57,7 +57,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, forces: &[[f64; D]], lea
         }
     }
     // Directions within rounding of each other may change places in a walk, so a vertex may be missed whose cell is smaller than that.
-    let rounding = (8.0 * forces.len() as f64 + 64.0) * UNIT * total * if rank > 2 { 8.0 } else { 1.0 };
+    let rounding = (8.0 * multipliers.len() as f64 + 64.0) * UNIT * total * if rank > 2 { 8.0 } else { 1.0 };
     FarVertices { radius: farthest + rounding, peaks: distinct, on_circles }
 }
 
@@ -66,12 +66,12 @@ fn length<const D: usize>(v: &[f64; D]) -> f64 {
 }
 
 /// Goes from vertex to vertex in the direction of the vertex itself while that leads farther out.
-fn climb<const D: usize>(forces: &[[f64; D]], mut vertex: [f64; D]) -> [f64; D] {
+fn climb<const D: usize>(multipliers: &[[f64; D]], mut vertex: [f64; D]) -> [f64; D] {
     for _ in 0..100 {
         let mut next = [0.0; D];
-        for force in forces {
-            let sign = if dot(force, &vertex) < 0.0 { -1.0 } else { 1.0 };
-            next = std::array::from_fn(|c| next[c] + sign * force[c]);
+        for multiplier in multipliers {
+            let sign = if dot(multiplier, &vertex) < 0.0 { -1.0 } else { 1.0 };
+            next = std::array::from_fn(|c| next[c] + sign * multiplier[c]);
         }
         if length(&next) <= length(&vertex) {
             break;
@@ -93,15 +93,15 @@ fn for_subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
     }
 }
 
-/// The circle of directions orthogonal to a few forces.
+/// The circle of directions orthogonal to a few multipliers.
 struct Circle<'a, const D: usize> {
-    forces: &'a [[f64; D]],
-    /// For each other force the slope key of its crossing on the half circle, and its index.
+    multipliers: &'a [[f64; D]],
+    /// For each other multiplier the slope key of its crossing on the half circle, and its index.
     angles: Vec<(f64, usize, bool)>,
 }
 
 impl<const D: usize> Circle<'_, D> {
-    /// The farthest vertex met on the way around, with every choice of signs for the forces of the subset.
+    /// The farthest vertex met on the way around, with every choice of signs for the multipliers of the subset.
     fn farthest(
         &mut self,
         rank: usize,
@@ -109,19 +109,19 @@ impl<const D: usize> Circle<'_, D> {
         least: f64,
         peaks: &mut Vec<[f64; D]>,
     ) -> Option<(f64, [f64; D])> {
-        let own: Vec<[f64; D]> = subset.iter().map(|&i| self.forces[i]).collect();
+        let own: Vec<[f64; D]> = subset.iter().map(|&i| self.multipliers[i]).collect();
         let [x, y] = orthogonal_pair(rank, &own)?;
-        // The walk goes from direction x over y to −x; force j changes its sign where its projection (a, b) is orthogonal to the direction.
+        // The walk goes from direction x over y to −x; multiplier j changes its sign where its projection (a, b) is orthogonal to the direction.
         let mut sum = [0.0; D];
         self.angles.clear();
-        for (j, force) in self.forces.iter().enumerate() {
+        for (j, multiplier) in self.multipliers.iter().enumerate() {
             if subset.contains(&j) {
                 continue;
             }
-            let (a, b) = (dot(force, &x), dot(force, &y));
+            let (a, b) = (dot(multiplier, &x), dot(multiplier, &y));
             let is_positive = if a == 0.0 { b >= 0.0 } else { a > 0.0 };
             let sign = if is_positive { 1.0 } else { -1.0 };
-            sum = std::array::from_fn(|c| sum[c] + sign * force[c]);
+            sum = std::array::from_fn(|c| sum[c] + sign * multiplier[c]);
             // a cos t + b sin t = 0 at cot t = −b/a, which falls from ∞ to −∞.
             let cotangent = if a == 0.0 { f64::NEG_INFINITY } else { -b / a };
             self.angles.push((cotangent, j, is_positive));
@@ -131,8 +131,8 @@ impl<const D: usize> Circle<'_, D> {
         let (mut last, mut is_rising) = (best, true);
         for &(_, j, was_positive) in &self.angles {
             let change = if was_positive { -2.0 } else { 2.0 };
-            let force = &self.forces[j];
-            sum = std::array::from_fn(|c| sum[c] + change * force[c]);
+            let multiplier = &self.multipliers[j];
+            sum = std::array::from_fn(|c| sum[c] + change * multiplier[c]);
             let candidate = Self::with_signs(&own, &sum);
             if candidate.0 < last.0 && is_rising && last.0 > least * least {
                 peaks.push(last.1);
@@ -146,14 +146,14 @@ impl<const D: usize> Circle<'_, D> {
         Some((best.0.sqrt(), best.1))
     }
 
-    /// The farthest of sum ± own forces, with its squared distance.
+    /// The farthest of sum ± own multipliers, with its squared distance.
     fn with_signs(own: &[[f64; D]], sum: &[f64; D]) -> (f64, [f64; D]) {
         let choices = 1usize << own.len();
         let candidates = (0..choices).map(|choice| {
             let mut vertex = *sum;
-            for (i, force) in own.iter().enumerate() {
+            for (i, multiplier) in own.iter().enumerate() {
                 let sign = if choice >> i & 1 == 0 { 1.0 } else { -1.0 };
-                vertex = std::array::from_fn(|c| vertex[c] + sign * force[c]);
+                vertex = std::array::from_fn(|c| vertex[c] + sign * multiplier[c]);
             }
             (dot(&vertex, &vertex), vertex)
         });
@@ -198,13 +198,13 @@ mod tests {
     use rand::{RngExt, SeedableRng};
 
     /// All choices of signs.
-    fn farthest<const D: usize>(forces: &[[f64; D]]) -> f64 {
-        (0..1usize << forces.len())
+    fn farthest<const D: usize>(multipliers: &[[f64; D]]) -> f64 {
+        (0..1usize << multipliers.len())
             .map(|choice| {
                 let mut sum = [0.0; D];
-                for (i, force) in forces.iter().enumerate() {
+                for (i, multiplier) in multipliers.iter().enumerate() {
                     let sign = if choice >> i & 1 == 0 { 1.0 } else { -1.0 };
-                    sum = std::array::from_fn(|c| sum[c] + sign * force[c]);
+                    sum = std::array::from_fn(|c| sum[c] + sign * multiplier[c]);
                 }
                 length(&sum)
             })
@@ -212,12 +212,12 @@ mod tests {
     }
 
     fn agrees<const D: usize>(count: usize, coordinate: &mut impl FnMut() -> f64) {
-        let forces: Vec<[f64; D]> = (0..count).map(|_| std::array::from_fn(|_| coordinate())).collect();
-        let truth = farthest(&forces);
-        let far = far_vertices(D, &forces, 0.99 * truth);
+        let multipliers: Vec<[f64; D]> = (0..count).map(|_| std::array::from_fn(|_| coordinate())).collect();
+        let truth = farthest(&multipliers);
+        let far = far_vertices(D, &multipliers, 0.99 * truth);
         assert!(
             far.radius >= truth && far.radius <= truth * (1.0 + 1e-9) + 1e-300,
-            "{} {truth} {forces:?}",
+            "{} {truth} {multipliers:?}",
             far.radius
         );
         if truth > 0.0 && count >= D {

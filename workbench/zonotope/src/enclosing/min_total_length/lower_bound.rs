@@ -1,6 +1,6 @@
-//! A lower bound for all zonotopes around the points: forces, made feasible by the farthest vertex of their zonotope.
+//! A lower bound for all zonotopes around the points: multipliers, made feasible by the farthest vertex of their zonotope.
 
-use super::answer::LengthForce;
+use super::answer::LengthMultiplier;
 use super::dual_zonotope::{FarVertices, far_vertices};
 use super::frame::Frame;
 use crate::enclosing::fixed_directions::balanced;
@@ -9,54 +9,54 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::ray_exit::dot;
 
-/// The best lower bound so far, and its forces in the frame.
+/// The best lower bound so far, and its multipliers in the frame.
 pub(super) struct Best<const D: usize> {
     pub(super) lower: f64,
-    forces: Vec<(usize, [f64; D])>,
+    multipliers: Vec<(usize, [f64; D])>,
 }
 
 impl<const D: usize> Best<D> {
     /// Nothing is proven yet.
     pub(super) fn none() -> Self {
-        Self { lower: 0.0, forces: Vec::new() }
+        Self { lower: 0.0, multipliers: Vec::new() }
     }
 
-    /// Takes forces that add up to zero, made feasible, if they prove more; the vertices farther than `least` from the origin.
+    /// Takes multipliers that add up to zero, made feasible, if they prove more; the vertices farther than `least` from the origin.
     pub(super) fn improve(
         &mut self,
         rank: usize,
         points: &[[f64; D]],
-        forces: Vec<(usize, [f64; D])>,
+        multipliers: Vec<(usize, [f64; D])>,
         least: f64,
     ) -> FarVertices<D> {
-        let vectors: Vec<[f64; D]> = forces.iter().map(|(_, f)| *f).collect();
+        let vectors: Vec<[f64; D]> = multipliers.iter().map(|(_, f)| *f).collect();
         let far = far_vertices(rank, &vectors, least);
-        let lower = forces.iter().map(|(j, f)| dot(f, &points[*j])).sum::<f64>() / far.radius;
+        let lower = multipliers.iter().map(|(j, f)| dot(f, &points[*j])).sum::<f64>() / far.radius;
         if lower > self.lower && lower.is_finite() {
-            let forces = forces.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
-            *self = Self { lower, forces };
+            let multipliers = multipliers.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
+            *self = Self { lower, multipliers };
         }
         far
     }
 
     /// The bound in units of the input, computed anew and rounded down.
-    pub(super) fn proven(&self, points: &[[f64; D]], frame: &Frame<D>) -> (f64, Vec<LengthForce<D>>) {
-        let inside: Vec<[f64; D]> = self.forces.iter().map(|(_, f)| *f).collect();
-        let rounded: Vec<(usize, [f64; D])> = self.forces.iter().map(|(j, f)| (*j, frame.outside(f))).collect();
-        let forces = balanced(&rounded);
-        if forces.is_empty() {
+    pub(super) fn proven(&self, points: &[[f64; D]], frame: &Frame<D>) -> (f64, Vec<LengthMultiplier<D>>) {
+        let inside: Vec<[f64; D]> = self.multipliers.iter().map(|(_, f)| *f).collect();
+        let rounded: Vec<(usize, [f64; D])> = self.multipliers.iter().map(|(j, f)| (*j, frame.outside(f))).collect();
+        let multipliers = balanced(&rounded);
+        if multipliers.is_empty() {
             return (0.0, Vec::new());
         }
-        // Turned out of the frame a force is off by a few units in the last place, and so is what it adds to a vertex; rounding to add up to
-        // zero costs each force two more, the heaviest as many as there are.
+        // Turned out of the frame a multiplier is off by a few units in the last place, and so is what it adds to a vertex; rounding to add up to
+        // zero costs each multiplier two more, the heaviest as many as there are.
         let total: f64 = inside.iter().map(|f| dot(f, f).sqrt()).sum();
-        let count = forces.len() as f64;
+        let count = multipliers.len() as f64;
         let turned = if frame.rank() == D { 0.0 } else { 16.0 * D as f64 };
         let radius = far_vertices(frame.rank(), &inside, f64::INFINITY).radius;
         let radius = (radius + (turned + 16.0 * count * D as f64) * UNIT * total) * (1.0 + 4.0 * UNIT);
         let mut gain = Dyadic::zero();
-        for (j, force) in &forces {
-            for (a, b) in force.iter().zip(&points[*j]) {
+        for (j, multiplier) in &multipliers {
+            for (a, b) in multiplier.iter().zip(&points[*j]) {
                 gain = gain + &Dyadic::from_f64(*a) * &Dyadic::from_f64(*b);
             }
         }
@@ -64,7 +64,7 @@ impl<const D: usize> Best<D> {
         while lower > 0.0 && &Dyadic::from_f64(lower) * &Dyadic::from_f64(radius) > gain {
             lower = lower.next_down();
         }
-        let forces = forces.into_iter().map(|(point, vector)| LengthForce { point, vector }).collect();
-        (rounded_towards(&Dyadic::from_f64(lower.max(0.0)), f64::NEG_INFINITY), forces)
+        let multipliers = multipliers.into_iter().map(|(point, vector)| LengthMultiplier { point, vector }).collect();
+        (rounded_towards(&Dyadic::from_f64(lower.max(0.0)), f64::NEG_INFINITY), multipliers)
     }
 }

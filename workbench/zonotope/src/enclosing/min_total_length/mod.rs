@@ -1,7 +1,7 @@
 //! Problem: the zonotope of least total length around a set of points, over all directions of generators.
 //!
 //! The total length is the sum of the half-lengths of the generators; it is monotone under inclusion, and in the plane a quarter of the perimeter. A
-//! zonotope along finitely many directions comes near the optimum; forces at the points prove how near.
+//! zonotope along finitely many directions comes near the optimum; multipliers at the points prove how near.
 //!
 //! | method | time | notes |
 //! |---|---|---|
@@ -25,7 +25,7 @@ pub mod in_the_plane;
 mod lower_bound;
 pub mod verify;
 
-pub use answer::{LengthForce, MinLengthError, MinLengthZonotope, Outcome};
+pub use answer::{LengthMultiplier, MinLengthError, MinLengthZonotope, Outcome};
 pub use by_vertex_sets::{min_length_enclosing, min_length_enclosing_counted};
 pub use direction_net::Net;
 

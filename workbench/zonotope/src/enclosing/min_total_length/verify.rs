@@ -1,7 +1,7 @@
 //! Checks an answer in exact arithmetic, with code that shares nothing with the search.
 //!
-//! The forces add up to zero, and lower bound · |w| ≤ Σ λ_j · p_j for every vertex w of Σ [−1, 1] λ_j. In coordinates in which the r-dimensional span of the forces is
-//! all of space, each vertex lies on the side of some direction orthogonal to r − 1 independent forces; those orthogonal to it as well are a zonotope in a hyperplane, whose
+//! The multipliers add up to zero, and lower bound · |w| ≤ Σ λ_j · p_j for every vertex w of Σ [−1, 1] λ_j. In coordinates in which the r-dimensional span of the multipliers is
+//! all of space, each vertex lies on the side of some direction orthogonal to r − 1 independent multipliers; those orthogonal to it as well are a zonotope in a hyperplane, whose
 //! vertices are found in the same way.
 //! So the vertices are enumerated by subsets, with exact normals and exact signs. Containment is decided for each point by a rational program.
 
@@ -23,21 +23,21 @@ pub enum MinLengthDefect {
     /// The stated length is below the sum of the lengths of the generators.
     #[error("the generators are longer than stated")]
     Length,
-    /// The forces name points that do not exist, or do not add up to zero.
-    #[error("the forces prove nothing")]
-    Forces,
-    /// The lower bound is above what the forces prove.
-    #[error("the lower bound is above what the forces prove")]
+    /// The multipliers name points that do not exist, or do not add up to zero.
+    #[error("the multipliers prove nothing")]
+    Multipliers,
+    /// The lower bound is above what the multipliers prove.
+    #[error("the lower bound is above what the multipliers prove")]
     LowerBound,
     /// The ratio is below that of the length to the lower bound.
     #[error("the ratio is below that of the two bounds")]
     Ratio,
 }
 
-/// Up to so many forces in one hyperplane are tried with all signs; of more, the vertices in that hyperplane.
+/// Up to so many multipliers in one hyperplane are tried with all signs; of more, the vertices in that hyperplane.
 const FEW_TIES: usize = 4;
 
-/// Checks everything about an answer: a rational program for each point, exact vertices of all forces. For small answers.
+/// Checks everything about an answer: a rational program for each point, exact vertices of all multipliers. For small answers.
 ///
 /// # Errors
 /// The first defect found.
@@ -50,7 +50,7 @@ pub fn verify<const D: usize>(points: &[[f64; D]], answer: &MinLengthZonotope<D>
     (0..points.len()).find(|&j| !inside(j)).map_or(Ok(()), |point| Err(MinLengthDefect::Outside(point)))
 }
 
-/// Checks length, lower bound and ratio, but not that the points are inside: O(m^D) exact operations for m forces.
+/// Checks length, lower bound and ratio, but not that the points are inside: O(m^D) exact operations for m multipliers.
 ///
 /// # Errors
 /// The first defect found.
@@ -64,19 +64,19 @@ pub fn verify_bounds<const D: usize>(
     }
     let mut gain = Dyadic::zero();
     let mut sum: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
-    let mut forces: Vec<[Dyadic; D]> = Vec::with_capacity(answer.forces.len());
-    for force in &answer.forces {
-        let point = points.get(force.point).ok_or(MinLengthDefect::Forces)?;
-        if !force.vector.iter().all(|c| c.is_finite()) {
-            return Err(MinLengthDefect::Forces);
+    let mut multipliers: Vec<[Dyadic; D]> = Vec::with_capacity(answer.multipliers.len());
+    for multiplier in &answer.multipliers {
+        let point = points.get(multiplier.point).ok_or(MinLengthDefect::Multipliers)?;
+        if !multiplier.vector.iter().all(|c| c.is_finite()) {
+            return Err(MinLengthDefect::Multipliers);
         }
-        let vector = force.vector.map(exact);
+        let vector = multiplier.vector.map(exact);
         gain = gain + dot(&vector, &point.map(exact));
         sum = std::array::from_fn(|c| &sum[c] + &vector[c]);
-        forces.push(vector);
+        multipliers.push(vector);
     }
     if sum.iter().any(|c| !c.is_zero()) {
-        return Err(MinLengthDefect::Forces);
+        return Err(MinLengthDefect::Multipliers);
     }
     if !answer.lower_bound.is_finite() {
         return Err(MinLengthDefect::LowerBound);
@@ -88,7 +88,7 @@ pub fn verify_bounds<const D: usize>(
     }
     let (bound, gain) = (&bound * &bound, &gain * &gain);
     let origin: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
-    if is_positive && &bound * &farthest_vertex(&origin, &forces) > gain {
+    if is_positive && &bound * &farthest_vertex(&origin, &multipliers) > gain {
         return Err(MinLengthDefect::LowerBound);
     }
     let is_ratio = answer.ratio == f64::INFINITY
@@ -121,10 +121,11 @@ fn is_at_least_length<const D: usize>(length: f64, generators: &[[f64; D]]) -> b
 }
 
 /// The squared distance of the farthest vertex of base + Σ [−1, 1] λ_j.
-fn farthest_vertex<const D: usize>(base: &[Dyadic; D], forces: &[[Dyadic; D]]) -> Dyadic {
-    let forces: Vec<[Dyadic; D]> = forces.iter().filter(|f| f.iter().any(|c| !c.is_zero())).cloned().collect();
-    let axes = independent_coordinates(&forces);
-    let flat: Vec<Vec<Dyadic>> = forces.iter().map(|f| axes.iter().map(|&c| f[c].clone()).collect()).collect();
+fn farthest_vertex<const D: usize>(base: &[Dyadic; D], multipliers: &[[Dyadic; D]]) -> Dyadic {
+    let multipliers: Vec<[Dyadic; D]> =
+        multipliers.iter().filter(|f| f.iter().any(|c| !c.is_zero())).cloned().collect();
+    let axes = independent_coordinates(&multipliers);
+    let flat: Vec<Vec<Dyadic>> = multipliers.iter().map(|f| axes.iter().map(|&c| f[c].clone()).collect()).collect();
     let Some(size) = axes.len().checked_sub(1) else { return dot(base, base) };
     let mut farthest = Dyadic::zero();
     let mut subset: Vec<usize> = (0..size).collect();
@@ -133,17 +134,17 @@ fn farthest_vertex<const D: usize>(base: &[Dyadic; D], forces: &[[Dyadic; D]]) -
         let normal = normal_of(&rows, axes.len());
         if normal.iter().any(|c| !c.is_zero()) {
             let sides: Vec<Ordering> = flat.iter().map(|flat| dot(flat, &normal).sign()).collect();
-            let tied: Vec<usize> = (0..forces.len()).filter(|&j| sides[j].is_eq()).collect();
-            // Forces within one line apart, a hyperplane is met first by the first of its forces.
+            let tied: Vec<usize> = (0..multipliers.len()).filter(|&j| sides[j].is_eq()).collect();
+            // Multipliers within one line apart, a hyperplane is met first by the first of its multipliers.
             if tied.first() == subset.first() {
-                let ties: Vec<[Dyadic; D]> = tied.iter().map(|&j| forces[j].clone()).collect();
+                let ties: Vec<[Dyadic; D]> = tied.iter().map(|&j| multipliers[j].clone()).collect();
                 for sign in [Ordering::Greater, Ordering::Less] {
-                    let vertex = forces.iter().zip(&sides).filter(|(_, side)| side.is_ne()).fold(
+                    let vertex = multipliers.iter().zip(&sides).filter(|(_, side)| side.is_ne()).fold(
                         base.clone(),
-                        |sum, (force, side)| {
-                            std::array::from_fn(
-                                |c| if *side == sign { &sum[c] + &force[c] } else { &sum[c] - &force[c] },
-                            )
+                        |sum, (multiplier, side)| {
+                            std::array::from_fn(|c| {
+                                if *side == sign { &sum[c] + &multiplier[c] } else { &sum[c] - &multiplier[c] }
+                            })
                         },
                     );
                     let distance = if ties.len() <= FEW_TIES {
@@ -155,7 +156,7 @@ fn farthest_vertex<const D: usize>(base: &[Dyadic; D], forces: &[[Dyadic; D]]) -
                 }
             }
         }
-        let Some(moving) = (0..size).rev().find(|&i| subset[i] + size - i < forces.len()) else { break };
+        let Some(moving) = (0..size).rev().find(|&i| subset[i] + size - i < multipliers.len()) else { break };
         subset[moving] += 1;
         for i in moving + 1..size {
             subset[i] = subset[i - 1] + 1;
@@ -167,9 +168,12 @@ fn farthest_vertex<const D: usize>(base: &[Dyadic; D], forces: &[[Dyadic; D]]) -
 fn farthest_of_signs<const D: usize>(vertex: &[Dyadic; D], tied: &[[Dyadic; D]]) -> Dyadic {
     let squares = (0..1usize << tied.len()).map(|choice| {
         let mut corner = vertex.clone();
-        for (i, force) in tied.iter().enumerate() {
+        for (i, multiplier) in tied.iter().enumerate() {
             let is_added = choice >> i & 1 == 0;
-            corner = std::array::from_fn(|c| if is_added { &corner[c] + &force[c] } else { &corner[c] - &force[c] });
+            corner =
+                std::array::from_fn(
+                    |c| if is_added { &corner[c] + &multiplier[c] } else { &corner[c] - &multiplier[c] },
+                );
         }
         dot(&corner, &corner)
     });
@@ -234,12 +238,12 @@ mod tests {
         };
         assert_eq!(changed(&|a| a.length *= 0.999), Err(MinLengthDefect::Length));
         assert_eq!(changed(&|a| a.lower_bound *= 1.001), Err(MinLengthDefect::LowerBound));
-        assert_eq!(changed(&|a| a.forces[0].vector[0] *= 2.0), Err(MinLengthDefect::Forces));
-        assert_eq!(changed(&|a| a.forces[0].point = 2), Err(MinLengthDefect::Forces));
+        assert_eq!(changed(&|a| a.multipliers[0].vector[0] *= 2.0), Err(MinLengthDefect::Multipliers));
+        assert_eq!(changed(&|a| a.multipliers[0].point = 2), Err(MinLengthDefect::Multipliers));
         assert_eq!(changed(&|a| a.ratio = 0.5), Err(MinLengthDefect::Ratio));
         assert_eq!(changed(&|a| a.ratio = f64::NAN), Err(MinLengthDefect::Ratio));
         assert_eq!(changed(&|a| a.lower_bound = f64::INFINITY), Err(MinLengthDefect::LowerBound));
-        assert_eq!(changed(&|a| a.forces[0].vector[0] = f64::NAN), Err(MinLengthDefect::Forces));
+        assert_eq!(changed(&|a| a.multipliers[0].vector[0] = f64::NAN), Err(MinLengthDefect::Multipliers));
         assert!(verify(&[points[0], [4.0, 3.0]], &answer).is_err());
     }
 
@@ -257,11 +261,11 @@ mod tests {
         let exact = |vector: [f64; 3]| vector.map(Dyadic::from_f64);
         let origin = exact([0.0; 3]);
         // ±(2, 0) ± (0, 1) ± (1, 1): the farthest is (3, 2)
-        let forces = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(exact);
-        assert_eq!(farthest_vertex(&origin, &forces), Dyadic::from_f64(13.0));
+        let multipliers = [[2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(exact);
+        assert_eq!(farthest_vertex(&origin, &multipliers), Dyadic::from_f64(13.0));
         // in a plane of space, two of them parallel: ±(1, 1, 0) ± (2, 2, 0) ± (0, 1, 0)
-        let forces = [[1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, 1.0, 0.0]].map(exact);
-        assert_eq!(farthest_vertex(&origin, &forces), Dyadic::from_f64(25.0));
+        let multipliers = [[1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, 1.0, 0.0]].map(exact);
+        assert_eq!(farthest_vertex(&origin, &multipliers), Dyadic::from_f64(25.0));
         // from (0, 1, 0), two segments of a line: the farthest is (−3, 1, 0) or its mirror image
         assert_eq!(
             farthest_vertex(&exact([0.0, 1.0, 0.0]), &[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(exact)),
@@ -271,16 +275,16 @@ mod tests {
 
     #[test]
     fn many_forces_in_one_plane_are_no_more_than_their_signs() {
-        // six forces in the plane z = 0, two in a line, and two across it
+        // six multipliers in the plane z = 0, two in a line, and two across it
         let plane = [[1.0, 2.0], [3.0, -1.0], [2.0, 4.0], [-1.0, 1.0], [0.0, 3.0], [5.0, 1.0]];
-        let forces: Vec<[Dyadic; 3]> = plane
+        let multipliers: Vec<[Dyadic; 3]> = plane
             .iter()
             .map(|&[x, y]| [x, y, 0.0])
             .chain([[1.0, 1.0, 2.0], [0.0, -2.0, 1.0]])
-            .map(|force| force.map(Dyadic::from_f64))
+            .map(|multiplier| multiplier.map(Dyadic::from_f64))
             .collect();
         let origin: [Dyadic; 3] = std::array::from_fn(|_| Dyadic::zero());
-        assert_eq!(farthest_vertex(&origin, &forces), farthest_of_signs(&origin, &forces));
-        assert_eq!(farthest_vertex(&origin, &forces[..6]), farthest_of_signs(&origin, &forces[..6]));
+        assert_eq!(farthest_vertex(&origin, &multipliers), farthest_of_signs(&origin, &multipliers));
+        assert_eq!(farthest_vertex(&origin, &multipliers[..6]), farthest_of_signs(&origin, &multipliers[..6]));
     }
 }

@@ -16,7 +16,7 @@
 //!    on coefficients: facets met before are kept with their neighbours, and a ray is followed from one met near it. A point outside adds the normal of
 //!    its facet, with the farthest point along it; for all such normals together the points are read once. Again from 2 until no point is outside.
 //! 4. Round the centre, in a flat span to doubles of that span that it costs least to move it to, nearly (lattice reduction); prove each point inside, and enlarge the coefficients of a basis of directions by what any point still misses.
-//! 5. The multipliers pull at the points with forces that add up to zero; scaled to the limits w_i they prove the lower bound.
+//! 5. The multipliers pull at the points with multipliers that add up to zero; scaled to the limits w_i they prove the lower bound.
 //! 6. Small programs whose bounds differ by more than rounding are solved again in rationals.
 //!
 //! # Complexity

@@ -1,15 +1,15 @@
 //! Coefficients for points near the boundary of a zonotope that may be flat, or nearly so.
 //!
 //! From a flat zonotope a ray that leaves its plane by no more than rounding departs at once, though the point is reached but for that rounding. So where a ray departs before its
-//! point, the search is repeated with the shortest generators of a basis lengthened, step by step, and the coefficients are used for the zonotope as it is.
+//! point, the search is repeated with the shortest generators of a basis thickened, step by step, and the coefficients are used for the zonotope as it is.
 
 use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
 
-/// A zonotope and lengthened ones, each with room for the search.
-pub(crate) struct Lengthened<'a, const D: usize> {
+/// A zonotope and thickened ones, each with room for the search.
+pub(crate) struct Thickened<'a, const D: usize> {
     rank: usize,
     generators: &'a [[f64; D]],
-    /// The generators that are lengthened, as vectors of length 1.
+    /// The generators that are thickened, as vectors of length 1.
     basis: Vec<(usize, [f64; D])>,
     /// The least lengths of the basis, one for each step.
     least: Vec<f64>,
@@ -21,8 +21,8 @@ const FIRST: f64 = 1e-13;
 const GROWTH: f64 = 16.0;
 const LAST: f64 = 1e-3;
 
-impl<'a, const D: usize> Lengthened<'a, D> {
-    /// The zonotope of generators, to be lengthened along a basis of independent vectors that belong to them.
+impl<'a, const D: usize> Thickened<'a, D> {
+    /// The zonotope of generators, to be thickened along a basis of independent vectors that belong to them.
     pub(crate) fn new(rank: usize, generators: &'a [[f64; D]], basis: impl Iterator<Item = (usize, [f64; D])>) -> Self {
         let length = |v: &[f64; D]| dot(v, v).sqrt();
         let longest = generators.iter().map(length).fold(0.0, f64::max);
@@ -37,7 +37,7 @@ impl<'a, const D: usize> Lengthened<'a, D> {
         Self { rank, generators, basis, least, descents: Vec::new() }
     }
 
-    /// How many zonotopes there are: the one given and the lengthened ones.
+    /// How many zonotopes there are: the one given and the thickened ones.
     pub(crate) fn steps(&self) -> usize {
         self.least.len()
     }
@@ -67,12 +67,12 @@ mod tests {
     fn a_point_that_leaves_the_plane_of_a_square_by_rounding() {
         let generators = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]];
         let basis = [(0, [1.0, 0.0, 0.0]), (1, [0.0, 1.0, 0.0]), (2, [0.0, 0.0, 2.0])];
-        let mut lengthened = Lengthened::new(3, &generators, basis.into_iter());
+        let mut thickened = Thickened::new(3, &generators, basis.into_iter());
         let point = [0.5, 0.5, 1e-16];
-        assert!(lengthened.facet(0, &point).is_none_or(|facet| facet.gauge < 1e-3));
-        let facet = lengthened.facet(1, &point).expect("they span");
+        assert!(thickened.facet(0, &point).is_none_or(|facet| facet.gauge < 1e-3));
+        let facet = thickened.facet(1, &point).expect("they span");
         assert!((facet.gauge - 2.0).abs() < 1e-12);
         assert!(facet.coefficients[..2].iter().all(|c| (c - 1.0).abs() < 1e-12));
-        assert_eq!(Lengthened::new(3, &basis.map(|(_, v)| v), basis.into_iter()).steps(), 1);
+        assert_eq!(Thickened::new(3, &basis.map(|(_, v)| v), basis.into_iter()).steps(), 1);
     }
 }

@@ -1,6 +1,6 @@
 //! The least zonotope along the directions of a net, with a lower bound for all directions.
 //!
-//! Few of the directions bear anything. So the program is solved for a part of them; its forces load others beyond their limit of 1, which join it, until none does: then the optimum is
+//! Few of the directions bear anything. So the program is solved for a part of them; its multipliers load others beyond their limit of 1, which join it, until none does: then the optimum is
 //! that of the whole net.
 
 use crate::enclosing::fixed_directions::{Generation, balanced};

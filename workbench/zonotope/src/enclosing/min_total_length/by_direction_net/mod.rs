@@ -11,8 +11,8 @@
 //!
 //! # Method
 //! 1. The affine hull of the points, coordinates of ordinary size; the net in as many dimensions.
-//! 2. The least zonotope along a part of the net ([`fixed_directions`](crate::enclosing::fixed_directions)); the directions that its forces load beyond their limit join, until none does.
-//! 3. Its forces, and the farthest vertex of their zonotope: the lower bound for all directions.
+//! 2. The least zonotope along a part of the net ([`fixed_directions`](crate::enclosing::fixed_directions)); the directions that its multipliers load beyond their limit join, until none does.
+//! 3. Its multipliers, and the farthest vertex of their zonotope: the lower bound for all directions.
 //! 4. Generators rounded; what they miss of any point is added along the axes.
 //!
 //! # Complexity

@@ -14,11 +14,11 @@
 //!
 //! # Method
 //! 1. Points in a simplex of others are left out: what contains those contains them.
-//! 2. The affine hull of the points. In a plane: the centre O with the shortest zonogon, by cutting off half-planes; edges give the generators, turns of the boundary the forces.
-//! 3. Else begin with a box around the points and two opposite forces, which are nearly the answer for a thin body; then with a coarse net (space) or the farthest points along
-//!    the axes, their forces, and some sets T.
+//! 2. The affine hull of the points. In a plane: the centre O with the shortest zonogon, by cutting off half-planes; edges give the generators, turns of the boundary the multipliers.
+//! 3. Else begin with a box around the points and two opposite multipliers, which are nearly the answer for a thin body; then with a coarse net (space) or the farthest points along
+//!    the axes, their multipliers, and some sets T.
 //! 4. A step of an interior point method (primal and dual at once, scaled after Nesterov and Todd, corrected after Mehrotra) for the sets so far, which may begin beyond their
-//!    limits; it yields forces, and generators for which every point with a force is a vertex, after what they still miss is shared out among them in proportion to their lengths.
+//!    limits; it yields multipliers, and generators for which every point with a multiplier is a vertex, after what they still miss is shared out among them in proportion to their lengths.
 //! 5. The vertices of Σ [−1, 1] λ_j: the farthest one, at distance ρ, proves the lower bound Σ λ_j · p_j / ρ; those farther than 1, or nearer to it than the gap, are sets to add.
 //!    The generator of a new set begins no longer than the body is along it and than the points that it parts are near each other. Points outside the zonotope are added; one
 //!    near another joins its sets. Where vertices are far beyond 1 then, the gap is widened. Lengthened until it contains all points the zonotope is an upper bound. Sets that bear
@@ -27,7 +27,7 @@
 //! 7. Where the ratio is still above 1 + ε: all of that anew in pairs of doubles.
 //!
 //! # Complexity
-//! With m points that have a force and K sets (at most 4 d m): a step costs O((d m)³ + d² m Δ), Δ the number of points by which neighbouring sets differ, some ten for
+//! With m points that have a multiplier and K sets (at most 4 d m): a step costs O((d m)³ + d² m Δ), Δ the number of points by which neighbouring sets differ, some ten for
 //! each set; the vertices O(m^{d−1} log m), a look at all n points a facet search each. Some ten to hundred steps. In a plane O(n log n) for each of some fifty centres. Leaving out
 //! points: some passes over at most 500 points for each. Pairs of doubles make a step some fifty times as dear. The number of steps has no useful bound.
 //!
@@ -99,8 +99,8 @@ pub fn min_length_enclosing_counted<const D: usize>(
     let outer = outer_points(points);
     let kept: Vec<[f64; D]> = outer.iter().map(|&j| points[j]).collect();
     let mut answer = around_outer(&kept, epsilon, tally)?;
-    for force in &mut answer.forces {
-        force.point = outer[force.point];
+    for multiplier in &mut answer.multipliers {
+        multiplier.point = outer[multiplier.point];
     }
     Ok(answer)
 }
@@ -150,7 +150,7 @@ fn around_hull<R: Scalar, const D: usize>(
     conclude(points, frame, found.inner, best, found.progress, found.sides, epsilon)
 }
 
-/// Forces that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.
+/// Multipliers that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.
 fn opposite_pulls<const D: usize>(points: &[[f64; D]], direction: &[f64; D]) -> Vec<(usize, [f64; D])> {
     let height = |j: &usize| dot(&points[*j], direction);
     let ends = (0..points.len()).fold((0, 0), |(low, high), j| {

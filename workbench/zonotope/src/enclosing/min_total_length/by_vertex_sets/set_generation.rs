@@ -1,4 +1,4 @@
-//! Forces at more and more points, for more and more sides, until no point is outside and no vertex beyond the unit ball: a Newton step, the vertices, the points, and again.
+//! Multipliers at more and more points, for more and more sides, until no point is outside and no vertex beyond the unit ball: a Newton step, the vertices, the points, and again.
 
 use std::collections::BTreeSet;
 
@@ -35,7 +35,7 @@ const MOST_RESCUES: usize = 4;
 /// More products and sums than this are not spent: half a minute or less.
 const MOST_WORK: f64 = 1e11;
 
-/// The gap of the forces for the sets so far is wanted at this multiple of what the vertices are beyond the unit ball.
+/// The gap of the multipliers for the sets so far is wanted at this multiple of what the vertices are beyond the unit ball.
 const AIM: f64 = 0.3;
 
 /// And not below this multiple of ε.
@@ -65,7 +65,7 @@ struct Growing<'a, R, const D: usize> {
     coordinates: &'a BoxCoordinates<'a, D>,
     rank: usize,
     sides: Sides<'a, R, D>,
-    /// The points with a force.
+    /// The points with a multiplier.
     members: Vec<usize>,
     is_member: Vec<bool>,
 }
@@ -192,7 +192,7 @@ impl<'a, R: Scalar, const D: usize> Growing<'a, R, D> {
         growing
     }
 
-    /// Begins with the least zonotope along a coarse net: the points that it touches, their forces, and as many sides as keep these in their place.
+    /// Begins with the least zonotope along a coarse net: the points that it touches, their multipliers, and as many sides as keep these in their place.
     fn from_net(
         frame: &'a Frame<D>,
         coordinates: &'a BoxCoordinates<'a, D>,
@@ -208,17 +208,18 @@ impl<'a, R: Scalar, const D: usize> Growing<'a, R, D> {
         let program = &generation.program;
         let pulls: Vec<(usize, [f64; D])> =
             program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
-        let forces = balanced(&pulls);
-        if forces.len() < 2 {
+        let multipliers = balanced(&pulls);
+        if multipliers.len() < 2 {
             return None;
         }
         let along_net = stretched(FrameZonotope::along(&generation), coordinates);
         if along_net.upper < inner.upper {
             *inner = along_net;
         }
-        let far = best.improve(rank, &frame.points, forces.clone(), 1.0);
-        let forces: Vec<(usize, [f64; D])> = forces.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
-        let members: Vec<usize> = forces.iter().map(|(j, _)| *j).collect();
+        let far = best.improve(rank, &frame.points, multipliers.clone(), 1.0);
+        let multipliers: Vec<(usize, [f64; D])> =
+            multipliers.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
+        let members: Vec<usize> = multipliers.iter().map(|(j, _)| *j).collect();
         let points: Vec<[f64; D]> = members.iter().map(|&j| frame.points[j]).collect();
         let mut is_member = vec![false; frame.points.len()];
         for &j in &members {
@@ -226,7 +227,8 @@ impl<'a, R: Scalar, const D: usize> Growing<'a, R, D> {
         }
         let cells = (2.0 * (members.len() as f64).sqrt()).ceil() as usize;
         let directions: Vec<[f64; D]> = far.peaks.into_iter().chain(cell_corners(cells)).collect();
-        let sides = Sides::begun(rank, coordinates, &points, forces.into_iter().map(|(_, f)| f).collect(), &directions);
+        let sides =
+            Sides::begun(rank, coordinates, &points, multipliers.into_iter().map(|(_, f)| f).collect(), &directions);
         Some(Self { frame, coordinates, rank, sides, members, is_member })
     }
 
@@ -265,8 +267,8 @@ impl<'a, R: Scalar, const D: usize> Growing<'a, R, D> {
     }
 
     fn pulls(&self) -> Vec<(usize, [f64; D])> {
-        let forces = self.members.iter().copied().zip(self.sides.forces.iter().map(values));
-        balanced(&forces.collect::<Vec<_>>())
+        let multipliers = self.members.iter().copied().zip(self.sides.multipliers.iter().map(values));
+        balanced(&multipliers.collect::<Vec<_>>())
     }
 
     /// The centre, from which the first point is all generators away, and those generators that are no noise, with their places.
@@ -280,7 +282,7 @@ impl<'a, R: Scalar, const D: usize> Growing<'a, R, D> {
         (center, places, long)
     }
 
-    /// The coefficients of points with forces: one way for the sets that hold them, the other way for the others.
+    /// The coefficients of points with multipliers: one way for the sets that hold them, the other way for the others.
     fn witnesses(&self, sides: &[usize], size: f64) -> Vec<(usize, Vec<f64>)> {
         let mut signs = vec![vec![-size; sides.len()]; self.members.len()];
         for (place, &side) in sides.iter().enumerate() {
@@ -294,7 +296,7 @@ impl<'a, R: Scalar, const D: usize> Growing<'a, R, D> {
     fn look(&self, center: [f64; D], generators: &[[f64; D]]) -> Looked<D> {
         let mut least: f64 = 1.0;
         let mut outside = Vec::new();
-        // Those with a force are vertices.
+        // Those with a multiplier are vertices.
         let others = (0..self.is_member.len()).filter(|&j| !self.is_member[j]);
         for (j, sight) in self.coordinates.sights(center, generators, others) {
             let (gauge, normal) = match sight {

@@ -1,6 +1,6 @@
-//! Points with forces, and the sets of points that are on one side of the others.
+//! Points with multipliers, and the sets of points that are on one side of the others.
 //!
-//! Σ_j |λ_j · v| is the largest of 2 Σ_{j ∈ T} λ_j · v over all sets T of points, as Σ λ_j = 0. So the forces are within their limits for every unit vector v
+//! Σ_j |λ_j · v| is the largest of 2 Σ_{j ∈ T} λ_j · v over all sets T of points, as Σ λ_j = 0. So the multipliers are within their limits for every unit vector v
 //! just when |w_T| ≤ 1 for every T, w_T = 2 Σ_{j ∈ T} λ_j. Each T is a generator of which T is at one end and the other points at the other; unlike a direction of
 //! a net it turns freely. Those T that part the points by a plane through the origin, on the side of a vertex of Σ [−1, 1] λ_j, are all that count.
 //!
@@ -29,7 +29,7 @@ impl<R, const D: usize> Side<R, D> {
     }
 }
 
-/// Points with their forces, and the sets of points seen so far.
+/// Points with their multipliers, and the sets of points seen so far.
 pub(super) struct Sides<'a, R, const D: usize> {
     coordinates: &'a BoxCoordinates<'a, D>,
     pub(super) rank: usize,
@@ -37,7 +37,7 @@ pub(super) struct Sides<'a, R, const D: usize> {
     pub(super) points: Vec<[R; D]>,
     /// And in box coordinates.
     spread: Vec<[f64; D]>,
-    pub(super) forces: Vec<[R; D]>,
+    pub(super) multipliers: Vec<[R; D]>,
     pub(super) sides: Vec<Side<R, D>>,
     known: BTreeSet<Vec<u64>>,
     /// What slack · load is to be for a new set.
@@ -48,7 +48,7 @@ pub(super) struct Sides<'a, R, const D: usize> {
     pub(super) work: f64,
 }
 
-/// So many times as many sets as coordinates of forces are kept, and no fewer than so many.
+/// So many times as many sets as coordinates of multipliers are kept, and no fewer than so many.
 const MOST_SETS: usize = 4;
 const FEW_SETS: usize = 1000;
 
@@ -65,14 +65,14 @@ const MUCH_NEARER: f64 = 10.0;
 const BEGIN: f64 = 0.5;
 
 impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
-    /// The first point, with no force at all; roughly the length to be expected.
+    /// The first point, with no multiplier at all; roughly the length to be expected.
     pub(super) fn new(rank: usize, coordinates: &'a BoxCoordinates<'a, D>, length: f64) -> Self {
         Self {
             coordinates,
             rank,
             points: vec![zero()],
             spread: vec![[0.0; D]],
-            forces: vec![zero()],
+            multipliers: vec![zero()],
             sides: Vec::new(),
             known: BTreeSet::new(),
             mu: BEGIN * length / rank as f64,
@@ -81,19 +81,19 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         }
     }
 
-    /// Points with forces, and the sets on the positive side of some directions.
+    /// Points with multipliers, and the sets on the positive side of some directions.
     pub(super) fn begun(
         rank: usize,
         coordinates: &'a BoxCoordinates<'a, D>,
         points: &[[f64; D]],
-        forces: Vec<[f64; D]>,
+        multipliers: Vec<[f64; D]>,
         directions: &[[f64; D]],
     ) -> Self {
         let points: Vec<[R; D]> = points.iter().map(|p| apart(p, &points[0])).collect();
-        let forces: Vec<[R; D]> = forces.iter().map(real).collect();
-        let length = points.iter().zip(&forces).map(|(p, f)| dot(p, f).value()).sum();
+        let multipliers: Vec<[R; D]> = multipliers.iter().map(real).collect();
+        let length = points.iter().zip(&multipliers).map(|(p, f)| dot(p, f).value()).sum();
         let spread = points.iter().map(|p| coordinates.vector(&values(p))).collect();
-        let mut sides = Self { points, spread, forces, ..Self::new(rank, coordinates, length) };
+        let mut sides = Self { points, spread, multipliers, ..Self::new(rank, coordinates, length) };
         sides.mu = BEGIN * length / (directions.len() + sides.points.len()) as f64;
         for point in 1..sides.points.len() {
             sides.add_own(point);
@@ -104,7 +104,7 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         sides
     }
 
-    /// Adds a point, where the first one is, and a direction in which it will be pulled; its own set keeps its force within limits.
+    /// Adds a point, where the first one is, and a direction in which it will be pulled; its own set keeps its multiplier within limits.
     pub(super) fn add_point(&mut self, point: &[f64; D], first: &[f64; D], pull: &[f64; D]) {
         let place = self.points.len();
         let apart = apart(point, first);
@@ -119,7 +119,7 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         }
         self.points.push(apart);
         self.spread.push(self.coordinates.vector(&values(&apart)));
-        self.forces.push(zero());
+        self.multipliers.push(zero());
         self.known = self.sides.iter().map(|side| side.set.clone()).collect();
         self.add_own(place);
     }
@@ -146,14 +146,14 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         self.add_set(own);
     }
 
-    /// Adds the set of points whose forces point to one side; whether it is new.
+    /// Adds the set of points whose multipliers point to one side; whether it is new.
     pub(super) fn part(&mut self, vertex: &[f64; D]) -> bool {
         let vertex = real(vertex);
-        let of_first = dot(&self.forces[0], &vertex).value() > 0.0;
+        let of_first = dot(&self.multipliers[0], &vertex).value() > 0.0;
         let mut set = vec![0; self.points.len().div_ceil(64)];
         let mut is_empty = true;
-        for (j, force) in self.forces.iter().enumerate() {
-            if (dot(force, &vertex).value() > 0.0) != of_first {
+        for (j, multiplier) in self.multipliers.iter().enumerate() {
+            if (dot(multiplier, &vertex).value() > 0.0) != of_first {
                 insert(&mut set, j);
                 is_empty = false;
             }
@@ -165,7 +165,7 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         if !self.known.insert(set.clone()) {
             return false;
         }
-        let w = sum_over(&set, &self.forces);
+        let w = sum_over(&set, &self.multipliers);
         let square = dot(&w, &w);
         let along =
             if square.value() > 0.0 { self.coordinates.segment(&values(&w)) } else { self.length / self.rank as f64 };
@@ -205,7 +205,7 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         self.sides.sort_by_cached_key(|side| place_in_code(&side.set));
     }
 
-    /// Moves slacks and loads inward until the gap is no less than this; forces and generators stay.
+    /// Moves slacks and loads inward until the gap is no less than this; multipliers and generators stay.
     pub(super) fn widen(&mut self, gap: f64) {
         let mu = gap / self.sides.len() as f64;
         if mu <= self.mu {
@@ -222,12 +222,12 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
         }
     }
 
-    /// The forces, turned; the first one makes up for the others.
+    /// The multipliers, turned; the first one makes up for the others.
     pub(super) fn turned(&self, factor: R, step: &[[R; D]]) -> Vec<[R; D]> {
-        let others = self.forces[1..].iter().zip(step).map(|(force, step)| plus(force, factor, step));
-        let mut forces: Vec<[R; D]> = std::iter::once(zero()).chain(others).collect();
-        forces[0] = forces.iter().fold(zero(), |sum, force| plus(&sum, R::from(-1.0), force));
-        forces
+        let others = self.multipliers[1..].iter().zip(step).map(|(multiplier, step)| plus(multiplier, factor, step));
+        let mut multipliers: Vec<[R; D]> = std::iter::once(zero()).chain(others).collect();
+        multipliers[0] = multipliers.iter().fold(zero(), |sum, multiplier| plus(&sum, R::from(-1.0), multiplier));
+        multipliers
     }
 }
 

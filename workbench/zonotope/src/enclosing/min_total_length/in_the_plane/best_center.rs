@@ -1,9 +1,9 @@
-//! The plane: the best centre, and with it the generators and the forces, without a linear program.
+//! The plane: the best centre, and with it the generators and the multipliers, without a linear program.
 //!
 //! With the centre O fixed the best zonogon is the convex hull of the points and their reflections in O; its half-edges are the generators. Where the
-//! unit tangent turns from t to t' at a vertex, half their difference pulls at the point there: such forces λ_j load no direction by more than 1, as a tangent that turns by π
+//! unit tangent turns from t to t' at a vertex, half their difference pulls at the point there: such multipliers λ_j load no direction by more than 1, as a tangent that turns by π
 //! passes each value twice, and they add up to −∇ of the length at O. So Σ λ_j · (p_j − x) is a lower bound of the length for any centre x, exact at O, and averages
-//! of the forces at several centres whose sums cancel are forces for the proof.
+//! of the multipliers at several centres whose sums cancel are multipliers for the proof.
 //!
 //! The length is convex in O: each gradient cuts off a part of the plane, and the next O is the centroid of what is left.
 
@@ -18,7 +18,7 @@ use crate::zonotope::ray_exit::dot;
 struct Cut<const D: usize> {
     slope: [f64; 2],
     height: f64,
-    forces: Vec<(usize, [f64; D])>,
+    multipliers: Vec<(usize, [f64; D])>,
 }
 
 /// More centres than this are not tried: the part of the plane that is left is as small as rounding by then.
@@ -36,7 +36,7 @@ const FLAT: f64 = 1e-15;
 /// No more coefficients of vertices than this are noted.
 const MOST_WITNESSES: usize = 1 << 20;
 
-/// What the sum of forces costs that does not cancel: some point of the frame has to bear it.
+/// What the sum of multipliers costs that does not cancel: some point of the frame has to bear it.
 const DEAR: f64 = 4.0;
 
 /// How often the cuts are combined.
@@ -133,16 +133,16 @@ impl Zonogon {
             if length > 0.0 { e.map(|c| c / length) } else { [0.0; 2] }
         };
         let tangents: Vec<[f64; 2]> = self.edges.iter().map(unit).collect();
-        let mut cut = Cut { slope: [0.0; 2], height: 0.0, forces: Vec::with_capacity(count) };
+        let mut cut = Cut { slope: [0.0; 2], height: 0.0, multipliers: Vec::with_capacity(count) };
         for (k, &vertex) in self.boundary.iter().enumerate() {
             let (before, after) = (tangents[(k + count - 1) % count], tangents[k]);
             let point = hull[vertex % self.own];
             // Each point with its reflection is there twice.
             let share = if vertex >= self.own { -0.25 } else { 0.25 };
-            let force = [share * (before[0] - after[0]), share * (before[1] - after[1])];
-            cut.slope = [cut.slope[0] - force[0], cut.slope[1] - force[1]];
-            cut.height += force[0] * points[point][0] + force[1] * points[point][1];
-            cut.forces.push((point, in_space(&force, 1.0)));
+            let multiplier = [share * (before[0] - after[0]), share * (before[1] - after[1])];
+            cut.slope = [cut.slope[0] - multiplier[0], cut.slope[1] - multiplier[1]];
+            cut.height += multiplier[0] * points[point][0] + multiplier[1] * points[point][1];
+            cut.multipliers.push((point, in_space(&multiplier, 1.0)));
         }
         cut
     }
@@ -181,7 +181,7 @@ fn in_space<const D: usize>(v: &[f64; 2], factor: f64) -> [f64; D] {
     std::array::from_fn(|c| if c < 2 { factor * v[c] } else { 0.0 })
 }
 
-/// The average of forces at three centres whose sums cancel that proves most.
+/// The average of multipliers at three centres whose sums cancel that proves most.
 fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
     let cross = |i: usize, j: usize| cuts[i].slope[0] * cuts[j].slope[1] - cuts[i].slope[1] * cuts[j].slope[0];
     let mut most: Option<(f64, [(usize, f64); 3])> = None;
@@ -214,10 +214,10 @@ fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
         }
     }
     let (_, shares) = most?;
-    let forces = shares
-        .into_iter()
-        .flat_map(|(i, share)| cuts[i].forces.iter().map(move |(point, force)| (*point, force.map(|c| c * share))));
-    Some(forces.collect())
+    let multipliers = shares.into_iter().flat_map(|(i, share)| {
+        cuts[i].multipliers.iter().map(move |(point, multiplier)| (*point, multiplier.map(|c| c * share)))
+    });
+    Some(multipliers.collect())
 }
 
 /// The part of a convex polygon where slope · (x − at) ≤ 0.

@@ -1,7 +1,43 @@
-//! The plane, where the total length is a quarter of the perimeter: the optimum without linear programs.
+//! Least total length of a zonogon around points of the plane, by golden-section searches for its centre.
 //!
-//! With the centre O fixed the smallest zonogon is conv(P ∪ P'), P' the points reflected in O, and no convex set around it has a smaller
-//! perimeter. The perimeter is a convex function of O; two nested searches by the golden section find its minimum.
+//! # Statement
+//! Input: points of the plane, at least one, finite. Output: the least total length of a zonogon that contains them, in floating
+//! point; 0 for equal points.
+//!
+//! # Source
+//! Section 4.3 for the problem, which the paper solves along a net of directions in every dimension. In the plane the perimeter of
+//! conv(P ∪ P') is a convex function of the centre, so a search without derivatives finds its minimum.
+//!
+//! # Method
+//! 1. The convex hull of the points.
+//! 2. A golden-section search for the abscissa of the centre; for each abscissa one for its ordinate.
+//! 3. For each centre the perimeter of the convex hull of the points and their reflections, a quarter of which is the length.
+//!
+//! # Complexity
+//! n points, h of them on the hull: O(n log n), then O(h log h) for each of some thousand centres.
+//!
+//! # Shapes
+//! `points`: n × 2, any order, duplicates allowed.
+//!
+//! # Numerics
+//! Nothing is exact; the length is right to about a relative 1e-12. Golden sections cannot place the centre better than to the root
+//! of that, which costs the length nothing: it is flat there.
+//!
+//! # Errors
+//! None.
+//!
+//! # Panics
+//! If there are no points or a coordinate is not finite.
+//!
+//! # Checked by
+//! Vertices of zonogons, whose own length is the optimum; the proven bounds of [`by_vertex_sets`](super::super::by_vertex_sets).
+//!
+//! # Example
+//! ```
+//! use zonotope::enclosing::min_total_length::in_the_plane::least_length;
+//! // the square [0, 2]² is a zonogon: two generators of half-length 1
+//! assert!((least_length(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]) - 2.0).abs() < 1e-9);
+//! ```
 
 /// The least total length of a zonogon around points, to about a relative 1e-12. O(n log n) for each of some thousand centres.
 ///

@@ -8,8 +8,10 @@ mod lattice;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
+use super::basis::{exact_inverse, long_basis};
+use super::body::generators;
 use crate::enclosing::fixed_directions::problem::FixedDirections;
-use crate::enclosing::fixed_directions::scaled::Scaled;
+use crate::enclosing::fixed_directions::scaled::{Scaled, Setting};
 use crate::enclosing::fixed_directions::span::{Span, rational};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, binary_exponent};
@@ -23,14 +25,17 @@ const GRIDS: usize = 8;
 /// So many of the points are tried.
 const POINTS: usize = 64;
 
+/// What a miss along a direction of weight zero counts for, beside one along the cheapest direction that has a weight.
+const FREE_DIRECTION_SHARE: f64 = 1e-6;
+
 /// The place of a centre in the affine span of the points, and what it costs to miss it.
-pub(in crate::enclosing::fixed_directions) struct Wanted<'a, const D: usize> {
-    pub(in crate::enclosing::fixed_directions) problem: &'a FixedDirections<'a, D>,
-    pub(in crate::enclosing::fixed_directions) span: &'a Span<D>,
+struct Target<'a, const D: usize> {
+    problem: &'a FixedDirections<'a, D>,
+    span: &'a Span<D>,
     /// The coordinates of the span.
-    pub(in crate::enclosing::fixed_directions) place: Vec<Rational>,
+    place: Vec<Rational>,
     /// The rows of a linear map of the span's coordinates, independent: a miss costs as much as the length of its image.
-    pub(in crate::enclosing::fixed_directions) cost: Vec<Vec<Rational>>,
+    cost: Vec<Vec<Rational>>,
 }
 
 /// The nearest doubles to a centre in scaled coordinates of the whole space.
@@ -48,9 +53,31 @@ pub(in crate::enclosing::fixed_directions) fn nearest_doubles<const D: usize>(
     center
 }
 
-impl<const D: usize> Wanted<'_, D> {
+/// Doubles in the affine span of the points from which the directions with coefficients other than zero have least to make up
+/// for, nearly, in place of an exact centre.
+pub(in crate::enclosing::fixed_directions) fn cheapest_center<const D: usize>(
+    Setting { problem, scaled, span }: Setting<'_, D>,
+    exact: &[Rational; D],
+    coefficients: &[f64],
+) -> [f64; D] {
+    let basis = long_basis(problem, scaled, &generators(scaled, coefficients));
+    let weights = basis.iter().map(|&b| rational(problem.weights()[scaled.directions[b].index]));
+    let weights: Vec<Rational> = weights.collect();
+    // Along a direction of weight zero the centre may be missed by more, but not by anything.
+    let least = weights.iter().filter(|w| !w.is_zero()).min();
+    let free = least.map_or(Rational::ONE, |least| least * rational(FREE_DIRECTION_SHARE));
+    let mut cost = exact_inverse(problem, scaled, &basis);
+    for (row, weight) in cost.iter_mut().zip(&weights) {
+        let weight = if weight.is_zero() { &free } else { weight };
+        row.iter_mut().for_each(|entry| *entry *= weight);
+    }
+    let place = scaled.coordinates.iter().map(|&c| exact[c].clone()).collect();
+    Target { problem, span, place, cost }.center()
+}
+
+impl<const D: usize> Target<'_, D> {
     /// Doubles in the affine span of the points that it costs little to miss the place by; in the worst case one of the points.
-    pub(in crate::enclosing::fixed_directions) fn center(&self) -> [f64; D] {
+    fn center(&self) -> [f64; D] {
         let miss = |center: &[f64; D]| {
             let image = self.image(&self.span.pivots().iter().map(|&c| rational(center[c])).collect::<Vec<_>>());
             let target = self.image(&self.place);

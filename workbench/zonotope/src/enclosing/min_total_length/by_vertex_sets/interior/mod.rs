@@ -1,4 +1,4 @@
-//! Newton steps towards the best forces for the sets seen so far: an interior point method that works on forces and generators at once.
+//! Newton steps towards the best multipliers for the sets seen so far: an interior point method that works on multipliers and generators at once.
 //!
 //! A step solves the linear equations of Σ_{T ∋ j} 2 g_T = p_j − p_0, of τ_T = 1, and of slack ∘ load = μ seen through their common [`Scaling`]; first for μ = 0, to see how much of
 //! the way one can go, then for a μ chosen by that, with what the first step neglects (Mehrotra). Both have the matrix H = Σ_T a_T a_Tᵀ ⊗ W_T⁻², a_T = 2 for the points of T.
@@ -93,10 +93,10 @@ impl<R: Scalar, const D: usize> Sides<'_, R, D> {
             self.sides.iter().zip(&second.moves).map(|(side, (_, load))| side.load.plus(of_load, load)).collect();
         let left = self.residual(loads.iter().map(|load| load.rest));
         let generators = equations.corrected(&left, &loads)?;
-        self.forces = self.turned(of_slack, &second.turned);
+        self.multipliers = self.turned(of_slack, &second.turned);
         for ((side, (slack, _)), load) in self.sides.iter_mut().zip(&second.moves).zip(loads) {
             let head = if parts[0] == 1.0 { R::from(1.0) } else { side.slack.head + of_slack * slack.head };
-            side.slack = ConeVector { head, rest: sum_over(&side.set, &self.forces) };
+            side.slack = ConeVector { head, rest: sum_over(&side.set, &self.multipliers) };
             side.load = load;
         }
         let mu = self.sides.iter().map(|side| side.slack.dot(&side.load).value()).sum::<f64>() / count;
@@ -244,7 +244,7 @@ impl<R: Scalar, const D: usize> Sides<'_, R, D> {
     }
 }
 
-/// How the forces turn, and how slacks and loads move.
+/// How the multipliers turn, and how slacks and loads move.
 struct Step<R, const D: usize> {
     turned: Vec<[R; D]>,
     moves: Vec<(ConeVector<R, D>, ConeVector<R, D>)>,

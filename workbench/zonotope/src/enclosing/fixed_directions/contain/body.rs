@@ -1,0 +1,88 @@
+//! The zonotope whose containment is being proved: a centre and coefficients in doubles, with a basis of directions.
+
+use super::basis::{exact_inverse, long_basis};
+use crate::enclosing::fixed_directions::problem::FixedDirections;
+use crate::enclosing::fixed_directions::scaled::Scaled;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::zonotope::ray_exit::inverse;
+
+/// A zonotope along the kept directions of a problem.
+pub(super) struct Body<'a, const D: usize> {
+    pub(super) problem: &'a FixedDirections<'a, D>,
+    pub(super) scaled: &'a Scaled<D>,
+    pub(super) center: [f64; D],
+    /// The coefficient of each kept direction, in units of the input.
+    pub(super) coefficients: Vec<f64>,
+    /// The generators in the scaled coordinates, rounded.
+    pub(super) generators: Vec<[f64; D]>,
+    /// Independent kept directions that span what all of them span, those with long generators preferred.
+    pub(super) basis: Vec<usize>,
+    /// The inverse of the matrix of the basis in doubles, for the scaled coordinates, and exactly, for those of the input.
+    pub(super) basis_inverse: [[f64; D]; D],
+    pub(super) exact_inverse: Vec<Vec<Rational>>,
+}
+
+/// The generators in the scaled coordinates, from coefficients there.
+pub(in crate::enclosing::fixed_directions) fn generators<const D: usize>(
+    scaled: &Scaled<D>,
+    coefficients: &[f64],
+) -> Vec<[f64; D]> {
+    scaled.directions.iter().zip(coefficients).map(|(d, &c)| d.vector.map(|v| v * c)).collect()
+}
+
+impl<'a, const D: usize> Body<'a, D> {
+    pub(super) fn new(
+        problem: &'a FixedDirections<'a, D>,
+        scaled: &'a Scaled<D>,
+        center: [f64; D],
+        coefficients: Vec<f64>,
+    ) -> Self {
+        let units = scaled.directions.iter().map(|d| d.exponent - scaled.exponent);
+        let in_scale: Vec<f64> = coefficients.iter().zip(units).map(|(&c, u)| scale_by_power_of_two(c, u)).collect();
+        let generators = generators(scaled, &in_scale);
+        let basis = long_basis(problem, scaled, &generators);
+        let exact_inverse = exact_inverse(problem, scaled, &basis);
+        let mut columns = [[0.0; D]; D];
+        for (i, &b) in basis.iter().enumerate() {
+            for (row, &v) in columns.iter_mut().zip(&scaled.directions[b].vector) {
+                row[i] = v;
+            }
+        }
+        // A singular matrix gets an inverse that `basis_inverse_is_good` rejects.
+        let basis_inverse = inverse(scaled.rank, &columns).unwrap_or([[f64::INFINITY; D]; D]);
+        Self { problem, scaled, center, coefficients, generators, basis, basis_inverse, exact_inverse }
+    }
+
+    /// The coefficient of a kept direction in units of the scaled problem.
+    pub(super) fn coefficient(&self, direction: usize) -> f64 {
+        let exponent = self.scaled.directions[direction].exponent - self.scaled.exponent;
+        scale_by_power_of_two(self.coefficients[direction], exponent)
+    }
+
+    /// The magnitudes of the coordinates of a vector in the basis, exactly.
+    pub(super) fn in_basis(&self, vector: &[Dyadic]) -> Vec<Rational> {
+        let vector: Vec<Rational> = vector.iter().map(Dyadic::to_rational).collect();
+        let entry = |row: &Vec<Rational>| row.iter().zip(&vector).fold(Rational::ZERO, |sum, (m, v)| sum + m * v);
+        let entries = self.exact_inverse.iter().map(entry);
+        entries.map(|x| if x < Rational::ZERO { -x } else { x }).collect()
+    }
+
+    /// The residual point − p − Σ δ_i c_i v_i in the coordinates of the span, exactly.
+    pub(super) fn residual(&self, point: &[f64; D], deltas: &[f64]) -> Vec<Dyadic> {
+        let coordinates = &self.scaled.coordinates;
+        let mut rest: Vec<Dyadic> =
+            coordinates.iter().map(|&c| Dyadic::from_f64(point[c]) - Dyadic::from_f64(self.center[c])).collect();
+        for ((direction, &c), &delta) in self.scaled.directions.iter().zip(&self.coefficients).zip(deltas) {
+            if c == 0.0 || delta == 0.0 {
+                continue;
+            }
+            let factor = &Dyadic::from_f64(c) * &Dyadic::from_f64(delta);
+            let v = &self.problem.directions()[direction.index];
+            for (rest, &a) in rest.iter_mut().zip(coordinates) {
+                *rest = &*rest - &(&factor * &Dyadic::from_f64(v[a]));
+            }
+        }
+        rest
+    }
+}

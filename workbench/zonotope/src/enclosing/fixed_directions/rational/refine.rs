@@ -1,0 +1,108 @@
+//! The fallback of the other methods: small problems whose bounds do not meet are solved in rationals.
+//!
+//! The program is solved for the points that mattered so far. Its optimum proves the lower bound; rounded and contained, it is a
+//! candidate for the zonotope. Where a point needed the candidate enlarged, that point joins and the program is solved again.
+
+use super::min_length_in_rationals;
+use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
+use crate::enclosing::fixed_directions::contain::flat_center::cheapest_center;
+use crate::enclosing::fixed_directions::contain::{below, contain};
+use crate::enclosing::fixed_directions::problem::{FixedDirections, FixedDirectionsError};
+use crate::enclosing::fixed_directions::scaled::Setting;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use crate::zonotope::ray_exit::FacetMap;
+
+/// The rational program is solved for at most this many facet normals, up to sign.
+const RATIONAL_NORMAL_LIMIT: usize = 130;
+
+/// The rational program is solved for at most this many points.
+const RATIONAL_POINT_LIMIT: usize = 80;
+
+/// Improves an answer until its bounds are tight or the problem is too large. `active` are points that mattered, not none.
+///
+/// # Errors
+/// When a coefficient is no double.
+pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
+    setting: Setting<'_, D>,
+    mut active: Vec<usize>,
+    map: &mut FacetMap<D>,
+    answer: &mut DirectedZonotope<D>,
+) -> Result<(), FixedDirectionsError> {
+    let Setting { problem, scaled, .. } = setting;
+    let kept = &scaled.directions;
+    if normal_count(kept.len(), scaled.rank) > RATIONAL_NORMAL_LIMIT {
+        return Ok(());
+    }
+    let directions: Vec<[f64; D]> = kept.iter().map(|d| problem.directions()[d.index]).collect();
+    let weights: Vec<f64> = kept.iter().map(|d| problem.weights()[d.index]).collect();
+    loop {
+        active.sort_unstable();
+        active.dedup();
+        if active.len() > RATIONAL_POINT_LIMIT {
+            return Ok(());
+        }
+        let points: Vec<[f64; D]> = active.iter().map(|&j| problem.points()[j]).collect();
+        let part = FixedDirections::new(&points, &directions, &weights)?;
+        let Some(optimum) = min_length_in_rationals(&part) else { return Ok(()) };
+        let lower_bound = below(&optimum.value);
+        let (centers, coefficients) = candidates(setting, &optimum);
+        answer.effort.exact = true;
+        if lower_bound >= answer.lower_bound {
+            answer.lower_bound = lower_bound;
+            let multipliers = optimum.multipliers.into_iter();
+            answer.multipliers =
+                multipliers.map(|(point, vector)| Multiplier { point: active[point], vector }).collect();
+        }
+        let mut missed = None;
+        for center in centers {
+            let candidate = contain(problem, scaled, center, &coefficients, map)?;
+            let (zonotope, worst) = (candidate.zonotope, candidate.worst);
+            let is_tight = zonotope.value - lower_bound <= TIGHT_RELATIVE_GAP * lower_bound;
+            if zonotope.value < answer.value {
+                (answer.center, answer.coefficients, answer.value) =
+                    (zonotope.center, zonotope.coefficients, zonotope.value);
+            }
+            if is_tight {
+                return Ok(());
+            }
+            missed = worst.filter(|point| !active.contains(point)).or(missed);
+        }
+        match missed {
+            Some(point) => active.push(point),
+            None => return Ok(()),
+        }
+    }
+}
+
+/// Centres in doubles for an exact optimum, the most promising first, and its coefficients in scaled units, rounded.
+///
+/// Where directions that cost nothing suffice, they are taken twice as long around the first point: then no rounding of a centre
+/// costs anything.
+fn candidates<const D: usize>(setting: Setting<'_, D>, optimum: &ExactOptimum<D>) -> (Vec<[f64; D]>, Vec<f64>) {
+    let Setting { problem, scaled, .. } = setting;
+    let is_free = optimum.value.is_zero();
+    let rounded = |exact: &Rational, exponent: i64| {
+        let unit = Dyadic::new(1.into(), -exponent).to_rational();
+        (exact * unit).to_f64_fast()
+    };
+    let doubled = i64::from(is_free);
+    let kept = scaled.directions.iter().zip(&optimum.coefficients);
+    let coefficients: Vec<f64> = kept.map(|(d, c)| rounded(c, scaled.exponent - d.exponent - doubled)).collect();
+    if is_free {
+        return (vec![problem.points()[0]], coefficients);
+    }
+    let nearest = optimum.center.clone().map(|c| c.to_f64_fast().clamp(-f64::MAX, f64::MAX));
+    let cheapest = cheapest_center(setting, &optimum.center, &coefficients);
+    let centers = if scaled.rank == D && nearest != cheapest { vec![nearest, cheapest] } else { vec![cheapest] };
+    (centers, coefficients)
+}
+
+/// C(k, rank − 1), the number of facet normals up to sign in general position, or the largest number if that overflows.
+fn normal_count(k: usize, rank: usize) -> usize {
+    let size = rank.saturating_sub(1);
+    if size > k {
+        return 0;
+    }
+    (0..size).fold(1, |count: usize, i| count.saturating_mul(k - i) / (i + 1))
+}
