@@ -97,7 +97,7 @@ fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
     };
     let head = SIZES.iter().map(|&n| if n == SIZES[0] { "n = 6 (two boxes)".to_owned() } else { size_name(n) });
     Table {
-        caption: format!("{what}: median over random bodies. A dash: not run at this size."),
+        caption: format!("{what}: median over random bodies; a dash: not run."),
         head: ["method".to_owned()].into_iter().chain(head).collect(),
         rows: TITLES.iter().map(row).filter(|row| is_known(row)).collect(),
     }
@@ -129,10 +129,8 @@ fn wrong_answers(record: &PeersRecord) -> Table {
         row
     };
     Table {
-        caption:
-            "Wrong answers among the questions asked, all families and sizes together; the truth is known from each \
-                  question's construction."
-                .to_owned(),
+        caption: "Wrong answers among all questions asked; the truth is known from each question's construction."
+            .to_owned(),
         head: ["method"].into_iter().chain(groups.map(|(name, _)| name)).map(str::to_owned).collect(),
         rows: TITLES.iter().map(row).filter(|row| is_known(row)).collect(),
     }

@@ -6,7 +6,7 @@ use tests::sources::files;
 const COLUMN_LIMIT: usize = 120;
 
 /// Places whose lines are still to be broken; nothing may be added.
-const STILL_TO_COME: [&str; 4] = ["ARCHITECTURE.md", "CHANGELOG.md", "README.md", "workbench/"];
+const STILL_TO_COME: [&str; 2] = ["ARCHITECTURE.md", "workbench/"];
 
 /// Whether a line cannot be broken: a row of a table, or a single word such as a link.
 fn is_unbreakable(line: &str) -> bool {
