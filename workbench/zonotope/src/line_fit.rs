@@ -11,7 +11,7 @@
 //!
 //! # Method
 //! 1. Points of one weight w are generators (x_i, y_i, w) as they are, and the facet of their zonotope in which the ray along the second axis
-//!    leaves ([`by_lad::facet`]) is spanned by the two points that the best line goes through.
+//!    leaves (the kernel in homogeneous form, [`crate::lad`]) is spanned by the two points that the best line goes through.
 //! 2. Where there is no such facet (all points on one line, one abscissa), and for other weights, in the plane of (slope, intercept) each
 //!    point is the line x_i · slope + intercept − y_i = 0 with the weight w_i: minimise by [`by_pruning`].
 //!
@@ -47,7 +47,7 @@
 use thiserror::Error;
 
 use crate::arrangement::{ExactLine, LineIndex};
-use crate::collision::by_lad;
+use crate::lad::of_generators::{self, problem::Goal};
 use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_pruning};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -132,9 +132,9 @@ fn at_facet(points: &[[f64; 3]], tally: &mut impl Tally) -> Option<Minimizer> {
         return None;
     }
     let query = Query::of_finite([0.0; 3], [0.0, 1.0, 0.0], points);
-    let facet = by_lad::facet_counted(&query, tally);
-    let is_best = facet.is_sharp() && facet.value().0 < f64::MAX;
-    match *facet.basis() {
+    let optimum = of_generators::solve(&query, Goal::Gauge, tally);
+    let is_best = optimum.is_sharp() && optimum.gauge().0 < f64::MAX;
+    match *optimum.basis() {
         [first, second] if is_best && points[first][0] != points[second][0] => {
             let index = |point| u32::try_from(point).ok().map(LineIndex);
             Some(Minimizer::Vertex(index(first)?, index(second)?))

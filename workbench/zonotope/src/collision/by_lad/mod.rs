@@ -14,7 +14,7 @@
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lift`), and so does a flat one, without a coordinate (`flat`); one of R^4 goes to
 //!    [`by_lad_in_r4`]. Where all that is asked is the location, a point far inside or far outside is told and proved first (`clear`: `dual`, `least`, `turns`).
 //! 2. The optimum of a sample (`sample`) with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all
-//!    is likely to be; where generators have few directions, that of the sums of each direction (`bundles`). Where the location is all that is asked: does its centre separate?
+//!    is likely to be; where generators have few directions, that of the sums of each direction (`classes`). Where the location is all that is asked: does its centre separate?
 //! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
 //!    are left with that sum make a problem (`reduced`) whose optimum, if it lies in the cell, is that of the whole.
 //! 4. The same again on those few, then exact descent from vertex to vertex (`descend`). Bounds on all rounding errors prove the
@@ -24,7 +24,7 @@
 //!    Where the first guess is wrong, because many lines nearly meet or lengths are uneven, samples whose gradient is corrected by a pass find the optimum (`settle`).
 //! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
 //!    in exact coordinates of the plane around the cell's centre (`plane`, `exit`), in which nearly all signs are certain in doubles, and nearly
-//!    all others in pairs of doubles (`pair_direction`). The signs of all generators follow from the cells (`trail`). Where that does not
+//!    all others in pairs of doubles (`pair_direction`). The signs of all generators follow from the cells (`cells`). Where that does not
 //!    help, the optimum of the longest generators may be that of all (`longest`); if not, the whole problem is solved around it.
 //! 6. λ < 1: the direction u separates; it is rounded to doubles, which is proved to be enough (`facet`, `separation`).
 //! 7. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`inside`, `witness`, `walk`).
@@ -68,6 +68,7 @@ pub use facet::Facet;
 mod tests;
 
 use super::{Gauge, Location, Query, by_lad_in_r4};
+use crate::lad::of_generators::problem::Goal;
 use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
 
@@ -85,11 +86,11 @@ pub fn locate_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tal
     match query.in_dimension::<3>() {
         Some(query) => match early::locate(&query, tally) {
             Some(clear) => clear.location(),
-            None => lowered(Facet::find(&query, true, tally).location(), query.len()),
+            None => lowered(Facet::find(&query, Goal::Location, tally).location_counted(tally), query.len()),
         },
         None => {
             let prism = Prism::over(query);
-            prism.lower(Facet::find(&prism.query(), true, tally).location())
+            prism.lower(Facet::find(&prism.query(), Goal::Location, tally).location_counted(tally))
         }
     }
 }
@@ -107,8 +108,8 @@ pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tall
         return Gauge { value, error, location: lowered(location, query.len()) };
     }
     let Gauge { value, error, location } = match query.in_dimension::<3>() {
-        Some(query) => Facet::find(&query, false, tally).gauge(),
-        None => Facet::find(&Prism::over(query).query(), false, tally).gauge(),
+        Some(query) => Facet::find(&query, Goal::Gauge, tally).gauge_counted(tally),
+        None => Facet::find(&Prism::over(query).query(), Goal::Gauge, tally).gauge_counted(tally),
     };
     Gauge { value, error, location: lowered(location, query.len()) }
 }
@@ -120,5 +121,5 @@ pub fn facet<'q>(query: &'q Query<'q, 3>) -> Facet<'q> {
 
 /// [`facet`], counting its operations.
 pub fn facet_counted<'q>(query: &'q Query<'q, 3>, tally: &mut impl Tally) -> Facet<'q> {
-    Facet::find(query, false, tally)
+    Facet::find(query, Goal::Gauge, tally)
 }

@@ -174,7 +174,7 @@ fn family<const D: usize>(name: &str, n: usize, random: &mut Pcg64Mcg) -> Vec<[f
                 let v: [f64; D] = std::array::from_fn(|_| random.random_range(-1.0..1.0));
                 std::array::from_fn(|k| if k + 1 == D { 1e-12 * v[k] } else { v[k] })
             }
-            "bundles" => few[i % 3].map(|c| c + 1e-9 * random.random_range(-1.0..1.0)),
+            "classes" => few[i % 3].map(|c| c + 1e-9 * random.random_range(-1.0..1.0)),
             _ => unreachable!("no family {name}"),
         })
         .collect()
@@ -193,7 +193,7 @@ const FAMILIES: [&str; 13] = [
     "ulp",
     "last digits",
     "thin",
-    "bundles",
+    "classes",
 ];
 
 /// Points of every kind relative to a body: vertices, points of facets and edges, points near them, centre, off centre.
@@ -276,7 +276,7 @@ fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
         assert!(error <= 1e-9 * value + 1e-300, "{name} {}: {value} ± {error}", query.len());
     }
     // where rounding a point moves it by little in terms of the body
-    if ["random", "lattice", "bundles"].contains(&name) && value > 0.0 && query.from() == [0.0; D] {
+    if ["random", "lattice", "classes"].contains(&name) && value > 0.0 && query.from() == [0.0; D] {
         let generators: Vec<[f64; D]> = query.generators().copied().collect();
         for (factor, is_member) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
             let scaled = query.to().map(|c| c / value * factor);
@@ -292,7 +292,7 @@ fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
 #[test]
 fn lines_that_meet_but_for_the_last_digits_are_told_apart() {
     let mut random = Pcg64Mcg::seed_from_u64(6);
-    for name in ["last digits", "ulp", "bundles", "scales"] {
+    for name in ["last digits", "ulp", "classes", "scales"] {
         let generators = family::<3>(name, 30, &mut random);
         let mut sum = [0.0; 3];
         for v in &generators {

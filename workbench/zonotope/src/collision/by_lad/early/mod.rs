@@ -4,6 +4,7 @@
 //! sample steers (`turns`). Small bodies need no sample (`least`), a flat one needs its plane (`flat`). Where that does not do, the sums of all
 //! generators at some y give coefficients. Where the sample says that the point is near the boundary, nothing is tried.
 
+mod clipped_steps;
 pub(crate) mod combination;
 pub(crate) mod huber_dual;
 pub(crate) mod least_squares;
@@ -11,17 +12,19 @@ pub(crate) mod stratified_pass;
 
 use std::array;
 
+use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
+
 use crate::collision::by_lad::early::combination::Combination;
-use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, Runs, dot};
+use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, dot};
 use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
 use crate::collision::by_lad::early::stratified_pass::Turns;
 use crate::collision::{Location, Query, Separation, Witness};
-use crate::lad::of_generators::ladder::rounded_displacement;
+use crate::lad::of_generators::problem::rounded_displacement;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
-use crate::lad::of_generators::support::{reach, separates};
+use crate::lad::of_generators::support::reach;
 use crate::numeric::bounded::{self, BoundedVector};
-use crate::tally::{Operation, Tally};
+use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
 
 /// With at most so many generators no sample is taken.
@@ -36,19 +39,6 @@ const OUTSIDE: f64 = 1.0;
 
 /// How many deviations a sample must see between a point outside and the boundary.
 const DEVIATIONS: f64 = 1.0;
-
-/// A step that ends with a slope of more than this, in terms of that at its start, goes too far.
-const FAR: f64 = 0.3;
-
-/// The most steps on a sample, and on all generators.
-const STEPS: [usize; 2] = [12, 6];
-
-/// What the smooth problem says of a point.
-enum Sign {
-    Inside(Combination),
-    Outside([f64; 3]),
-    Neither,
-}
 
 /// What is clear, with its proof.
 pub(crate) enum Clear {
@@ -79,7 +69,13 @@ pub(crate) fn locate(query: &Query<'_, 3>, tally: &mut impl Tally) -> Option<Cle
     }
     tally.add(Operation::GeneratorRead, n as u64);
     let told = if n <= FEW { tell::<true, FEW>(query, &p) } else { tell::<false, ALL>(query, &p) };
-    told.map_or_else(|open| locate_by_steps(query, &p, &open, tally), Some)
+    match told {
+        Ok(clear) => {
+            tally.answered_by(Rung::LeastSquares);
+            Some(clear)
+        }
+        Err(open) => locate_by_steps(query, &p, &open, tally),
+    }
 }
 
 /// The same of a member of a body that seems to be flat.
@@ -87,7 +83,10 @@ fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) 
     let plane = SimplePlane::of(query)?;
     tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
     let open = match tell_flat(query, p, &plane) {
-        Ok(witness) => return Some(Clear::Flat(witness)),
+        Ok(witness) => {
+            tally.answered_by(Rung::LeastSquaresInPlane);
+            return Some(Clear::Flat(witness));
+        }
         Err(open) => open,
     };
     if !(open.is_thick && open.gauge < INSIDE) {
@@ -133,6 +132,7 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     let reach = reach(query, &y);
     let along = bounded::dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
+        tally.answered_by(Rung::LeastSquares);
         return Some(Clear::Outside(y));
     }
     // at least that of p; NaN is nowhere
@@ -143,8 +143,11 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     let first = query.runs()[0];
     let among = &first[..first.len().min(ALL)];
     let least = Combination::least(y, Lengths::Own, among, true);
-    let told = least.and_then(|least| inside(query, p, &least, tally));
-    told.or_else(|| State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally))
+    if let Some(clear) = least.and_then(|least| inside(query, p, &least, tally)) {
+        tally.answered_by(Rung::LeastSquares);
+        return Some(clear);
+    }
+    State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally)
 }
 
 fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
@@ -160,6 +163,7 @@ fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Ta
     if gauge > OUTSIDE + DEVIATIONS / (few.len() as f64).sqrt()
         && let Some(clear) = outside(query, p, y, tally)
     {
+        tally.answered_by(Rung::SampledDirection);
         return Some(clear);
     }
     if lengths == Lengths::Own {
@@ -183,113 +187,17 @@ fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Ta
                 return combination;
             }
         }
-        match state.settle([&few, &[]], lengths, target, &few, Effort { steps: STEPS[0], exact }) {
+        match state.coefficients([&few, &[]], lengths, target, &few, Effort { steps: SAMPLE_STEPS, exact }) {
             Sign::Inside(combination) => Some(combination),
             Sign::Outside(_) | Sign::Neither => None,
         }
     };
     tally.add(Operation::GeneratorRead, query.len() as u64);
-    let witness = turns.witness(query, p, few.len(), steer).map(Clear::Inside);
-    witness.or_else(|| start.prove(query, p, lengths, &few, tally))
-}
-
-/// How long coefficients are looked for, and whether they are to be exact.
-#[derive(Debug, Clone, Copy)]
-struct Effort {
-    steps: usize,
-    exact: bool,
-}
-
-/// A Newton step, and the slope along it where it starts.
-struct Step {
-    from: [f64; 3],
-    step: [f64; 3],
-    slope: f64,
-}
-
-impl Step {
-    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
-    fn shortened(self, end: &Moments, target: &[f64; 3]) -> Option<[f64; 3]> {
-        let slope = end.slope(&self.step, target);
-        let part = (self.slope / (self.slope - slope)).max(0.02);
-        (slope > -FAR * self.slope).then(|| [0, 1, 2].map(|k| self.from[k] + part * self.step[k]))
+    if let Some(witness) = turns.witness(query, p, few.len(), steer) {
+        tally.answered_by(Rung::StratifiedPass);
+        return Some(Clear::Inside(witness));
     }
-}
-
-/// Where the Newton steps are, and how large the gauge of p is at least.
-#[derive(Debug, Clone, Copy)]
-struct State {
-    y: [f64; 3],
-    gauge: f64,
-    /// The sums at y, where they are known.
-    at: Option<Moments>,
-}
-
-impl State {
-    /// From the y that makes up p without clipping.
-    fn new(y: &[f64; 3], gauge: f64) -> Self {
-        let state = Self { y: *y, gauge, at: None };
-        Self { y: y.map(|c| c * state.aim()), ..state }
-    }
-
-    /// How far beyond p the coefficients are made for: half the way to the boundary, so that they can be made smaller.
-    fn aim(&self) -> f64 {
-        (1.0 + 1.0 / self.gauge) / 2.0
-    }
-
-    /// The proof of a point by clipped coefficients.
-    fn prove(
-        mut self,
-        query: &Query<'_, 3>,
-        p: &BoundedVector,
-        lengths: Lengths,
-        among: &[[f64; 3]],
-        tally: &mut impl Tally,
-    ) -> Option<Clear> {
-        tally.add(Operation::GeneratorRead, query.len() as u64);
-        match self.settle(query.runs(), lengths, &p.map(|c| c.value), among, Effort { steps: STEPS[1], exact: true }) {
-            Sign::Inside(combination) => inside(query, p, &combination, tally),
-            Sign::Outside(y) => outside(query, p, y, tally),
-            Sign::Neither => None,
-        }
-    }
-
-    /// Newton steps until there are coefficients for p or a direction that separates.
-    fn settle(&mut self, runs: Runs<'_>, lengths: Lengths, p: &[f64; 3], among: &[[f64; 3]], effort: Effort) -> Sign {
-        let mut before: Option<Step> = None;
-        for _ in 0..effort.steps {
-            let at = self.at.take().unwrap_or_else(|| Moments::at(runs, lengths, &self.y));
-            let gauge = dot(p, &self.y) / at.reach;
-            if gauge > 1.0 {
-                return Sign::Outside(self.y);
-            }
-            self.gauge = self.gauge.max(gauge);
-            let factor = self.aim();
-            let target = p.map(|c| factor * c);
-            if let Some(shorter) = before.take().and_then(|step| step.shortened(&at, &target)) {
-                self.y = shorter;
-                continue;
-            }
-            if let Some(combination) = at.combination(lengths, &self.y, p, among, effort.exact) {
-                self.at = Some(at);
-                return Sign::Inside(combination);
-            }
-            let step = at.step(&target);
-            before = Some(Step { from: self.y, step, slope: at.slope(&step, &target) });
-            self.y = [0, 1, 2].map(|k| self.y[k] + step[k]);
-        }
-        Sign::Neither
-    }
-}
-
-fn outside(query: &Query<'_, 3>, p: &BoundedVector, y: [f64; 3], tally: &mut impl Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.len() as u64);
-    separates(query, p, &y).then_some(Clear::Outside(y))
-}
-
-fn inside(query: &Query<'_, 3>, p: &BoundedVector, combination: &Combination, tally: &mut impl Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.len() as u64);
-    combination.witness(query, p).map(Clear::Inside)
+    start.prove(query, p, lengths, &few, tally)
 }
 
 #[cfg(test)]

@@ -10,14 +10,15 @@
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::pivot_to_doubles::walk;
 use crate::collision::{Query, Witness};
-use crate::lad::of_generators::exact::solve::Exit;
+use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, difference, exact, multiple, sum};
+use crate::tally::Rung;
 
 /// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.
 pub(crate) struct Combination<'a> {
     pub(crate) query: &'a Query<'a, 3>,
-    pub(crate) exit: &'a Exit,
+    pub(crate) exit: &'a ExactOptimum,
     pub(crate) p: &'a ExactVector,
     pub(crate) basis: Basis,
     /// Other generators that complete the two of the exit.
@@ -25,7 +26,7 @@ pub(crate) struct Combination<'a> {
 }
 
 impl<'a> Combination<'a> {
-    pub(crate) fn new(query: &'a Query<'a, 3>, exit: &'a Exit, p: &'a ExactVector) -> Self {
+    pub(crate) fn new(query: &'a Query<'a, 3>, exit: &'a ExactOptimum, p: &'a ExactVector) -> Self {
         let plane = Basis::new(exit.basis.iter().map(|&b| (b, query.generator(b))).collect());
         let (basis, others) = Basis::spanning(query, plane);
         Self { query, exit, p, basis, others }
@@ -42,10 +43,11 @@ impl<'a> Combination<'a> {
     }
 
     /// The proof in doubles.
-    pub(crate) fn witness(&self) -> Witness {
-        let Exit { reach, along, .. } = self.exit;
+    pub(crate) fn witness(&self) -> (Witness, Rung) {
+        let ExactOptimum { reach, along, .. } = self.exit;
         if reach == along {
-            return self.scaled(&self.plane(), 1.0).expect("the exit is p itself");
+            let witness = self.scaled(&self.plane(), 1.0).expect("the exit is p itself");
+            return (witness, Rung::ScaledSigns);
         }
         let inverse = along.ratio(reach).min(1.0);
         let of = |index| self.query.generator(index);
@@ -54,7 +56,7 @@ impl<'a> Combination<'a> {
             .chain(others)
             .flat_map(|basis| [(basis.clone(), inverse), (basis, 1.0)])
             .find_map(|(basis, factor)| self.scaled(&basis, factor))
-            .unwrap_or_else(|| walk(self, inverse))
+            .map_or_else(|| (walk(self, inverse), Rung::PivotedCoefficients), |witness| (witness, Rung::ScaledSigns))
     }
 
     /// The proof with the coefficient ±`factor` off the basis, if it is one.

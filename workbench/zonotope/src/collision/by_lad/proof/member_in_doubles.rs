@@ -6,10 +6,11 @@
 
 use crate::collision::by_lad::early::combination::well_spread;
 use crate::collision::{Query, Witness};
-use crate::lad::of_generators::cells::nested::Trail;
-use crate::lad::of_generators::certify::rounded_optimum::Certain;
+use crate::lad::of_generators::cells::nested::NestedCells;
+use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::tolerance::UNIT;
+use crate::tally::Rung;
 
 /// How many generators are tried as the third.
 const PICKS: usize = 32;
@@ -31,11 +32,16 @@ struct Attempt {
 }
 
 /// The proof of a member whose gauge is less than 1.
-pub(crate) fn witness(query: &Query<'_, 3>, certain: &Certain, trail: &Trail, p: &BoundedVector) -> Option<Witness> {
+pub(crate) fn witness(
+    query: &Query<'_, 3>,
+    certain: &RoundedOptimum,
+    cells: &NestedCells,
+    p: &BoundedVector,
+) -> Option<(Witness, Rung)> {
     let inverse = (certain.along.value / certain.reach.value).min(1.0);
     let n = query.len();
     let last = certain.cell();
-    let sign = |index: usize| trail.sign(query, &last, index);
+    let sign = |index: usize| cells.sign(query, &last, index);
     let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
     let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
     // far enough from the ends: no other pick is much better, unless rounding forbids this one
@@ -53,21 +59,24 @@ pub(crate) fn witness(query: &Query<'_, 3>, certain: &Certain, trail: &Trail, p:
             }
         }
         if best.margin > enough && enough > 0.0 {
-            if let Some(found) = prove(query, certain, trail, p, best) {
-                return Some(found);
+            if let Some(found) = prove(query, certain, cells, p, best) {
+                return Some((found, Rung::RoundedCoefficients));
             }
             enough = 0.0;
         }
     }
-    let proved = if best.margin > 0.0 { prove(query, certain, trail, p, best) } else { None };
-    proved.or_else(|| prove_by_others(query, certain, trail, p, inverse))
+    let proved = if best.margin > 0.0 { prove(query, certain, cells, p, best) } else { None };
+    match proved {
+        Some(witness) => Some((witness, Rung::RoundedCoefficients)),
+        None => Some((prove_by_others(query, certain, cells, p, inverse)?, Rung::WellSpreadBasis)),
+    }
 }
 
 /// The proof by an attempt, if rounding leaves no doubt of it.
 fn prove(
     query: &Query<'_, 3>,
-    certain: &Certain,
-    trail: &Trail,
+    certain: &RoundedOptimum,
+    cells: &NestedCells,
     p: &BoundedVector,
     attempt: Attempt,
 ) -> Option<Witness> {
@@ -79,7 +88,7 @@ fn prove(
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
     let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
     let own = solve(&[a, b, c], &rest)?;
-    let mut coefficients = trail.coefficients(query, &certain.cell(), factor);
+    let mut coefficients = cells.coefficients(query, &certain.cell(), factor);
     for &(index, share) in &certain.shares {
         coefficients[index] = share * factor;
     }
@@ -94,15 +103,15 @@ fn prove(
 /// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
 fn prove_by_others(
     query: &Query<'_, 3>,
-    certain: &Certain,
-    trail: &Trail,
+    certain: &RoundedOptimum,
+    cells: &NestedCells,
     p: &BoundedVector,
     factor: f64,
 ) -> Option<Witness> {
     let basis = well_spread(query)?;
     let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
     basis.iter().all(is_other).then_some(())?;
-    let signs = basis.map(|i| trail.sign(query, &certain.cell(), i));
+    let signs = basis.map(|i| cells.sign(query, &certain.cell(), i));
     let vectors = basis.map(|i| bounded::exact(query.generator(i)));
     let pair = certain.vectors.map(bounded::exact);
     let parts = certain.rest.coefficients;
@@ -116,7 +125,7 @@ fn prove_by_others(
         p[k] - off * Bounded::exact(factor) + rounded
     });
     let own = solve(&vectors, &rest)?;
-    let mut coefficients = trail.coefficients(query, &certain.cell(), factor);
+    let mut coefficients = cells.coefficients(query, &certain.cell(), factor);
     let shares = certain.shares.iter().copied().chain(certain.basis.into_iter().zip(parts));
     for (index, share) in shares {
         coefficients[index] = share * factor;
@@ -142,7 +151,7 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
 }
 
 /// The attempt with its margin.
-fn attempt(query: &Query<'_, 3>, certain: &Certain, p: &BoundedVector, attempt: Attempt) -> Attempt {
+fn attempt(query: &Query<'_, 3>, certain: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
     let [a, b] = &certain.vectors;
     let c = &query.generator(attempt.third);
     let normals = [cross(b, c), cross(c, a), cross(a, b)];
@@ -172,8 +181,8 @@ mod tests {
     fn prove(generators: &[[f64; 3]], p: [f64; 3]) -> Option<Witness> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = bounded::exact(p);
-        let certain = Certain::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
-        let witness = witness(&query, &certain, &Trail::default(), &p)?;
+        let certain = RoundedOptimum::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
+        let (witness, _) = witness(&query, &certain, &NestedCells::default(), &p)?;
         assert_eq!(verify(&query, &Location::Inside(witness.clone())), Ok(()));
         Some(witness)
     }

@@ -1,7 +1,114 @@
-//! Proofs of a location, from an optimum of the kernel.
+//! Proofs of a location from an optimum of the kernel: a direction that separates, or coefficients that combine to the displacement.
+//!
+//! | rung | what it proves | where it does not |
+//! |---|---|---|
+//! | `RoundedDirection` | outside: the facet's direction as doubles have it, with room for every rounding error | the exact optimum |
+//! | `RoundedCoefficients` | a member: one factor for all generators but three, those of the facet and a third ([`member_in_doubles`]) | `WellSpreadBasis` |
+//! | `WellSpreadBasis` | a member: the same with three other generators, where those of the facet are nearly parallel | the exact optimum |
+//! | `DirectionOfDoubles` | outside, exactly: a direction of doubles near the exact one ([`separation`]) | `RationalDirection` |
+//! | `RationalDirection` | outside, exactly: the direction itself | |
+//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`member_from_exact`]) | `PivotedCoefficients` |
+//! | `PivotedCoefficients` | a member, exactly: group after group of coefficients is rounded ([`pivot_to_doubles`]) | |
 
 pub(crate) mod basis;
 pub(crate) mod member_from_exact;
 pub(crate) mod member_in_doubles;
 pub(crate) mod pivot_to_doubles;
 pub(crate) mod separation;
+
+use std::cmp::Ordering;
+
+use self::basis::Basis;
+use self::member_from_exact::Combination;
+use self::member_in_doubles::witness;
+use crate::collision::{Location, Query, Separation, Witness};
+use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
+use crate::lad::of_generators::exact::solve::ExactOptimum;
+use crate::lad::of_generators::ladder;
+use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
+use crate::lad::of_generators::problem::rounded_displacement;
+use crate::numeric::Rational;
+use crate::numeric::vector::ExactVector;
+use crate::tally::{Rung, Tally};
+
+/// Where the displacement of a query lies, with its proof, from the query's optimum.
+pub(super) fn location(query: &Query<'_, 3>, optimum: &Optimum, tally: &mut impl Tally) -> Location<3> {
+    match optimum {
+        Optimum::Centre => of_center(query),
+        Optimum::Separated(direction) => {
+            tally.answered_by(Rung::RoundedDirection);
+            Location::Outside(Separation::Rounded(*direction))
+        }
+        Optimum::Rounded(decided) => of_decided(query, decided, tally),
+        Optimum::Exact(exact) => of_exact(query, exact, &query.exact(), tally),
+        Optimum::Flat(flat) => of_flat(flat, tally),
+    }
+}
+
+/// The centre is a member with all coefficients 0, inside just when the generators span space.
+fn of_center(query: &Query<'_, 3>) -> Location<3> {
+    let witness = Witness { coefficients: vec![0.0; query.len()], basis: Vec::new() };
+    if Basis::spanning(query, Basis::new(Vec::new())).0.rank() == 3 {
+        Location::Inside(witness)
+    } else {
+        Location::Boundary(witness)
+    }
+}
+
+/// The proof in doubles, or that of the exact optimum where rounding leaves no room for it.
+fn of_decided(query: &Query<'_, 3>, decided: &DecidedOptimum, tally: &mut impl Tally) -> Location<3> {
+    let p = rounded_displacement(query);
+    let found = match decided.order {
+        Ordering::Greater => separation::in_doubles(&decided.optimum, &p)
+            .map(|direction| (Location::Outside(direction), Rung::RoundedDirection)),
+        _ => witness(query, &decided.optimum, &decided.cells, &p)
+            .map(|(witness, rung)| (Location::Inside(witness), rung)),
+    };
+    if let Some((location, rung)) = found {
+        tally.answered_by(rung);
+        return location;
+    }
+    let exact = query.exact();
+    let optimum = if decided.optimum.is_vertex() {
+        ExactOptimum::at_vertex(query, &exact, &decided.optimum, &decided.cells)
+    } else {
+        ladder::exact_near(query, &exact, &decided.cells, tally).0
+    };
+    of_exact(query, &optimum, &exact, tally)
+}
+
+/// The exact proof. O(n).
+fn of_exact(query: &Query<'_, 3>, optimum: &ExactOptimum, p: &ExactVector, tally: &mut impl Tally) -> Location<3> {
+    match optimum.along.cmp(&optimum.reach) {
+        Ordering::Greater => {
+            let separation = separation::separation(query, p, &optimum.direction, &optimum.basis);
+            tally.answered_by(match separation {
+                Separation::Rounded(_) => Rung::DirectionOfDoubles,
+                Separation::Exact(_) => Rung::RationalDirection,
+            });
+            Location::Outside(separation)
+        }
+        order => {
+            let combination = Combination::new(query, optimum, p);
+            let interior = order == Ordering::Less && combination.spans_space();
+            let (witness, rung) = combination.witness();
+            tally.answered_by(rung);
+            if interior { Location::Inside(witness) } else { Location::Boundary(witness) }
+        }
+    }
+}
+
+/// The proof for a flat body from that for its prism: a flat body has no inside.
+fn of_flat(flat: &FlatOptimum, tally: &mut impl Tally) -> Location<3> {
+    match flat.prism.lower(location(&flat.prism.query(), &flat.optimum, tally)) {
+        Location::Inside(witness) | Location::Boundary(witness) => Location::Boundary(witness),
+        Location::Outside(Separation::Rounded(mut u)) => {
+            u[flat.axis] = 0.0;
+            Location::Outside(Separation::Rounded(u))
+        }
+        Location::Outside(Separation::Exact(mut u)) => {
+            u[flat.axis] = Rational::ZERO;
+            Location::Outside(Separation::Exact(u))
+        }
+    }
+}

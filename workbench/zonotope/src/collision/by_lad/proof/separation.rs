@@ -1,6 +1,8 @@
-//! A separating direction of doubles from an exact one.
+//! Separating directions: from a rounded optimum where it leaves room for every rounding error, else doubles near an exact one.
 
 use crate::collision::{Query, Separation};
+use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
 
@@ -8,6 +10,16 @@ use crate::numeric::signed_sum::signed_sum;
 
 /// Multiples of the direction that are rounded, in turn: each rounds its coordinates differently.
 const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
+
+/// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2 |v|.
+pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<Separation<3>> {
+    let error = optimum.direction.iter().fold(0.0f64, |m, c| m.max(c.error));
+    let size: f64 = p.iter().map(|c| c.magnitude()).sum();
+    let gap = optimum.along - optimum.support();
+    let lost = Bounded::exact(error) * (Bounded::exact(4.0 * optimum.magnitude) + Bounded::exact(2.0 * size));
+    let direction = optimum.direction.map(|c| c.value);
+    (gap - lost).is_positive().then_some(Separation::Rounded(direction))
+}
 
 /// The proof from an exact direction u with u · p > h(u); `basis` are the generators that u is known to be orthogonal to.
 pub(crate) fn separation(

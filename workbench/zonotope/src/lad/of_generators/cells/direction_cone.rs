@@ -31,7 +31,7 @@ const WIDER: f64 = 1.0 / 1024.0;
 ///
 /// The ellipse is center + x axes_0 + y axes_1, x² + y² ≤ 1; with it all that is no farther from it than `ball`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Cell {
+pub(crate) struct DirectionCone {
     pub(crate) center: [f64; 3],
     pub(crate) axes: Option<[[f64; 3]; 2]>,
     pub(crate) ball: f64,
@@ -60,15 +60,15 @@ impl FixedSum {
     }
 }
 
-impl Cell {
+impl DirectionCone {
     /// One pass: sums up the generators that are certainly orthogonal to no direction of the cell, and reports the others.
     ///
     /// The sign of v · center is that throughout the cell if |v · center| exceeds |v| ball + sqrt((v · axes_0)² + (v · axes_1)²). Each
     /// product with v is off by at most 3 u |v| times the other factor and an underflow, which a wider ball makes up for.
     pub(crate) fn split(&self, generators: &[[f64; 3]], report: impl FnMut(usize)) -> FixedSum {
         match self.axes {
-            None => split(&WideCell::<0>::new(self, [], 1.0), generators, report),
-            Some(axes) => split(&WideCell::<2>::new(self, axes, 1.0 + 1.0 / WIDER), generators, report),
+            None => split(&WideCone::<0>::new(self, [], 1.0), generators, report),
+            Some(axes) => split(&WideCone::<2>::new(self, axes, 1.0 + 1.0 / WIDER), generators, report),
         }
     }
 
@@ -186,14 +186,14 @@ fn products(pair: &Twice, other: &Twice) -> f64x2 {
 }
 
 /// A cell of `AXES` axes in the order of memory, with the square of its ball.
-struct WideCell<const AXES: usize> {
+struct WideCone<const AXES: usize> {
     center: Twice,
     axes: [Twice; AXES],
     square: f64x2,
 }
 
-impl<const AXES: usize> WideCell<AXES> {
-    fn new(cell: &Cell, axes: [[f64; 3]; AXES], factor: f64) -> Self {
+impl<const AXES: usize> WideCone<AXES> {
+    fn new(cell: &DirectionCone, axes: [[f64; 3]; AXES], factor: f64) -> Self {
         let size = length(&cell.center) + axes.iter().map(length).sum::<f64>() + cell.ball;
         let ball = (cell.ball + ROUNDING * size) * SLACK;
         let wider = (1.0 + WIDER).sqrt() * SLACK;
@@ -216,7 +216,7 @@ struct Sums {
 impl Sums {
     /// Adds two vectors with the signs of their values; a bit for each that certainly misses the cell, and one for each that has a minus.
     #[inline(always)]
-    fn read<const AXES: usize>(&mut self, cell: &WideCell<AXES>, pair: &Twice) -> [u64; 2] {
+    fn read<const AXES: usize>(&mut self, cell: &WideCone<AXES>, pair: &Twice) -> [u64; 2] {
         let values = products(pair, &cell.center);
         let squares = products(pair, pair);
         self.squares += squares;
@@ -243,7 +243,7 @@ impl Sums {
     }
 }
 
-fn split<const AXES: usize>(cell: &WideCell<AXES>, generators: &[[f64; 3]], mut report: impl FnMut(usize)) -> FixedSum {
+fn split<const AXES: usize>(cell: &WideCone<AXES>, generators: &[[f64; 3]], mut report: impl FnMut(usize)) -> FixedSum {
     // the sums of blocks, and what their rounding leaves behind
     let (mut total, mut rest) = ([0.0; 3], [0.0; 3]);
     let (mut magnitude, mut error) = (0.0, 0.0);
@@ -307,7 +307,7 @@ mod tests {
 
     const P: [f64; 3] = [0.0, 0.0, 1.0];
 
-    fn holds(cell: &Cell, u: [f64; 3]) -> [bool; 2] {
+    fn holds(cell: &DirectionCone, u: [f64; 3]) -> [bool; 2] {
         [
             cell.contains(&bounded::exact(u), &bounded::exact(P)),
             cell.contains_exactly(&vector::exact(u), &vector::exact(P)),
@@ -319,25 +319,26 @@ mod tests {
         for axes in
             [[[1.0, 1.0, 0.0], [0.5, 0.5, 0.0]], [[0.0; 3], [2.0, 2.0, 0.0]], [[1.0, 1.0, 0.0], [1e-30, 0.0, 0.0]]]
         {
-            let cell = Cell { center: P, axes: Some(axes), ball: 1e-3 };
+            let cell = DirectionCone { center: P, axes: Some(axes), ball: 1e-3 };
             assert_eq!(holds(&cell, [0.9, 0.9, 1.0]), [true; 2], "{axes:?}");
             assert_eq!(holds(&cell, [1.8, 1.8, 2.0]), [true; 2], "{axes:?}");
             assert_eq!(holds(&cell, [0.5, 0.6, 1.0]), [false; 2], "{axes:?}");
         }
-        let point = Cell { center: P, axes: Some([[0.0; 3]; 2]), ball: 1e-3 };
+        let point = DirectionCone { center: P, axes: Some([[0.0; 3]; 2]), ball: 1e-3 };
         assert_eq!(holds(&point, P), [true; 2]);
-        let overflown = Cell { center: P, axes: Some([[f64::INFINITY, 0.0, 0.0], [0.0, 1.0, 0.0]]), ball: 1e-3 };
+        let overflown =
+            DirectionCone { center: P, axes: Some([[f64::INFINITY, 0.0, 0.0], [0.0, 1.0, 0.0]]), ball: 1e-3 };
         assert_eq!(holds(&overflown, P), [false; 2]);
     }
 
     #[test]
     fn the_coarse_centre_is_near_and_short() {
-        let cell = Cell { center: [1.0 / 3.0, -0.1, 1e-9], axes: None, ball: 1e-3 };
+        let cell = DirectionCone { center: [1.0 / 3.0, -0.1, 1e-9], axes: None, ball: 1e-3 };
         let coarse = cell.coarse_center();
         for (c, own) in coarse.iter().zip(cell.center) {
             assert!((c - own).abs() <= 1e-3 && (c * 1024.0).fract() == 0.0, "{coarse:?}");
         }
-        let fine = Cell { ball: 1e-20, ..cell }.coarse_center();
+        let fine = DirectionCone { ball: 1e-20, ..cell }.coarse_center();
         assert!(fine.iter().zip(cell.center).all(|(c, own)| (c - own).abs() <= 1e-20), "{fine:?}");
     }
 }

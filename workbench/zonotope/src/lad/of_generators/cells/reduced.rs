@@ -3,9 +3,10 @@
 //! For any signs fixed on a part of the generators, (Σ sign v) · u + Σ_rest |v · u| ≤ h(u), with equality in the cell where those
 //! signs are right. So an optimum of the reduced problem in the cell is an optimum of the whole, by convexity.
 
-use crate::lad::of_generators::cells::direction_cone::{Cell, FixedSum};
-use crate::lad::of_generators::plane::rounded_chart::Chart;
-use crate::lad::of_generators::plane::rounded_lines::Lines;
+use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
+use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::problem::MODERATE;
 use crate::zonotope::query::Query;
 
 /// Some generators, and the sum of all others.
@@ -16,7 +17,7 @@ pub(crate) struct Reduced {
     pub(crate) indices: Vec<u32>,
     pub(crate) fixed: FixedSum,
     /// The signs of those that were summed up last hold in this cell; none if all generators are left.
-    pub(crate) cell: Option<Cell>,
+    pub(crate) cell: Option<DirectionCone>,
 }
 
 impl Reduced {
@@ -31,7 +32,7 @@ impl Reduced {
     }
 
     /// One pass over the query; `expected` generators are likely to cross the cell.
-    pub(crate) fn of_query(query: &Query<'_, 3>, cell: Cell, expected: usize) -> Self {
+    pub(crate) fn of_query(query: &Query<'_, 3>, cell: DirectionCone, expected: usize) -> Self {
         let [first, second] = query.runs();
         let (mut vectors, mut indices) = (Vec::with_capacity(expected), Vec::with_capacity(expected));
         let mut fixed = FixedSum::default();
@@ -47,7 +48,7 @@ impl Reduced {
     }
 
     /// The same problem with those summed up that miss a cell.
-    pub(crate) fn split(&self, cell: Cell) -> Self {
+    pub(crate) fn split(&self, cell: DirectionCone) -> Self {
         let room = self.vectors.len() / 4 + 16;
         let (mut vectors, mut indices) = (Vec::with_capacity(room), Vec::with_capacity(room));
         let fixed = self.fixed.plus(&cell.split(&self.vectors, |i| {
@@ -57,12 +58,18 @@ impl Reduced {
         Self { vectors, indices, fixed, cell: Some(cell) }
     }
 
-    pub(crate) fn lines(&self, chart: &Chart) -> Lines {
+    /// Whether no sum overflowed, or will.
+    pub(crate) fn is_moderate(&self) -> bool {
+        // false for NaN as well
+        self.fixed.magnitude <= MODERATE.end
+    }
+
+    pub(crate) fn lines(&self, chart: &RoundedChart) -> RoundedLines {
         chart.lines(self.vectors.iter().copied())
     }
 
     /// The gradient of the whole at a point of the cell.
-    pub(crate) fn gradient(&self, chart: &Chart, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn gradient(&self, chart: &RoundedChart, [x, y]: [f64; 2]) -> [f64; 2] {
         let mut sum = self.fixed.sum;
         for v in &self.vectors {
             let [a, b, c] = chart.line(v);
@@ -74,7 +81,7 @@ impl Reduced {
     }
 
     /// The gradient of the summed-up part.
-    pub(crate) fn linear(&self, chart: &Chart) -> [f64; 2] {
+    pub(crate) fn linear(&self, chart: &RoundedChart) -> [f64; 2] {
         let [x, y, _] = chart.line(&self.fixed.sum);
         [x, y]
     }

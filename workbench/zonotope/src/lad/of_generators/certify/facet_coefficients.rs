@@ -7,7 +7,7 @@
 use crate::lad::of_generators::guess::crossings::{Crossing, select};
 
 /// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if there are none, the generator that t lies beyond the edges of.
-pub(crate) fn shares(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Vec<f64>, usize> {
+pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Vec<f64>, usize> {
     let square = x * x + y * y;
     if square == 0.0 {
         return Ok(vec![0.0; vectors.len()]);
@@ -64,17 +64,17 @@ mod tests {
     #[test]
     fn a_square_worked_out_by_hand() {
         // [−1, 1]² and (1/2, 1/4): the ray leaves through the right edge at (1, 1/2)
-        assert_eq!(shares(&[[1.0, 0.0], [0.0, 1.0]], [0.5, 0.25]), Ok(vec![0.5, 0.25]));
+        assert_eq!(facet_coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.5, 0.25]), Ok(vec![0.5, 0.25]));
         // (2, 1) is beyond that edge, which is parallel to the second generator
-        assert_eq!(shares(&[[1.0, 0.0], [0.0, 1.0]], [2.0, 1.0]), Err(1));
-        assert_eq!(shares(&[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]), Ok(vec![0.0, 0.0]));
+        assert_eq!(facet_coefficients(&[[1.0, 0.0], [0.0, 1.0]], [2.0, 1.0]), Err(1));
+        assert_eq!(facet_coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]), Ok(vec![0.0, 0.0]));
     }
 
     #[test]
     fn parallel_generators_make_up_for_each_other() {
         let vectors = [[1.0, 0.0], [3.0, 0.0], [-2.0, 0.0], [0.0, 4.0], [0.0, 0.0]];
         let target = [-1.0, 4.0];
-        let shares = shares(&vectors, target).expect("(−1, 4) is on an edge");
+        let shares = facet_coefficients(&vectors, target).expect("(−1, 4) is on an edge");
         assert!(shares.iter().all(|share| share.abs() <= 1.0), "{shares:?}");
         let sum = [0, 1].map(|k| shares.iter().zip(&vectors).map(|(share, v)| share * v[k]).sum::<f64>());
         assert_eq!(sum, target);

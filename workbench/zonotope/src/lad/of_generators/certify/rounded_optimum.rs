@@ -12,15 +12,15 @@
 //! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices is the optimum. Where many
 //! generators are parallel to the facet, or nearly so, what each contributes is chosen such that δ_a and δ_b have room (`shares`).
 
-use crate::lad::of_generators::cells::direction_cone::{Cell, FixedSum};
+use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::certify::facet_coefficients::shares;
+use crate::lad::of_generators::certify::facet_coefficients::facet_coefficients;
 use crate::numeric::bounded::{Bounded, BoundedVector, cross, dot, exact};
 use crate::numeric::tolerance::UNIT;
 
 /// The optimum and what is known of it.
 #[derive(Debug)]
-pub(crate) struct Certain {
+pub(crate) struct RoundedOptimum {
     /// a and b, by their index in the query.
     pub(crate) basis: [usize; 2],
     pub(crate) vectors: [[f64; 3]; 2],
@@ -72,7 +72,7 @@ pub(crate) enum Unproved {
     Falls(usize),
 }
 
-impl Certain {
+impl RoundedOptimum {
     /// Checks a vertex, given by the positions of two generators in the last of some problems, each reduced from the one before.
     pub(crate) fn at(levels: &[Reduced], p: &BoundedVector, [first, second]: [usize; 2]) -> Result<Self, Unproved> {
         let level = levels.last().ok_or(Unproved::Doubt)?;
@@ -91,7 +91,7 @@ impl Certain {
         }
         let (along, own) = (dot(&direction, p), dot(&vertex, p));
         let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
-        let cell = Cell::around(&direction);
+        let cell = DirectionCone::around(&direction);
         let mut near = Vec::new();
         let fixed = level.fixed.plus(&cell.split(&level.vectors, |i| near.push(i)));
         near.retain(|&i| i != first && i != second);
@@ -140,8 +140,8 @@ impl Certain {
     }
 
     /// The cell that is the direction but for rounding.
-    pub(crate) fn cell(&self) -> Cell {
-        Cell::around(&self.direction)
+    pub(crate) fn cell(&self) -> DirectionCone {
+        DirectionCone::around(&self.direction)
     }
 
     /// h(u).
@@ -225,7 +225,7 @@ impl Near {
         let members: Vec<usize> = near.iter().copied().chain([first, second]).collect();
         let vectors: Vec<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
         let target = plane(&fixed.sum).map(|c| -c);
-        let parts = shares(&vectors, target).map_err(|place| Unproved::Falls(members[place]))?;
+        let parts = facet_coefficients(&vectors, target).map_err(|place| Unproved::Falls(members[place]))?;
         let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);
         for (&i, part) in near.iter().zip(&parts) {
             let v = level.vectors[i];
@@ -253,10 +253,10 @@ mod tests {
     const Y: [f64; 3] = [0.0, 1.0, 0.0];
     const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<Cell>) -> Result<Certain, Unproved> {
+    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<DirectionCone>) -> Result<RoundedOptimum, Unproved> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let level = Reduced { cell, ..Reduced::whole(&query) };
-        Certain::at(&[level], &exact(p), [0, 1])
+        RoundedOptimum::at(&[level], &exact(p), [0, 1])
     }
 
     #[test]
@@ -299,7 +299,7 @@ mod tests {
         // the ray leaves through a side; p in the plane of the basis; a cell around another direction
         assert_eq!(failure([9.0, 0.0, 1.0], None), Unproved::Doubt);
         assert_eq!(failure([1.0, 1.0, 0.0], None), Unproved::Doubt);
-        let elsewhere = Cell { center: [1.0, 0.0, 0.0], axes: None, ball: 0.5 };
+        let elsewhere = DirectionCone { center: [1.0, 0.0, 0.0], axes: None, ball: 0.5 };
         assert_eq!(failure([0.1, 0.2, 1.0], Some(elsewhere)), Unproved::Astray(0));
     }
 

@@ -15,7 +15,7 @@ const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
 
 /// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
-pub(crate) fn thickness(query: &Query<'_, 3>, share: usize) -> f64 {
+pub(crate) fn unit_gauge_bound(query: &Query<'_, 3>, share: usize) -> f64 {
     let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
     let mut count = 0;
     for run in query.runs() {
@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     fn of(generators: &[[f64; 3]], share: usize) -> f64 {
-        thickness(&Query::new([0.0; 3], [0.0; 3], generators).expect("finite"), share)
+        unit_gauge_bound(&Query::new([0.0; 3], [0.0; 3], generators).expect("finite"), share)
     }
 
     #[test]

@@ -5,80 +5,77 @@
 
 use crate::lad::by_pruning;
 use crate::lad::of_generators::exact::direction_signs::PairDirection;
-use crate::lad::of_generators::exact::solve::Exit;
-use crate::lad::of_generators::plane::exact_chart::{Plane, PlaneProblem, Vectors};
+use crate::lad::of_generators::exact::solve::{ExactOptimum, SEED};
+use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::query::Query;
 
 /// What is shorter than this part of the longest is left out: some digits more than rounding the displacement takes off.
-const SHORT: f64 = f64::from_bits((1023 - 64) << 52);
+const NEGLIGIBLE_LENGTH: f64 = f64::from_bits((1023 - 64) << 52);
 
 /// At most one generator in so many is among the longest.
-const MOST: usize = 4;
+const LONGEST_SHARE: usize = 4;
 
 /// Where lengths are even, one generator in so many is taken instead: their optimum is near that of all.
-const SHARE: usize = 16;
+const EVEN_SHARE: usize = 16;
 
 /// The product with a direction of what is nearly orthogonal to it, in terms of the sizes of both.
-const NEAR: f64 = 1e-9;
+const NEARLY_ORTHOGONAL: f64 = 1e-9;
 
 /// Fewer generators are all solved for at once.
-const FEW: usize = 128;
+pub(crate) const LEAST_COUNT: usize = 128;
 
-impl Exit {
-    /// The optimum of the longest generators if it is that of all; else a direction to which most generators are nearly orthogonal, if it is one.
-    pub(crate) fn of_longest(
-        query: &Query<'_, 3>,
-        p: &ExactVector,
-        seed: u64,
-        tally: &mut impl Tally,
-    ) -> Result<Self, Option<[f64; 3]>> {
-        if query.len() < FEW {
-            return Err(None);
-        }
-        tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
-        let indices = longest(query);
-        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| query.generator(index)).collect();
-        let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
-        let plane = PlaneProblem::new(Vectors::Few(&vectors), &none, Plane::new(p.clone(), None));
-        let outcome = by_pruning::minimize_counted(&plane.problem, seed, tally);
-        let optimum = outcome.optimum().ok_or(None)?;
-        let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
-        let pairs = PairDirection::new(&direction);
-        let exact_sign = |v: &[f64; 3]| dot(&exact(*v), &direction).sign() as i8;
-        let sign = |v: &[f64; 3]| pairs.certain_sign(v).unwrap_or_else(|| exact_sign(v));
-        let mut signs: Vec<i8> = query.generators().map(sign).collect();
-        for (&index, &sign) in indices.iter().zip(&optimum.certificate.signs) {
-            signs[index] = sign;
-        }
-        let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
-        let exit = Self::new(query, p, direction, signs, basis);
-        if exit.is_optimal(query, p) {
-            return Ok(exit);
-        }
-        let center = rounded_direction(&exit.direction);
-        Err(Some(center).filter(|center| is_meeting(query, center)))
+/// The optimum of the longest generators if it is that of all; else a direction to which most generators are nearly orthogonal, if it is one.
+pub(crate) fn optimum(
+    query: &Query<'_, 3>,
+    p: &ExactVector,
+    tally: &mut impl Tally,
+) -> Result<ExactOptimum, Option<[f64; 3]>> {
+    if query.len() < LEAST_COUNT {
+        return Err(None);
     }
+    tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
+    let indices = longest(query);
+    let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| query.generator(index)).collect();
+    let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
+    let plane = ChartProblem::new(Vectors::Few(&vectors), &none, ExactChart::new(p.clone(), None));
+    let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
+    let optimum = outcome.optimum().ok_or(None)?;
+    let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
+    let pairs = PairDirection::new(&direction);
+    let exact_sign = |v: &[f64; 3]| dot(&exact(*v), &direction).sign() as i8;
+    let sign = |v: &[f64; 3]| pairs.certain_sign(v).unwrap_or_else(|| exact_sign(v));
+    let mut signs: Vec<i8> = query.generators().map(sign).collect();
+    for (&index, &sign) in indices.iter().zip(&optimum.certificate.signs) {
+        signs[index] = sign;
+    }
+    let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
+    let optimum = ExactOptimum::new(query, p, direction, signs, basis);
+    if is_optimal(&optimum, query, p) {
+        return Ok(optimum);
+    }
+    let center = rounded_direction(&optimum.direction);
+    Err(Some(center).filter(|center| is_meeting(query, center)))
+}
 
-    /// Whether two generators of the basis make up for what all others leave, with coefficients in [−1, 1].
-    fn is_optimal(&self, query: &Query<'_, 3>, p: &ExactVector) -> bool {
-        let [first, second] = self.basis[..] else { return false };
-        let [a, b] = [first, second].map(|index| exact(query.generator(index)));
-        let is_within = |own: &ExactVector, other: &ExactVector| {
-            let dual = cross(other, p);
-            dot(&self.sum, &dual).abs() <= dot(own, &dual).abs()
-        };
-        is_within(&a, &b) && is_within(&b, &a)
-    }
+/// Whether two generators of the basis make up for what all others leave, with coefficients in [−1, 1].
+fn is_optimal(optimum: &ExactOptimum, query: &Query<'_, 3>, p: &ExactVector) -> bool {
+    let [first, second] = optimum.basis[..] else { return false };
+    let [a, b] = [first, second].map(|index| exact(query.generator(index)));
+    let is_within = |own: &ExactVector, other: &ExactVector| {
+        let dual = cross(other, p);
+        dot(&optimum.sum, &dual).abs() <= dot(own, &dual).abs()
+    };
+    is_within(&a, &b) && is_within(&b, &a)
 }
 
 /// Whether most generators are nearly orthogonal to a direction of size 1: what doubles tell of their signs elsewhere they do not tell there.
 fn is_meeting(query: &Query<'_, 3>, center: &[f64; 3]) -> bool {
     let is_near = |v: &&[f64; 3]| {
         let [x, y, z] = [0, 1, 2].map(|k| v[k] * center[k]);
-        (x + y + z).abs() <= NEAR * size(v)
+        (x + y + z).abs() <= NEARLY_ORTHOGONAL * size(v)
     };
     2 * query.generators().filter(is_near).count() > query.len()
 }
@@ -89,9 +86,9 @@ fn size(v: &[f64; 3]) -> f64 {
 
 /// The longest generators; some from everywhere if they are not few.
 fn longest(query: &Query<'_, 3>) -> Vec<usize> {
-    let least = SHORT * query.generators().map(size).fold(0.0, f64::max);
+    let least = NEGLIGIBLE_LENGTH * query.generators().map(size).fold(0.0, f64::max);
     let long: Vec<usize> = query.generators().zip(0..).filter(|(v, _)| size(v) > least).map(|(_, i)| i).collect();
-    if MOST * long.len() <= query.len() { long } else { (0..query.len()).step_by(SHARE).collect() }
+    if LONGEST_SHARE * long.len() <= query.len() { long } else { (0..query.len()).step_by(EVEN_SHARE).collect() }
 }
 
 #[cfg(test)]
@@ -114,7 +111,7 @@ mod tests {
             for _ in 0..5 {
                 let p = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
                 let query = Query::new([0.0; 3], p, &body).expect("finite");
-                match Exit::of_longest(&query, &exact(p), 1, &mut ()) {
+                match optimum(&query, &exact(p), &mut ()) {
                     Ok(exit) => {
                         found += 1;
                         let reach = query
@@ -139,7 +136,7 @@ mod tests {
             })
             .collect();
         let query = Query::new([0.0; 3], [0.0, 0.0, 1.0], &body).expect("finite");
-        let center = Exit::of_longest(&query, &exact([0.0, 0.0, 1.0]), 1, &mut ()).map(|_| ()).expect_err("a part");
+        let center = optimum(&query, &exact([0.0, 0.0, 1.0]), &mut ()).map(|_| ()).expect_err("a part");
         let [x, y, z] = center.expect("all nearly meet");
         assert!((x + z).abs() + (y + z).abs() < 1e-12, "{x} {y} {z}");
     }

@@ -6,8 +6,9 @@
 
 use wide::f64x2;
 
+use crate::lad::of_generators::guess::sample::Sample;
 use crate::lad::of_generators::guess::vertex_descent::descend;
-use crate::lad::of_generators::plane::rounded_lines::{Lines, Pair};
+use crate::lad::of_generators::plane::rounded_lines::{Pair, RoundedLines};
 
 /// A point near the optimum, the band in which the lines were rounded off, and the sides of a parallelogram around the point that
 /// the optimum is likely to be in.
@@ -30,7 +31,7 @@ impl Guess {
 /// What a guess is to allow for.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Aim {
-    /// Lines in a band that is thin enough if the minimum hardly moved when it became so thin, and in the thinnest.
+    /// RoundedLines in a band that is thin enough if the minimum hardly moved when it became so thin, and in the thinnest.
     pub(crate) thickness: f64,
     pub(crate) thinnest: f64,
     /// How many lines the columns stand for.
@@ -39,6 +40,35 @@ pub(crate) struct Aim {
     pub(crate) longest: f64,
     /// Standard deviations of the gradient that lines of the band and those that are missing may contribute.
     pub(crate) deviations: f64,
+}
+
+/// Lines in the thinnest band.
+const THINNEST_BAND_LINES: f64 = 10.0;
+
+/// Lines in a band that is thin enough, in terms of all lines.
+const BAND_SHARE: f64 = 0.16;
+
+/// The cell of a sample, in standard deviations of the gradient of the lines that are not in the sample.
+pub(crate) const SAMPLE_DEVIATIONS: f64 = 2.7;
+
+impl Aim {
+    /// What a guess from some lines is to allow for.
+    pub(crate) fn new(len: usize, population: usize, deviations: f64) -> Self {
+        let thinnest = THINNEST_BAND_LINES.max((len as f64).sqrt());
+        let thickness = thinnest.max(BAND_SHARE * len as f64);
+        Self { thickness, thinnest, population, longest: f64::INFINITY, deviations }
+    }
+
+    /// The same for a sample of a population of generators, with a thin band if its lengths are uneven.
+    pub(crate) fn of_sample(sample: &Sample, population: usize) -> Self {
+        let aim = Self { longest: sample.longest, ..Self::new(sample.vectors.len(), population, SAMPLE_DEVIATIONS) };
+        if sample.longest < f64::INFINITY { aim.thin() } else { aim }
+    }
+
+    /// The same with a band as thin as can be: where generators are uneven, a wide band hides what is in it.
+    pub(crate) fn thin(self) -> Self {
+        Self { thickness: self.thinnest, ..self }
+    }
 }
 
 /// The most Newton steps.
@@ -75,7 +105,7 @@ struct Moments {
     count: f64,
 }
 
-impl Lines {
+impl RoundedLines {
     /// The minimum of Σ weight · (a x + b y + c)² and the root of the mean square.
     pub(crate) fn least_squares(&self) -> Option<([f64; 2], f64)> {
         let mut sums = [f64x2::splat(0.0); 6];

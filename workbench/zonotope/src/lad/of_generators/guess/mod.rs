@@ -1,6 +1,13 @@
-//! Where the optimum is likely to be.
+//! Guesses: a point of the plane near the optimum, and how far around it the optimum is likely to be. Nothing rests on them but speed.
+//!
+//! | file | what it guesses from |
+//! |---|---|
+//! | [`sample`] | a part of the generators that stands for all of them |
+//! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks; the guess itself |
+//! | [`parallel_classes`] | the sums of the generators of each of few directions |
+//! | [`vertex_descent`] | the vertex at which descent along lines ends, in doubles |
+//! | [`crossings`] | the weighted median of the places at which lines are crossed |
 
-pub(crate) mod corrected_sample;
 pub(crate) mod crossings;
 pub(crate) mod huber_newton;
 pub(crate) mod parallel_classes;

@@ -1,14 +1,14 @@
 //! Generators in few directions, or nearly: samples say little of the lines between, but much of the sums of each direction.
 //!
-//! The generators of a sample that are parallel but for noise make one line each. Where two of those lines meet is a vertex, and the two bundles cross a
+//! The generators of a sample that are parallel but for noise make one line each. Where two of those lines meet is a vertex, and the two classes cross a
 //! cell around it. If the vertex turns out not to be optimal, the sample is corrected: the difference between the gradient there and that of
 //! the sample is added to its objective, which then has the right gradient near the vertex and the sample's differences farther off.
 
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::guess::huber_newton::Guess;
 use crate::lad::of_generators::guess::vertex_descent::descend;
-use crate::lad::of_generators::plane::rounded_chart::Chart;
-use crate::lad::of_generators::plane::rounded_lines::Lines;
+use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 
 /// So many generators of the sample are compared with each other to see whether any are parallel.
 const PROBES: usize = 12;
@@ -19,13 +19,13 @@ const MOST: usize = 32;
 /// The most noise of a direction, as the sine of an angle.
 const NOISE: f64 = 1e-6;
 
-/// How much wider than in the sample a bundle may be.
+/// How much wider than in the sample a class may be.
 const WIDER: f64 = 4.0;
 
-/// The bundles of a sample.
-pub(crate) struct Bundles {
-    bundles: Vec<Bundle>,
-    lines: Lines,
+/// The classes of a sample.
+pub(crate) struct ParallelClasses {
+    classes: Vec<ParallelClass>,
+    lines: RoundedLines,
     /// What is added to the gradient of the sample.
     linear: [f64; 2],
     /// The part of all generators that the sample is.
@@ -34,73 +34,73 @@ pub(crate) struct Bundles {
 
 /// Generators in one direction.
 #[derive(Debug, Clone, Copy)]
-struct Bundle {
+struct ParallelClass {
     /// The direction of one of them, with the largest coordinate 1 or −1.
     unit: [f64; 3],
     sum: [f64; 3],
     noise: f64,
 }
 
-/// Two bundles that meet.
+/// Two classes that meet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Meeting {
     first: usize,
     second: usize,
     pub(crate) guess: Guess,
-    /// Whether all generators of either bundle are parallel but for rounding.
+    /// Whether all generators of either class are parallel but for rounding.
     is_sharp: bool,
 }
 
-impl Bundles {
-    /// The bundles of a sample of a part of all generators, if they are few.
-    pub(crate) fn of(sample: &[[f64; 3]], part: f64, chart: &Chart) -> Option<Self> {
+impl ParallelClasses {
+    /// The classes of a sample of a part of all generators, if they are few.
+    pub(crate) fn of(sample: &[[f64; 3]], part: f64, chart: &RoundedChart) -> Option<Self> {
         let step = (sample.len() / PROBES).max(1);
         let probes: Vec<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
         let is_repeated = |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < NOISE * NOISE);
         if !probes.iter().enumerate().any(is_repeated) {
             return None;
         }
-        let mut bundles: Vec<Bundle> = Vec::with_capacity(MOST);
+        let mut classes: Vec<ParallelClass> = Vec::with_capacity(MOST);
         for v in sample {
             let Some(own) = unit(v) else { continue };
-            match bundles.iter().position(|bundle| sine_square(&bundle.unit, &own) < NOISE * NOISE) {
+            match classes.iter().position(|class| sine_square(&class.unit, &own) < NOISE * NOISE) {
                 Some(place) => {
-                    let bundle = &mut bundles[place];
-                    let noise = sine_square(&bundle.unit, &own).sqrt();
-                    let sign = f64::copysign(1.0, dot(&bundle.unit, v));
-                    bundle.sum = [0, 1, 2].map(|k| bundle.sum[k] + sign * v[k]);
-                    bundle.noise = bundle.noise.max(noise);
+                    let class = &mut classes[place];
+                    let noise = sine_square(&class.unit, &own).sqrt();
+                    let sign = f64::copysign(1.0, dot(&class.unit, v));
+                    class.sum = [0, 1, 2].map(|k| class.sum[k] + sign * v[k]);
+                    class.noise = class.noise.max(noise);
                 }
-                None if bundles.len() == MOST => return None,
-                None => bundles.push(Bundle { unit: own, sum: *v, noise: 0.0 }),
+                None if classes.len() == MOST => return None,
+                None => classes.push(ParallelClass { unit: own, sum: *v, noise: 0.0 }),
             }
         }
-        let lines = chart.lines(bundles.iter().map(|bundle| bundle.sum).collect::<Vec<_>>().into_iter());
-        Some(Self { bundles, lines, linear: [0.0; 2], part })
+        let lines = chart.lines(classes.iter().map(|class| class.sum).collect::<Vec<_>>().into_iter());
+        Some(Self { classes, lines, linear: [0.0; 2], part })
     }
 
-    /// Where the bundles' optimum is.
-    pub(crate) fn meeting(&self, chart: &Chart) -> Option<Meeting> {
+    /// Where the classes' optimum is.
+    pub(crate) fn meeting(&self, chart: &RoundedChart) -> Option<Meeting> {
         let (start, _) = self.lines.least_squares()?;
         let [first, second] = descend(&self.lines, self.linear, start)?;
         let point = self.lines.meet(first, second);
         let size = chart.point(point).iter().map(|c| c.abs()).sum::<f64>();
-        let noises = [first, second].map(|i| WIDER * self.bundles[i].noise);
-        let [[a, b, _], [c, d, _]] = [first, second].map(|i| chart.line(&self.bundles[i].unit));
+        let noises = [first, second].map(|i| WIDER * self.classes[i].noise);
+        let [[a, b, _], [c, d, _]] = [first, second].map(|i| chart.line(&self.classes[i].unit));
         let determinant = a * d - b * c;
         let [one, other] = noises.map(|noise| noise * size / determinant);
         let sides = [[d * one, -c * one], [-b * other, a * other]];
-        // about half of the lines of either bundle are nearer
+        // about half of the lines of either class are nearer
         let band = noises[0].max(noises[1]) * size / (8.0 * WIDER);
         let is_finite = sides.as_flattened().iter().chain(&point).all(|c| c.is_finite());
         let is_sharp = noises.iter().all(|noise| *noise < SHARP);
         is_finite.then_some(Meeting { first, second, guess: Guess { point, band, sides }, is_sharp })
     }
 
-    /// Of the generators that cross a cell around a meeting, one of either bundle if it is sharp.
+    /// Of the generators that cross a cell around a meeting, one of either class if it is sharp.
     pub(crate) fn vertex(&self, meeting: &Meeting, reduced: &Reduced) -> Option<[usize; 2]> {
-        let longest = |bundle: usize| {
-            let unit = &self.bundles[bundle].unit;
+        let longest = |class: usize| {
+            let unit = &self.classes[class].unit;
             let own = reduced.vectors.iter().enumerate().filter(|(_, v)| is_along(v, unit));
             own.map(|(i, v)| (dot(v, unit).abs(), i)).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
         };
@@ -109,14 +109,14 @@ impl Bundles {
     }
 
     /// Whether the optimum is not at a meeting, seen from the generators that cross a cell around it; then the gradient is corrected.
-    pub(crate) fn is_corrected(&mut self, meeting: &Meeting, reduced: &Reduced, chart: &Chart) -> bool {
+    pub(crate) fn is_corrected(&mut self, meeting: &Meeting, reduced: &Reduced, chart: &RoundedChart) -> bool {
         let pair = [meeting.first, meeting.second];
         let mut sums = [[0.0; 3]; 2];
         let mut others = reduced.fixed.sum;
         for v in &reduced.vectors {
-            match pair.iter().position(|&i| is_along(v, &self.bundles[i].unit)) {
+            match pair.iter().position(|&i| is_along(v, &self.classes[i].unit)) {
                 Some(place) => {
-                    let sign = f64::copysign(1.0, dot(&self.bundles[pair[place]].unit, v));
+                    let sign = f64::copysign(1.0, dot(&self.classes[pair[place]].unit, v));
                     sums[place] = [0, 1, 2].map(|k| sums[place][k] + sign * v[k]);
                 }
                 None => {
@@ -146,7 +146,7 @@ impl Bundles {
 /// Noise of a direction that is rounding.
 const SHARP: f64 = 1e-14;
 
-/// What the coefficients of the two bundles may be for their meeting to be the optimum.
+/// What the coefficients of the two classes may be for their meeting to be the optimum.
 const ENOUGH: f64 = 1.0 + 1e-6;
 
 fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
@@ -173,8 +173,8 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 mod tests {
     use super::*;
 
-    fn chart() -> Chart {
-        Chart::new([0.0, 0.0, 1.0])
+    fn chart() -> RoundedChart {
+        RoundedChart::new([0.0, 0.0, 1.0])
     }
 
     #[test]
@@ -182,10 +182,10 @@ mod tests {
         let few: Vec<[f64; 3]> = (0..60)
             .map(|i| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [1.0, 1.0, 1.0]][i % 3].map(|c| c * (1.0 + i as f64)))
             .collect();
-        let bundles = Bundles::of(&few, 1.0, &chart()).expect("three directions");
-        assert_eq!(bundles.bundles.len(), 3);
+        let classes = ParallelClasses::of(&few, 1.0, &chart()).expect("three directions");
+        assert_eq!(classes.classes.len(), 3);
         let many: Vec<[f64; 3]> = (0..60).map(|i| [1.0, f64::from(i), f64::from(i * i)]).collect();
-        assert!(Bundles::of(&many, 1.0, &chart()).is_none());
+        assert!(ParallelClasses::of(&many, 1.0, &chart()).is_none());
     }
 
     #[test]
@@ -194,8 +194,8 @@ mod tests {
         let body = |w: f64| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [w, w, w]];
         let sample = body(0.1);
         let repeated: Vec<[f64; 3]> = sample.iter().copied().cycle().take(24).collect();
-        let mut bundles = Bundles::of(&repeated, 1.0, &chart()).expect("three directions");
-        let first = bundles.meeting(&chart()).expect("there is one");
+        let mut classes = ParallelClasses::of(&repeated, 1.0, &chart()).expect("three directions");
+        let first = classes.meeting(&chart()).expect("there is one");
         let mut pair = [first.first, first.second];
         pair.sort_unstable();
         assert_eq!(pair, [0, 1]);
@@ -203,8 +203,8 @@ mod tests {
         let query = crate::collision::Query::new([0.0; 3], [0.0, 0.0, 1.0], &truth).expect("finite");
         let reduced = Reduced::of_query(&query, chart().cell(&first.guess, 1.0), 24);
         assert_eq!(reduced.vectors.len(), 16);
-        assert!(bundles.is_corrected(&first, &reduced, &chart()));
-        let second = bundles.meeting(&chart()).expect("there is one");
+        assert!(classes.is_corrected(&first, &reduced, &chart()));
+        let second = classes.meeting(&chart()).expect("there is one");
         assert!(second.first == 2 || second.second == 2, "{second:?}");
     }
 }

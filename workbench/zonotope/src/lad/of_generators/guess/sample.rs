@@ -59,6 +59,11 @@ impl Sample {
         Self::by_length(query, stretch, size)
     }
 
+    /// What part of all generators the sample is.
+    pub(crate) fn part_of(&self, query: &Query<'_, 3>) -> f64 {
+        self.vectors.len() as f64 / query.len() as f64
+    }
+
     /// One generator for each `stretch` of length, made as long as that; those that are longer all the same.
     fn by_length(query: &Query<'_, 3>, stretch: f64, expected: usize) -> Self {
         let mut vectors = Vec::with_capacity(2 * expected);

@@ -6,7 +6,7 @@
 use wide::f64x2;
 
 use crate::lad::of_generators::guess::crossings::{Crossing, select};
-use crate::lad::of_generators::plane::rounded_lines::Lines;
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 
 /// The most line searches.
 const SEARCHES: usize = 40;
@@ -22,21 +22,37 @@ const MORE: f64 = 1.25;
 
 /// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it; none if no line crosses the one that is
 /// searched. Where many lines meet, it may be a vertex along both of whose lines the objective rises, but not along another.
-pub(crate) fn descend(lines: &Lines, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
+pub(crate) fn descend(lines: &RoundedLines, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
     descend_nearly(lines, linear, start, 0.0)
 }
 
 /// The same, or a vertex from which the objective falls by so little, in terms of its kink there.
-pub(crate) fn descend_nearly(lines: &Lines, linear: [f64; 2], start: [f64; 2], enough: f64) -> Option<[usize; 2]> {
+pub(crate) fn descend_nearly(
+    lines: &RoundedLines,
+    linear: [f64; 2],
+    start: [f64; 2],
+    enough: f64,
+) -> Option<[usize; 2]> {
     descend_from(lines, linear, start, nearest(lines, start)?, enough)
 }
 
 /// The same, along a line first.
-pub(crate) fn descend_along(lines: &Lines, linear: [f64; 2], start: [f64; 2], line: usize) -> Option<[usize; 2]> {
+pub(crate) fn descend_along(
+    lines: &RoundedLines,
+    linear: [f64; 2],
+    start: [f64; 2],
+    line: usize,
+) -> Option<[usize; 2]> {
     descend_from(lines, linear, start, line, 0.0)
 }
 
-fn descend_from(lines: &Lines, linear: [f64; 2], start: [f64; 2], mut line: usize, enough: f64) -> Option<[usize; 2]> {
+fn descend_from(
+    lines: &RoundedLines,
+    linear: [f64; 2],
+    start: [f64; 2],
+    mut line: usize,
+    enough: f64,
+) -> Option<[usize; 2]> {
     let mut point = start;
     let mut before = usize::MAX;
     let mut still = 0;
@@ -64,7 +80,7 @@ fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs() <= 64.0 * f64::EPSILON * (b[0].abs() + b[1].abs())
 }
 
-fn nearest(lines: &Lines, [x, y]: [f64; 2]) -> Option<usize> {
+fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
     let [x, y] = [x, y].map(f64x2::splat);
     let (mut least, mut nearest) = (f64::INFINITY, None);
     for (pair, [a, b, c, _]) in lines.pairs().iter().enumerate() {
@@ -93,7 +109,7 @@ impl Crossings {
     }
 
     /// The lines that cross ahead, no farther than `farthest`, one in so many; half of what the slope gains at all of them.
-    fn gather(&mut self, lines: &Lines, [dx, dy]: [f64; 2], farthest: f64, step: usize) -> f64 {
+    fn gather(&mut self, lines: &RoundedLines, [dx, dy]: [f64; 2], farthest: f64, step: usize) -> f64 {
         self.ahead.clear();
         let mut gain = 0.0;
         let last = farthest.min(f64::MAX);
@@ -110,7 +126,7 @@ impl Crossings {
     }
 
     /// A place that the crossing looked for is likely to be before.
-    fn farthest(&mut self, lines: &Lines, direction: [f64; 2], target: f64) -> f64 {
+    fn farthest(&mut self, lines: &RoundedLines, direction: [f64; 2], target: f64) -> f64 {
         let step = lines.len() / SAMPLE;
         if step < 2 {
             return f64::INFINITY;
@@ -127,7 +143,7 @@ impl Crossings {
 
 /// The minimum along a line: the line that crosses it there, and where.
 fn search(
-    lines: &Lines,
+    lines: &RoundedLines,
     linear: [f64; 2],
     line: usize,
     [x, y]: [f64; 2],

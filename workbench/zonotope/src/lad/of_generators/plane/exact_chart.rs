@@ -20,7 +20,7 @@ use crate::zonotope::query::Query;
 
 /// The coordinates of the plane for a displacement that is not zero.
 #[derive(Debug, Clone)]
-pub(crate) struct Plane {
+pub(crate) struct ExactChart {
     /// The axes i, j, k.
     axes: [usize; 3],
     p: ExactVector,
@@ -39,7 +39,7 @@ pub(crate) enum Vectors<'a> {
 /// Vectors as lines, normals and offsets each scaled by a power of two.
 #[derive(Debug)]
 struct GeneratorLines<'a> {
-    plane: Plane,
+    plane: ExactChart,
     vectors: Vectors<'a>,
     normal_scale: i64,
     offset_scale: i64,
@@ -62,13 +62,13 @@ impl Vectors<'_> {
 }
 
 /// A kernel problem, and how its points are scaled.
-pub(crate) struct PlaneProblem<'a> {
+pub(crate) struct ChartProblem<'a> {
     pub(crate) problem: LadProblem<'a>,
-    plane: Plane,
+    plane: ExactChart,
     point_scale: i64,
 }
 
-impl Plane {
+impl ExactChart {
     /// The coordinates around a centre; around an axis where there is none, or where it is not on p's side.
     pub(crate) fn new(p: ExactVector, center: Option<[f64; 3]>) -> Self {
         let longest = (0..3).max_by_key(|&axis| p[axis].clone().abs()).expect("there are three axes");
@@ -103,9 +103,9 @@ impl Plane {
     }
 }
 
-impl<'a> PlaneProblem<'a> {
+impl<'a> ChartProblem<'a> {
     /// The kernel problem of some vectors and the sum of all others with their signs, for a plane. O(n) exact operations.
-    pub(crate) fn new(vectors: Vectors<'a>, others: &ExactVector, plane: Plane) -> Self {
+    pub(crate) fn new(vectors: Vectors<'a>, others: &ExactVector, plane: ExactChart) -> Self {
         let leading = |position: usize| {
             let ExactLine { normal: [x, y], offset } = plane.line(vectors.get(position));
             [x, y, offset].map(|value| value.leading())

@@ -2,9 +2,9 @@
 
 use wide::f64x2;
 
-use crate::lad::of_generators::cells::direction_cone::Cell;
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::huber_newton::Guess;
-use crate::lad::of_generators::plane::rounded_lines::Lines;
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 
 /// The smallest reach of a cell, in terms of its centre.
 const LEAST_REACH: f64 = 1e-11;
@@ -14,7 +14,7 @@ const ROUND: f64 = 0.1;
 
 /// Coordinates (x, y) = (u_i, u_j) of the plane, k the axis along which p is longest.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Chart {
+pub(crate) struct RoundedChart {
     axes: [usize; 3],
     /// p_i / p_k and p_j / p_k.
     slopes: [f64; 2],
@@ -22,7 +22,7 @@ pub(crate) struct Chart {
     inverse: f64,
 }
 
-impl Chart {
+impl RoundedChart {
     pub(crate) fn new(p: [f64; 3]) -> Self {
         let longest = if p[0].abs() >= p[1].abs() && p[0].abs() >= p[2].abs() {
             0
@@ -44,8 +44,8 @@ impl Chart {
 
     /// The lines of some vectors.
     #[inline(always)]
-    pub(crate) fn lines(&self, mut vectors: impl ExactSizeIterator<Item = [f64; 3]>) -> Lines {
-        let mut lines = Lines::with_capacity(vectors.len());
+    pub(crate) fn lines(&self, mut vectors: impl ExactSizeIterator<Item = [f64; 3]>) -> RoundedLines {
+        let mut lines = RoundedLines::with_capacity(vectors.len());
         let wide = self.slopes.map(f64x2::splat);
         let inverse = f64x2::splat(self.inverse);
         let [i, j, k] = self.axes;
@@ -84,7 +84,7 @@ impl Chart {
     }
 
     /// The ellipse of a guess, stretched; a ball around it where that is hardly larger.
-    pub(crate) fn cell(&self, guess: &Guess, stretch: f64) -> Cell {
+    pub(crate) fn cell(&self, guess: &Guess, stretch: f64) -> DirectionCone {
         let [first, second] = guess.sides.map(|side| self.direction(side, 0.0).map(|c| stretch * c));
         let center = self.point(guess.point);
         // not so small that a vertex in which many lines meet is missed by rounding
@@ -92,9 +92,9 @@ impl Chart {
         let (xx, xy, yy) = (dot(first, first), dot(first, second), dot(second, second));
         let (middle, half) = ((xx + yy) / 2.0, ((xx - yy) * (xx - yy) / 4.0 + xy * xy).sqrt());
         if middle - half >= ROUND * (middle + half) {
-            Cell { center, axes: None, ball: least.max((middle + half).sqrt()) }
+            DirectionCone { center, axes: None, ball: least.max((middle + half).sqrt()) }
         } else {
-            Cell { center, axes: Some([first, second]), ball: least }
+            DirectionCone { center, axes: Some([first, second]), ball: least }
         }
     }
 }

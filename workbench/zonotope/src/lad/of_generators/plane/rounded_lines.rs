@@ -1,23 +1,23 @@
-//! Lines in the plane { u : u · p = 1 }, two by two, for everything that is done in plain doubles.
+//! RoundedLines in the plane { u : u · p = 1 }, two by two, for everything that is done in plain doubles.
 
 use wide::f64x2;
 
-/// Lines a x + b y + c with the inverse length of their generators, two side by side.
+/// RoundedLines a x + b y + c with the inverse length of their generators, two side by side.
 pub(crate) type Pair = [f64x2; 4];
 
 /// Beside the last line if their number is odd: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
-/// Lines of generators.
+/// RoundedLines of generators.
 #[derive(Debug, Default)]
-pub(crate) struct Lines {
+pub(crate) struct RoundedLines {
     pairs: Vec<Pair>,
     len: usize,
     /// Σ of the generators' lengths.
     pub(crate) length: f64,
 }
 
-impl Lines {
+impl RoundedLines {
     /// Room for some lines.
     pub(crate) fn with_capacity(capacity: usize) -> Self {
         Self { pairs: Vec::with_capacity(capacity.div_ceil(2)), len: 0, length: 0.0 }
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn an_odd_number_of_lines_is_padded_by_one_that_counts_for_nothing() {
         let columns = [[1.0, 0.0, -1.0, 1.0], [0.0, 1.0, -2.0, 1.0], [1.0, 1.0, 0.0, 0.5]];
-        let mut lines = Lines::with_capacity(3);
+        let mut lines = RoundedLines::with_capacity(3);
         lines.push_pair([0, 1, 2, 3].map(|k| f64x2::new([columns[0][k], columns[1][k]])), f64x2::new([1.0, 1.0]));
         lines.push_last(columns[2], 2.0);
         assert_eq!((lines.len(), lines.pairs().len(), lines.length), (3, 2, 4.0));

@@ -1,9 +1,13 @@
 //! Counting what an algorithm does: exact, machine-independent, free when unused.
 //!
 //! Every algorithm has a counted variant that takes a [`Tally`]. The unit type counts nothing and compiles to nothing;
-//! [`OperationCounts`] keeps a number for each [`Operation`]. Growth claims are fitted on these numbers, never on times.
+//! [`OperationCounts`] keeps a number for each [`Operation`] and for each [`Rung`]. Growth claims are fitted on these numbers, never on times.
+
+mod rung;
 
 use std::fmt;
+
+pub use rung::{Rung, Stage};
 
 /// What is counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -65,26 +69,41 @@ impl fmt::Display for Operation {
 pub trait Tally {
     /// Adds `count` operations.
     fn add(&mut self, operation: Operation, count: u64);
+
+    /// Notes the method that answered a question.
+    fn answered_by(&mut self, rung: Rung);
 }
 
 impl Tally for () {
     #[inline(always)]
     fn add(&mut self, _: Operation, _: u64) {}
+
+    #[inline(always)]
+    fn answered_by(&mut self, _: Rung) {}
 }
 
-/// A number for each operation.
+/// A number for each operation and for each rung.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct OperationCounts([u64; Operation::ALL.len()]);
+pub struct OperationCounts {
+    operations: [u64; Operation::ALL.len()],
+    rungs: [u64; Rung::ALL.len()],
+}
 
 impl OperationCounts {
     /// How many operations of this kind were counted.
     pub fn get(&self, operation: Operation) -> u64 {
-        self.0[operation as usize]
+        self.operations[operation as usize]
+    }
+
+    /// How many questions this method answered.
+    pub fn answers_of(&self, rung: Rung) -> u64 {
+        self.rungs[rung as usize]
     }
 
     /// Adds the counts of another run.
     pub fn merge(&mut self, other: &Self) {
-        for (sum, count) in self.0.iter_mut().zip(other.0) {
+        let counts = other.operations.iter().chain(&other.rungs);
+        for (sum, count) in self.operations.iter_mut().chain(&mut self.rungs).zip(counts) {
             *sum += count;
         }
     }
@@ -98,6 +117,11 @@ impl OperationCounts {
 impl Tally for OperationCounts {
     #[inline]
     fn add(&mut self, operation: Operation, count: u64) {
-        self.0[operation as usize] += count;
+        self.operations[operation as usize] += count;
+    }
+
+    #[inline]
+    fn answered_by(&mut self, rung: Rung) {
+        self.rungs[rung as usize] += 1;
     }
 }

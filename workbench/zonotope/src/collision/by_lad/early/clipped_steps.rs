@@ -1,0 +1,138 @@
+//! Clipped coefficients by Newton steps on the Huber dual: coefficients for a point well within the body, or a direction that separates.
+
+use super::Clear;
+use super::combination::Combination;
+use super::huber_dual::{Lengths, Moments, Runs, dot};
+use crate::lad::of_generators::support::separates;
+use crate::numeric::bounded::BoundedVector;
+use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::query::Query;
+
+/// A step that ends with a slope of more than this, in terms of that at its start, goes too far.
+const OVERSHOOT: f64 = 0.3;
+
+/// The most steps on a sample.
+pub(super) const SAMPLE_STEPS: usize = 12;
+
+/// The most steps on all generators.
+const WHOLE_STEPS: usize = 6;
+
+/// What the smooth problem says of a point.
+pub(super) enum Sign {
+    Inside(Combination),
+    Outside([f64; 3]),
+    Neither,
+}
+
+/// How long coefficients are looked for, and whether they are to be exact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    pub(super) steps: usize,
+    pub(super) exact: bool,
+}
+
+/// A Newton step, and the slope along it where it starts.
+struct Step {
+    from: [f64; 3],
+    step: [f64; 3],
+    slope: f64,
+}
+
+impl Step {
+    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
+    fn shortened(self, end: &Moments, target: &[f64; 3]) -> Option<[f64; 3]> {
+        let slope = end.slope(&self.step, target);
+        let part = (self.slope / (self.slope - slope)).max(0.02);
+        (slope > -OVERSHOOT * self.slope).then(|| [0, 1, 2].map(|k| self.from[k] + part * self.step[k]))
+    }
+}
+
+/// Where the Newton steps are, and how large the gauge of p is at least.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct State {
+    y: [f64; 3],
+    gauge: f64,
+    /// The sums at y, where they are known.
+    at: Option<Moments>,
+}
+
+impl State {
+    /// From the y that makes up p without clipping.
+    pub(super) fn new(y: &[f64; 3], gauge: f64) -> Self {
+        let state = Self { y: *y, gauge, at: None };
+        Self { y: y.map(|c| c * state.aim()), ..state }
+    }
+
+    /// How far beyond p the coefficients are made for: half the way to the boundary, so that they can be made smaller.
+    fn aim(&self) -> f64 {
+        (1.0 + 1.0 / self.gauge) / 2.0
+    }
+
+    /// The proof of a point by clipped coefficients.
+    pub(super) fn prove(
+        mut self,
+        query: &Query<'_, 3>,
+        p: &BoundedVector,
+        lengths: Lengths,
+        among: &[[f64; 3]],
+        tally: &mut impl Tally,
+    ) -> Option<Clear> {
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        let effort = Effort { steps: WHOLE_STEPS, exact: true };
+        let clear = match self.coefficients(query.runs(), lengths, &p.map(|c| c.value), among, effort) {
+            Sign::Inside(combination) => inside(query, p, &combination, tally),
+            Sign::Outside(y) => outside(query, p, y, tally),
+            Sign::Neither => None,
+        };
+        clear.inspect(|_| tally.answered_by(Rung::ClippedCoefficients))
+    }
+
+    /// Newton steps until there are coefficients for p or a direction that separates.
+    pub(super) fn coefficients(
+        &mut self,
+        runs: Runs<'_>,
+        lengths: Lengths,
+        p: &[f64; 3],
+        among: &[[f64; 3]],
+        effort: Effort,
+    ) -> Sign {
+        let mut before: Option<Step> = None;
+        for _ in 0..effort.steps {
+            let at = self.at.take().unwrap_or_else(|| Moments::at(runs, lengths, &self.y));
+            let gauge = dot(p, &self.y) / at.reach;
+            if gauge > 1.0 {
+                return Sign::Outside(self.y);
+            }
+            self.gauge = self.gauge.max(gauge);
+            let factor = self.aim();
+            let target = p.map(|c| factor * c);
+            if let Some(shorter) = before.take().and_then(|step| step.shortened(&at, &target)) {
+                self.y = shorter;
+                continue;
+            }
+            if let Some(combination) = at.combination(lengths, &self.y, p, among, effort.exact) {
+                self.at = Some(at);
+                return Sign::Inside(combination);
+            }
+            let step = at.step(&target);
+            before = Some(Step { from: self.y, step, slope: at.slope(&step, &target) });
+            self.y = [0, 1, 2].map(|k| self.y[k] + step[k]);
+        }
+        Sign::Neither
+    }
+}
+
+pub(super) fn outside(query: &Query<'_, 3>, p: &BoundedVector, y: [f64; 3], tally: &mut impl Tally) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    separates(query, p, &y).then_some(Clear::Outside(y))
+}
+
+pub(super) fn inside(
+    query: &Query<'_, 3>,
+    p: &BoundedVector,
+    combination: &Combination,
+    tally: &mut impl Tally,
+) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    combination.witness(query, p).map(Clear::Inside)
+}

@@ -1,0 +1,83 @@
+//! What the kernel answers: the facet in which the ray along the displacement leaves the body, in the form in which it was proved.
+
+use super::certify::gauge_interval::DecidedOptimum;
+use super::exact::solve::ExactOptimum;
+use super::span::prism::Prism;
+
+/// The optimum of a query, or a direction that made it unnecessary.
+#[derive(Debug)]
+pub(crate) enum Optimum {
+    /// The displacement is zero.
+    Centre,
+    /// A direction that separates was found before the optimum, and no more was asked.
+    Separated([f64; 3]),
+    /// Proved in doubles.
+    Rounded(DecidedOptimum),
+    /// Solved in exact arithmetic.
+    Exact(Box<ExactOptimum>),
+    /// Of the prism over a flat body without a coordinate.
+    Flat(Box<FlatOptimum>),
+}
+
+/// The optimum for a body in a plane, by way of a prism.
+#[derive(Debug)]
+pub(crate) struct FlatOptimum {
+    /// The coordinate that was dropped.
+    pub(crate) axis: usize,
+    pub(crate) prism: Prism,
+    pub(crate) optimum: Optimum,
+}
+
+impl Optimum {
+    /// The gauge with a bound for its error; infinite where no multiple of the body holds the displacement. O(1).
+    pub(crate) fn gauge(&self) -> (f64, f64) {
+        match self {
+            Self::Centre => (0.0, 0.0),
+            Self::Separated(_) => (f64::INFINITY, f64::INFINITY),
+            Self::Rounded(decided) => decided.gauge(),
+            Self::Exact(exact) => exact.gauge(),
+            Self::Flat(flat) => flat.optimum.gauge(),
+        }
+    }
+
+    /// The generators, at most two, that span the facet where the ray leaves; near an edge of it, perhaps the neighbour. O(1).
+    pub(crate) fn basis(&self) -> &[usize] {
+        match self {
+            Self::Centre | Self::Separated(_) => &[],
+            Self::Rounded(decided) => &decided.optimum.basis,
+            Self::Exact(exact) => &exact.basis,
+            Self::Flat(flat) => flat.basis(),
+        }
+    }
+
+    /// Whether [`basis`](Self::basis) is that of the facet for sure, not only nearly. O(1).
+    pub(crate) fn is_sharp(&self) -> bool {
+        match self {
+            Self::Centre | Self::Separated(_) => false,
+            Self::Rounded(decided) => decided.optimum.is_vertex(),
+            Self::Exact(_) => true,
+            Self::Flat(flat) => flat.optimum.is_sharp(),
+        }
+    }
+
+    /// Whether the displacement is in the closed body. O(1).
+    pub(crate) fn is_member(&self) -> bool {
+        match self {
+            Self::Centre => true,
+            Self::Separated(_) => false,
+            Self::Rounded(decided) => decided.order.is_le(),
+            Self::Exact(exact) => exact.along <= exact.reach,
+            Self::Flat(flat) => flat.optimum.is_member(),
+        }
+    }
+}
+
+impl FlatOptimum {
+    /// The basis without the generator that only the prism has.
+    fn basis(&self) -> &[usize] {
+        match self.optimum.basis() {
+            [rest @ .., new] | [new, rest @ ..] if self.prism.is_new(*new) => rest,
+            all => all,
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Descent from vertex to vertex until one is certified as the optimum.
+
+use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
+use crate::lad::of_generators::guess::vertex_descent::{descend_along, descend_nearly};
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::problem::Problem;
+
+/// How often the descent goes on from a vertex in which many lines meet.
+const MEETING_TURNS: usize = 8;
+
+/// A vertex is tried if the objective falls from it by no more than this, in terms of its kink there.
+const NEARLY_OPTIMAL: f64 = 2e-8;
+
+/// The vertex at which the descent from a point ends, and its certificate or why there is none; no vertex where no line crosses the one that is searched.
+///
+/// The optimum is that of the last of `levels`, problems that were each reduced from the one before; the certificate holds for all of them.
+/// Where the objective falls along one of many lines that meet in a vertex, the descent goes on along it; so it does, once, from a vertex that
+/// is only nearly optimal where that does not answer the question.
+pub(crate) fn descend_and_certify(
+    problem: &Problem<'_>,
+    levels: &[Reduced],
+    lines: &RoundedLines,
+    linear: [f64; 2],
+    point: [f64; 2],
+) -> Option<([f64; 2], Result<RoundedOptimum, Unproved>)> {
+    let mut vertex = descend_nearly(lines, linear, point, NEARLY_OPTIMAL)?;
+    let mut is_last = false;
+    for _ in 0..MEETING_TURNS {
+        let found = lines.meet(vertex[0], vertex[1]);
+        match RoundedOptimum::at(levels, &problem.p, vertex) {
+            Err(Unproved::Falls(line)) => vertex = descend_along(lines, linear, found, line)?,
+            Ok(optimum) if !is_last && !optimum.is_vertex() && !problem.is_answered_by(&optimum) => {
+                is_last = true;
+                let Some(next) = descend_nearly(lines, linear, found, 0.0) else { return Some((found, Ok(optimum))) };
+                vertex = next;
+            }
+            result => return Some((found, result)),
+        }
+    }
+    Some((point, Err(Unproved::Doubt)))
+}

@@ -1,0 +1,61 @@
+//! The search where generators have few directions: the optimum is where two classes of parallel generators meet, nearly always.
+
+use super::Searched;
+use super::narrowing::narrow;
+use crate::lad::of_generators::cells::nested::NestedCells;
+use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::lad::of_generators::guess::parallel_classes::ParallelClasses;
+use crate::lad::of_generators::problem::{Goal, Problem};
+use crate::lad::of_generators::support::separates;
+use crate::tally::{Operation, Tally};
+
+/// How many meetings are tried: each corrects the sums of the classes by one pass.
+const MEETINGS: usize = 5;
+
+/// What the search finds.
+pub(crate) enum ClassesFound {
+    /// A direction that separates, which is all that was asked.
+    Separated([f64; 3]),
+    /// A vertex, or cells.
+    Searched(Searched),
+}
+
+/// Searches the optimum among the meetings of classes; none if it is not found there.
+pub(crate) fn search_meetings(
+    problem: &Problem<'_>,
+    mut classes: ParallelClasses,
+    tally: &mut impl Tally,
+) -> Option<ClassesFound> {
+    let (query, chart) = (problem.query, &problem.chart);
+    let mut before = None;
+    for round in 0..MEETINGS {
+        let meeting = classes.meeting(chart)?;
+        if problem.goal == Goal::Location && round == 0 {
+            tally.add(Operation::GeneratorRead, query.len() as u64);
+            let direction = chart.point(meeting.guess.point);
+            if separates(query, &problem.p, &direction) {
+                return Some(ClassesFound::Separated(direction));
+            }
+        }
+        tally.add(Operation::SearchStep, 1);
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        let reduced = Reduced::of_query(query, chart.cell(&meeting.guess, 1.0), query.len() / 8 + 64);
+        if !reduced.is_moderate() {
+            return None;
+        }
+        let is_corrected = classes.is_corrected(&meeting, &reduced, chart);
+        if !is_corrected || before.replace(meeting.guess.point) == Some(meeting.guess.point) {
+            let levels = [reduced];
+            let vertex = classes.vertex(&meeting, &levels[0]);
+            let optimum = vertex.and_then(|vertex| RoundedOptimum::at(&levels, &problem.p, vertex).ok());
+            let [reduced] = levels;
+            let searched = match optimum {
+                Some(optimum) => Searched::Certified(Box::new(optimum), NestedCells::of(vec![reduced])),
+                None => narrow(problem, reduced, Some(&meeting.guess), usize::MAX).ok()?,
+            };
+            return Some(ClassesFound::Searched(searched));
+        }
+    }
+    None
+}

@@ -1,0 +1,25 @@
+//! Searches in doubles: each takes a guess through cells to a vertex that is certified, or says why it has none.
+//!
+//! | search | where it is at home |
+//! |---|---|
+//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then exact descent among a few dozen lines |
+//! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
+//! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient a pass over all generators corrects |
+//! | [`certified_descent`] | the end of all three: descent from vertex to vertex until one is certified |
+
+pub(crate) mod certified_descent;
+pub(crate) mod class_meetings;
+pub(crate) mod corrected_sample;
+pub(crate) mod narrowing;
+
+use super::cells::nested::NestedCells;
+use super::certify::rounded_optimum::RoundedOptimum;
+
+/// What a search in doubles leaves.
+#[derive(Debug)]
+pub(crate) enum Searched {
+    /// A vertex that is the optimum or so near to it that the gauge is bounded, and the cells on the way to it.
+    Certified(Box<RoundedOptimum>, NestedCells),
+    /// Cells that probably hold the optimum, of which doubles cannot say more; no cell, no progress.
+    Doubtful(NestedCells),
+}

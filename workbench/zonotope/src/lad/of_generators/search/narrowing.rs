@@ -1,0 +1,109 @@
+//! The mainstream search: smaller and smaller cells around better and better guesses, until a few dozen lines are left.
+//!
+//! 1. One pass over the generators sums up those whose sign is fixed in a cell around the guess (`cells`).
+//! 2. Newton steps on what is left give a better guess (`guess`), a smaller cell around it and fewer lines, and so on.
+//! 3. Among at most [`DESCENT_LINES`] lines the descent goes from vertex to vertex, and the vertex is certified for all cells on the way.
+//! 4. Where the vertex seems to be outside the last cell, that cell was too small: the lines of the cell before it are searched.
+
+use super::Searched;
+use super::certified_descent::descend_and_certify;
+use crate::lad::of_generators::cells::nested::NestedCells;
+use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::certify::rounded_optimum::Unproved;
+use crate::lad::of_generators::guess::huber_newton::{Aim, Guess};
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::problem::Problem;
+use crate::tally::{Operation, Tally};
+
+/// At most this many lines are searched from vertex to vertex without a smaller cell.
+const DESCENT_LINES: usize = 40;
+
+/// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from lines of one class and says nothing.
+const BELIEVED_DISTANCE: f64 = 64.0;
+
+/// The cell around a better guess, in standard deviations of the gradient of the lines in the guess's band.
+const BAND_DEVIATIONS: f64 = 3.0;
+
+/// Why the optimum is not found in a cell.
+#[derive(Debug)]
+pub(crate) enum Missed {
+    /// It seems to be near another guess.
+    At(Guess),
+    /// Nothing is known of where it is; so many generators cross the cell.
+    Lost {
+        /// How many generators cross the cell.
+        crossing: usize,
+    },
+}
+
+/// Searches the cell around a guess, `stretch` times as large as the guess says. O(n).
+pub(crate) fn search_cell(
+    problem: &Problem<'_>,
+    guess: &Guess,
+    stretch: f64,
+    most_lines: usize,
+    tally: &mut impl Tally,
+) -> Result<Searched, Missed> {
+    let query = problem.query;
+    tally.add(Operation::SearchStep, 1);
+    tally.add(Operation::GeneratorRead, query.len() as u64);
+    let reduced = Reduced::of_query(query, problem.chart.cell(guess, stretch), query.len() / 16 + 64);
+    if !reduced.is_moderate() {
+        return Ok(Searched::Doubtful(NestedCells::default()));
+    }
+    narrow(problem, reduced, Some(guess), most_lines)
+}
+
+/// Searches a reduced problem; `most_lines` is how many lines the descent may at most be left with.
+pub(crate) fn narrow(
+    problem: &Problem<'_>,
+    reduced: Reduced,
+    start: Option<&Guess>,
+    most_lines: usize,
+) -> Result<Searched, Missed> {
+    let chart = &problem.chart;
+    let lost = Missed::Lost { crossing: reduced.vectors.len() };
+    let mut levels = vec![reduced];
+    let mut guess = start.copied();
+    let mut lines = levels[0].lines(chart);
+    while lines.len() > DESCENT_LINES {
+        let last = levels.last().expect("there is always the first");
+        let aim = Aim::new(lines.len(), lines.len(), BAND_DEVIATIONS);
+        let Some(next) = lines.guess(last.linear(chart), guess.as_ref(), aim) else { break };
+        guess = Some(next);
+        let smaller = last.split(chart.cell(&next, 1.0));
+        if 4 * smaller.vectors.len() > 3 * last.vectors.len() {
+            break;
+        }
+        lines = smaller.lines(chart);
+        levels.push(smaller);
+    }
+    let least_squares = |lines: &RoundedLines| lines.least_squares().map_or([0.0; 2], |(point, _)| point);
+    let mut point = guess.map_or_else(|| least_squares(&lines), |guess| guess.point);
+    let mut is_found = false;
+    if lines.len() > most_lines {
+        return Err(lost);
+    }
+    loop {
+        let level = levels.last().expect("the first problem is never taken away");
+        match descend_and_certify(problem, &levels, &lines, level.linear(chart), point) {
+            Some((_, Ok(optimum))) => return Ok(Searched::Certified(Box::new(optimum), NestedCells::of(levels))),
+            Some((found, Err(Unproved::Astray(_)))) => {
+                if guess.is_none_or(|guess| guess.is_near(found, BELIEVED_DISTANCE)) {
+                    (point, is_found) = (found, true);
+                }
+            }
+            Some(_) => return Ok(Searched::Doubtful(NestedCells::of(levels))),
+            None => {}
+        }
+        let wider = levels.len().checked_sub(2).map_or(0, |place| levels[place].vectors.len());
+        if !(1..=most_lines).contains(&wider) {
+            return Err(match guess {
+                Some(guess) if is_found => Missed::At(Guess { point, ..guess }),
+                _ => lost,
+            });
+        }
+        levels.pop();
+        lines = levels[levels.len() - 1].lines(chart);
+    }
+}
