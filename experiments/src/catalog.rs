@@ -4,7 +4,7 @@ use crate::definition::Experiment;
 use crate::definitions::{
     area_ratio, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate, gap_curve,
     gauge_passes, hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree, min_area_scaling, min_area_stages,
-    points_scaling, pruning_passes, scan_race, slope_selection_scaling, wrong_answers,
+    points_scaling, pruning_passes, rung_shares, scan_race, slope_selection_scaling, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -27,6 +27,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
     collision_scaling::EXPERIMENT,
     gauge_passes::EXPERIMENT,
     fallback_rate::EXPERIMENT,
+    rung_shares::EXPERIMENT,
     faces_scaling::EXPERIMENT,
     wrong_answers::EXPERIMENT,
 ];

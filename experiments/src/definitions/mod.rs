@@ -20,6 +20,7 @@ pub mod min_area_scaling;
 pub mod min_area_stages;
 pub mod points_scaling;
 pub mod pruning_passes;
+pub mod rung_shares;
 pub mod scan_race;
 pub mod slope_selection_scaling;
 pub mod wrong_answers;

@@ -30,7 +30,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "explicit-size",
         "erratum-5.1-difference",
     ],
-    experiments: &["collision-scaling", "gauge-passes", "fallback-rate", "wrong-answers"],
+    experiments: &["collision-scaling", "gauge-passes", "fallback-rate", "rung-shares", "wrong-answers"],
     commands: &[
         (
             "cargo run --release -- intersect first.json second.json --svg meeting.svg",

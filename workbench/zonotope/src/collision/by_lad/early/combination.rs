@@ -5,7 +5,7 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH, WELL_WITHIN, cross, dot, length};
+use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH_EXCESS, WELL_WITHIN, cross, dot, length};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
@@ -16,20 +16,20 @@ use crate::numeric::tolerance::UNIT;
 const BLOCK: usize = 512;
 
 /// How many generators the basis is chosen from.
-const PICKS: usize = 16;
+const BASIS_SAMPLE: usize = 16;
 
 /// Sums of lengths between which no product of three leaves the range of doubles.
-const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
-const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
+const LARGEST_MAGNITUDE: f64 = f64::from_bits((1023 + 300) << 52);
+const SMALLEST_MAGNITUDE: f64 = f64::from_bits((1023 - 200) << 52);
 
 /// Covers the underflow of a product.
-pub(crate) const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+pub(crate) const UNDERFLOW_FLOOR: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// Covers products of rounding errors.
-pub(crate) const SLACK: f64 = 1.0 + 1.0 / 1_048_576.0;
+pub(crate) const PRODUCT_SLACK: f64 = 1.0 + 1.0 / 1_048_576.0;
 
 /// Memory for fewer coefficients is cleared when it is taken, for more when it is first touched.
-const MANY: usize = 1 << 14;
+const CLEARED_WHEN_TAKEN: usize = 1 << 14;
 
 /// Coefficients in terms of y, z and μ.
 #[derive(Debug, Clone, Copy)]
@@ -81,7 +81,7 @@ impl Combination {
     /// The least coefficients that make up p, where H z = p for all generators; none if they are likely to be too large, seen from some, or, where they
     /// need not be `exact`, much too large.
     pub(crate) fn least(z: [f64; 3], lengths: Lengths, among: &[[f64; 3]], exact: bool) -> Option<Self> {
-        let limit = if exact { WELL_WITHIN } else { WELL_WITHIN + ROUGH };
+        let limit = if exact { WELL_WITHIN } else { WELL_WITHIN + ROUGH_EXCESS };
         (lengths.largest(among, &z) <= limit).then_some(Self::linear(z, lengths))
     }
 
@@ -105,7 +105,7 @@ impl Combination {
     /// The proof that p is inside, if the coefficients make it up but for what three of them can correct.
     pub(crate) fn witness(&self, query: &Query<'_, 3>, p: &BoundedVector) -> Option<Witness> {
         let n = query.len();
-        let mut coefficients = if n < MANY { Vec::with_capacity(n) } else { vec![0.0; n] };
+        let mut coefficients = if n < CLEARED_WHEN_TAKEN { Vec::with_capacity(n) } else { vec![0.0; n] };
         coefficients.resize(n, 0.0);
         let [first, second] = query.runs();
         let (own, others) = coefficients.split_at_mut(first.len());
@@ -184,7 +184,7 @@ fn additions(count: usize) -> usize {
 pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitude: f64, count: usize) -> f64 {
     let off = |k: usize| (p[k].value - sum[k]).abs() + p[k].error;
     // a sum and not a maximum: NaN stays NaN
-    (off(0) + off(1) + off(2) + UNIT * additions as f64 * magnitude + count as f64 * TINY) * SLACK
+    (off(0) + off(1) + off(2) + UNIT * additions as f64 * magnitude + count as f64 * UNDERFLOW_FLOOR) * PRODUCT_SLACK
 }
 
 /// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is larger than `rest`.
@@ -199,7 +199,7 @@ pub(crate) fn correcting_basis(
     magnitude: f64,
 ) -> Option<Vec<usize>> {
     let n = query.len();
-    if n < 3 || !(SMALLEST..LARGEST).contains(&magnitude) {
+    if n < 3 || !(SMALLEST_MAGNITUDE..LARGEST_MAGNITUDE).contains(&magnitude) {
         return None;
     }
     let any = [0, n / 2, n - 1];
@@ -225,10 +225,11 @@ pub(crate) fn correcting_pair(
 ) -> Option<Vec<usize>> {
     let [a, b] = plane.pair.map(|i| query.generator(i));
     let volume = length(&a) * length(&b) * length(&plane.normal);
-    let determinant = dot(&a, &cross(&b, &plane.normal)).abs() - 8.0 * UNIT * volume - TINY;
+    let determinant = dot(&a, &cross(&b, &plane.normal)).abs() - 8.0 * UNIT * volume - UNDERFLOW_FLOOR;
     let longest = length(&a).max(length(&b)) * length(&plane.normal);
-    let is_moderate = (SMALLEST..LARGEST).contains(&magnitude) && determinant > SMALLEST * SMALLEST;
-    let corrects = rest * longest * SLACK < (1.0 - WELL_WITHIN) * determinant;
+    let is_moderate = (SMALLEST_MAGNITUDE..LARGEST_MAGNITUDE).contains(&magnitude)
+        && determinant > SMALLEST_MAGNITUDE * SMALLEST_MAGNITUDE;
+    let corrects = rest * longest * PRODUCT_SLACK < (1.0 - WELL_WITHIN) * determinant;
     (is_moderate && corrects).then(|| plane.pair.to_vec())
 }
 
@@ -239,27 +240,27 @@ fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest:
     let normal = cross(&b, &c);
     let lengths = [length(&a), length(&b), length(&c)];
     let volume = lengths[0] * lengths[1] * lengths[2];
-    let determinant = dot(&a, &normal).abs() - 8.0 * UNIT * volume - TINY;
+    let determinant = dot(&a, &normal).abs() - 8.0 * UNIT * volume - UNDERFLOW_FLOOR;
     // false for NaN as well
-    let is_spanning = determinant > SMALLEST * SMALLEST * SMALLEST;
+    let is_spanning = determinant > SMALLEST_MAGNITUDE * SMALLEST_MAGNITUDE * SMALLEST_MAGNITUDE;
     if !is_spanning {
         return false;
     }
     // |b × c|_1 is at most |b|_1 |c|_1, and no coefficient is nearer to an end than WELL_WITHIN is
     let longest = lengths[0].max(lengths[1]).max(lengths[2]);
-    if rest * longest * longest * SLACK < (1.0 - WELL_WITHIN) * determinant {
+    if rest * longest * longest * PRODUCT_SLACK < (1.0 - WELL_WITHIN) * determinant {
         return true;
     }
     let normals = [normal, cross(&c, &a), cross(&a, &b)];
     (0..3).all(|k| {
-        let across = length(&normals[k]) + 8.0 * UNIT * volume / lengths[k] + TINY;
-        coefficients[basis[k]].abs() + rest * across / determinant * SLACK < 1.0
+        let across = length(&normals[k]) + 8.0 * UNIT * volume / lengths[k] + UNDERFLOW_FLOOR;
+        coefficients[basis[k]].abs() + rest * across / determinant * PRODUCT_SLACK < 1.0
     })
 }
 
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
 pub(crate) fn well_spread(query: &Query<'_, 3>) -> Option<[usize; 3]> {
-    let step = query.len().div_ceil(PICKS).max(1);
+    let step = query.len().div_ceil(BASIS_SAMPLE).max(1);
     let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
         let keyed = (0..query.len()).step_by(step).map(|i| (key(&query.generator(i)), i));
         keyed.fold((0.0, usize::MAX), |best, own| if own.0 > best.0 { own } else { best }).1

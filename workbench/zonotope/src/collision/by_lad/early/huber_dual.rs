@@ -17,19 +17,19 @@ use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, t
 pub(crate) const WELL_WITHIN: f64 = 0.9999;
 
 /// What is added to the diagonal of a matrix, in terms of its trace, so that flat bodies have an inverse as well.
-const THIN: f64 = 4e-15;
+const DIAGONAL_SHIFT: f64 = 4e-15;
 
 /// How much larger than those of some generators the coefficients of all are taken to be.
-const MORE: f64 = 1.15;
+const SAMPLE_MARGIN: f64 = 1.15;
 
 /// Where a part of the coefficients need not be exact, clipped ones may move by so much.
-pub(crate) const ROUGH: f64 = 0.3;
+pub(crate) const ROUGH_EXCESS: f64 = 0.3;
 
 /// Lengths are even if the longest is no longer than this, in terms of the mean.
-const UNEVEN: f64 = 4.0;
+const EVEN_LENGTHS: f64 = 4.0;
 
 /// With a determinant below this, in terms of the trace, a body may be flat.
-const FLAT: f64 = 4e-15;
+const THICK_DETERMINANT: f64 = 4e-15;
 
 /// Generators in two runs.
 pub(crate) type Runs<'a> = [&'a [[f64; 3]]; 2];
@@ -66,7 +66,7 @@ impl Lengths {
         let [first, second] = longest.to_array();
         let longest = first.max(second);
         let count = (runs[0].len() + runs[1].len()) as f64;
-        if longest * count <= UNEVEN * total.reduce_add() { Self::Even(longest) } else { Self::Own }
+        if longest * count <= EVEN_LENGTHS * total.reduce_add() { Self::Even(longest) } else { Self::Own }
     }
 
     /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
@@ -76,7 +76,7 @@ impl Lengths {
         let mut largest = f64x2::default();
         for_pairs(among, |v| largest = largest.fast_max(product(&v, &wide).abs()));
         let [first, second] = largest.to_array();
-        MORE * first.max(second) / longest
+        SAMPLE_MARGIN * first.max(second) / longest
     }
 
     /// What products with a vector are to be taken with, and what sums of them are to be divided by.
@@ -186,7 +186,7 @@ impl Moments {
         let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
         let determinant = dot(&rows[0], &minors[0]);
         let inverse = 1.0 / determinant;
-        let is_thick = determinant > FLAT * trace * trace * trace;
+        let is_thick = determinant > THICK_DETERMINANT * trace * trace * trace;
         is_thick.then(|| [0, 1, 2].map(|k| dot(&minors[k], r) * inverse))
     }
 
@@ -194,7 +194,7 @@ impl Moments {
     pub(crate) fn solve(&self, r: &[f64; 3]) -> ([f64; 3], bool) {
         let [xx, xy, xz, yy, yz, zz] = self.hessian;
         let trace = xx + yy + zz;
-        let more = THIN * trace;
+        let more = DIAGONAL_SHIFT * trace;
         let rows = [[xx + more, xy, xz], [xy, yy + more, yz], [xz, yz, zz + more]];
         let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
         let determinant = dot(&rows[0], &minors[0]);
@@ -203,7 +203,7 @@ impl Moments {
         let first = solve(r);
         // what was added to the diagonal is taken back
         let second = solve(&first.map(|c| more * c));
-        ([0, 1, 2].map(|k| first[k] + second[k]), determinant > FLAT * trace * trace * trace)
+        ([0, 1, 2].map(|k| first[k] + second[k]), determinant > THICK_DETERMINANT * trace * trace * trace)
     }
 
     /// The slope of the smooth problem along a step.
@@ -225,7 +225,7 @@ impl Moments {
             return None;
         }
         let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
-        let room = if exact { WELL_WITHIN - factor } else { ROUGH };
+        let room = if exact { WELL_WITHIN - factor } else { ROUGH_EXCESS };
         (lengths.largest(among, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
     }
 

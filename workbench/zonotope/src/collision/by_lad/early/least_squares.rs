@@ -6,9 +6,11 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::combination::{SLACK, TINY, correcting_basis, correcting_pair, rest};
+use crate::collision::by_lad::early::combination::{
+    PRODUCT_SLACK, UNDERFLOW_FLOOR, correcting_basis, correcting_pair, rest,
+};
 use crate::collision::by_lad::early::huber_dual::{Moments, Runs, WELL_WITHIN, dot};
-use crate::collision::by_lad::early::{Clear, INSIDE};
+use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
@@ -16,7 +18,7 @@ use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
 use crate::numeric::tolerance::UNIT;
 
 /// Of so many pairs it is seen that coefficients will be too large.
-const PICKS: usize = 16;
+const PAIR_SAMPLE: usize = 16;
 
 /// What is known of a point that one solve does not tell.
 pub(crate) struct Open {
@@ -77,7 +79,7 @@ impl Sums {
         let (mut sums, mut count) = (Self::default(), 0);
         let all = runs[0].len() + runs[1].len();
         for run in runs {
-            for pair in run.as_chunks::<2>().0.iter().step_by(all / (2 * PICKS)) {
+            for pair in run.as_chunks::<2>().0.iter().step_by(all / (2 * PAIR_SAMPLE)) {
                 sums.read::<OWN>(&columns(*pair), &wide);
                 count += 2;
             }
@@ -102,10 +104,10 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &Bo
     // a flat body has a direction, too
     let y = thick.unwrap_or_else(|| moments.solve(&own).0);
     let along = dot(&own, &y);
-    if is_thick && n >= 8 * PICKS {
+    if is_thick && n >= 8 * PAIR_SAMPLE {
         let (some, part) = Sums::of_some::<OWN>(runs, &y);
         let gauge = along * part / total(some.reach);
-        if some.largest() > WELL_WITHIN && gauge < INSIDE {
+        if some.largest() > WELL_WITHIN && gauge < INSIDE_GAUGE {
             return Err(Open { y, gauge, is_thick });
         }
     }
@@ -122,7 +124,8 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &Bo
     if along > reach {
         let longest = y.iter().fold(0.0f64, |m, c| m.max(c.abs()));
         // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
-        let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * longest) * SLACK + n as f64 * TINY;
+        let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * longest) * PRODUCT_SLACK
+            + n as f64 * UNDERFLOW_FLOOR;
         if (bounded::dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
             return Ok(Clear::Outside(y));
         }
@@ -151,7 +154,7 @@ pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimpleP
 /// At least Σ |v|: of v · v / |v| each is, and of v · v the mean is at least the square of that of |v|.
 fn magnitude<const OWN: bool>(moments: &Moments, count: usize) -> f64 {
     let trace = moments.trace();
-    if OWN { trace * SLACK } else { (count as f64 * trace).sqrt() * SLACK }
+    if OWN { trace * PRODUCT_SLACK } else { (count as f64 * trace).sqrt() * PRODUCT_SLACK }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Points far inside and far outside, told and proved in few passes: by the smooth problem of `dual`, on a sample first.
 //!
 //! The y that solves it for a sample either separates, so that one pass over all generators proves it, or coefficients are written that the
-//! sample steers (`turns`). Small bodies need no sample (`least`), a flat one needs its plane (`flat`). Where that does not do, the sums of all
+//! sample steers (`pass`). Small bodies need no sample (`least`), a flat one needs its plane (`flat`). Where that does not do, the sums of all
 //! generators at some y give coefficients. Where the sample says that the point is near the boundary, nothing is tried.
 
 mod clipped_steps;
@@ -17,7 +17,7 @@ use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
 use crate::collision::by_lad::early::combination::Combination;
 use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, dot};
 use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
-use crate::collision::by_lad::early::stratified_pass::Turns;
+use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
 use crate::collision::{Location, Query, Separation, Witness};
 use crate::lad::of_generators::problem::rounded_displacement;
 use crate::lad::of_generators::span::flat::SimplePlane;
@@ -28,17 +28,17 @@ use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
 
 /// With at most so many generators no sample is taken.
-const ALL: usize = 320;
+const WHOLE_LIMIT: usize = 320;
 
 /// With at most so many the coefficients are in terms of their own lengths.
-const FEW: usize = 16;
+const OWN_LENGTHS_LIMIT: usize = 16;
 
 /// A point whose gauge seems to be between these is near the boundary.
-pub(crate) const INSIDE: f64 = 0.9;
-const OUTSIDE: f64 = 1.0;
+pub(crate) const INSIDE_GAUGE: f64 = 0.9;
+const OUTSIDE_GAUGE: f64 = 1.0;
 
 /// How many deviations a sample must see between a point outside and the boundary.
-const DEVIATIONS: f64 = 1.0;
+const OUTSIDE_DEVIATIONS: f64 = 1.0;
 
 /// What is clear, with its proof.
 pub(crate) enum Clear {
@@ -64,11 +64,15 @@ impl Clear {
 pub(crate) fn locate(query: &Query<'_, 3>, tally: &mut impl Tally) -> Option<Clear> {
     let p = rounded_displacement(query);
     let n = query.len();
-    if n > ALL {
+    if n > WHOLE_LIMIT {
         return locate_by_sample(query, &p, tally);
     }
     tally.add(Operation::GeneratorRead, n as u64);
-    let told = if n <= FEW { tell::<true, FEW>(query, &p) } else { tell::<false, ALL>(query, &p) };
+    let told = if n <= OWN_LENGTHS_LIMIT {
+        tell::<true, OWN_LENGTHS_LIMIT>(query, &p)
+    } else {
+        tell::<false, WHOLE_LIMIT>(query, &p)
+    };
     match told {
         Ok(clear) => {
             tally.answered_by(Rung::LeastSquares);
@@ -89,7 +93,7 @@ fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) 
         }
         Err(open) => open,
     };
-    if !(open.is_thick && open.gauge < INSIDE) {
+    if !(open.is_thick && open.gauge < INSIDE_GAUGE) {
         return None;
     }
     // clipped coefficients are those of the prism over what is left without a coordinate
@@ -97,7 +101,13 @@ fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) 
     let body = prism.query();
     let first = body.runs()[0];
     let steps = State::new(&plane.projected(&open.y), open.gauge);
-    match steps.prove(&body, &rounded_displacement(&body), Lengths::Own, &first[..first.len().min(ALL)], tally)? {
+    match steps.prove(
+        &body,
+        &rounded_displacement(&body),
+        Lengths::Own,
+        &first[..first.len().min(WHOLE_LIMIT)],
+        tally,
+    )? {
         Clear::Inside(witness) => Some(Clear::Flat(prism.lower_witness(witness))),
         Clear::Flat(_) | Clear::Outside(_) => None,
     }
@@ -106,7 +116,7 @@ fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) 
 /// The proof of a point inside whose least coefficients are too large.
 fn locate_by_steps(query: &Query<'_, 3>, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
     // false for NaN as well
-    let is_likely = open.gauge < INSIDE;
+    let is_likely = open.gauge < INSIDE_GAUGE;
     if !is_likely {
         return None;
     }
@@ -114,7 +124,7 @@ fn locate_by_steps(query: &Query<'_, 3>, p: &BoundedVector, open: &Open, tally: 
         return locate_flat(query, p, tally);
     }
     let first = query.runs()[0];
-    if query.len() <= FEW {
+    if query.len() <= OWN_LENGTHS_LIMIT {
         return State::new(&open.y, open.gauge).prove(query, p, Lengths::Own, first, tally);
     }
     match Lengths::of(query.runs()) {
@@ -137,11 +147,11 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     }
     // at least that of p; NaN is nowhere
     let gauge = along.value / reach.value;
-    if !(is_thick && gauge < INSIDE) {
+    if !(is_thick && gauge < INSIDE_GAUGE) {
         return None;
     }
     let first = query.runs()[0];
-    let among = &first[..first.len().min(ALL)];
+    let among = &first[..first.len().min(WHOLE_LIMIT)];
     let least = Combination::least(y, Lengths::Own, among, true);
     if let Some(clear) = least.and_then(|least| inside(query, p, &least, tally)) {
         tally.answered_by(Rung::LeastSquares);
@@ -151,8 +161,8 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
 }
 
 fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
-    let turns = Turns::of(query.len());
-    let few = turns.last(query);
+    let pass = StratifiedPass::of(query.len());
+    let few = pass.last(query);
     tally.add(Operation::GeneratorRead, few.len() as u64);
     let part = few.len() as f64 / query.len() as f64;
     let own = p.map(|c| c.value * part);
@@ -160,7 +170,7 @@ fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Ta
     let least = Moments::at_zero([&few, &[]], lengths);
     let (y, is_thick) = least.solve(&own);
     let gauge = dot(&own, &y) / bounded_sum(&few, &y).value;
-    if gauge > OUTSIDE + DEVIATIONS / (few.len() as f64).sqrt()
+    if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt()
         && let Some(clear) = outside(query, p, y, tally)
     {
         tally.answered_by(Rung::SampledDirection);
@@ -170,10 +180,10 @@ fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Ta
         // the longest are not in the sample
         return locate_by_all(query, p, tally);
     }
-    if !is_thick && gauge < INSIDE {
+    if !is_thick && gauge < INSIDE_GAUGE {
         return locate_flat(query, p, tally);
     }
-    if !(is_thick && gauge < INSIDE) {
+    if !(is_thick && gauge < INSIDE_GAUGE) {
         return None;
     }
     let start = State::new(&y, gauge);
@@ -193,7 +203,7 @@ fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Ta
         }
     };
     tally.add(Operation::GeneratorRead, query.len() as u64);
-    if let Some(witness) = turns.witness(query, p, few.len(), steer) {
+    if let Some(witness) = pass.witness(query, p, few.len(), steer) {
         tally.answered_by(Rung::StratifiedPass);
         return Some(Clear::Inside(witness));
     }

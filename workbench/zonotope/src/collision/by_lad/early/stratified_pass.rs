@@ -12,21 +12,21 @@ use crate::collision::{Query, Witness};
 use crate::numeric::bounded::BoundedVector;
 
 /// The last part has at least so many, and the square root of all more.
-const LEAST: usize = 32;
+const LEAST_LAST_PART: usize = 32;
 
 /// One in so many generators is in the last part at least.
-const LARGEST_SHARE: usize = 128;
+const LAST_PART_SHARE: usize = 128;
 
 /// The first part may be larger the more there are in the last, of which so much of the square root tells the mean well enough.
-const STEADY: usize = 8;
+const STEADY_ROOT: usize = 8;
 
 /// Stretches of at least and at most so many generators.
-const SHORTEST: usize = 8;
-const LONGEST: usize = 128;
+const SHORTEST_STRETCH: usize = 8;
+const LONGEST_STRETCH: usize = 128;
 
 /// How generators are dealt out.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Turns {
+pub(crate) struct StratifiedPass {
     /// Generators in a stretch.
     stretch: usize,
     /// All but one of so many stretches are of the first part.
@@ -35,12 +35,16 @@ pub(crate) struct Turns {
     halvings: u32,
 }
 
-impl Turns {
+impl StratifiedPass {
     pub(crate) fn of(count: usize) -> Self {
-        let few = (LEAST + count.isqrt()).max(count / LARGEST_SHARE);
-        let group = (few.isqrt() / STEADY).next_power_of_two().max(2);
+        let few = (LEAST_LAST_PART + count.isqrt()).max(count / LAST_PART_SHARE);
+        let group = (few.isqrt() / STEADY_ROOT).next_power_of_two().max(2);
         let halvings = (count / few / group).max(1).ilog2();
-        Self { stretch: (count.isqrt() / 8).clamp(SHORTEST, LONGEST).next_power_of_two(), group, halvings }
+        Self {
+            stretch: (count.isqrt() / 8).clamp(SHORTEST_STRETCH, LONGEST_STRETCH).next_power_of_two(),
+            group,
+            halvings,
+        }
     }
 
     /// In how many generators a part has a stretch, and where that is.
@@ -125,11 +129,11 @@ mod tests {
     fn every_generator_has_its_turn_once() {
         for n in [321, 1000, 5000, 70_000] {
             let body: Vec<[f64; 3]> = (0..n).map(|i| [f64::from(i); 3]).collect();
-            let turns = Turns::of(body.len());
+            let pass = StratifiedPass::of(body.len());
             for (first, second) in [body.split_at(body.len()), body.split_at(body.len() / 3)] {
                 let mut turn = vec![0; body.len()];
-                for part in 0..turns.halvings + 2 {
-                    let (period, range) = turns.places(part);
+                for part in 0..pass.halvings + 2 {
+                    let (period, range) = pass.places(part);
                     for run in [first, second] {
                         for period in run.chunks(period) {
                             for [index, ..] in &period[within(&range, period.len())] {
@@ -141,7 +145,7 @@ mod tests {
                 assert!(turn.iter().all(|count| *count == 1), "{n}");
             }
             let query = Query::new([0.0; 3], [1.0; 3], &body).expect("finite");
-            let few = turns.last(&query);
+            let few = pass.last(&query);
             assert!(few.len() > 30 && few.len() < body.len() / 2 && few.is_sorted_by(|a, b| a[0] < b[0]), "{n}");
         }
     }

@@ -5,7 +5,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero, rounded_direction};
 
 /// How many generators are proposed as the next of a basis.
-const PROPOSALS: usize = 3;
+const PROPOSAL_LIMIT: usize = 3;
 
 /// Three independent vectors, the first `rank` of which are generators; the others are orthogonal to those.
 #[derive(Debug, Clone)]
@@ -107,8 +107,8 @@ fn most_independent(query: &Query<'_, 3>, basis: &Basis) -> Vec<usize> {
     let mut best: Vec<(f64, usize)> = Vec::new();
     for (index, v) in query.generators().enumerate() {
         let key = key(v);
-        if key > 0.0 && (best.len() < PROPOSALS || key > best[best.len() - 1].0) {
-            best.truncate(PROPOSALS - 1);
+        if key > 0.0 && (best.len() < PROPOSAL_LIMIT || key > best[best.len() - 1].0) {
+            best.truncate(PROPOSAL_LIMIT - 1);
             best.push((key, index));
             best.sort_by(|a, b| b.0.total_cmp(&a.0));
         }

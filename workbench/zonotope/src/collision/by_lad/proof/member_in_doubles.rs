@@ -13,13 +13,13 @@ use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
 
 /// How many generators are tried as the third.
-const PICKS: usize = 32;
+const THIRD_CANDIDATES: usize = 32;
 
 /// A margin of so much of what the other generators leave is enough.
-const ENOUGH: f64 = 0.25;
+const MARGIN_SHARE: f64 = 0.25;
 
 /// How much of the third's range is left to it when it moves away from its end.
-const MOVE: f64 = 0.5;
+const THIRD_ROOM: f64 = 0.5;
 
 /// Three generators and the factor of all others.
 #[derive(Debug, Clone, Copy)]
@@ -43,15 +43,16 @@ pub(crate) fn witness(
     let last = certain.cell();
     let sign = |index: usize| cells.sign(query, &last, index);
     let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
-    let picks = (0..n).step_by(n.div_ceil(PICKS).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
+    let picks =
+        (0..n).step_by(n.div_ceil(THIRD_CANDIDATES).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
     // far enough from the ends: no other pick is much better, unless rounding forbids this one
-    let mut enough = ENOUGH * (1.0 - inverse);
+    let mut enough = MARGIN_SHARE * (1.0 - inverse);
     let mut best = Attempt { third: 0, sign: 0.0, factor: 0.0, margin: 0.0 };
     for third in picks {
         let sign = sign(third);
         let v = query.generator(third);
         let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
-        let moved = (inverse * (1.0 + MOVE * height)).min(1.0);
+        let moved = (inverse * (1.0 + THIRD_ROOM * height)).min(1.0);
         for factor in [moved, inverse, 1.0] {
             let own = attempt(query, certain, p, Attempt { third, sign, factor, margin: 0.0 });
             if own.margin > best.margin {

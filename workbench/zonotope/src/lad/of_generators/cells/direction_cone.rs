@@ -9,23 +9,23 @@ use crate::numeric::tolerance::UNIT;
 use crate::numeric::vector::{self, ExactVector};
 
 /// Covers the underflow of a dot product of doubles.
-const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+const UNDERFLOW_FLOOR: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// A longer vector's square does not underflow.
-const SHORT: f64 = f64::from_bits((1023 - 500) << 52);
+const LEAST_SQUARABLE: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// How much wider a cell is where the optimum seemed to be outside of it.
-const AROUND: f64 = 8.0;
+const BALL_STRETCH: f64 = 8.0;
 
 /// Generators read before their sums join the total: their crossings are gathered in one word.
 const BLOCK: usize = 64;
 
 /// What rounding adds to a cell, in terms of its centre, and what makes up for it in products of a few rounded terms.
-const ROUNDING: f64 = 8.0 * UNIT;
-const SLACK: f64 = 1.0 + 32.0 * UNIT;
+const CONE_ROUNDING: f64 = 8.0 * UNIT;
+const CONE_SLACK: f64 = 1.0 + 32.0 * UNIT;
 
-/// (a + b)² ≤ (1 + WIDER) a² + (1 + 1 / WIDER) b².
-const WIDER: f64 = 1.0 / 1024.0;
+/// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
+const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
 
 /// All positive multiples of the directions of an ellipse, or of a ball if it has no axes.
 ///
@@ -68,7 +68,7 @@ impl DirectionCone {
     pub(crate) fn split(&self, generators: &[[f64; 3]], report: impl FnMut(usize)) -> FixedSum {
         match self.axes {
             None => split(&WideCone::<0>::new(self, [], 1.0), generators, report),
-            Some(axes) => split(&WideCone::<2>::new(self, axes, 1.0 + 1.0 / WIDER), generators, report),
+            Some(axes) => split(&WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT), generators, report),
         }
     }
 
@@ -83,7 +83,7 @@ impl DirectionCone {
 
     /// A ball around another direction, in terms of its size wider than the cell.
     pub(crate) fn around_other(&self, center: [f64; 3]) -> Self {
-        let ball = AROUND * self.size() * (length(&center) / length(&self.center));
+        let ball = BALL_STRETCH * self.size() * (length(&center) / length(&self.center));
         Self { center, axes: None, ball }
     }
 
@@ -106,7 +106,7 @@ impl DirectionCone {
 
     /// The cell of the directions that are one direction but for rounding.
     pub(crate) fn around(direction: &BoundedVector) -> Self {
-        let ball = length(&direction.map(|c| c.error)) * SLACK;
+        let ball = length(&direction.map(|c| c.error)) * CONE_SLACK;
         Self { center: direction.map(|c| c.value), axes: None, ball }
     }
 
@@ -122,7 +122,7 @@ impl DirectionCone {
         let y = dot(&off, &across) / dot(&across, &across);
         let y = if y.is_finite() { y } else { 0.0 };
         let x = dot(&off, &long) / dot(&long, &long) - y * part;
-        let size = (x * x + y * y).sqrt().max(1.0) * SLACK;
+        let size = (x * x + y * y).sqrt().max(1.0) * CONE_SLACK;
         let [x, y] = if x.is_finite() && size.is_finite() { [x / size, y / size] } else { [0.0; 2] };
         if is_swapped { [y, x] } else { [x, y] }
     }
@@ -195,12 +195,12 @@ struct WideCone<const AXES: usize> {
 impl<const AXES: usize> WideCone<AXES> {
     fn new(cell: &DirectionCone, axes: [[f64; 3]; AXES], factor: f64) -> Self {
         let size = length(&cell.center) + axes.iter().map(length).sum::<f64>() + cell.ball;
-        let ball = (cell.ball + ROUNDING * size) * SLACK;
-        let wider = (1.0 + WIDER).sqrt() * SLACK;
+        let ball = (cell.ball + CONE_ROUNDING * size) * CONE_SLACK;
+        let wider = (1.0 + SQUARE_SPLIT).sqrt() * CONE_SLACK;
         Self {
             center: twice(cell.center),
             axes: axes.map(|axis| twice(axis.map(|c| c * wider))),
-            square: f64x2::splat(ball * ball * factor * SLACK),
+            square: f64x2::splat(ball * ball * factor * CONE_SLACK),
         }
     }
 }
@@ -220,7 +220,7 @@ impl Sums {
         let values = products(pair, &cell.center);
         let squares = products(pair, pair);
         self.squares += squares;
-        let mut reach = squares * cell.square + f64x2::splat(TINY);
+        let mut reach = squares * cell.square + f64x2::splat(UNDERFLOW_FLOOR);
         for axis in &cell.axes {
             let value = products(pair, axis);
             reach += value * value;
@@ -238,7 +238,7 @@ impl Sums {
     /// The sum, and what bounds the sum of the lengths.
     fn total(&self, count: usize) -> ([f64; 3], f64) {
         let [[x, y], [z, other_x], [other_y, other_z]] = self.sum.map(f64x2::to_array);
-        let size = (self.squares.reduce_add() * count as f64).sqrt() + count as f64 * SHORT;
+        let size = (self.squares.reduce_add() * count as f64).sqrt() + count as f64 * LEAST_SQUARABLE;
         ([x + other_x, y + other_y, z + other_z], size)
     }
 }

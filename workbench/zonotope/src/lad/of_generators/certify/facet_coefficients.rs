@@ -48,14 +48,14 @@ pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Resu
     }
     let scale = square / reach;
     match median {
-        Some(median) if scale > 1.0 + BEYOND => Err(median.line),
+        Some(median) if scale > 1.0 + GAUGE_TOLERANCE => Err(median.line),
         // shares too large by rounding are the caller's to make up for
         _ => Ok(signs.into_iter().map(|sign| sign * scale.min(1.0)).collect()),
     }
 }
 
 /// A vector whose gauge exceeds 1 by more than this is not in the zonogon.
-const BEYOND: f64 = 1e-9;
+const GAUGE_TOLERANCE: f64 = 1e-9;
 
 #[cfg(test)]
 mod tests {

@@ -48,7 +48,7 @@ pub(crate) struct RoundedOptimum {
 }
 
 /// More error in the direction of a vertex than this part of it makes it a point near a vertex.
-const BLURRED: f64 = 1e-12;
+const BLURRED_VERTEX: f64 = 1e-12;
 
 /// The vector g + δ_a v_a + δ_b v_b − μ p for δ_a and δ_b in [−1, 1] and μ near λ.
 #[derive(Debug, Clone, Copy)]
@@ -83,7 +83,7 @@ impl RoundedOptimum {
         let vertex = if reversed { product.map(Bounded::negated) } else { product };
         let largest = |of: fn(&Bounded) -> f64| vertex.iter().map(of).fold(0.0f64, f64::max);
         // two lines that are nearly parallel: of their vertex less is known than of a point near it
-        let is_rounded = largest(|c| c.error) > BLURRED * largest(|c| c.value.abs());
+        let is_rounded = largest(|c| c.error) > BLURRED_VERTEX * largest(|c| c.value.abs());
         let direction = if is_rounded { exact(between(&vectors, vertex.map(|c| c.value))) } else { vertex };
         let is_missed = |level: &Reduced| level.cell.is_some_and(|cell| !cell.contains(&direction, p));
         if let Some(place) = levels.iter().position(is_missed) {

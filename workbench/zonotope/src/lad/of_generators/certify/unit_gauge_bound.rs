@@ -8,7 +8,7 @@ use crate::numeric::tolerance::UNIT;
 use crate::zonotope::query::Query;
 
 /// Generators read side by side.
-const RUN: usize = 8;
+const LANES: usize = 8;
 
 /// Between these the sum of the generators' lengths is not touched by overflow and underflow.
 const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
@@ -20,7 +20,7 @@ pub(crate) fn unit_gauge_bound(query: &Query<'_, 3>, share: usize) -> f64 {
     let mut count = 0;
     for run in query.runs() {
         // the last ones are always read: they may be the only ones that lead out of a plane
-        for part in run.chunks(RUN).rev().step_by(share) {
+        for part in run.chunks(LANES).rev().step_by(share) {
             count += part.len();
             for &[x, y, z] in part {
                 let weight = 1.0 / x.abs().max(y.abs()).max(z.abs()).max(f64::MIN_POSITIVE);

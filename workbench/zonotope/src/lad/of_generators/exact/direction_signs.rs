@@ -8,7 +8,7 @@ use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::vector::ExactVector;
 
 /// Between 2 to the power of this and of its opposite, products of two doubles and their rounding errors are normal numbers.
-const MODERATE: i64 = 300;
+const MODERATE_EXPONENT: i64 = 300;
 
 /// A direction as pairs of doubles.
 pub(crate) struct PairDirection {
@@ -25,15 +25,15 @@ impl PairDirection {
             Some((Approximation::of(&c.clone().scaled(-exponent)), exponent))
         });
         let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max().unwrap_or(0);
-        let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < MODERATE);
+        let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < MODERATE_EXPONENT);
         let scaled = |c: &Dyadic| Approximation::of(&c.clone().scaled(-largest));
         Self { terms, moderate: is_moderate.then(|| direction.each_ref().map(scaled)) }
     }
 
     /// The sign of v · u if pairs tell and it is not zero.
     pub(crate) fn certain_sign(&self, v: &[f64; 3]) -> Option<i8> {
-        const SMALL: f64 = f64::from_bits(((1023 - MODERATE) as u64) << 52);
-        const LARGE: f64 = f64::from_bits(((1023 + MODERATE) as u64) << 52);
+        const SMALL: f64 = f64::from_bits(((1023 - MODERATE_EXPONENT) as u64) << 52);
+        const LARGE: f64 = f64::from_bits(((1023 + MODERATE_EXPONENT) as u64) << 52);
         let is_moderate = |c: &f64| *c == 0.0 || (SMALL..LARGE).contains(&c.abs());
         if let Some(direction) = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate)) {
             let [x, y, z] = [0, 1, 2].map(|k| direction[k] * Approximation::exact(v[k]));

@@ -72,25 +72,25 @@ impl Aim {
 }
 
 /// The most Newton steps.
-const STEPS: usize = 20;
+const NEWTON_STEP_LIMIT: usize = 20;
 
 /// The thinnest band, in terms of the first.
-const THINNEST: f64 = 1e-13;
+const THINNEST_BAND: f64 = 1e-13;
 
 /// After so many steps that went too far the objective is not smooth enough for this.
-const MOST_SHORTENED: usize = 3;
+const SHORTENED_STEP_LIMIT: usize = 3;
 
 /// Of more lines than twice this, descent takes a part.
-const MOST: usize = 200;
+const DESCENT_PART_LINES: usize = 200;
 
 /// The band is thin enough with so many times the lines it must have.
-const ENOUGH: f64 = 3.0;
+const THIN_ENOUGH: f64 = 3.0;
 
 /// A step is the last one for its band if it changes the lines' distances, in terms of the band, by no more than this in the mean square.
-const STRICT: f64 = 1e-4;
+const STRICT_CHANGE: f64 = 1e-4;
 
 /// The minimum hardly moves if its last step is no longer than this, in terms of what the guess allows for.
-const SETTLED: f64 = 0.5;
+const SETTLED_CHANGE: f64 = 0.5;
 
 /// A symmetric matrix [[xx, xy], [xy, yy]].
 type Symmetric = [f64; 3];
@@ -174,7 +174,7 @@ impl RoundedLines {
 
     /// The optimal vertex from vertex to vertex: of a part of many lines first, then of all.
     pub(crate) fn optimum(&self, linear: [f64; 2], start: [f64; 2]) -> Option<[f64; 2]> {
-        let share = self.len() / MOST;
+        let share = self.len() / DESCENT_PART_LINES;
         let start = match share {
             0 | 1 => start,
             _ => self.part(share).optimum(linear.map(|c| c / share as f64), start).unwrap_or(start),
@@ -201,7 +201,7 @@ impl RoundedLines {
 
     fn by_newton(&self, linear: [f64; 2], mut point: [f64; 2], mut band: f64, aim: Aim) -> Option<Guess> {
         let thickness = aim.thickness;
-        let thinnest = band * THINNEST;
+        let thinnest = band * THINNEST_BAND;
         let mut best: Option<(Moments, f64, [f64; 2])> = None;
         let mut pending: Option<Step> = None;
         let mut anchor: Option<(f64, [f64; 2])> = None;
@@ -210,7 +210,7 @@ impl RoundedLines {
         let mut steps = 0;
         loop {
             steps += 1;
-            if steps > STEPS {
+            if steps > NEWTON_STEP_LIMIT {
                 return None;
             }
             let moments = self.moments(point, band);
@@ -221,9 +221,11 @@ impl RoundedLines {
                 match best {
                     None if moments.count as usize == self.len() => return None,
                     None => band *= 4.0,
-                    Some((wider, ..)) if wider.count < ENOUGH * thickness => break,
+                    Some((wider, ..)) if wider.count < THIN_ENOUGH * thickness => break,
                     // the minimum of the wider band itself, not one step towards it, before a thinner one is tried again
-                    Some((_, size, from)) if limit > STRICT => (point, band, limit) = (from, size, STRICT),
+                    Some((_, size, from)) if limit > STRICT_CHANGE => {
+                        (point, band, limit) = (from, size, STRICT_CHANGE)
+                    }
                     Some((_, size, _)) if band > 0.7 * size => break,
                     Some((_, size, from)) => (point, band) = (from, (band * size).sqrt()),
                 }
@@ -231,7 +233,7 @@ impl RoundedLines {
             };
             if let Some(shorter) = pending.take().and_then(|step| step.shortened(gradient)) {
                 shortened += 1;
-                if shortened > MOST_SHORTENED {
+                if shortened > SHORTENED_STEP_LIMIT {
                     return None;
                 }
                 point = shorter;
@@ -252,13 +254,15 @@ impl RoundedLines {
             }
             // the gradient's deviation in the same terms, each normal as long as its generator is wide on average
             let deviation = aim.deviations * (self.len() as f64 / 3.0).sqrt() / moments.count;
-            let is_settled = change < (SETTLED * deviation).powi(2) || moments.count < ENOUGH * aim.thinnest;
-            if (moments.count < ENOUGH * thickness && is_settled) || band < thinnest {
+            let is_settled =
+                change < (SETTLED_CHANGE * deviation).powi(2) || moments.count < THIN_ENOUGH * aim.thinnest;
+            if (moments.count < THIN_ENOUGH * thickness && is_settled) || band < thinnest {
                 break;
             }
             let steady = change < 0.25;
             let thinner = band
-                * (1.5 * if moments.count < ENOUGH * thickness { aim.thinnest } else { thickness } / moments.count)
+                * (1.5 * if moments.count < THIN_ENOUGH * thickness { aim.thinnest } else { thickness }
+                    / moments.count)
                     .max(if steady { 0.125 } else { 0.5 });
             let before = anchor.replace((band, point)).filter(|(before, _)| steady && *before > 1.01 * band);
             if let Some((before, from)) = before {

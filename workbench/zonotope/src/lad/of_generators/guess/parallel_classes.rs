@@ -14,13 +14,13 @@ use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 const PROBES: usize = 12;
 
 /// More directions are not few.
-const MOST: usize = 32;
+const CLASS_LIMIT: usize = 32;
 
 /// The most noise of a direction, as the sine of an angle.
-const NOISE: f64 = 1e-6;
+const PARALLEL_SINE: f64 = 1e-6;
 
 /// How much wider than in the sample a class may be.
-const WIDER: f64 = 4.0;
+const WIDTH_MARGIN: f64 = 4.0;
 
 /// The classes of a sample.
 pub(crate) struct ParallelClasses {
@@ -56,14 +56,15 @@ impl ParallelClasses {
     pub(crate) fn of(sample: &[[f64; 3]], part: f64, chart: &RoundedChart) -> Option<Self> {
         let step = (sample.len() / PROBES).max(1);
         let probes: Vec<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
-        let is_repeated = |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < NOISE * NOISE);
+        let is_repeated =
+            |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < PARALLEL_SINE * PARALLEL_SINE);
         if !probes.iter().enumerate().any(is_repeated) {
             return None;
         }
-        let mut classes: Vec<ParallelClass> = Vec::with_capacity(MOST);
+        let mut classes: Vec<ParallelClass> = Vec::with_capacity(CLASS_LIMIT);
         for v in sample {
             let Some(own) = unit(v) else { continue };
-            match classes.iter().position(|class| sine_square(&class.unit, &own) < NOISE * NOISE) {
+            match classes.iter().position(|class| sine_square(&class.unit, &own) < PARALLEL_SINE * PARALLEL_SINE) {
                 Some(place) => {
                     let class = &mut classes[place];
                     let noise = sine_square(&class.unit, &own).sqrt();
@@ -71,7 +72,7 @@ impl ParallelClasses {
                     class.sum = [0, 1, 2].map(|k| class.sum[k] + sign * v[k]);
                     class.noise = class.noise.max(noise);
                 }
-                None if classes.len() == MOST => return None,
+                None if classes.len() == CLASS_LIMIT => return None,
                 None => classes.push(ParallelClass { unit: own, sum: *v, noise: 0.0 }),
             }
         }
@@ -85,15 +86,15 @@ impl ParallelClasses {
         let [first, second] = descend(&self.lines, self.linear, start)?;
         let point = self.lines.meet(first, second);
         let size = chart.point(point).iter().map(|c| c.abs()).sum::<f64>();
-        let noises = [first, second].map(|i| WIDER * self.classes[i].noise);
+        let noises = [first, second].map(|i| WIDTH_MARGIN * self.classes[i].noise);
         let [[a, b, _], [c, d, _]] = [first, second].map(|i| chart.line(&self.classes[i].unit));
         let determinant = a * d - b * c;
         let [one, other] = noises.map(|noise| noise * size / determinant);
         let sides = [[d * one, -c * one], [-b * other, a * other]];
         // about half of the lines of either class are nearer
-        let band = noises[0].max(noises[1]) * size / (8.0 * WIDER);
+        let band = noises[0].max(noises[1]) * size / (8.0 * WIDTH_MARGIN);
         let is_finite = sides.as_flattened().iter().chain(&point).all(|c| c.is_finite());
-        let is_sharp = noises.iter().all(|noise| *noise < SHARP);
+        let is_sharp = noises.iter().all(|noise| *noise < ROUNDING_SINE);
         is_finite.then_some(Meeting { first, second, guess: Guess { point, band, sides }, is_sharp })
     }
 
@@ -131,7 +132,8 @@ impl ParallelClasses {
         let [[a, b, _], [c, d, _]] = sums.map(|sum| chart.line(&sum));
         let [x, y, _] = chart.line(&others);
         let determinant = (a * d - b * c).abs();
-        let is_optimal = (x * d - y * c).abs() <= ENOUGH * determinant && (a * y - b * x).abs() <= ENOUGH * determinant;
+        let is_optimal = (x * d - y * c).abs() <= COEFFICIENT_MARGIN * determinant
+            && (a * y - b * x).abs() <= COEFFICIENT_MARGIN * determinant;
         let [px, py] = meeting.guess.point;
         let mut own = [0.0; 2];
         for (_, [a, b, c, _]) in self.lines.iter().enumerate().filter(|(i, _)| !pair.contains(i)) {
@@ -144,10 +146,10 @@ impl ParallelClasses {
 }
 
 /// Noise of a direction that is rounding.
-const SHARP: f64 = 1e-14;
+const ROUNDING_SINE: f64 = 1e-14;
 
 /// What the coefficients of the two classes may be for their meeting to be the optimum.
-const ENOUGH: f64 = 1.0 + 1e-6;
+const COEFFICIENT_MARGIN: f64 = 1.0 + 1e-6;
 
 fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
     let size = v.iter().fold(0.0f64, |m, c| m.max(c.abs()));
@@ -162,7 +164,7 @@ fn sine_square([a, b, c]: &[f64; 3], [d, e, f]: &[f64; 3]) -> f64 {
 }
 
 fn is_along(v: &[f64; 3], unit: &[f64; 3]) -> bool {
-    sine_square(v, unit) < 4.0 * NOISE * NOISE * dot(v, v)
+    sine_square(v, unit) < 4.0 * PARALLEL_SINE * PARALLEL_SINE * dot(v, v)
 }
 
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {

@@ -7,13 +7,13 @@ use crate::tally::{Operation, Tally};
 use crate::zonotope::query::Query;
 
 /// So many of the last generators are always in the sample: they may be the only ones that lead out of a plane, those of a prism.
-const LAST: usize = 2;
+const ALWAYS_TAKEN: usize = 2;
 
 /// Where the mean square of the lengths exceeds the square of their mean by this factor, long generators are more likely to be picked.
-const UNEVEN: f64 = 4.0;
+const UNEVEN_SPREAD: f64 = 4.0;
 
 /// How often the stretch is made shorter for the generators that are longer.
-const STEPS: usize = 8;
+const STRETCH_STEPS: usize = 8;
 
 /// The seed of the sample: it decides the time, never the answer.
 const SEED: u64 = 0x7a;
@@ -37,16 +37,16 @@ impl Sample {
         let picks = (0..size).map(|i| {
             let within = (u64::from(random.random::<u32>() >> 16) * step) >> 16;
             let place = ((i as u64 * step + within) >> 32) as usize;
-            query.generator(if i + LAST >= size { n - size + i } else { place })
+            query.generator(if i + ALWAYS_TAKEN >= size { n - size + i } else { place })
         });
         let vectors: Vec<[f64; 3]> = picks.collect();
         let (mut sum, mut squares) = (0.0, 0.0);
-        for v in &vectors[..size - LAST] {
+        for v in &vectors[..size - ALWAYS_TAKEN] {
             let length = length(v);
             sum += length;
             squares += length * length;
         }
-        let is_uneven = squares * size as f64 > UNEVEN * sum * sum;
+        let is_uneven = squares * size as f64 > UNEVEN_SPREAD * sum * sum;
         if !is_uneven {
             return Self { vectors, longest: f64::INFINITY };
         }
@@ -55,7 +55,7 @@ impl Sample {
         let share = n as f64 / (size * size) as f64;
         // those that are longer count for one stretch each
         let shorter = |stretch: f64| lengths.iter().map(|length| length.min(stretch)).sum::<f64>() * share;
-        let stretch = (0..STEPS).fold(sum * share, |stretch, _| shorter(stretch));
+        let stretch = (0..STRETCH_STEPS).fold(sum * share, |stretch, _| shorter(stretch));
         Self::by_length(query, stretch, size)
     }
 
@@ -68,7 +68,7 @@ impl Sample {
     fn by_length(query: &Query<'_, 3>, stretch: f64, expected: usize) -> Self {
         let mut vectors = Vec::with_capacity(2 * expected);
         let mut missing = stretch / 2.0;
-        for v in query.generators().take(query.len() - LAST) {
+        for v in query.generators().take(query.len() - ALWAYS_TAKEN) {
             let length = length(v);
             missing -= length;
             if missing <= 0.0 {
@@ -77,7 +77,7 @@ impl Sample {
                 missing = if missing > -stretch { missing + stretch } else { missing.rem_euclid(stretch) };
             }
         }
-        vectors.extend((query.len() - LAST..query.len()).map(|i| query.generator(i)));
+        vectors.extend((query.len() - ALWAYS_TAKEN..query.len()).map(|i| query.generator(i)));
         Self { vectors, longest: stretch }
     }
 }

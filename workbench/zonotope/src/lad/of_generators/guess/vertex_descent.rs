@@ -9,16 +9,16 @@ use crate::lad::of_generators::guess::crossings::{Crossing, select};
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 
 /// The most line searches.
-const SEARCHES: usize = 40;
+const LINE_SEARCH_LIMIT: usize = 40;
 
 /// The most of them that do not move the vertex.
-const STILL: usize = 2;
+const UNMOVED_LIMIT: usize = 2;
 
 /// So many lines, or up to twice as many, tell how far ahead the others have to be looked at.
-const SAMPLE: usize = 64;
+const HORIZON_SAMPLE: usize = 64;
 
 /// How much farther that is than it seems to be.
-const MORE: f64 = 1.25;
+const HORIZON_MARGIN: f64 = 1.25;
 
 /// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it; none if no line crosses the one that is
 /// searched. Where many lines meet, it may be a vertex along both of whose lines the objective rises, but not along another.
@@ -57,7 +57,7 @@ fn descend_from(
     let mut before = usize::MAX;
     let mut still = 0;
     let mut crossings = Crossings::of(lines.len());
-    for _ in 0..SEARCHES {
+    for _ in 0..LINE_SEARCH_LIMIT {
         let (other, vertex) = search(lines, linear, line, point, &mut crossings)?;
         still = if is_same(point, vertex) { still + 1 } else { 0 };
         point = vertex;
@@ -68,7 +68,7 @@ fn descend_from(
         let own = f64::copysign(1.0, a * point[0] + b * point[1] + c) * turn;
         let slope = lines.slope(linear, point, direction) - own;
         // where the line before comes again, or the vertex stays, rounding would go on in circles
-        if slope.abs() <= turn.abs() * (1.0 + enough) || other == before || still > STILL {
+        if slope.abs() <= turn.abs() * (1.0 + enough) || other == before || still > UNMOVED_LIMIT {
             return Some([line, other]);
         }
         (before, line) = (line, other);
@@ -105,7 +105,7 @@ struct Crossings {
 
 impl Crossings {
     fn of(len: usize) -> Self {
-        Self { places: Vec::with_capacity(len + 1), ahead: Vec::with_capacity(len.min(SAMPLE)) }
+        Self { places: Vec::with_capacity(len + 1), ahead: Vec::with_capacity(len.min(HORIZON_SAMPLE)) }
     }
 
     /// The lines that cross ahead, no farther than `farthest`, one in so many; half of what the slope gains at all of them.
@@ -127,12 +127,12 @@ impl Crossings {
 
     /// A place that the crossing looked for is likely to be before.
     fn farthest(&mut self, lines: &RoundedLines, direction: [f64; 2], target: f64) -> f64 {
-        let step = lines.len() / SAMPLE;
+        let step = lines.len() / HORIZON_SAMPLE;
         if step < 2 {
             return f64::INFINITY;
         }
         let gain = self.gather(lines, direction, f64::INFINITY, step);
-        let target = MORE * target / step as f64 + 2.0 * gain / self.ahead.len() as f64;
+        let target = HORIZON_MARGIN * target / step as f64 + 2.0 * gain / self.ahead.len() as f64;
         if target < gain {
             select(&mut self.ahead, target).map_or(f64::INFINITY, |c| c.position)
         } else {

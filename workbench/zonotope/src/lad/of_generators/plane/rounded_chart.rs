@@ -7,10 +7,10 @@ use crate::lad::of_generators::guess::huber_newton::Guess;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 
 /// The smallest reach of a cell, in terms of its centre.
-const LEAST_REACH: f64 = 1e-11;
+const LEAST_CELL_SIZE: f64 = 1e-11;
 
 /// An ellipse with the square of its shorter axis no less than so much of that of its longer one is taken for a ball.
-const ROUND: f64 = 0.1;
+const ROUND_ELLIPSE: f64 = 0.1;
 
 /// Coordinates (x, y) = (u_i, u_j) of the plane, k the axis along which p is longest.
 #[derive(Debug, Clone, Copy)]
@@ -88,10 +88,10 @@ impl RoundedChart {
         let [first, second] = guess.sides.map(|side| self.direction(side, 0.0).map(|c| stretch * c));
         let center = self.point(guess.point);
         // not so small that a vertex in which many lines meet is missed by rounding
-        let least = LEAST_REACH * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+        let least = LEAST_CELL_SIZE * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));
         let (xx, xy, yy) = (dot(first, first), dot(first, second), dot(second, second));
         let (middle, half) = ((xx + yy) / 2.0, ((xx - yy) * (xx - yy) / 4.0 + xy * xy).sqrt());
-        if middle - half >= ROUND * (middle + half) {
+        if middle - half >= ROUND_ELLIPSE * (middle + half) {
             DirectionCone { center, axes: None, ball: least.max((middle + half).sqrt()) }
         } else {
             DirectionCone { center, axes: Some([first, second]), ball: least }

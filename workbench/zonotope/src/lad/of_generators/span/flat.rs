@@ -11,10 +11,10 @@ use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero};
 use crate::zonotope::query::Query;
 
 /// The plane is looked for among so many generators first.
-const FEW: usize = 64;
+const PLANE_SAMPLE: usize = 64;
 
 /// A simple plane is looked for among so many.
-const PICKS: usize = 16;
+const SIMPLE_PLANE_SAMPLE: usize = 16;
 
 /// A plane through the origin that holds all generators and both points and whose normal has only zeros and ones, up to signs.
 pub(crate) struct SimplePlane {
@@ -26,7 +26,7 @@ pub(crate) struct SimplePlane {
 impl SimplePlane {
     /// The plane, if there is one; found from a few generators and checked with all. O(n).
     pub(crate) fn of(query: &Query<'_, 3>) -> Option<Self> {
-        let step = query.len().div_ceil(PICKS).max(1);
+        let step = query.len().div_ceil(SIMPLE_PLANE_SAMPLE).max(1);
         let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
             let mut best = (0.0, 0);
             for i in (0..query.len()).step_by(step) {
@@ -97,7 +97,7 @@ pub(crate) fn spare_axis(query: &Query<'_, 3>, p: &ExactVector) -> Option<usize>
 
 /// A normal of the plane of p and two generators that seem to span it, if p is in it.
 fn normal(query: &Query<'_, 3>, p: &ExactVector) -> Option<ExactVector> {
-    let few = || query.generators().step_by(query.len().div_ceil(FEW).max(1));
+    let few = || query.generators().step_by(query.len().div_ceil(PLANE_SAMPLE).max(1));
     let first = longest(few(), size).or_else(|| longest(query.generators(), size))?;
     let scaled = first.map(|c| c / size(&first));
     let off = |v: &[f64; 3]| size(&across(&scaled, v));

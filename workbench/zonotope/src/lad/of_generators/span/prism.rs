@@ -13,7 +13,7 @@ use crate::zonotope::passes::Extents;
 use crate::zonotope::query::Query;
 
 /// A longer body's prism has only the width of its longest generator.
-const LARGEST: f64 = f64::from_bits((1023 + 500) << 52);
+const LARGEST_TOTAL: f64 = f64::from_bits((1023 + 500) << 52);
 
 /// The points and generators of a prism.
 #[derive(Debug)]
@@ -42,8 +42,11 @@ impl Prism {
         let own = generators.len();
         let total: f64 = Extents::new(&generators).sums().iter().sum();
         // as wide along the new axis as the body is long, or nearly
-        let size =
-            if total < LARGEST { total } else { generators.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs())) };
+        let size = if total < LARGEST_TOTAL {
+            total
+        } else {
+            generators.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs()))
+        };
         let size = scale_by_power_of_two(1.0, binary_exponent(size).map_or(0, i64::from));
         generators.extend(axes.map(|axis| array::from_fn(|i| if i == axis { size } else { 0.0 })));
         Self { from, to, generators, own }

@@ -1,0 +1,55 @@
+//! Which method answers: the share of each rung of the kernel's ladder, by family and size.
+
+use super::{BODY_FAMILIES, collision_methods};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::families::bodies::question::Question;
+use crate::seed::{self, Digest};
+use zonotope::tally::{OperationCounts, Rung};
+
+/// Questions of each instance: four at each placement.
+const QUESTIONS: u32 = 44;
+
+/// Which method answers: the share of each rung of the kernel's ladder.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "rung-shares",
+    title: "Collision: which rung of the ladder answers",
+    question: "Several methods can answer a question of collision; they are tried from the cheapest to the one that \
+               always answers. For each family and size the values are the answers of each rung over questions at every \
+               distance from the boundary. A location may be told early, and then has no optimum; each location of \
+               generators in space has one proof. A rung of doubles that never answers on any family earns nothing; an \
+               exact rung that answers often is what the family pays for.",
+    claims: &[],
+    families: BODY_FAMILIES,
+    real_inputs: &[],
+    sizes: PerProfile { quick: &[6, 64, 1 << 10], full: &[6, 64, 1 << 10, 1 << 12, 1 << 14] },
+    instances: PerProfile { quick: 1, full: 2 },
+    variants: &[
+        Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_lad_location", title: "Kernel: location", largest: PerProfile::both(usize::MAX) },
+    ],
+    measure,
+    timing: None,
+    fits: &[],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let generators = case.body()?;
+    let mut total = OperationCounts::default();
+    let mut asked = 0_u32;
+    let (mut digest, mut verdict) = (Digest::default(), Verdict::Unchecked("no question was asked".to_owned()));
+    for number in 0..QUESTIONS {
+        let seed = seed::seed_of(case.instance_seed, &number.to_string());
+        let placement = collision_methods::placement(number);
+        let Some(question) = Question::about(generators.clone(), placement, seed) else { continue };
+        let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut total)?;
+        if !matches!(verdict, Verdict::Wrong(_)) {
+            verdict = reply.verdict(&question);
+        }
+        asked += 1;
+        digest = digest.word(reply.digest());
+    }
+    let measurement = Measurement::new(&total, digest.finish(), verdict).with_value("asked", f64::from(asked));
+    let answers = |rung| total.answers_of(rung);
+    let reached = Rung::ALL.into_iter().filter(|rung| answers(*rung) > 0);
+    Ok(reached.fold(measurement, |measurement, rung| measurement.with_value(rung.name(), answers(rung) as f64)))
+}
