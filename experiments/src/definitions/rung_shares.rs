@@ -1,7 +1,7 @@
 //! Which method answers: the share of each rung of the kernel's ladder, by family and size.
 
 use super::{BODY_FAMILIES, collision_methods};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use crate::families::bodies::question::Question;
 use crate::seed::{self, Digest};
 use zonotope::tally::{OperationCounts, Rung};
@@ -29,6 +29,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     ],
     measure,
     timing: None,
+    table: Tabulated::Total,
     fits: &[],
 };
 

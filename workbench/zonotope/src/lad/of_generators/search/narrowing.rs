@@ -89,9 +89,9 @@ pub(crate) fn narrow(
         match descend_and_certify(problem, &levels, &lines, level.linear(chart), point) {
             Some((_, Ok(optimum))) => return Ok(Searched::Certified(Box::new(optimum), NestedCells::of(levels))),
             Some((found, Err(Unproved::Astray(_)))) => {
-                if guess.is_none_or(|guess| guess.is_near(found, BELIEVED_DISTANCE)) {
-                    (point, is_found) = (found, true);
-                }
+                let is_believed = guess.is_none_or(|guess| guess.is_near(found, BELIEVED_DISTANCE));
+                point = if is_believed { found } else { point };
+                is_found |= is_believed;
             }
             Some(_) => return Ok(Searched::Doubtful(NestedCells::of(levels))),
             None => {}
