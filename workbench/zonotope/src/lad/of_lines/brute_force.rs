@@ -43,7 +43,7 @@
 //! assert_eq!((truth.value, truth.face_dimension), (0.into(), 0));
 //! ```
 
-use super::input::problem::LadProblem;
+use super::input::LadProblem;
 use crate::arrangement::ExactLine;
 use crate::arrangement::LineIndex;
 use crate::numeric::Rational;

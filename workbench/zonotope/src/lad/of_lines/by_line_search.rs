@@ -49,11 +49,11 @@
 //! assert_eq!(value, 3.into());
 //! ```
 
-use super::descent::line_search::SearchLine;
-use super::descent::solve::{descend, solve_with};
-use super::input::problem::LadProblem;
+use super::by_pruning::tie_break;
+use super::descent::{SearchLine, descend, solve_with};
+use super::input::LadProblem;
 use super::optimum::LadOutcome;
-use super::subproblem::instance::Instance;
+use super::subproblem::Subproblem;
 use crate::tally::Tally;
 
 /// Minimises a problem by line searches. `seed` only decides how lines through one vertex are moved apart.
@@ -63,9 +63,10 @@ pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
 
 /// [`minimize`], counting its operations.
 pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
-    let instance = Instance::whole(problem);
-    let solution = solve_with(&instance, seed, tally, |first, tally| {
-        descend(&instance, SearchLine::of(&instance, first), seed, tally)
+    let subproblem = Subproblem::whole(problem);
+    let ties = tie_break(seed);
+    let solution = solve_with(&subproblem, &ties, tally, |first, tally| {
+        descend(&subproblem, SearchLine::of(&subproblem, first), &ties, tally)
     });
     LadOutcome::new(solution)
 }

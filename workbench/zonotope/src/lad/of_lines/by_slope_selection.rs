@@ -62,14 +62,11 @@ use std::cmp::Ordering;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-use super::descent::decide::decide;
-use super::descent::line_search::{LineMinimum, SearchLine};
-use super::descent::solution::{Decision, Solution};
-use super::descent::solve::{at_vertex, descend, solve_with};
-use super::input::problem::LadProblem;
+use super::by_pruning::tie_break;
+use super::descent::{Decision, LineMinimum, SearchLine, Solution, TieBreak, at_vertex, decide, descend, solve_with};
+use super::input::LadProblem;
 use super::optimum::LadOutcome;
-use super::subproblem::instance::{Instance, Surroundings};
-use super::subproblem::vertex::Vertex;
+use super::subproblem::{Subdifferential, Subproblem, Vertex};
 use crate::arrangement::ExactLine;
 use crate::arrangement::fraction::Fraction;
 use crate::arrangement::lines::{LineArrangement, LineSource};
@@ -134,24 +131,25 @@ fn solve<T: Tally>(
     tally: &mut T,
     record: &mut impl FnMut(&VerticalLine, u64),
 ) -> LadOutcome {
-    let instance = Instance::whole(problem);
-    LadOutcome::new(solve_with(&instance, seed, tally, |_, tally| search(&instance, seed, tally, record)))
+    let subproblem = Subproblem::whole(problem);
+    let ties = tie_break(seed);
+    LadOutcome::new(solve_with(&subproblem, &ties, tally, |_, tally| search(&subproblem, &ties, tally, record)))
 }
 
-/// Solves an instance in which two lines cross; `record` sees each vertical line and how many candidates it leaves.
-fn search(
-    instance: &Instance,
-    seed: u64,
-    tally: &mut impl Tally,
+/// Solves a subproblem in which two lines cross; `record` sees each vertical line and how many candidates it leaves.
+fn search<T: Tally>(
+    subproblem: &Subproblem,
+    ties: &TieBreak<T>,
+    tally: &mut T,
     record: &mut impl FnMut(&VerticalLine, u64),
 ) -> Solution {
-    let arrangement = LineArrangement::new(Box::new(Terms(instance)), tally);
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let arrangement = LineArrangement::new(Box::new(Terms(subproblem)), tally);
+    let mut random = Pcg64Mcg::seed_from_u64(ties.seed);
     let mut slab = Slab::whole(&arrangement);
     loop {
         let candidates = slab.vertex_count();
         let median = select(&arrangement, &slab, (candidates - 1) / 2, &mut random, tally);
-        let vertical = VerticalLine::search(instance, arrangement.abscissa(median), candidates, seed, tally);
+        let vertical = VerticalLine::search(subproblem, arrangement.abscissa(median), candidates, ties, tally);
         let half = match vertical.side {
             Side::Left | Side::Right => {
                 let cut = slab.cut(&arrangement, &vertical.x, tally);
@@ -161,7 +159,7 @@ fn search(
         };
         record(&vertical, half.vertex_count());
         if half.vertex_count() == 0 {
-            return vertical.conclude(instance, seed, tally);
+            return vertical.conclude(subproblem, ties, tally);
         }
         slab = half;
     }
@@ -172,7 +170,7 @@ struct VerticalLine {
     x: Fraction,
     candidates: u64,
     minimum: Option<Box<Vertex>>,
-    around: Surroundings,
+    around: Subdifferential,
     verdict: Verdict,
     side: Side,
 }
@@ -184,12 +182,18 @@ enum Verdict {
 
 impl VerticalLine {
     /// The minimum on the vertical line at an abscissa, and where the minimisers are.
-    fn search(instance: &Instance, x: Fraction, candidates: u64, seed: u64, tally: &mut impl Tally) -> Self {
+    fn search<T: Tally>(
+        subproblem: &Subproblem,
+        x: Fraction,
+        candidates: u64,
+        ties: &TieBreak<T>,
+        tally: &mut T,
+    ) -> Self {
         let normal = [x.denominator.clone(), Dyadic::zero()];
         let line = SearchLine::free(ExactLine { normal, offset: -x.numerator.clone() });
-        let mut around = Surroundings::default();
-        let (minimum, verdict) = match line.minimize(instance, &mut around, tally) {
-            LineMinimum::At(vertex) => (Some(vertex), Verdict::Decided(decide(instance, &around, seed, tally))),
+        let mut around = Subdifferential::default();
+        let (minimum, verdict) = match line.minimize(subproblem, &mut around, tally) {
+            LineMinimum::At(vertex) => (Some(vertex), Verdict::Decided(decide(subproblem, &around, ties, tally))),
             LineMinimum::Unbounded { forward } => (None, Verdict::Unbounded { upward: forward }),
             LineMinimum::Flat => unreachable!("a line that is not vertical passes through the vertex on this line"),
         };
@@ -197,7 +201,7 @@ impl VerticalLine {
             Verdict::Unbounded { .. } => Side::Unbounded,
             Verdict::Decided(Decision::Optimal { .. }) => Side::Optimal,
             Verdict::Decided(Decision::Descend { line, forward }) => {
-                match descent(instance, *line, *forward)[0].sign() {
+                match SearchLine::of(subproblem, *line).oriented(subproblem, *forward)[0].sign() {
                     Ordering::Less => Side::Left,
                     Ordering::Greater => Side::Right,
                     Ordering::Equal => unreachable!("the minimum of a vertical line is not left along that line"),
@@ -208,17 +212,19 @@ impl VerticalLine {
     }
 
     /// The solution, when no vertex is a candidate any more.
-    fn conclude(self, instance: &Instance, seed: u64, tally: &mut impl Tally) -> Solution {
+    fn conclude<T: Tally>(self, subproblem: &Subproblem, ties: &TieBreak<T>, tally: &mut T) -> Solution {
         let unbounded = |direction| Solution::Unbounded { direction, along: None };
         match (self.verdict, self.minimum) {
             (Verdict::Decided(Decision::Optimal { through, basis, face_dimension }), Some(vertex)) => {
                 if basis.len() == 2 {
-                    at_vertex(instance, *vertex, self.around, through, basis, face_dimension)
+                    at_vertex(subproblem, *vertex, self.around, through, basis, face_dimension)
                 } else {
-                    descend(instance, SearchLine::of(instance, basis[0]), seed, tally)
+                    descend(subproblem, SearchLine::of(subproblem, basis[0]), ties, tally)
                 }
             }
-            (Verdict::Decided(Decision::Descend { line, forward }), _) => unbounded(descent(instance, line, forward)),
+            (Verdict::Decided(Decision::Descend { line, forward }), _) => {
+                unbounded(SearchLine::of(subproblem, line).oriented(subproblem, forward))
+            }
             (Verdict::Unbounded { upward }, _) => {
                 unbounded([Dyadic::zero(), Dyadic::from_f64(if upward { 1.0 } else { -1.0 })])
             }
@@ -240,14 +246,9 @@ impl VerticalLine {
     }
 }
 
-fn descent(instance: &Instance, line: u32, forward: bool) -> [Dyadic; 2] {
-    let direction = instance.exact_line(line).direction();
-    if forward { direction } else { direction.map(|v| -v) }
-}
-
-/// The lines of an instance.
+/// The lines of a subproblem.
 #[derive(Debug)]
-struct Terms<'i, 'p>(&'i Instance<'p>);
+struct Terms<'i, 'p>(&'i Subproblem<'p>);
 
 impl LineSource for Terms<'_, '_> {
     fn len(&self) -> usize {

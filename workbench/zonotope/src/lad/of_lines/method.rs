@@ -1,6 +1,6 @@
 //! The methods of the kernel by name.
 
-use super::input::problem::LadProblem;
+use super::input::LadProblem;
 use super::optimum::LadOutcome;
 use super::{by_line_search, by_pruning, by_slope_selection};
 use crate::tally::Tally;

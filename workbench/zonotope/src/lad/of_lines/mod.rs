@@ -11,31 +11,36 @@
 //! | [`by_pruning`] | O(n) expected | the default |
 //!
 //! Every method but the truth returns a minimiser named by its defining lines, with a certificate that
-//! [`verify`] checks on its own. The methods share four stages:
+//! [`verify`] checks on its own. The methods share four stages, each resting on those before it:
 //!
 //! | stage | what it holds |
 //! |---|---|
 //! | `input` | the validated problem, its lines in floating point and exactly |
-//! | `subproblem` | some of the lines with a linear term that stands for the others; one pass over them at a vertex |
-//! | `descent` | the minimum along one line, the optimality of a vertex, the descent from vertex to vertex |
-//! | `cell` | a parallelogram around a guess, and the lines that certainly miss it |
+//! | `subproblem` | some of the lines with a linear term that stands for the others; the subdifferential at a vertex by one pass |
+//! | `cells` | a parallelogram around a guess, and the lines that certainly miss it |
+//! | `descent` | the minimum on one line, the optimality of a vertex, the descent from vertex to vertex |
+//!
+//! What comes out is in `optimum` and `certificate`; `sign_vectors` answers on which side of each line other points lie.
 
 pub mod brute_force;
 pub mod by_line_search;
 pub mod by_pruning;
 pub mod by_slope_selection;
-mod cell;
+mod cells;
+mod certificate;
 mod descent;
 mod input;
 mod method;
 mod optimum;
+mod sign_vectors;
 mod subproblem;
 pub mod verify;
 
 pub use by_pruning::{minimize, minimize_counted};
-pub use input::problem::{LadError, LadProblem, WeightedLine};
+pub use certificate::LadCertificate;
+pub use input::{LadError, LadProblem, WeightedLine};
 pub use method::Method;
-pub use optimum::{LadCertificate, LadOptimum, LadOutcome, Minimizer};
+pub use optimum::{LadOptimum, LadOutcome, Minimizer};
 
 /// The parts of a problem whose lines do not come from a slice of doubles.
 pub(crate) mod kernel_input {

@@ -1,11 +1,12 @@
-//! What a method answers: a minimiser named by its defining lines, with coefficients that prove it.
+//! The answer of a method: a minimiser named by its defining lines, with coefficients that prove it.
+//!
+//! A minimiser is a pair of lines and not a point: its coordinates are rational, mostly not doubles, and the lines say it exactly in eight
+//! bytes. Whoever wants coordinates asks for them, exactly or rounded.
 
-use super::descent::solution::{Near, Optimal, Solution};
-use super::input::problem::LadProblem;
-use super::subproblem::instance::{ExactLinear, Instance, Surroundings};
-use super::subproblem::vertex::Vertex;
-use crate::arrangement::ExactLine;
-use crate::arrangement::LineIndex;
+use super::certificate::LadCertificate;
+use super::descent::{Near, Optimal, Solution};
+use super::input::LadProblem;
+use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 
@@ -42,43 +43,9 @@ pub struct LadOptimum {
     /// The proof.
     pub certificate: LadCertificate,
     /// The lines through the minimiser whose normal is not zero.
-    through: Vec<u32>,
-    near: Option<Near>,
-}
-
-/// Coefficients δ in [−1, 1] that prove a minimiser x*: linear + Σ δ_i w_i a_i = 0, and δ_i (a_i · x* + b_i) =
-/// |a_i · x* + b_i| for each line.
-///
-/// They give the lower bound Σ δ_i w_i b_i for the objective at every point, with equality at x*.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LadCertificate {
-    /// δ for each line: 1 or −1; 0 for the basis and for lines without any coefficient.
-    pub signs: Vec<i8>,
-    /// The lines, at most two, whose δ solve the equation exactly.
-    pub basis: Vec<LineIndex>,
-}
-
-impl LadCertificate {
-    /// The coefficients of the basis lines as fractions, numerator and denominator, exactly. O(n) exact operations.
-    pub(crate) fn basis_fractions(&self, problem: &LadProblem) -> Vec<[Dyadic; 2]> {
-        let signed = self.signs.iter().enumerate().filter(|(_, sign)| **sign != 0).map(|(line, &sign)| (line, sign));
-        let [x, y] = problem.exact.signed_normal_sum(&mut signed.into_iter());
-        let rest = [-(&problem.linear[0] + &x), -(&problem.linear[1] + &y)];
-        let cross = |a: &[Dyadic; 2], b: &[Dyadic; 2]| &a[0] * &b[1] - &a[1] * &b[0];
-        let normal = |line: &LineIndex| problem.exact.line(line.position()).normal;
-        match &self.basis[..] {
-            [first, second] => {
-                let (a, b) = (normal(first), normal(second));
-                vec![[cross(&rest, &b), cross(&a, &b)], [cross(&a, &rest), cross(&a, &b)]]
-            }
-            [line] => {
-                let a = normal(line);
-                let axis = usize::from(a[0].is_zero());
-                vec![[rest[axis].clone(), a[axis].clone()]]
-            }
-            _ => Vec::new(),
-        }
-    }
+    pub(super) through: Vec<u32>,
+    /// A cell in which most lines have the sign that they have at the minimiser, where pruning found one.
+    pub(super) near: Option<Near>,
 }
 
 impl LadOutcome {
@@ -121,52 +88,36 @@ impl LadOptimum {
 
     /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is the point
     /// nearest to the origin, in the plane the origin.
+    ///
+    /// # Panics
+    /// If the minimiser names a line that the problem does not have. So do [`exact_point`](Self::exact_point), [`point`](Self::point)
+    /// and [`exact_value`](Self::exact_value); [`verify`](super::verify::verify) tells without a panic.
     pub fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
         self.minimizer.homogeneous_point(|line| problem.exact_line(line))
     }
 
-    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. At the minimiser no line
-    /// is read, near it only those that may pass between the two.
-    pub(crate) fn signs_at(&self, problem: &LadProblem, point: &[Dyadic; 3]) -> Vec<i8> {
-        if self.is_at(problem, point) {
-            let mut signs = self.certificate.signs.clone();
-            self.through.iter().for_each(|&line| signs[line as usize] = 0);
-            return signs;
-        }
-        let vertex = Vertex::at(point.clone());
-        let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.cell.contains(vertex.point)) else {
-            return problem.signs_at(point, &mut ());
-        };
-        let no_linear_term = ExactLinear::known([Dyadic::zero(), Dyadic::zero()]);
-        let mut around = Surroundings::default();
-        let crossing_lines = Instance::whole(problem).selection(crossing, [0.0, 0.0], no_linear_term);
-        crossing_lines.read_at(&vertex, &mut around, &mut ());
-        let mut signs = self.certificate.signs.clone();
-        for (&line, sign) in crossing.iter().zip(around.signs) {
-            signs[line as usize] = sign;
-        }
-        signs
-    }
-
-    /// Whether a point of the scaled frame is the minimiser.
-    pub(crate) fn is_at(&self, problem: &LadProblem, [x, y, w]: &[Dyadic; 3]) -> bool {
-        let [own_x, own_y, own_w] = self.minimizer.homogeneous_point(|line| problem.exact.line(line.position()));
-        &own_x * w == x * &own_w && &own_y * w == y * &own_w
-    }
-
-    /// The minimiser, exactly.
+    /// The exact minimiser.
+    ///
+    /// # Panics
+    /// If the minimiser names a line that the problem does not have, or two that are parallel there: the optimum is of another problem.
     pub fn exact_point(&self, problem: &LadProblem) -> [Rational; 2] {
         let [x, y, w] = self.homogeneous_point(problem).map(|v| v.to_rational());
         [x / &w, y / w]
     }
 
-    /// The minimiser, each coordinate within a relative 2^-50.
+    /// The minimiser, each coordinate within a relative 2^-50; not finite where the two lines are parallel in this problem.
+    ///
+    /// # Panics
+    /// If the minimiser names a line that the problem does not have.
     pub fn point(&self, problem: &LadProblem) -> [f64; 2] {
         let [x, y, w] = self.homogeneous_point(problem);
         [x.ratio(&w), y.ratio(&w)]
     }
 
-    /// The minimum, exactly. O(n) exact operations.
+    /// The exact minimum. O(n) exact operations.
+    ///
+    /// # Panics
+    /// If the minimiser names a line that the problem does not have, or two that are parallel there.
     pub fn exact_value(&self, problem: &LadProblem) -> Rational {
         let point = self.homogeneous_point(problem);
         let [cx, cy] = problem.exact_linear();

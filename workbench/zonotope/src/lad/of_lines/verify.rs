@@ -6,8 +6,9 @@
 
 use thiserror::Error;
 
-use super::input::problem::LadProblem;
-use super::optimum::{LadCertificate, LadOptimum, LadOutcome};
+use super::certificate::LadCertificate;
+use super::input::LadProblem;
+use super::optimum::{LadOptimum, LadOutcome, Minimizer};
 use crate::arrangement::LineIndex;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -23,6 +24,12 @@ pub enum LadVerifyError {
         signs: usize,
         /// How many lines there are.
         lines: usize,
+    },
+    /// The minimiser or the basis names a line that the problem does not have.
+    #[error("there is no line {}", line.0)]
+    UnknownLine {
+        /// The index.
+        line: LineIndex,
     },
     /// The minimiser's lines do not meet in a point.
     #[error("the defining lines do not define a point")]
@@ -67,6 +74,14 @@ fn verify_optimum(problem: &LadProblem, optimum: &LadOptimum) -> Result<(), LadV
     if signs.len() != problem.len() {
         return Err(LadVerifyError::Length { signs: signs.len(), lines: problem.len() });
     }
+    let named = match optimum.minimizer {
+        Minimizer::Vertex(first, second) => vec![first, second],
+        Minimizer::Line(line) => vec![line],
+        Minimizer::Plane => Vec::new(),
+    };
+    if let Some(&line) = named.iter().chain(basis).find(|line| line.position() >= problem.len()) {
+        return Err(LadVerifyError::UnknownLine { line });
+    }
     let point = optimum.homogeneous_point(problem);
     if !point[2].sign().is_gt() {
         return Err(LadVerifyError::NotAPoint);
@@ -81,7 +96,7 @@ fn verify_optimum(problem: &LadProblem, optimum: &LadOptimum) -> Result<(), LadV
         } else if basis.contains(&line) {
             sign == 0 && side == 0
         } else {
-            sign.abs() == 1 && (side == 0 || side == sign)
+            [1, -1].contains(&sign) && (side == 0 || side == sign)
         };
         if !agrees {
             return Err(LadVerifyError::WrongSign { line, sign });

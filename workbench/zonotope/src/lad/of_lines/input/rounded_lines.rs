@@ -16,7 +16,7 @@ pub(crate) struct LineError {
 }
 
 impl LineError {
-    /// What bounds both errors.
+    /// The larger of two errors, part by part: it bounds both.
     pub(crate) fn or(self, other: Self) -> Self {
         Self {
             offset_relative: self.offset_relative.max(other.offset_relative),
@@ -50,10 +50,32 @@ impl Columns {
     }
 }
 
-/// How many lines are read at a time.
+/// Lines copied one by one, with a bound on the errors of all of them.
+#[derive(Debug)]
+pub(crate) struct GatheredLines {
+    columns: Columns,
+    error: LineError,
+}
+
+impl GatheredLines {
+    pub(crate) fn with_capacity(capacity: usize) -> Self {
+        Self { columns: Columns::with_capacity(capacity), error: LineError::default() }
+    }
+
+    pub(crate) fn push(&mut self, row: [f64; 3], error: LineError) {
+        self.columns.push(row);
+        self.error = self.error.or(error);
+    }
+
+    pub(crate) fn into_lines<'p>(self) -> RoundedLines<'p> {
+        RoundedLines::Stored { columns: Cow::Owned(self.columns), error: self.error }
+    }
+}
+
+/// The number of lines that are read at a time.
 pub(crate) const BLOCK: usize = 256;
 
-/// Some lines that follow each other.
+/// A run of consecutive lines.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Block<'b> {
     pub(crate) normal_x: &'b [f64],
@@ -76,13 +98,13 @@ impl Block<'_> {
 
 /// Lines that are made as they are read.
 pub(crate) trait MadeLines: Debug + Sync {
-    /// How many there are.
+    /// The number of lines.
     fn len(&self) -> usize;
 
-    /// The coefficients x, y and the offset of a line, and how far it may be off.
+    /// The coefficients x, y and the offset of a line, and the bounds on its error.
     fn row(&self, line: usize) -> ([f64; 3], LineError);
 
-    /// Makes the lines from one on, as many as there is room for in the three columns, which are equally long.
+    /// Makes the lines from `start` on until the three columns, which are equally long, are full.
     fn make(&self, start: usize, columns: [&mut [f64]; 3]) -> LineError;
 }
 
@@ -101,7 +123,7 @@ impl RoundedLines<'_> {
         }
     }
 
-    /// The coefficients x, y and the offset of a line, and how far it may be off.
+    /// The coefficients x, y and the offset of a line, and the bounds on its error.
     pub(crate) fn row(&self, line: usize) -> ([f64; 3], LineError) {
         match self {
             Self::Stored { columns, error } => {

@@ -1,66 +1,26 @@
-//! A part of a problem that a method works on: some of the lines, and a linear term that stands for the others.
+//! A part of a problem: some of its lines, and a linear term that stands for the others.
 //!
 //! The same search serves the whole problem, a sample of it, the few lines that cross a cell (all others are summed into
-//! the linear term) and the lines through one degenerate vertex. Exact values are looked up in the problem when a
+//! the linear term) and the lines through one degenerate vertex. Exact coefficients are looked up in the problem when a
 //! floating-point filter cannot decide.
 
-use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-use super::sides::read_sides;
+use super::exact_linear::ExactLinear;
 use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
-use crate::lad::of_lines::input::problem::LadProblem;
-use crate::lad::of_lines::input::rounded_lines::{Columns, LineError, RoundedLines};
+use crate::lad::of_lines::input::LadProblem;
+use crate::lad::of_lines::input::rounded_lines::{GatheredLines, LineError, RoundedLines};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
 
-/// Where the exact linear term of an instance comes from: a known vector, plus the normals of lines whose sign is fixed.
-#[derive(Debug, Clone)]
-pub(crate) struct ExactLinear {
-    known: [Dyadic; 2],
-    layers: Vec<Rc<FixedSigns>>,
-}
-
-/// One sign for each line of an instance, 0 for those that stay in the objective.
-#[derive(Debug)]
-struct FixedSigns {
-    members: Option<Rc<[u32]>>,
-    signs: Vec<i8>,
-}
-
-impl ExactLinear {
-    /// A known vector.
-    pub(crate) fn known(known: [Dyadic; 2]) -> Self {
-        Self { known, layers: Vec::new() }
-    }
-
-    fn value(&self, problem: &LadProblem) -> [Dyadic; 2] {
-        let [mut x, mut y] = self.known.clone();
-        for FixedSigns { members, signs } in self.layers.iter().map(Rc::as_ref) {
-            let position = |i: usize| members.as_ref().map_or(i, |m| m[i] as usize);
-            let mut terms = signs.iter().enumerate().filter(|(_, s)| **s != 0).map(|(i, &s)| (position(i), s));
-            let [dx, dy] = problem.exact.signed_normal_sum(&mut terms);
-            (x, y) = (x + dx, y + dy);
-        }
-        [x, y]
-    }
-}
-
-/// The rows of some lines.
-#[derive(Debug)]
-pub(crate) struct Rows {
-    columns: Columns,
-    error: LineError,
-}
-
 /// Some lines of a problem with a linear term.
 #[derive(Debug)]
-pub(crate) struct Instance<'p> {
-    pub(crate) problem: &'p LadProblem<'p>,
+pub(crate) struct Subproblem<'p> {
+    problem: &'p LadProblem<'p>,
     pub(crate) lines: RoundedLines<'p>,
     /// The position in the problem of each line here; all lines in their order when absent.
     members: Option<Rc<[u32]>>,
@@ -69,59 +29,13 @@ pub(crate) struct Instance<'p> {
     /// Whether only the place of the optimum is asked for, not its coefficients.
     is_sample: bool,
     pub(crate) linear: [f64; 2],
-    linear_error: f64,
+    /// A bound on the error of each coordinate of `linear`.
+    pub(super) linear_error: f64,
     linear_source: ExactLinear,
     exact_linear: OnceCell<[Dyadic; 2]>,
 }
 
-/// What is known around a vertex: on which side of each line it lies, the sum of the others' normals.
-#[derive(Debug, Default)]
-pub(crate) struct Surroundings {
-    /// The side of each line on which the vertex lies: 1, −1, or 0 for a line through it.
-    pub(crate) signs: Vec<i8>,
-    /// The lines through the vertex, without those whose normal is zero.
-    pub(crate) through: Vec<u32>,
-    /// linear + Σ sign · normal, rounded.
-    pub(crate) gradient: [f64; 2],
-    /// How far each coordinate of the gradient may be off.
-    pub(crate) gradient_error: f64,
-}
-
-/// Lines whose side floating point does not tell.
-#[derive(Debug, Default)]
-struct Undecided {
-    count: usize,
-    /// Σ side · normal.
-    sum: [f64; 2],
-    /// Σ |normal|.
-    size: f64,
-}
-
-impl Undecided {
-    fn add(&mut self, side: i8, [x, y]: [f64; 2]) {
-        self.count += 1;
-        self.sum[0] += f64::from(side) * x;
-        self.sum[1] += f64::from(side) * y;
-        self.size += x.abs() + y.abs();
-    }
-}
-
-impl Rows {
-    pub(crate) fn with_capacity(capacity: usize) -> Self {
-        Self { columns: Columns::with_capacity(capacity), error: LineError::default() }
-    }
-
-    pub(crate) fn push(&mut self, row: [f64; 3], error: LineError) {
-        self.columns.push(row);
-        self.error = self.error.or(error);
-    }
-
-    fn into_lines<'p>(self) -> RoundedLines<'p> {
-        RoundedLines::Stored { columns: Cow::Owned(self.columns), error: self.error }
-    }
-}
-
-impl<'p> Instance<'p> {
+impl<'p> Subproblem<'p> {
     /// The whole problem.
     pub(crate) fn whole(problem: &'p LadProblem<'p>) -> Self {
         let linear = problem.approximate_linear();
@@ -129,9 +43,9 @@ impl<'p> Instance<'p> {
         Self::new(problem, problem.rounded(), None, linear, source)
     }
 
-    /// Some lines of an instance, with a linear term of their own.
+    /// Some lines of a subproblem, with a linear term of their own.
     pub(crate) fn selection(&self, lines: &[u32], linear: [f64; 2], source: ExactLinear) -> Self {
-        let mut rows = Rows::with_capacity(lines.len());
+        let mut rows = GatheredLines::with_capacity(lines.len());
         for &line in lines {
             let (row, error) = self.lines.row(line as usize);
             rows.push(row, error);
@@ -139,32 +53,31 @@ impl<'p> Instance<'p> {
         self.part(lines, rows, linear, source)
     }
 
-    /// Some lines of an instance, given their rows.
-    fn part(&self, lines: &[u32], rows: Rows, linear: [f64; 2], source: ExactLinear) -> Self {
+    /// Some lines of a subproblem, given their rows.
+    fn part(&self, lines: &[u32], rows: GatheredLines, linear: [f64; 2], source: ExactLinear) -> Self {
         let mut part = Self::new(self.problem, rows.into_lines(), Some(self.positions(lines)), linear, source);
         part.own_offsets = self.own_offsets;
         part.is_sample = self.is_sample;
         part
     }
 
-    /// Some lines of an instance that stand for all of them, with a linear term in proportion.
+    /// Some lines of a subproblem that stand for all of them, with a linear term in proportion.
     pub(crate) fn sample(&self, lines: &[u32], linear: [f64; 2]) -> Self {
         let source = ExactLinear::known(linear.map(Dyadic::from_f64));
         Self { is_sample: true, ..self.selection(lines, linear, source) }
     }
 
-    /// Some lines of the instance, with their rows, in its own objective: the others have the given fixed signs, whose normals sum to
+    /// Some lines of the subproblem, with their rows, in its own objective: the others have the given fixed signs, whose normals sum to
     /// `fixed_sum` within `fixed_error`.
     pub(crate) fn remainder(
         &self,
         lines: &[u32],
-        rows: Rows,
+        rows: GatheredLines,
         signs: Vec<i8>,
         fixed_sum: [f64; 2],
         fixed_error: f64,
     ) -> Self {
-        let mut source = self.linear_source.clone();
-        source.layers.push(Rc::new(FixedSigns { members: self.members.clone(), signs }));
+        let source = self.linear_source.with_fixed_signs(self.members.clone(), signs);
         let linear = [self.linear[0] + fixed_sum[0], self.linear[1] + fixed_sum[1]];
         let mut remainder = self.part(lines, rows, linear, source);
         remainder.linear_error += self.linear_error + fixed_error;
@@ -174,7 +87,7 @@ impl<'p> Instance<'p> {
     /// The lines through a vertex, moved apart to the given offsets, under a known linear term.
     pub(crate) fn moved_apart(&self, lines: &[u32], linear: [Dyadic; 2], offsets: Vec<f64>) -> Self {
         let rounded = [linear[0].to_f64(), linear[1].to_f64()];
-        let mut rows = Rows::with_capacity(lines.len());
+        let mut rows = GatheredLines::with_capacity(lines.len());
         for (&line, offset) in lines.iter().zip(offsets) {
             let [x, y] = self.normal(line);
             rows.push([x, y, offset], LineError::default());
@@ -206,9 +119,9 @@ impl<'p> Instance<'p> {
         lines.iter().map(|&line| self.position(line) as u32).collect()
     }
 
-    /// The fixed signs of the lines that this remainder left out, one for each line of the instance it was taken from.
+    /// The fixed signs of the lines that this remainder left out, one for each line of the subproblem it was taken from.
     pub(crate) fn fixed_signs(&self) -> &[i8] {
-        self.linear_source.layers.last().map_or(&[], |layer| &layer.signs)
+        self.linear_source.last_signs()
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -221,7 +134,7 @@ impl<'p> Instance<'p> {
         tally.add(operation, self.len() as u64);
     }
 
-    /// The position in the problem of a line of the instance.
+    /// The position in the problem of a line of the subproblem.
     pub(crate) fn position(&self, line: u32) -> usize {
         self.members.as_ref().map_or(line, |members| members[line as usize]) as usize
     }
@@ -257,8 +170,8 @@ impl<'p> Instance<'p> {
         [cx + &x, cy + &y]
     }
 
-    /// Tells the exact side of a line on which a vertex lies.
-    fn exact_sides<'a>(&'a self, vertex: &'a Vertex) -> impl Fn(u32) -> i8 + 'a {
+    /// The exact side of a line on which a vertex lies, as a function of the line.
+    pub(super) fn exact_sides<'a>(&'a self, vertex: &'a Vertex) -> impl Fn(u32) -> i8 + 'a {
         let (passing, signs) = (OnceCell::new(), OnceCell::new());
         move |line| {
             let point = || if self.own_offsets { None } else { vertex.as_doubles() };
@@ -288,7 +201,7 @@ impl<'p> Instance<'p> {
         self.normal(line) == [0.0, 0.0] && self.exact_line(line).normal.iter().all(Dyadic::is_zero)
     }
 
-    /// Tells the exact sign of the rate at which a line's value grows along a direction.
+    /// The exact sign of the rate at which a line's value grows along a direction, as a function of the line.
     pub(crate) fn exact_rates<'a>(&'a self, direction: impl Fn() -> [Dyadic; 2] + 'a) -> impl Fn(u32) -> i8 + 'a {
         let known = OnceCell::new();
         move |line| {
@@ -312,48 +225,5 @@ impl<'p> Instance<'p> {
         }
         let ([a, b], [c, d]) = (self.exact_line(first).normal, self.exact_line(second).normal);
         (a * d).cmp(&(b * c))
-    }
-
-    /// Reads every line at a vertex, into `around`.
-    ///
-    /// A sign is taken from floating point when |value| exceeds a bound on its error: the vertex is within
-    /// `vertex.error` of its double, the line within its [`LineError`], and each of the operations adds at most
-    /// UNIT of its result, each result being at most |a x| + |a y| + |b| in magnitude.
-    pub(crate) fn read_at(&self, vertex: &Vertex, around: &mut Surroundings, tally: &mut impl Tally) {
-        self.count_pass(tally);
-        let Surroundings { signs, through, .. } = around;
-        through.clear();
-        let ([px, py], [vx, vy]) = (vertex.point, vertex.error);
-        let floor = UNDERFLOW * (1.0 + px.abs() + py.abs());
-        let exact_side = self.exact_sides(vertex);
-        let mut undecided = Undecided::default();
-        let sides = read_sides(
-            &self.lines,
-            signs,
-            |error| {
-                let per_normal = |value: f64, off: f64| off + 8.0 * UNIT * value.abs() + error.offset_per_normal;
-                let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), error.offset_relative + 8.0 * UNIT);
-                move |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
-            },
-            |line, [x, y, _], _| {
-                let line = line as u32;
-                let side = if vertex.is_on(line) {
-                    0
-                } else {
-                    tally.add(Operation::ExactFallback, 1);
-                    exact_side(line)
-                };
-                if side == 0 && !([x, y] == [0.0, 0.0] && self.has_zero_normal(line)) {
-                    through.push(line);
-                }
-                undecided.add(side, [x, y]);
-                side
-            },
-        );
-        around.gradient = [0, 1].map(|axis| self.linear[axis] + sides.sum[axis] + undecided.sum[axis]);
-        let additions = (undecided.count + 8) as f64;
-        // |sides.sum| is at most the sum of the sizes that its error is a multiple of.
-        let size = undecided.size + self.linear[0].abs() + self.linear[1].abs() + sides.sum_error / UNIT;
-        around.gradient_error = self.linear_error + sides.sum_error + UNIT * additions * size + UNDERFLOW;
     }
 }

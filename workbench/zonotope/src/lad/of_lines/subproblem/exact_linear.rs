@@ -1,0 +1,60 @@
+//! The exact linear term of a subproblem, summed up only when a decision asks for it.
+
+use std::rc::Rc;
+
+use crate::lad::of_lines::input::LadProblem;
+use crate::numeric::dyadic::Dyadic;
+
+/// A linear term in parts: a known vector, plus the signed normals of the lines that the subproblem leaves out.
+///
+/// A search that prunes several times keeps a layer of signs for each time. The exact sum over a layer costs as much as hundreds of
+/// passes in floating point, and hardly ever does a decision need it.
+#[derive(Debug, Clone)]
+pub(crate) struct ExactLinear {
+    known: [Dyadic; 2],
+    layers: Vec<Rc<FixedSigns>>,
+}
+
+/// One sign for each line of a subproblem, 0 for those that stay in the objective.
+#[derive(Debug)]
+struct FixedSigns {
+    /// The position in the problem of each line; the line itself when absent.
+    members: Option<Rc<[u32]>>,
+    signs: Vec<i8>,
+}
+
+impl ExactLinear {
+    /// A known vector.
+    pub(super) fn known(known: [Dyadic; 2]) -> Self {
+        Self { known, layers: Vec::new() }
+    }
+
+    /// No linear term.
+    pub(crate) fn zero() -> Self {
+        Self::known([Dyadic::zero(), Dyadic::zero()])
+    }
+
+    /// The linear term with the signed normals of further lines, which are the given members of the problem.
+    pub(super) fn with_fixed_signs(&self, members: Option<Rc<[u32]>>, signs: Vec<i8>) -> Self {
+        let mut sum = self.clone();
+        sum.layers.push(Rc::new(FixedSigns { members, signs }));
+        sum
+    }
+
+    /// The signs of the layer that was added last.
+    pub(super) fn last_signs(&self) -> &[i8] {
+        self.layers.last().map_or(&[], |layer| &layer.signs)
+    }
+
+    /// The exact sum.
+    pub(super) fn value(&self, problem: &LadProblem) -> [Dyadic; 2] {
+        let [mut x, mut y] = self.known.clone();
+        for FixedSigns { members, signs } in self.layers.iter().map(Rc::as_ref) {
+            let position = |i: usize| members.as_ref().map_or(i, |m| m[i] as usize);
+            let mut terms = signs.iter().enumerate().filter(|(_, s)| **s != 0).map(|(i, &s)| (position(i), s));
+            let [dx, dy] = problem.exact.signed_normal_sum(&mut terms);
+            (x, y) = (x + dx, y + dy);
+        }
+        [x, y]
+    }
+}
