@@ -43,7 +43,7 @@ impl KernelInput {
 
 /// The method that the case's variant names.
 pub(super) fn method(case: &Case) -> Result<Method, String> {
-    Method::from_name(case.variant).ok_or_else(|| format!("no method of the kernel is called {}", case.variant))
+    Method::from_id(case.variant).ok_or_else(|| format!("no method of the kernel is called {}", case.variant))
 }
 
 /// A hash of the minimiser, rounded, and of the dimension of the set of minimisers.

@@ -3,7 +3,7 @@
 use super::REAL_INPUTS;
 use super::kernel_methods::{self, KernelInput};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
-use zonotope::lad::{LadOutcome, LadProblem, Method, brute_force, verify};
+use zonotope::lad::{LadOutcome, LadProblem, Method, verify};
 use zonotope::tally::OperationCounts;
 
 /// Up to this many lines the reference is the exact twin, of cost n^3.
@@ -75,20 +75,21 @@ fn compare(method: Method, seed: u64, problem: &LadProblem, outcome: &LadOutcome
     let of = |outcome: &LadOutcome| -> Minimum {
         outcome.optimum().map(|optimum| (optimum.exact_value(problem), optimum.face_dimension))
     };
-    let (reference, expected): (_, Minimum) = if problem.len() <= TWIN_LIMIT {
-        let truth = brute_force::minimize(problem);
-        ("brute_force", truth.map(|truth| (truth.value, truth.face_dimension)))
+    let reference = if problem.len() <= TWIN_LIMIT {
+        Method::BruteForce
+    } else if method == Method::LineSearch {
+        Method::Pruning
     } else {
-        let other = if method == Method::LineSearch { Method::Pruning } else { Method::LineSearch };
-        (other.name(), of(&other.minimize(problem, seed, &mut ())))
+        Method::LineSearch
     };
+    let expected = of(&reference.minimize(problem, seed, &mut ()));
     let found = of(outcome);
     let same = if found == expected {
         Ok(())
     } else {
         Err(format!("minimum and dimension {}, expected {}", written(&found), written(&expected)))
     };
-    (format!("lad::{reference}"), same)
+    (format!("lad::{}", reference.id()), same)
 }
 
 fn written(minimum: &Minimum) -> String {

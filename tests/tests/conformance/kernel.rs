@@ -31,7 +31,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
     }
 
     for method in Method::ALL {
-        let name = method.name();
+        let name = method.id();
         for seed in [1, 2] {
             let outcome = method.minimize(&problem, seed, &mut ());
             prop_assert_eq!(verify::verify(&problem, &outcome), Ok(()), "{}", name);
@@ -56,7 +56,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
 /// Instances too large for the twin: the certificates prove the answers, and the methods must agree.
 fn methods_agree(instance: Instance) -> Result<(), TestCaseError> {
     let problem = problem(&instance);
-    let answers = Method::ALL.map(|method| (method.name(), method.minimize(&problem, 3, &mut ())));
+    let answers = Method::FAST.map(|method| (method.id(), method.minimize(&problem, 3, &mut ())));
     for (name, outcome) in &answers {
         prop_assert_eq!(verify::verify(&problem, outcome), Ok(()), "{}", name);
     }

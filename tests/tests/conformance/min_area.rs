@@ -30,7 +30,7 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
     let (least, centers) = truth(&hull);
     prop_assert_eq!(&brute_force::least_area(&points).0, &least);
 
-    for method in Method::ALL {
+    for method in Method::FAST {
         let answer = min_area_enclosing_zonogon_with(method, &points, 5, &mut ())
             .map_err(|error| TestCaseError::fail(error.to_string()))?;
         let verified = verify::verify(&points, &answer);

@@ -102,7 +102,7 @@ fn by_area(options: &Options, reading: &Reading, progress: Progress, existing: E
         let answer = json!({
             "id": question_name(&options.file),
             "kind": "min_area",
-            "method": enclosure.method.name(),
+            "method": enclosure.method.id(),
             "request": options.asking.record(reading, Objective::Area)?,
             "result": result,
         });

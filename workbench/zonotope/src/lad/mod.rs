@@ -1,6 +1,7 @@
 //! The kernel: weighted least absolute deviations, min linear · x + Σ w_i |a_i · x + b_i|.
 //!
-//! Half of the paper reduces to it: the minimum-area enclosing zonogon (4.1) and membership in a zonotope in space (5.1).
+//! Half of the paper reduces to it: the minimum-area enclosing zonogon (4.1) and membership in a zonotope in space
+//! (5.1).
 //!
 //! | form | minimise over | methods, with their costs for n terms |
 //! |---|---|---|
@@ -9,7 +10,8 @@
 //! | [`of_forms`] | x in space: n weighted planes, or linear forms in four variables | [`of_forms::by_line_search`], O(n) a step |
 //!
 //! Every form has its truth in exact rationals, and every optimum a certificate that a verifier checks on its own.
-//! [`line_fit`](crate::line_fit) is the kernel as a statistician knows it: the line of least absolute deviations through points.
+//! [`line_fit`](crate::line_fit) is the kernel as a statistician knows it: the line of least absolute deviations
+//! through points.
 
 pub mod of_forms;
 pub(crate) mod of_generators;

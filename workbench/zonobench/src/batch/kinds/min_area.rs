@@ -15,15 +15,15 @@ pub(super) const KIND: Kind = Kind {
     fields: &["points"],
     methods: || {
         let default = Method::default();
-        let others = Method::ALL.into_iter().filter(|&method| method != default);
-        std::iter::once(default).chain(others).map(Method::name).collect()
+        let others = Method::FAST.into_iter().filter(|&method| method != default);
+        std::iter::once(default).chain(others).map(Method::id).collect()
     },
     solve,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let points = fields.vectors::<2>("points")?;
-    let named = |name| Method::from_name(name).expect("the kind lists the names of these methods");
+    let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
     let method = method.map_or(Method::default(), named);
     let enclosure = Enclosure::of(&points, method, seed).map_err(|error| {
         let code = match error {
@@ -32,5 +32,5 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
         };
         Refusal::new(code, error.to_string())
     })?;
-    Ok(Solution { method: method.name(), result: enclosure.result() })
+    Ok(Solution { method: method.id(), result: enclosure.result() })
 }

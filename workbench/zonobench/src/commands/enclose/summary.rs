@@ -61,7 +61,7 @@ pub(super) fn summary(
         lines.push(("exact centre", format!("({}, {})", exact.center[0], exact.center[1])));
         lines.push(("exact area", exact.area.to_string()));
     }
-    lines.push(("method", enclosure.method.name().to_owned()));
+    lines.push(("method", enclosure.method.id().to_owned()));
     lines.push(("verify", verification(options)));
 
     let mut table = Table::default();

@@ -1,14 +1,16 @@
 //! The kernel in three variables, by all vertices: the truth, in exact rationals.
 //!
 //! # Statement
-//! Input: weighted planes and a linear term. Output: the minimum of linear · x + Σ w_i |a_i · x + b_i|, or `None` if it falls without end.
+//! Input: weighted planes and a linear term. Output: the minimum of linear · x + Σ w_i |a_i · x + b_i|, or `None` if it
+//! falls without end.
 //!
 //! # Source
 //! None: the definition.
 //!
 //! # Method
 //! 1. The planes x = 0, y = 0 and z = 0 join with weight 0, so that every face of the arrangement has a vertex.
-//! 2. The slope at infinity is linear on the cones between planes through the origin: it is tried along the lines in which two meet.
+//! 2. The slope at infinity is linear on the cones between planes through the origin: it is tried along the lines in
+//!    which two meet.
 //! 3. The objective is linear on every face, so that its minimum is taken at a vertex: all are tried.
 //!
 //! # Complexity

@@ -1,28 +1,30 @@
 //! The kernel in three variables, by exact line searches along the edges of the plane arrangement.
 //!
 //! # Statement
-//! Input: weighted planes and a linear term. Output: a minimiser of linear · x + Σ w_i |a_i · x + b_i| with the exact minimum and a
-//! certificate, or a direction in which the objective falls without end. Where the minimiser is not unique one is returned. No
-//! planes, planes without normal, parallel, equal and concurrent planes are ordinary input.
+//! Input: weighted planes and a linear term. Output: a minimiser of linear · x + Σ w_i |a_i · x + b_i| with the exact
+//! minimum and a certificate, or a direction in which the objective falls without end. Where the minimiser is not
+//! unique one is returned. No planes, planes without normal, parallel, equal and concurrent planes are ordinary input.
 //!
 //! # Source
-//! Beyond the paper, which asks in its last section for the intersection of zonotopes in space-time: the kernel of Sections 4.1 and 5.1
-//! with one more variable.
+//! Beyond the paper, which asks in its last section for the intersection of zonotopes in space-time: the kernel of
+//! Sections 4.1 and 5.1 with one more variable. Where the kernel in the plane prunes, this one only starts at the
+//! optimum of a sample, which is simpler: no cell, no summed-up planes, at the price of a pass over all planes for
+//! every step from there.
 //!
 //! # Method
-//! 1. Start at a point, pinned down by three planes without weight; among many planes, at the optimum of every eighth, found in
-//!    the same way.
-//! 2. At a vertex, try both ways along the three edges of its basis; if the objective falls along one, take the steepest and go to its
-//!    lowest vertex (`line_search`): a plane leaves the basis, another enters.
-//! 3. If no edge falls and only the basis passes through the vertex, it is optimal. So it is where the coefficients that the basis needs, with 0
-//!    for the other planes, do not exceed 1.
-//! 4. Else the planes through the vertex are moved apart at random and solved as a problem of their own, with the gradient of the
-//!    others as its linear term. Its certificate depends on normals alone, so it is valid for the vertex; if it is unbounded, the
-//!    objective falls along that direction.
+//! 1. Start at a point, pinned down by three planes without weight; among many planes, at the optimum of every eighth,
+//!    found in the same way.
+//! 2. At a vertex, try both ways along the three edges of its basis; if the objective falls along one, take the
+//!    steepest and go to its lowest vertex (`line_search`): a plane leaves the basis, another enters.
+//! 3. If no edge falls and only the basis passes through the vertex, it is optimal. So it is where the coefficients
+//!    that the basis needs, with 0 for the other planes, do not exceed 1.
+//! 4. Else the planes through the vertex are moved apart at random and solved as a problem of their own, with the
+//!    gradient of the others as its linear term. Its certificate depends on normals alone, so it is valid for the
+//!    vertex; if it is unbounded, the objective falls along that direction.
 //!
 //! # Complexity
-//! n planes, s steps: O(n) for a line search, O(n s) in all, space O(n). The number of steps has no polynomial bound here; on random
-//! planes it is a few tens.
+//! n planes, s steps: O(n) for a line search, O(n s) in all, space O(n). The number of steps has no polynomial bound
+//! here; on random planes it is a few tens.
 //!
 //! # Shapes
 //! planes: n × (3 + 1 + 1), any order, duplicates allowed.
@@ -61,10 +63,10 @@ use super::vertex::{Plane, Vertex};
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::Tally;
 
-/// From so many planes on, the search starts in the optimum of a sample.
-const SAMPLED: usize = 1024;
+/// Number of planes from which on the search starts at the optimum of a sample.
+const SMALLEST_SAMPLED_PROBLEM: usize = 1024;
 
-/// A minimiser with its proof.
+/// Minimises a problem: a minimiser with its proof, or a direction in which the objective falls without end.
 pub fn minimize(problem: &SpaceLadProblem) -> SpaceOutcome {
     minimize_counted(problem, &mut ())
 }
@@ -91,19 +93,19 @@ pub fn minimize_counted(problem: &SpaceLadProblem, tally: &mut impl Tally) -> Sp
     }
 }
 
-/// Where a descent ends.
+/// The end of a descent.
 #[derive(Debug)]
 pub(crate) enum Descent {
-    /// In an optimal point.
+    /// The descent ends at an optimal point.
     Optimal {
-        /// chart · point > 0.
+        /// The point in homogeneous coordinates, with chart · point > 0.
         point: Vector4,
-        /// linear + Σ sign · form over the forms that do not vanish at the point: its product with the point is the minimum times
-        /// chart · point.
+        /// The gradient linear + Σ sign · form over the forms that do not vanish at the point. Its product with the
+        /// point is the minimum times chart · point.
         gradient: Vector4,
         certificate: SpaceCertificate,
     },
-    /// Nowhere: the objective falls without end.
+    /// The descent does not end: the objective falls for ever along a direction on two planes.
     Unbounded { direction: Vector4, along: [ProblemPlane; 2] },
 }
 
@@ -121,7 +123,7 @@ pub(crate) fn descend(instance: &Instance, start: &Vector4, tally: &mut impl Tal
 /// A direction and two planes on which it runs.
 type Way = (Vector4, [Plane; 2]);
 
-/// What a vertex is from which no edge of its basis falls.
+/// The decision at a vertex from which the objective falls along no edge of its basis.
 enum Decision {
     Optimal(SpaceCertificate),
     Falls(Box<Way>),
@@ -133,9 +135,10 @@ struct Search<'t, T> {
 }
 
 impl<T: Tally> Search<'_, T> {
-    /// The rounded optimum of a sample, itself found from a smaller one; the given point where there is none.
+    /// The rounded optimum of a sample, which is found from that of a smaller sample; the given point where the sample
+    /// has no optimum.
     fn start(&mut self, instance: &Instance, given: &Vector4) -> Vector4 {
-        if instance.len() < SAMPLED {
+        if instance.len() < SMALLEST_SAMPLED_PROBLEM {
             return given.clone();
         }
         let sample = instance.sample();
@@ -171,7 +174,7 @@ impl<T: Tally> Search<'_, T> {
         }
     }
 
-    /// The edge of the basis along which the objective falls most steeply, and the planes on which it runs.
+    /// The edge of the basis along which the objective falls most steeply, with the two planes on which the edge runs.
     fn steepest_edge(&mut self, instance: &Instance, vertex: &Vertex) -> Option<Way> {
         let mut best: Option<(f64, usize, bool, Vector4)> = None;
         for k in 0..3 {
@@ -188,7 +191,8 @@ impl<T: Tally> Search<'_, T> {
         })
     }
 
-    /// Whether a vertex from which no edge of its basis falls is optimal.
+    /// Decides at a vertex from which the objective falls along no edge of its basis: a plane through it off the basis
+    /// may still let it fall.
     fn decide(&mut self, instance: &Instance, vertex: &Vertex) -> Decision {
         let mut basis: Vec<u32> = vertex.basis.iter().filter_map(|plane| plane.index).collect();
         basis.sort_unstable();
@@ -220,7 +224,7 @@ impl<T: Tally> Search<'_, T> {
         }
     }
 
-    /// A parallel plane at a random distance.
+    /// A plane parallel to the given one at a random distance.
     fn moved(&mut self, instance: &Instance, form: Vector4) -> Vector4 {
         let exponent = |v: &Vector4| v.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let scale = exponent(&form) - exponent(&instance.chart) - 30;

@@ -1,19 +1,20 @@
-//! A problem in homogeneous coordinates: what the search works on.
+//! The problem in homogeneous coordinates, on which the search works.
 //!
-//! Minimise (linear · u + Σ |f_i · u|) / (chart · u) over the u of R^4 with chart · u > 0: a point of space is u / (chart · u), a term of the
-//! objective is a linear form f, and a direction of space is a vector d with chart · d = 0. The problem of planes has the chart
-//! (0, 0, 0, 1); the gauge of a point p in R^4 has the chart p and the generators for forms.
+//! Minimise (linear · u + Σ |f_i · u|) / (chart · u) over the u of R^4 with chart · u > 0: a point of space is u /
+//! (chart · u), a term of the objective is a linear form f, and a direction of space is a vector d with chart · d = 0.
+//! The problem of planes has the chart (0, 0, 0, 1); the gauge of a point p in R^4 has the chart p and the generators
+//! for forms.
 
 use super::vector4::{Vector4, cross4, dot4, is_zero4};
 use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
 use crate::numeric::exact_sum::ExactSum;
 
-/// The forms, exactly.
+/// The exact forms.
 #[derive(Debug)]
 pub(crate) enum Source<'a> {
-    /// Doubles, in two runs.
+    /// Forms given as doubles, in two slices one after the other.
     Doubles([&'a [[f64; 4]]; 2]),
-    /// Exact vectors.
+    /// Forms given as exact vectors.
     Exact(Vec<Vector4>),
 }
 
@@ -57,8 +58,8 @@ fn double(runs: &[&[[f64; 4]]; 2], i: usize) -> [f64; 4] {
     if i < first.len() { first[i] } else { second[i - first.len()] }
 }
 
-/// A problem in homogeneous coordinates. The four coordinates of forms are scaled by powers of two of their own in `rounded`, those
-/// of vectors by the inverse, which leaves products what they are.
+/// A problem in homogeneous coordinates. The four coordinates of forms are scaled by powers of two of their own in
+/// `rounded`, those of vectors by the inverse, which leaves products what they are.
 #[derive(Debug)]
 pub(crate) struct Instance<'a> {
     pub(super) chart: Vector4,
@@ -66,7 +67,7 @@ pub(crate) struct Instance<'a> {
     source: Source<'a>,
     rounded: Vec<[f64; 4]>,
     scales: [i64; 4],
-    /// Bounds of Σ |coordinate| over the rounded forms.
+    /// Bounds on the sums Σ |coordinate| over the rounded forms.
     extents: [f64; 4],
 }
 
@@ -81,20 +82,20 @@ pub(super) struct Probe {
 /// A product of a form and a probe.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Product {
-    /// Rounded, in the probe's scale.
+    /// The rounded product, in the probe's scale.
     pub(super) value: f64,
-    /// How far the value may be off.
+    /// A bound on the error of the value.
     pub(super) bound: f64,
-    /// The sign, exactly.
+    /// The exact sign.
     pub(super) sign: i8,
 }
 
-/// How far a dot product of rounded vectors may be off, relative to Σ |product|: two roundings of coordinates, each at most 4 ε, and
-/// seven of products and sums, each at most ε / 2.
+/// How far a dot product of rounded vectors may be off, relative to Σ |product|: two roundings of coordinates, each at
+/// most 4 ε, and seven of products and sums, each at most ε / 2.
 const PRODUCT_ERROR: f64 = 16.0 * f64::EPSILON;
 
 impl<'a> Instance<'a> {
-    /// A problem. O(n).
+    /// Scales and rounds the forms. O(n).
     pub(crate) fn new(chart: Vector4, linear: Vector4, source: Source<'a>) -> Self {
         let mut scales = [i64::MIN; 4];
         for i in 0..source.len() {
@@ -153,7 +154,8 @@ impl<'a> Instance<'a> {
         Product { value, bound, sign }
     }
 
-    /// Independent forms that span what all forms span, among them the given ones, which are independent; in increasing order.
+    /// Independent forms that span the space of all forms, in increasing order; the given independent ones are among
+    /// them.
     pub(crate) fn spanning(&self, start: &[usize]) -> Vec<usize> {
         let mut basis = start.to_vec();
         while basis.len() < 4 {
@@ -169,7 +171,7 @@ impl<'a> Instance<'a> {
         basis
     }
 
-    /// linear + Σ sign · form over all forms, rounded.
+    /// The rounded sum linear + Σ sign · form over all forms.
     pub(super) fn gradient(&self, signs: &[i8]) -> Gradient {
         let mut sum = [0.0; 4];
         for (form, &sign) in self.rounded.iter().zip(signs) {
@@ -185,7 +187,7 @@ impl<'a> Instance<'a> {
         }
     }
 
-    /// linear + Σ sign · form over all forms. O(n) exact additions.
+    /// The exact sum linear + Σ sign · form over all forms. O(n) exact additions.
     pub(super) fn exact_gradient(&self, signs: &[i8]) -> Vector4 {
         let mut sum = self.linear.clone();
         match &self.source {
@@ -211,7 +213,7 @@ fn add((height, is_off): (f64, bool), product: Product) -> (f64, bool) {
     (height + product.value.abs(), is_off || product.sign != 0)
 }
 
-/// Vectors that span all that is orthogonal to at most three independent ones.
+/// Vectors that span the orthogonal complement of at most three independent ones.
 fn normals(independent: &[Vector4]) -> Vec<Vector4> {
     let units: [Vector4; 4] =
         std::array::from_fn(|k| std::array::from_fn(|l| Dyadic::from_f64(if k == l { 1.0 } else { 0.0 })));
@@ -225,7 +227,7 @@ fn normals(independent: &[Vector4]) -> Vec<Vector4> {
     found.into_iter().filter(|normal| !is_zero4(normal)).collect()
 }
 
-/// A sum of forms, rounded, with a bound for the error of each coordinate.
+/// A rounded sum of forms, with a bound on the error of each coordinate.
 #[derive(Debug, Clone)]
 pub(super) struct Gradient {
     value: [f64; 4],
@@ -233,7 +235,7 @@ pub(super) struct Gradient {
 }
 
 impl Gradient {
-    /// The product with a probe in the probe's scale, and how far it may be off.
+    /// The product with a probe in the probe's scale, and a bound on its error.
     pub(super) fn along(&self, probe: &Probe) -> (f64, f64) {
         let (mut value, mut error) = (0.0, 8.0 * f64::MIN_POSITIVE);
         for k in 0..4 {
@@ -246,7 +248,7 @@ impl Gradient {
 }
 
 impl Probe {
-    /// An exact product with the vector, rounded, in the scale of the other products.
+    /// An exact product with the vector, rounded to the scale of the other products.
     pub(super) fn in_scale(&self, value: &Dyadic) -> f64 {
         value.clone().scaled(-self.scale).to_f64()
     }

@@ -7,7 +7,8 @@ use super::instance::{Instance, Probe, Product};
 use super::vertex::{Plane, Vertex};
 use crate::tally::{Operation, Tally};
 
-/// After so many proposals that floating point got wrong, they are drawn at random, so that half of the planes go each time.
+/// Number of wrong proposals of floating point after which proposals are drawn at random, so that half of the planes
+/// are expected to go with each.
 const TRUSTED_PROPOSALS: u32 = 6;
 
 /// A plane that the edge crosses ahead of the vertex.
@@ -18,11 +19,12 @@ struct Crossing {
     plane: u32,
 }
 
-/// The lowest vertex along a direction on the two kept planes, in which the slope is negative: `start_slope`, rounded. `None` if the
-/// objective falls without end.
+/// The lowest vertex along a direction on the two kept planes; `None` if the objective falls without end.
 ///
-/// The slope grows by 2 |f · direction| at each plane that is crossed. A proposal is tested by the exact slopes on both its sides; one
-/// that fails leaves only the planes before it or those behind it.
+/// The slope at the start is negative, and `start_slope` when rounded.
+///
+/// The slope grows by 2 |f · direction| at each plane that is crossed. A proposed vertex is tested by the exact slopes
+/// on both its sides; a vertex that fails leaves only the planes before it or those behind it.
 pub(super) fn lowest(
     instance: &Instance,
     start: &Vertex,
@@ -62,6 +64,7 @@ pub(super) fn lowest(
     None
 }
 
+/// The planes that the direction crosses ahead of the start. One pass.
 fn crossings(instance: &Instance, start: &Vertex, direction: &Probe, tally: &mut impl Tally) -> Vec<Crossing> {
     tally.add(Operation::LineEvaluation, instance.len() as u64);
     let mut ahead = Vec::new();

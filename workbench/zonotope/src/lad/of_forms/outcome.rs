@@ -1,4 +1,4 @@
-//! The answer to a problem in space, with its proof.
+//! The answer to a problem in three variables, with its proof.
 
 use crate::numeric::Rational;
 
@@ -17,15 +17,16 @@ pub enum SpaceOutcome {
 /// A minimiser.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpaceOptimum {
-    /// The minimiser, exactly.
+    /// The exact minimiser.
     pub point: [Rational; 3],
-    /// The minimum, exactly.
+    /// The exact minimum.
     pub value: Rational,
-    /// Why it is one.
+    /// The proof that the point is a minimiser.
     pub certificate: SpaceCertificate,
 }
 
-/// Coefficients δ_i in [−1, 1] with linear + Σ δ_i w_i a_i = 0 and δ_i (a_i · x + b_i) = |a_i · x + b_i|: a subgradient that vanishes.
+/// Coefficients δ_i in [−1, 1] with linear + Σ δ_i w_i a_i = 0 and δ_i (a_i · x + b_i) = |a_i · x + b_i|: a subgradient
+/// that vanishes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpaceCertificate {
     /// The coefficient −1, 0 or 1 of each plane off the basis, 0 for those of the basis.

@@ -9,7 +9,7 @@ pub(crate) fn dot4([a, b, c, d]: &Vector4, [e, f, g, h]: &Vector4) -> Dyadic {
     a * e + b * f + c * g + d * h
 }
 
-/// A vector orthogonal to three others: 0 just when they are dependent.
+/// The vector product of three vectors, orthogonal to each: zero if and only if they are dependent.
 pub(super) fn cross4(a: &Vector4, b: &Vector4, c: &Vector4) -> Vector4 {
     // The six minors of the last two rows.
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
@@ -36,7 +36,7 @@ pub(super) fn plus_multiple(a: &Vector4, factor: &Dyadic, b: &Vector4) -> Vector
     std::array::from_fn(|k| &a[k] + &(factor * &b[k]))
 }
 
-/// The vector divided by what its coordinates have in common, so that numbers stay as short as what they say.
+/// The vector divided by the common factor of its coordinates, which keeps the numbers of a long descent short.
 pub(super) fn primitive(mut a: Vector4) -> Vector4 {
     remove_common_factor(&mut a);
     a

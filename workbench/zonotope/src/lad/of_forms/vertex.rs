@@ -1,4 +1,4 @@
-//! A vertex of the arrangement with all that is known around it.
+//! A vertex of the arrangement of planes, with the subdifferential of the objective at it.
 
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -8,7 +8,7 @@ use super::vector4::{Vector4, cross4, dot4, negated4, plus_multiple, primitive};
 use crate::numeric::dyadic::Dyadic;
 use crate::tally::{Operation, Tally};
 
-/// A plane through a vertex: one of the problem's, or one that only pins the vertex down and has no weight.
+/// A plane through a vertex: one of the problem's, or one without weight that only serves to define the vertex.
 #[derive(Debug, Clone)]
 pub(super) struct Plane {
     pub(super) index: Option<u32>,
@@ -19,9 +19,9 @@ pub(super) struct Plane {
 #[derive(Debug)]
 pub(super) struct Vertex {
     pub(super) basis: [Plane; 3],
-    /// chart · point > 0.
+    /// The point in homogeneous coordinates, with chart · point > 0.
     pub(super) point: Probe,
-    /// 0 for planes through the vertex.
+    /// The side of each plane on which the vertex lies, 0 for planes through it.
     pub(super) signs: Vec<i8>,
     /// The problem's planes through the vertex, without zero forms.
     pub(super) through: Vec<u32>,
@@ -44,7 +44,7 @@ impl Vertex {
         Self { basis, point, signs, through, gradient, exact_gradient: OnceCell::new() }
     }
 
-    /// The vertex at a point, on planes without weight.
+    /// The vertex at a point, defined by planes without weight.
     pub(super) fn at(instance: &Instance, point: &Vector4, tally: &mut impl Tally) -> Self {
         let height = dot4(&instance.chart, point);
         let pivot = instance.chart.iter().position(|v| !v.is_zero()).expect("a chart is not zero");
@@ -57,19 +57,19 @@ impl Vertex {
         Self::new(instance, basis, tally)
     }
 
-    /// linear + Σ sign · form.
+    /// The exact sum linear + Σ sign · form.
     pub(super) fn exact_gradient(&self, instance: &Instance) -> &Vector4 {
         self.exact_gradient.get_or_init(|| instance.exact_gradient(&self.signs))
     }
 
-    /// The direction along the edge that leaves basis plane k: on the two others.
+    /// The direction of the edge that leaves basis plane k and runs on the two others.
     pub(super) fn edge(&self, instance: &Instance, k: usize) -> Vector4 {
         let [a, b] = [(k + 1) % 3, (k + 2) % 3].map(|other| &self.basis[other].form);
         cross4(&instance.chart, a, b)
     }
 
-    /// The slope of the objective at the vertex in a direction, and in the opposite one: rounded values in the direction's scale, and
-    /// whether each is negative, exactly.
+    /// The slope of the objective at the vertex in a direction, and in the opposite one: rounded values in the
+    /// direction's scale, and whether each is negative, exactly.
     pub(super) fn slopes(&self, instance: &Instance, direction: &Probe, tally: &mut impl Tally) -> [(f64, bool); 2] {
         let (along, mut error) = self.gradient.along(direction);
         let mut kinks = 0.0;
@@ -90,7 +90,8 @@ impl Vertex {
         [&kinks + &along, &kinks - &along].map(|slope| (direction.in_scale(&slope), slope.sign() == Ordering::Less))
     }
 
-    /// Whether the coefficients that the basis needs, with 0 for other planes through the vertex, are at most their weights.
+    /// Whether the subdifferential holds zero with coefficients 0 for the planes through the vertex off the basis:
+    /// those of the basis are then in [−1, 1].
     pub(super) fn is_balanced(&self, instance: &Instance) -> bool {
         let gradient = self.exact_gradient(instance);
         (0..3).all(|k| {

@@ -1,16 +1,16 @@
 //! Weighted least absolute deviations in the plane, by exact line searches from vertex to vertex.
 //!
 //! # Statement
-//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of
-//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When the minimiser is
-//! not unique, one vertex of the set of minimisers and the dimension of that set. Parallel, equal, concurrent and
-//! zero lines are ordinary input.
+//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of the objective
+//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When
+//! the minimiser is not unique, the output is one vertex of the set of minimisers and the dimension of that set.
+//! Parallel, equal, concurrent and zero lines are ordinary input.
 //!
 //! # Source
-//! Bloomfield and Steiger, Least Absolute Deviations (1983): descend along the lines of the arrangement, each time to the
-//! weighted median of the crossings. Departures: the median is only proposed by floating point and settled by exact
-//! passes; where many lines meet, the lines through the vertex are moved apart and solved as a kernel problem of
-//! their own, which makes the method finite on degenerate input.
+//! Bloomfield and Steiger, Least Absolute Deviations (1983): descend along the lines of the arrangement, each time to
+//! the weighted median of the crossings. Departures: floating point only proposes the median, and an exact pass proves
+//! it or says on which side to go on; where many lines meet, the lines through the vertex are moved apart at random and
+//! solved as a kernel problem of their own, which makes the method finite on degenerate input.
 //!
 //! # Method
 //! 1. Search along the first line for its exact minimum.

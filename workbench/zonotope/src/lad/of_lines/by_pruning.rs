@@ -1,11 +1,11 @@
-//! Weighted least absolute deviations in the plane, by solving a sample and summing up all lines that miss a small cell around
-//! its optimum.
+//! Weighted least absolute deviations in the plane, by solving a sample and summing up all lines that miss a small cell
+//! around its optimum.
 //!
 //! # Statement
-//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of
-//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When the minimiser is
-//! not unique, one vertex of the set of minimisers and the dimension of that set. Parallel, equal, concurrent and
-//! zero lines are ordinary input.
+//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of the objective
+//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When
+//! the minimiser is not unique, the output is one vertex of the set of minimisers and the dimension of that set.
+//! Parallel, equal, concurrent and zero lines are ordinary input.
 //!
 //! # Source
 //! Beyond the paper, whose search costs O(n log² n): linear time is due to Zemel, Inf. Proc. Letters 18 (1984) 123; the
@@ -13,21 +13,29 @@
 //! answer never rests on statistics. The sign of a summed-up line is certain throughout the cell, so a minimiser of the
 //! small remainder in the interior of the cell is a minimiser of the whole, by convexity.
 //!
+//! Why around the optimum of a sample: the step of Zemel's method gets rid of a constant share of the lines, at the
+//! cost of several passes, and the rest needs another step, so its constant is large. A sample of n^(2/3) lines places
+//! the optimum so well that a single pass rids the search of all lines but about n^(2/3). The price is that the cell
+//! may miss the optimum, which the solution of the remainder shows, and then another cell is tried.
+//!
 //! # Method
 //! 1. At most `LINE_SEARCH_LIMIT` lines: descend by line searches.
-//! 2. Solve a jittered strided sample of about n^(2/3) lines, recursively.
-//! 3. Around its optimum take a cell, in coordinates in which the sample's normals point equally everywhere, that is crossed by as many
-//!    sample lines as the sampling error of the gradient can shift the optimum across.
-//! 4. One pass: sum up the lines that certainly miss the cell, keep the others. Their density and the gradient at the centre say where in
-//!    the cell the optimum is expected, and how far off that may be: a smaller cell.
-//! 5. If the optimum is expected far outside, move the cell there; if most lines cross the cell, take the smaller one; go to 4. Else solve
-//!    the lines kept, recursively, starting with the smaller cell instead of a sample.
-//! 6. If their optimum lies in the interior of the cell it is the answer; else move and enlarge the cell and go to 4.
-//! 7. After `CELL_LIMIT` cells, or when all lines cross one, descend from the last optimum found by line searches.
+//! 2. Solve a sample of about n^(2/3) lines recursively, one line at random from each of as many equal strata.
+//! 3. Around the sample's optimum take a cell, in coordinates in which the normals point about equally everywhere. Its
+//!    radius is such that the sampling error of the gradient can hardly move the optimum across more lines than cross
+//!    the cell.
+//! 4. In one pass sum up the lines that certainly miss the cell and keep the others. The gradient at the centre and the
+//!    density of the lines kept give a Newton step to where the optimum is expected, and with the error of that step a
+//!    smaller cell.
+//! 5. If the optimum is expected far outside, move the cell there; if most lines cross the cell, take the smaller one;
+//!    go to 4. Else solve the lines kept, recursively, starting with the smaller cell instead of a sample.
+//! 6. If the optimum of the lines kept lies in the interior of the cell, it is the answer; else move and enlarge the
+//!    cell and go to 4.
+//! 7. After `CELL_LIMIT` cells, or when all lines cross one, descend by line searches from the last optimum found.
 //!
 //! # Complexity
-//! n lines: expected O(n), with about one pass over the lines and O(n^(2/3) √(log n)) lines in the sample and kept; worst case that of line searches.
-//! Space O(n): one byte a line and the lines kept.
+//! n lines: expected O(n), with about one pass over the lines and O(n^(2/3) √(log n)) lines in the sample and kept;
+//! worst case that of line searches. Space O(n): one byte a line and the lines kept.
 //!
 //! # Shapes
 //! `problem`: n lines in any order, duplicates allowed.
@@ -70,7 +78,8 @@ use super::optimum::LadOutcome;
 use super::subproblem::{Subproblem, Vertex};
 use crate::tally::{Operation, Tally};
 
-/// Number of lines up to which line searches alone solve a subproblem; a quarter of it where a cell is expected to hold the optimum.
+/// Number of lines up to which line searches alone solve a subproblem; a quarter of it where a cell is expected to hold
+/// the optimum.
 const LINE_SEARCH_LIMIT: usize = 50;
 
 /// Number of cells that are tried before line searches take over.
@@ -82,7 +91,7 @@ const LARGEST_CROSSING_SHARE: f64 = 0.8;
 /// Distance, in radii of the cell, up to which an optimum expected outside the cell does not yet move the cell.
 const LARGEST_TRUSTED_DISTANCE: f64 = 1.25;
 
-/// Minimises a problem by pruning. `seed` decides the sample: the time, never the minimum.
+/// Minimises a problem by pruning. `seed` decides the samples, and with them the time, never the minimum.
 pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
     minimize_counted(problem, seed, &mut ())
 }
@@ -92,12 +101,12 @@ pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally)
     LadOutcome::new(solve(&Subproblem::whole(problem), seed, tally))
 }
 
-/// Solves a subproblem by pruning: the default wherever one arises.
+/// Solves a subproblem by pruning, the default wherever one arises.
 pub(crate) fn solve<T: Tally>(subproblem: &Subproblem, seed: u64, tally: &mut T) -> Solution {
     solve_above(LINE_SEARCH_LIMIT, subproblem, seed, tally)
 }
 
-/// The ways to break ties at vertices where many lines meet: by this method again.
+/// The decision at vertices where many lines meet, by this method again: what every method uses.
 pub(crate) fn tie_break<T: Tally>(seed: u64) -> TieBreak<T> {
     TieBreak { seed, solve }
 }
@@ -115,7 +124,8 @@ pub(super) fn minimize_above(limit: usize, problem: &LadProblem, seed: u64) -> L
     LadOutcome::new(solve_above(limit, &Subproblem::whole(problem), seed, &mut ()))
 }
 
-/// Searches in the cell that is expected to contain the optimum, if there is one.
+/// Searches in a cell that is expected to contain the optimum, where the caller has one, else around the optimum of a
+/// sample.
 fn search_above<T: Tally>(
     limit: usize,
     subproblem: &Subproblem,
@@ -149,7 +159,8 @@ fn search_above<T: Tally>(
     }
 }
 
-/// Searches in a cell and in others near it; `best` is left at the last optimum of the lines that cross one.
+/// Searches in a cell and in others near it. `best` is left at the optimum of the lines that crossed the last cell
+/// solved.
 fn search_near<T: Tally>(
     limit: usize,
     subproblem: &Subproblem,

@@ -1,39 +1,43 @@
-//! Weighted least absolute deviations in the plane, by halving the vertices of the arrangement with vertical lines: the paper's search.
+//! Weighted least absolute deviations in the plane, by halving the vertices of the arrangement with vertical lines: the
+//! paper's search.
 //!
 //! # Statement
-//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of
-//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When the minimiser is
-//! not unique, one vertex of the set of minimisers and the dimension of that set. Parallel, equal, concurrent, vertical and
-//! zero lines are ordinary input.
+//! Input: lines with weights and a linear term ([`LadProblem`]). Output: an exact minimiser of the objective
+//! linear · x + Σ w |a · x + b| with a certificate, or a direction along which the objective falls without bound. When
+//! the minimiser is not unique, the output is one vertex of the set of minimisers and the dimension of that set.
+//! Parallel, equal, concurrent, vertical and zero lines are ordinary input.
 //!
 //! # Source
-//! Section 4.1, Theorem 4.5, stated there for the area of the enclosing zonogon and used again in Theorem 5.2. Departures:
-//! - The paper reads the side off "the linear coefficient of f at O_ℓ", which is not defined, since O_ℓ lies on a line of the
-//!   arrangement. The side is decided by the subdifferential there: by a line through O_ℓ along which the objective falls.
+//! Section 4.1, Theorem 4.5, stated there for the area of the enclosing zonogon and used again in Theorem 5.2.
+//! Departures:
+//! - The paper reads the side off "the linear coefficient of f at O_ℓ", which is not defined, since O_ℓ lies on a line
+//!   of the arrangement. The side is decided by the subdifferential there: by a line through O_ℓ along which the
+//!   objective falls.
 //! - Corollary 4.4 (unimodal) is too weak for that; the objective is convex.
-//! - The paper assumes general position. Here ℓ passes through the median vertex, and every vertex on ℓ is discarded with it:
-//!   ties and vertical lines are no special cases.
+//! - The paper assumes general position. Here ℓ passes through the median vertex, and every vertex on ℓ is discarded
+//!   with it: ties and vertical lines are no special cases.
 //! - The objective may be unbounded: then a line ℓ has no minimum or the vertices run out.
 //!
 //! # Method
 //! 1. The candidates are the vertices in an open strip between two vertical lines: at first all.
-//! 2. Select the median candidate ([`randomized`](crate::arrangement::slope_selection::randomized)) and search along the vertical line ℓ through it for the
-//!    minimum O_ℓ (Lemma 4.2).
+//! 2. Select the median candidate ([`randomized`](crate::arrangement::slope_selection::randomized)) and search along
+//!    the vertical line ℓ through it for the minimum O_ℓ (Lemma 4.2).
 //! 3. If no line through O_ℓ descends, O_ℓ is a minimiser; when it is not a vertex, go along its line to one.
-//! 4. Else every minimiser lies on the side to which that line descends: keep the part of the strip there, go on with 2.
+//! 4. Else every minimiser lies on the side to which that line descends: keep the part of the strip there, go on with
+//!    2.
 //! 5. When no candidate is left the descending line meets no further line: the objective falls for ever along it.
 //!
 //! # Complexity
-//! n lines: expected O(n log² n), the paper's bound: at most 2 log₂ n vertical lines, since each leaves at most half of the
-//! candidates, each with O(n log n) expected for the selection and for cutting the strip, and O(n) expected for the minimum on it, where the
-//! paper sorts in O(n log n). Space O(n).
+//! n lines: expected O(n log² n), the paper's bound: at most 2 log₂ n vertical lines, since each leaves at most half of
+//! the candidates, each with O(n log n) expected for the selection and for cutting the strip, and O(n) expected for the
+//! minimum on it, where the paper sorts in O(n log n). Space O(n).
 //!
 //! # Shapes
 //! `problem`: n lines in any order, duplicates allowed.
 //!
 //! # Numerics
-//! Every decision (order along a line, order of abscissas, sign of a slope) is exact: filtered floating point, then exact dyadic
-//! arithmetic.
+//! Every decision (order along a line, order of abscissas, sign of a slope) is exact: filtered floating point, then
+//! exact dyadic arithmetic.
 //!
 //! # Errors
 //! None: the problem was validated when it was made.
@@ -76,33 +80,33 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
 use crate::tally::Tally;
 
-/// One vertical line of the search.
+/// One vertical line of the search, with what was found on it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SearchStep {
-    /// Where the vertical line is, within a relative 2^-50.
+    /// The abscissa of the vertical line, within a relative 2^-50.
     pub x: f64,
-    /// Where it is, exactly.
+    /// The exact abscissa of the vertical line.
     pub exact_x: Rational,
-    /// How many vertices were candidates before it was drawn.
+    /// The number of candidate vertices before the line was drawn.
     pub vertices_before: u64,
-    /// How many are left.
+    /// The number of candidate vertices that the line leaves.
     pub vertices_after: u64,
     /// The point at which the objective is least on the line, if it is bounded there.
     pub minimum: Option<[f64; 2]>,
-    /// What was found there.
+    /// The side of the vertical line on which the minimisers lie.
     pub side: Side,
 }
 
-/// Where the minimisers are, seen from a vertical line.
+/// The side of a vertical line on which the minimisers lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// Strictly left of it, if there are any.
+    /// The minimisers lie strictly left of the line, if there are any.
     Left,
-    /// On it: its minimum is one.
+    /// The minimum on the line is a minimiser.
     Optimal,
-    /// Strictly right of it, if there are any.
+    /// The minimisers lie strictly right of the line, if there are any.
     Right,
-    /// Nowhere: the objective is unbounded on the line.
+    /// There is no minimiser: the objective is unbounded on the line.
     Unbounded,
 }
 
@@ -136,7 +140,8 @@ fn solve<T: Tally>(
     LadOutcome::new(solve_with(&subproblem, &ties, tally, |_, tally| search(&subproblem, &ties, tally, record)))
 }
 
-/// Solves a subproblem in which two lines cross; `record` sees each vertical line and how many candidates it leaves.
+/// Solves a subproblem in which two lines cross; `record` is given each vertical line and the number of candidates that
+/// it leaves.
 fn search<T: Tally>(
     subproblem: &Subproblem,
     ties: &TieBreak<T>,
@@ -181,7 +186,7 @@ enum Verdict {
 }
 
 impl VerticalLine {
-    /// The minimum on the vertical line at an abscissa, and where the minimisers are.
+    /// Finds the minimum on the vertical line at an abscissa, and the side on which the minimisers lie.
     fn search<T: Tally>(
         subproblem: &Subproblem,
         x: Fraction,
@@ -211,7 +216,7 @@ impl VerticalLine {
         Self { x, candidates, minimum, around, verdict, side }
     }
 
-    /// The solution, when no vertex is a candidate any more.
+    /// The solution, where no candidate vertex is left.
     fn conclude<T: Tally>(self, subproblem: &Subproblem, ties: &TieBreak<T>, tally: &mut T) -> Solution {
         let unbounded = |direction| Solution::Unbounded { direction, along: None };
         match (self.verdict, self.minimum) {

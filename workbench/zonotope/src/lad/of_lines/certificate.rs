@@ -10,7 +10,8 @@ use crate::numeric::dyadic::Dyadic;
 /// They give the lower bound Σ δ_i w_i b_i for the objective at every point, with equality at x*.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LadCertificate {
-    /// The coefficient δ of each line off the basis, 1 or −1; 0 for the basis and for lines whose coefficients are all zero.
+    /// The coefficient δ of each line off the basis, 1 or −1; 0 for the basis and for lines whose coefficients are all
+    /// zero.
     pub signs: Vec<i8>,
     /// The lines, at most two, whose coefficients δ are what the equation leaves for them.
     pub basis: Vec<LineIndex>,

@@ -1,7 +1,8 @@
 //! Weighted least absolute deviations in the plane: the kernel in affine form.
 //!
-//! Minimise linear · x + Σ w_i |a_i · x + b_i| over x in the plane, w_i ≥ 0. The objective is convex, and it is linear on each
-//! cell of the arrangement of the lines a_i · x + b_i = 0. The minimum-area enclosing zonogon of Section 4.1 reduces to it.
+//! Minimise linear · x + Σ w_i |a_i · x + b_i| over x in the plane, w_i ≥ 0. The objective is convex, and it is linear
+//! on each cell of the arrangement of the lines a_i · x + b_i = 0. The minimum-area enclosing zonogon of Section 4.1
+//! reduces to it.
 //!
 //! | method | cost for n lines | what it is |
 //! |---|---|---|
@@ -20,7 +21,8 @@
 //! | `cells` | a parallelogram around a guess, and the lines that certainly miss it |
 //! | `descent` | the minimum on one line, the optimality of a vertex, the descent from vertex to vertex |
 //!
-//! What comes out is in `optimum` and `certificate`; `sign_vectors` answers on which side of each line other points lie.
+//! What comes out is in `optimum` and `certificate`; `sign_vectors` answers on which side of each line other points
+//! lie.
 
 pub mod brute_force;
 pub mod by_line_search;

@@ -1,7 +1,7 @@
 //! The answer of a method: a minimiser named by its defining lines, with coefficients that prove it.
 //!
-//! A minimiser is a pair of lines and not a point: its coordinates are rational, mostly not doubles, and the lines say it exactly in eight
-//! bytes. Whoever wants coordinates asks for them, exactly or rounded.
+//! A minimiser is a pair of lines and not a point: its coordinates are rational, mostly not doubles, and the lines say
+//! it exactly in eight bytes. Whoever wants coordinates asks for them, exactly or rounded.
 
 use super::certificate::LadCertificate;
 use super::descent::{Near, Optimal, Solution};
@@ -86,12 +86,13 @@ impl LadOptimum {
         Self { minimizer, face_dimension, certificate, through, near }
     }
 
-    /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is the point
-    /// nearest to the origin, in the plane the origin.
+    /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is
+    /// the point nearest to the origin, in the plane the origin.
     ///
     /// # Panics
-    /// If the minimiser names a line that the problem does not have. So do [`exact_point`](Self::exact_point), [`point`](Self::point)
-    /// and [`exact_value`](Self::exact_value); [`verify`](super::verify::verify) tells without a panic.
+    /// If the minimiser names a line that the problem does not have. So do [`exact_point`](Self::exact_point),
+    /// [`point`](Self::point) and [`exact_value`](Self::exact_value); [`verify`](super::verify::verify) tells without a
+    /// panic.
     pub fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
         self.minimizer.homogeneous_point(|line| problem.exact_line(line))
     }
@@ -99,13 +100,15 @@ impl LadOptimum {
     /// The exact minimiser.
     ///
     /// # Panics
-    /// If the minimiser names a line that the problem does not have, or two that are parallel there: the optimum is of another problem.
+    /// If the minimiser names a line that the problem does not have, or two that are parallel there: the optimum is of
+    /// another problem.
     pub fn exact_point(&self, problem: &LadProblem) -> [Rational; 2] {
         let [x, y, w] = self.homogeneous_point(problem).map(|v| v.to_rational());
         [x / &w, y / w]
     }
 
-    /// The minimiser, each coordinate within a relative 2^-50; not finite where the two lines are parallel in this problem.
+    /// The minimiser, each coordinate within a relative 2^-50; not finite where the two lines are parallel in this
+    /// problem.
     ///
     /// # Panics
     /// If the minimiser names a line that the problem does not have.
@@ -129,7 +132,8 @@ impl LadOptimum {
 }
 
 impl Minimizer {
-    /// The minimiser of the lines that `line` knows, in homogeneous coordinates as in [`LadOptimum::homogeneous_point`].
+    /// The minimiser of the lines that `line` knows, in homogeneous coordinates as in
+    /// [`LadOptimum::homogeneous_point`].
     pub(crate) fn homogeneous_point(&self, line: impl Fn(LineIndex) -> ExactLine) -> [Dyadic; 3] {
         match *self {
             Self::Vertex(first, second) => line(first).meet(&line(second)),

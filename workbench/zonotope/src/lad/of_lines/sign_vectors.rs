@@ -10,15 +10,16 @@ use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::Tally;
 
 impl LadProblem<'_> {
-    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. O(n).
+    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0.
+    /// O(n).
     pub(crate) fn signs_at(&self, point: &[Dyadic; 3], tally: &mut impl Tally) -> Vec<i8> {
         let mut around = Subdifferential::default();
         Subproblem::whole(self).read_at(&Vertex::at(point.clone()), &mut around, tally);
         around.signs
     }
 
-    /// The lines that may pass between given points of the scaled frame, with W = 1, and the side of every other line on which all
-    /// of the points lie; 0 for the lines that may pass. One pass, whatever the number of points.
+    /// The lines that may pass between given points of the scaled frame, with W = 1, and the side of every other line
+    /// on which all of the points lie; 0 for the lines that may pass. One pass, whatever the number of points.
     pub(crate) fn sides_around(&self, points: &[[Dyadic; 3]]) -> (Vec<u32>, Vec<i8>) {
         let center = [0, 1].map(|axis| points[0][axis].to_f64());
         let widest = |axis: usize| {
@@ -31,8 +32,8 @@ impl LadProblem<'_> {
 }
 
 impl LadOptimum {
-    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. At the
-    /// minimiser no line is read, near it only the lines that may pass between it and the point.
+    /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. At
+    /// the minimiser no line is read, near it only the lines that may pass between it and the point.
     pub(crate) fn signs_at(&self, problem: &LadProblem, point: &[Dyadic; 3]) -> Vec<i8> {
         if self.is_at(problem, point) {
             let mut signs = self.certificate.signs.clone();

@@ -1,8 +1,8 @@
 //! Checks the proof of an optimum in exact arithmetic, without any code of the methods.
 //!
-//! A minimiser is proved by coefficients δ in [−1, 1] with linear + Σ δ a = 0 and δ (a · x* + b) = |a · x* + b| (weights
-//! multiplied in): for every x then linear · x + Σ |a · x + b| ≥ linear · x + Σ δ (a · x + b) = Σ δ b, and at x* both
-//! sides are equal. O(n) exact operations.
+//! A minimiser is proved by coefficients δ in [−1, 1] with linear + Σ δ a = 0 and δ (a · x* + b) = |a · x* + b|
+//! (weights multiplied in): for every x then linear · x + Σ |a · x + b| ≥ linear · x + Σ δ (a · x + b) = Σ δ b, and at
+//! x* both sides are equal. O(n) exact operations.
 
 use thiserror::Error;
 

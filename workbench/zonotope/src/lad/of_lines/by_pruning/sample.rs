@@ -10,7 +10,8 @@ use crate::lad::of_lines::descent::weighted_select;
 use crate::lad::of_lines::subproblem::Subproblem;
 use crate::tally::{Operation, Tally};
 
-/// Number of the sample's lines, per square root of its size, from which the radius is estimated: at least sixty of them cross the cell.
+/// Number of the sample's lines, per square root of its size, from which the radius is estimated: at least sixty of
+/// them cross the cell.
 const LINES_PER_ROOT: f64 = 12.0;
 
 /// Standard deviations of the sum of reaches per standard deviation of the gradient along an axis, √(2 + 4/π).
@@ -18,8 +19,8 @@ const GATHERED_DEVIATIONS: f64 = 1.81;
 
 /// About n^(2/3) lines, one at random from each of as many equal strata, with the linear term in proportion.
 ///
-/// Strata and not plain sampling: lines often come in an order, along a polygon or a curve, and one from each stratum follows it
-/// with less variance.
+/// Strata and not plain sampling: lines often come in an order, along a polygon or a curve, and one from each stratum
+/// follows it with less variance.
 pub(super) fn draw<'p>(limit: usize, subproblem: &Subproblem<'p>, random: &mut Pcg64Mcg) -> Subproblem<'p> {
     let n = subproblem.len();
     let root = integer_cube_root(n as u64) as usize;
@@ -47,11 +48,13 @@ fn integer_cube_root(n: u64) -> u64 {
     (1..).find(|root: &u64| (root + 1).pow(3) > n).expect("cubes grow past every number of lines")
 }
 
-/// The radius at which the crossing lines can make up for the sampling error of the gradient at t = √(⅔ ln n) standard deviations:
-/// the cell of n lines misses the optimum with probability about exp(−t²/2) = n^(−1/3), which is the share of the lines that it keeps.
+/// The radius at which the crossing lines can make up for the sampling error of the gradient at t = √(⅔ ln n) standard
+/// deviations: the cell of n lines misses the optimum with probability about exp(−t²/2) = n^(−1/3), which is the share
+/// of the lines that it keeps.
 ///
-/// A radius along an axis changes the gradient by 1 / (2 + 4/π) of the reach gathered on both sides of the centre, when the normals point
-/// everywhere; the error there has 1 / (2 + 4/π) of the variance Σ reach². So √(2 + 4/π) deviations of that sum are gathered for one.
+/// A radius along an axis changes the gradient by 1 / (2 + 4/π) of the reach gathered on both sides of the centre, when
+/// the normals point everywhere; the error there has 1 / (2 + 4/π) of the variance Σ reach². So √(2 + 4/π) deviations
+/// of that sum are gathered for one.
 pub(super) fn radius<T: Tally>(
     sample: &Subproblem,
     n: usize,

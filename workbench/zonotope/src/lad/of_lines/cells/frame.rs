@@ -5,8 +5,8 @@ use crate::lad::of_lines::subproblem::Subproblem;
 /// A lower triangular matrix [[xx, 0], [yx, yy]] that makes the normals of a set of lines about equally long in all
 /// directions: the inverse transposed Cholesky factor of Σ normal normalᵀ.
 ///
-/// A square in the plane's own coordinates would not do: the lines of a long thin cloud or of nearly parallel planes would all cross it
-/// before it is wide enough in the other direction.
+/// A square in the plane's own coordinates would not do: the lines of a long thin cloud or of nearly parallel planes
+/// would all cross it before it is wide enough in the other direction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Frame {
     pub(super) xx: f64,

@@ -9,7 +9,8 @@ const SMALLEST_SHARE: f64 = 0.05;
 /// Share of the cell's radius that the smaller cell gains per square of the distance of its centre, in radii.
 const SHARE_PER_SQUARED_DISTANCE: f64 = 0.5;
 
-/// Standard deviations of the gradient at the minimum of the model that the lines crossing the smaller cell can make up for.
+/// Standard deviations of the gradient at the minimum of the model that the lines crossing the smaller cell can make up
+/// for.
 const GRADIENT_DEVIATIONS: f64 = 3.0;
 
 /// Distances, in radii, between which the model's error is taken to grow like the distance.
@@ -21,7 +22,8 @@ const LONGEST_STEP: f64 = 3.0;
 /// Share of the cell's radius that the smaller cell has at most.
 const LARGEST_SHARE: f64 = 2.0;
 
-/// The gradient and the curvature that the lines crossing a cell give the objective in it, in the coordinates of the frame.
+/// The gradient and the curvature that the lines crossing a cell give the objective in it, in the coordinates of the
+/// frame.
 #[derive(Debug, Default, Clone, Copy)]
 pub(crate) struct QuadraticModel {
     /// The sum Σ sign · normal at the centre.
@@ -55,9 +57,10 @@ impl QuadraticModel {
 impl Cell {
     /// A smaller cell around the minimum of the model, and the distance of that point in radii of this cell.
     ///
-    /// `rest` is the gradient of all terms that do not cross the cell. Spread evenly, a crossing line curves the objective by
-    /// normal normalᵀ / (reach · radius) on average, which gives a Newton step from the centre. The gradient at its end is off by the
-    /// lines that chance put between the centre and there, a share of all lines that grows with the distance.
+    /// `rest` is the gradient of all terms that do not cross the cell. Spread evenly, a crossing line curves the
+    /// objective by normal normalᵀ / (reach · radius) on average, which gives a Newton step from the centre. The
+    /// gradient at its end is off by the lines that chance put between the centre and there, a share of all lines that
+    /// grows with the distance.
     pub(crate) fn expected(&self, rest: [f64; 2], model: &QuadraticModel) -> Option<(Self, f64)> {
         let [u, v] = self.frame.turned(rest[0], rest[1]);
         let [u, v] = [u + model.gradient[0], v + model.gradient[1]];

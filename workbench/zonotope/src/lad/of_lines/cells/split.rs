@@ -31,8 +31,8 @@ pub(crate) struct Split {
 impl Cell {
     /// Separates the lines that certainly miss the cell from the others. One pass.
     ///
-    /// A line misses the cell when |value at the centre| exceeds its reach; the margin covers the rounding of both and the
-    /// error of the line's columns anywhere in the cell.
+    /// A line misses the cell when |value at the centre| exceeds its reach; the margin covers the rounding of both and
+    /// the error of the line's columns anywhere in the cell.
     pub(crate) fn split(&self, subproblem: &Subproblem, tally: &mut impl Tally) -> Split {
         subproblem.count_pass(tally);
         let [cx, cy] = self.center;

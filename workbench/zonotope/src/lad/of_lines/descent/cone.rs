@@ -6,18 +6,18 @@ use crate::numeric::dyadic::Dyadic;
 
 type Direction = [Dyadic; 2];
 
-/// The directions that satisfy every inequality so far.
+/// The cone of the directions that satisfy all inequalities so far.
 #[derive(Debug, Clone)]
 pub(crate) enum Cone {
-    /// All directions.
+    /// The cone of all directions.
     Plane,
-    /// Those from `right` counter-clockwise to `left`, at most half a turn.
+    /// The directions from `right` counter-clockwise to `left`, at most half a turn.
     Wedge { right: Direction, left: Direction },
     /// A direction and its opposite.
     Line(Direction),
     /// One direction.
     Ray(Direction),
-    /// None but zero.
+    /// No direction.
     Point,
 }
 

@@ -7,8 +7,8 @@ use crate::numeric::dyadic::Dyadic;
 
 /// The dimension of the set of minimisers at a vertex: of the cone of directions along which the objective is constant.
 ///
-/// It grows by Σ (|normal · u| − δ normal · u) in direction u, a sum of terms that are never negative: it is zero
-/// iff δ normal · u ≥ 0 for each line with |δ| = 1 and normal · u = 0 for each line with |δ| < 1.
+/// The objective grows by Σ (|normal · u| − δ normal · u) in direction u, a sum of terms that are never negative. It is
+/// zero if and only if δ normal · u ≥ 0 for each line with |δ| = 1 and normal · u = 0 for each line with |δ| < 1.
 pub(super) fn face_dimension(through: &Subproblem, optimal: &Optimal) -> u8 {
     let gradient = through.exact_gradient(&optimal.signs);
     let normals: Vec<_> = optimal.basis.iter().map(|&line| through.exact_line(line).normal).collect();
@@ -29,7 +29,7 @@ pub(super) fn face_dimension(through: &Subproblem, optimal: &Optimal) -> u8 {
     cone.dimension()
 }
 
-/// The coefficient of a basis line where it is 1 or −1, else 0.
+/// The coefficient of a basis line, given both normals of the basis, if it is 1 or −1, else 0.
 fn basis_sign(gradient: &[Dyadic; 2], own: &[Dyadic; 2], other: Option<&[Dyadic; 2]>) -> i8 {
     let across = other.map_or_else(|| own.clone(), |[x, y]| [-y.clone(), x.clone()]);
     let along = |v: &[Dyadic; 2]| &v[0] * &across[0] + &v[1] * &across[1];

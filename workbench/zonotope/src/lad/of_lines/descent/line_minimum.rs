@@ -2,9 +2,9 @@
 //!
 //! Along a line the objective is convex and piecewise linear with a breakpoint where each other line crosses. The
 //! breakpoint at which the slope changes sign is a weighted median of the crossings. Floating point proposes it; one
-//! exact pass over the lines at the proposed crossing gives the exact slopes on both sides. If they do not bracket zero, the
-//! same pass tells exactly which crossings lie on the better side, and the search goes on among those: correct for every
-//! input, and with one pass whenever floating point was right.
+//! exact pass over the lines at the proposed crossing gives the exact slopes on both sides. If they do not bracket
+//! zero, the same pass tells exactly which crossings lie on the better side, and the search goes on among those:
+//! correct for every input, and with one pass whenever floating point was right.
 
 use std::cmp::Ordering;
 
@@ -13,10 +13,10 @@ use crate::lad::of_lines::subproblem::{Subdifferential, Subproblem, Vertex};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
 
-/// Where a search along a line ended.
+/// The outcome of a search along a line.
 #[derive(Debug)]
 pub(crate) enum LineMinimum {
-    /// At the crossing with a line of the subproblem; the surroundings hold what was read there.
+    /// The minimum is at the crossing with a line of the subproblem, whose subdifferential was read last.
     At(Box<Vertex>),
     /// The objective falls without bound forward (true) or backward along the line.
     Unbounded { forward: bool },
@@ -27,9 +27,9 @@ pub(crate) enum LineMinimum {
 /// A crossing with a line of the subproblem.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
-    /// The position along the line, as good as floating point gives it.
+    /// The rounded position along the line.
     position: f64,
-    /// |normal × direction|, rounded: half of what the slope gains there.
+    /// The rounded product |normal × direction|, half of what the slope gains at the crossing.
     weight: f64,
     line: u32,
     /// The exact sign of the rate at which the line's value grows along the direction.
@@ -37,7 +37,7 @@ struct Crossing {
 }
 
 impl SearchLine {
-    /// The exact minimum of the objective on this line; `around` is left at it.
+    /// The exact minimum of the objective on this line; `around` is left at the subdifferential there.
     pub(crate) fn minimize(
         &self,
         subproblem: &Subproblem,
@@ -86,6 +86,7 @@ impl SearchLine {
         }
     }
 
+    /// The minimum on a line that no line of the subproblem crosses: the objective is linear on it.
     fn minimum_without_crossings(&self, subproblem: &Subproblem) -> LineMinimum {
         let [dx, dy] = self.exact(subproblem).direction();
         let [cx, cy] = subproblem.exact_linear();
@@ -96,6 +97,7 @@ impl SearchLine {
         }
     }
 
+    /// The crossings with all lines of the subproblem that are not parallel. One pass.
     fn crossings(&self, subproblem: &Subproblem, tally: &mut impl Tally) -> Vec<Crossing> {
         let n = subproblem.len();
         subproblem.count_pass(tally);
@@ -136,8 +138,8 @@ impl SearchLine {
     }
 }
 
-/// The item at which the weights, added up in the given order, reach `target`; the last one if they never do. Of at least one item;
-/// expected O(n); the order of `items` is left changed.
+/// The item at which the weights, added up in the given order, reach `target`; the last one if they never do. Of at
+/// least one item; expected O(n); the order of `items` is left changed.
 pub(crate) fn weighted_select<T>(
     items: &mut [T],
     target: f64,
@@ -160,7 +162,7 @@ pub(crate) fn weighted_select<T>(
     &range[0]
 }
 
-/// Moves the crossings that satisfy a predicate to the front; returns how many they are.
+/// Moves the crossings that satisfy a predicate to the front, and returns their number.
 fn partition(crossings: &mut [Crossing], keep: impl Fn(&Crossing) -> bool) -> usize {
     let mut kept = 0;
     for i in 0..crossings.len() {

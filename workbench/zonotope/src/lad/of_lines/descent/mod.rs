@@ -1,4 +1,5 @@
-//! The descent that every method ends with: from vertex to vertex of the arrangement, each strictly lower than the one before.
+//! The descent that every method ends with: from vertex to vertex of the arrangement, each strictly lower than the one
+//! before.
 //!
 //! | file | what it holds |
 //! |---|---|

@@ -26,8 +26,10 @@ pub(crate) fn decide<T: Tally>(
     }
 }
 
-/// Where all lines meet and there is no linear term, as for a centrally symmetric polygon: the objective is zero there. The edges of a polygon
-/// sum to zero, so all coefficients may be 1; those of a sample are not asked for.
+/// Decides where all lines meet and there is no linear term: the objective is zero there, its least possible value.
+///
+/// So it is for the bisectors of a centrally symmetric polygon, whose normals are known to sum to zero: all
+/// coefficients may be 1. The coefficients of a sample are not asked for.
 fn decide_where_all_meet(subproblem: &Subproblem, around: &Subdifferential) -> Option<Decision> {
     let lines = &around.through;
     let first = lines[0];
@@ -40,11 +42,13 @@ fn decide_where_all_meet(subproblem: &Subproblem, around: &Subdifferential) -> O
     })
 }
 
+/// The signs of the slopes when leaving the point along a line, forward and backward.
 fn slopes(subproblem: &Subproblem, around: &Subdifferential, line: u32) -> [Ordering; 2] {
     let along = SearchLine::of(subproblem, line);
     [true, false].map(|forward| along.slope_sign(subproblem, around, forward))
 }
 
+/// The descent along a line, if one of the slopes is negative.
 fn falling(line: u32, slopes: [Ordering; 2]) -> Option<Decision> {
     let descend = |forward| Decision::Descend { line, forward };
     match slopes {

@@ -47,7 +47,8 @@ fn without_lines(subproblem: &Subproblem) -> Solution {
     Solution::Unbounded { direction: linear.map(|v| -v), along: None }
 }
 
-/// Solves a subproblem of parallel lines, one of them given: along them the objective is linear, across them a search along one line decides.
+/// Solves a subproblem of parallel lines, one of them given: along them the objective is linear, across them a search
+/// along one line decides.
 fn with_parallel_lines<T: Tally>(subproblem: &Subproblem, line: u32, ties: &TieBreak<T>, tally: &mut T) -> Solution {
     let along = SearchLine::of(subproblem, line);
     let [dx, dy] = along.exact(subproblem).direction();

@@ -18,7 +18,8 @@ pub(crate) enum Solution {
 
 /// A minimiser and the coefficients that prove it.
 ///
-/// With δ = `signs` off the basis and δ in [−1, 1] on it, linear + Σ δ · normal = 0 and δ · value = |value| for each line.
+/// With δ = `signs` off the basis and δ in [−1, 1] on it, linear + Σ δ · normal = 0 and δ · value = |value| for each
+/// line.
 #[derive(Debug)]
 pub(crate) struct Optimal {
     /// The minimiser, which is absent when the objective does not depend on the point.
@@ -27,7 +28,8 @@ pub(crate) struct Optimal {
     pub(crate) defining: Vec<u32>,
     /// The lines through the minimiser whose normal is not zero.
     pub(crate) through: Vec<u32>,
-    /// The coefficient δ of each line off the basis, 1 or −1; 0 for the basis and for lines whose coefficients are all zero.
+    /// The coefficient δ of each line off the basis, 1 or −1; 0 for the basis and for lines whose coefficients are all
+    /// zero.
     pub(crate) signs: Vec<i8>,
     /// The lines, at most two, whose coefficients δ are what the equation leaves for them.
     pub(crate) basis: Vec<u32>,

@@ -1,7 +1,7 @@
 //! The descent from vertex to vertex of the arrangement, each strictly lower than the one before.
 //!
-//! A vertex is kept as the pair of lines that meet in it, with its exact homogeneous coordinates: rounded to doubles it would lie on
-//! neither line, and the sides on which it lies of lines close by would be lost.
+//! A vertex is kept as the pair of lines that meet in it, with its exact homogeneous coordinates: rounded to doubles it
+//! would lie on neither line, and the sides on which it lies of lines close by would be lost.
 
 use std::cmp::Ordering;
 
@@ -13,7 +13,8 @@ use super::tie_break::TieBreak;
 use crate::lad::of_lines::subproblem::{Subdifferential, Subproblem, Vertex};
 use crate::tally::Tally;
 
-/// Descends to a minimiser: to the lowest point of a line, from there along a line on which the objective falls, and so on.
+/// Descends to a minimiser: to the lowest point of a line, from there along a line on which the objective falls, and so
+/// on.
 pub(crate) fn descend<T: Tally>(
     subproblem: &Subproblem,
     first: SearchLine,
@@ -40,7 +41,8 @@ pub(crate) fn descend<T: Tally>(
     }
 }
 
-/// Descends from a point that lies on a line of the subproblem. Where two lines cross in it, it may itself be a minimiser.
+/// Descends from a point that lies on a line of the subproblem. Where two lines cross in it, it may itself be a
+/// minimiser.
 pub(crate) fn descend_from<T: Tally>(
     subproblem: &Subproblem,
     start: Vertex,

@@ -7,8 +7,9 @@ use crate::numeric::dyadic::Dyadic;
 
 /// A source of exact lines.
 ///
-/// Only [`line`](Self::line) must be there. The other operations let a source answer at once what it knows of all its lines, where exact
-/// arithmetic line by line would take most of the time: bisectors of a polygon, say, whose normals sum to zero.
+/// Only [`line`](Self::line) must be there. The other operations let a source answer at once what it knows of all its
+/// lines, where exact arithmetic line by line would take most of the time: bisectors of a polygon, say, whose normals
+/// sum to zero.
 pub(crate) trait ExactLines: Debug + Sync {
     /// The exact line at a position.
     fn line(&self, position: usize) -> ExactLine;
@@ -18,13 +19,14 @@ pub(crate) trait ExactLines: Debug + Sync {
         false
     }
 
-    /// A test that is true only of lines that pass through the given point; where it is false, the line may pass or not.
+    /// A test that is true only of lines that pass through the given point; where it is false, the line may pass or
+    /// not.
     fn certainly_passing(&self, _point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {
         Box::new(|_| false)
     }
 
-    /// A filter for the sign of a line's value at a point in homogeneous coordinates, W ≥ 0, by arithmetic between doubles and exact
-    /// numbers; `None` where it leaves the sign open.
+    /// A filter for the sign of a line's value at a point in homogeneous coordinates, W ≥ 0, by arithmetic between
+    /// doubles and exact numbers; `None` where it leaves the sign open.
     fn certain_signs(&self, _point: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
         Box::new(|_| None)
     }

@@ -12,9 +12,10 @@ use crate::numeric::tolerance::UNIT;
 
 /// Minimise linear · x + Σ weight_i |normal_i · x + offset_i| over the plane.
 ///
-/// The lines in floating point are the terms with their weights multiplied in, normals scaled by 2^−`normal_scale` and offsets by
-/// 2^−`offset_scale` to magnitude at most 2; a point of the plane is its scaled point times
-/// 2^(`offset_scale` − `normal_scale`). Exact decisions go to `exact`, which holds the same lines in the same scaled frame.
+/// The lines in floating point are the terms with their weights multiplied in, normals scaled by 2^−`normal_scale` and
+/// offsets by 2^−`offset_scale` to magnitude at most 2; a point of the plane is its scaled point times
+/// 2^(`offset_scale` − `normal_scale`). Exact decisions go to `exact`, which holds the same lines in the same scaled
+/// frame.
 #[derive(Debug)]
 pub struct LadProblem<'a> {
     rounded: Rounded<'a>,

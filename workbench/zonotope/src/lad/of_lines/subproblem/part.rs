@@ -1,8 +1,8 @@
 //! A part of a problem: some of its lines, and a linear term that stands for the others.
 //!
-//! The same search serves the whole problem, a sample of it, the few lines that cross a cell (all others are summed into
-//! the linear term) and the lines through one degenerate vertex. Exact coefficients are looked up in the problem when a
-//! floating-point filter cannot decide.
+//! The same search serves the whole problem, a sample of it, the few lines that cross a cell (all others are summed
+//! into the linear term) and the lines through one degenerate vertex. Exact coefficients are looked up in the problem
+//! when a floating-point filter cannot decide.
 
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -28,6 +28,7 @@ pub(crate) struct Subproblem<'p> {
     own_offsets: bool,
     /// Whether only the place of the optimum is asked for, not its coefficients.
     is_sample: bool,
+    /// The rounded linear term.
     pub(crate) linear: [f64; 2],
     /// A bound on the error of each coordinate of `linear`.
     pub(super) linear_error: f64,
@@ -43,7 +44,7 @@ impl<'p> Subproblem<'p> {
         Self::new(problem, problem.rounded(), None, linear, source)
     }
 
-    /// Some lines of a subproblem, with a linear term of their own.
+    /// Some lines of the subproblem, with a linear term of their own.
     pub(crate) fn selection(&self, lines: &[u32], linear: [f64; 2], source: ExactLinear) -> Self {
         let mut rows = GatheredLines::with_capacity(lines.len());
         for &line in lines {
@@ -53,7 +54,7 @@ impl<'p> Subproblem<'p> {
         self.part(lines, rows, linear, source)
     }
 
-    /// Some lines of a subproblem, given their rows.
+    /// Some lines of the subproblem, given their coefficients.
     fn part(&self, lines: &[u32], rows: GatheredLines, linear: [f64; 2], source: ExactLinear) -> Self {
         let mut part = Self::new(self.problem, rows.into_lines(), Some(self.positions(lines)), linear, source);
         part.own_offsets = self.own_offsets;
@@ -61,14 +62,14 @@ impl<'p> Subproblem<'p> {
         part
     }
 
-    /// Some lines of a subproblem that stand for all of them, with a linear term in proportion.
+    /// Some lines of the subproblem that stand for all of them, with a linear term in proportion.
     pub(crate) fn sample(&self, lines: &[u32], linear: [f64; 2]) -> Self {
         let source = ExactLinear::known(linear.map(Dyadic::from_f64));
         Self { is_sample: true, ..self.selection(lines, linear, source) }
     }
 
-    /// Some lines of the subproblem, with their rows, in its own objective: the others have the given fixed signs, whose normals sum to
-    /// `fixed_sum` within `fixed_error`.
+    /// Some lines of the subproblem, given their coefficients, in the same objective: the other lines have fixed signs,
+    /// and their signed normals sum to `fixed_sum` within `fixed_error`.
     pub(crate) fn remainder(
         &self,
         lines: &[u32],
@@ -119,7 +120,8 @@ impl<'p> Subproblem<'p> {
         lines.iter().map(|&line| self.position(line) as u32).collect()
     }
 
-    /// The fixed signs of the lines that this remainder left out, one for each line of the subproblem it was taken from.
+    /// The fixed signs of the lines that this remainder leaves out, one for each line of the subproblem from which it
+    /// was taken.
     pub(crate) fn fixed_signs(&self) -> &[i8] {
         self.linear_source.last_signs()
     }
@@ -185,7 +187,8 @@ impl<'p> Subproblem<'p> {
         }
     }
 
-    /// Whether there is no linear term and coefficients are not asked for, or may all be 1: the normals are known to sum to zero.
+    /// Whether there is no linear term and coefficients are not asked for, or may all be 1: the normals are known to
+    /// sum to zero.
     pub(crate) fn is_balanced(&self) -> bool {
         let all_cancel = || self.members.is_none() && self.problem.exact.normals_sum_to_zero();
         (self.is_sample || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)

@@ -1,24 +1,25 @@
-//! One pass over the lines that tells on which side of each a point or a cell lies, where floating point can.
+//! One pass over the lines: on which side of each a point or a cell certainly lies.
 //!
-//! The pass has no branch that depends on a sign: every line contributes its normal with the sign of its value, masked out where the
-//! value does not exceed its error bound.
+//! The pass has no branch that depends on a sign, since a processor guesses half of such branches wrong: every line
+//! contributes its normal with the sign of its value, masked out where the value does not exceed its error bound.
 
 use crate::lad::of_lines::input::rounded_lines::{BLOCK, LineError, RoundedLines};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
-/// What a pass yields beside the signs.
+/// The signed sum of normals that a pass yields beside the signs.
 #[derive(Debug, Default)]
 pub(crate) struct SidesSum {
-    /// Σ sign · normal over the lines whose side is certain.
+    /// The rounded sum Σ sign · normal over the lines whose side is certain.
     pub(crate) sum: [f64; 2],
-    /// Bounds how far each coordinate of the sum may be off.
+    /// A bound on the error of each coordinate of the sum.
     pub(crate) sum_error: f64,
 }
 
-/// Writes 1 or −1 for each line whose value exceeds its bound in magnitude, else what `uncertain` makes of the line, its
-/// coefficients x, y and offset, and how far they may be off.
+/// Writes the sign 1 or −1 of each line whose value exceeds its bound in magnitude, and for every other line the sign
+/// that `uncertain` returns, given the line, its coefficients x, y and offset, and the bounds on their errors.
 ///
-/// `reader` is given how far lines may be off, and makes what takes the coefficients of such a line to its value and the bound.
+/// `reader` makes, from the bounds on the errors of the lines in a block, the function from a line's coefficients to
+/// its value and the bound on the value.
 pub(crate) fn read_sides<R: Fn(f64, f64, f64) -> (f64, f64)>(
     lines: &RoundedLines,
     signs: &mut Vec<i8>,
@@ -69,15 +70,15 @@ pub(crate) fn read_sides<R: Fn(f64, f64, f64) -> (f64, f64)>(
     total
 }
 
-/// Where the zeros of a block are.
+/// The positions of the zero signs in a block.
 struct Zeros {
-    /// Meaningful up to `count`; the rest is room to write without looking.
+    /// The positions up to `count`; what follows is room to write to before it is known whether a sign is zero.
     positions: [u16; BLOCK + LANES],
     count: usize,
 }
 
 impl Zeros {
-    /// Without a branch on a sign.
+    /// Collects the positions of zeros among some signs, without a branch on a sign.
     #[inline(always)]
     fn gather(&mut self, signs: &[i8], start: usize) {
         for (position, sign) in (start..).zip(signs) {
@@ -87,8 +88,10 @@ impl Zeros {
     }
 }
 
-/// Lines read side by side. A block sums BLOCK terms at most one after the other, and blocks join the total one by one,
-/// which gives the error bound of the sum.
+/// Number of lines that are read side by side.
+///
+/// A block adds at most BLOCK terms one after the other, and blocks join the total one by one: hence the error bound of
+/// the sum.
 const LANES: usize = 8;
 
 #[derive(Default)]
@@ -99,7 +102,7 @@ struct Lanes {
 }
 
 impl Lanes {
-    /// Reads lines side by side; returns whether some value did not exceed its bound.
+    /// Reads `LANES` lines side by side, and returns whether some value did not exceed its bound.
     #[inline(always)]
     fn read(
         &mut self,

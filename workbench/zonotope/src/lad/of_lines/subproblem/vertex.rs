@@ -1,4 +1,7 @@
-//! A point where two lines meet: exact in homogeneous coordinates, and as a double with a bound on its error.
+//! A vertex of the arrangement: exact in homogeneous coordinates, and as doubles with a bound on their errors.
+//!
+//! The exact coordinates are polynomials in those of the two lines, so they need no division and stay short; rationals
+//! would be reduced at every operation.
 
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -12,9 +15,9 @@ use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 pub(crate) struct Vertex {
     /// Homogeneous coordinates [X, Y, W] with W > 0.
     pub(crate) exact: [Dyadic; 3],
-    /// The point as doubles; not finite where it leaves their range.
+    /// The point rounded to doubles, which are not finite where it leaves their range.
     pub(crate) point: [f64; 2],
-    /// How far each coordinate may be off.
+    /// A bound on the error of each rounded coordinate.
     pub(crate) error: [f64; 2],
     /// Lines of the instance that are known to pass through the point.
     on: [Option<u32>; 2],
