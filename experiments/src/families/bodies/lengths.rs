@@ -3,7 +3,7 @@
 use super::BodyFamily;
 use super::random::unit_vector;
 use crate::families::source::RandomSource;
-use zonotope::numeric::dyadic::scale_by_power_of_two;
+use zonotope::numeric::scaling::scale_by_power_of_two;
 
 /// Lengths without a finite mean.
 pub const HEAVY_TAILED_BODIES: BodyFamily<3> = BodyFamily {

@@ -9,13 +9,13 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 use super::fraction::Fraction;
-use crate::numeric::approximation::Approximation;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::tally::{Operation, Tally};
 
 /// An item with its approximate key.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Keyed {
-    pub(crate) key: Approximation,
+    pub(crate) key: BoundedDoubleDouble,
     pub(crate) item: u32,
 }
 

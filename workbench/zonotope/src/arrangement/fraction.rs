@@ -3,14 +3,13 @@
 use std::cmp::Ordering;
 
 use crate::numeric::Rational;
-use crate::numeric::approximation::Approximation;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::DIFFERENCE_OF_LEADING_DOUBLES;
 
-/// More than the relative error of two leading doubles and of their difference: each is within 2^-50.
-const LEADING: f64 = f64::from_bits((1023 - 48) << 52);
-
-/// Exponents that differ by so much differ by enough.
-const FAR: i64 = 60;
+/// Exponents that differ by this much or more leave no doubt which of two magnitudes is larger.
+const DECISIVE_EXPONENT_GAP: i64 = 60;
 
 /// numerator / denominator with a positive denominator.
 #[derive(Debug, Clone)]
@@ -30,8 +29,8 @@ impl Fraction {
     }
 
     /// The fraction times 2^shift, approximately.
-    pub(crate) fn approximate(&self, shift: i64) -> Approximation {
-        Approximation::of_ratio(&self.numerator.clone().scaled(shift), &self.denominator)
+    pub(crate) fn approximate(&self, shift: i64) -> BoundedDoubleDouble {
+        BoundedDoubleDouble::of_ratio(&self.numerator.clone().scaled(shift), &self.denominator)
     }
 
     /// The order where the leading doubles tell.
@@ -40,9 +39,10 @@ impl Fraction {
             return Some(self.numerator.sign().cmp(&other.numerator.sign()));
         };
         // both are about 1: what is far apart stays far apart
-        let own = scale_by_power_of_two(own, (e - f).clamp(-FAR, FAR));
+        let own = scale_by_power_of_two(own, (e - f).clamp(-DECISIVE_EXPONENT_GAP, DECISIVE_EXPONENT_GAP));
         let difference = own - others;
-        (difference.abs() > LEADING * (own.abs() + others.abs())).then(|| difference.total_cmp(&0.0))
+        (difference.abs() > DIFFERENCE_OF_LEADING_DOUBLES * (own.abs() + others.abs()))
+            .then(|| difference.total_cmp(&0.0))
     }
 
     pub(crate) fn to_rational(&self) -> Rational {

@@ -6,8 +6,8 @@ use std::ops::Range;
 use super::exact_sort::{Keyed, sort_exactly};
 use super::fraction::Fraction;
 use super::line::{ExactLine, LineIndex};
-use crate::numeric::approximation::Approximation;
-use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::tally::{Operation, Tally};
 
 /// More than the exponent of any abscissa is below zero.
@@ -43,8 +43,8 @@ pub struct LineArrangement<'a> {
 #[derive(Debug, Clone, Copy)]
 struct Graph {
     line: u32,
-    slope: Approximation,
-    intercept: Approximation,
+    slope: BoundedDoubleDouble,
+    intercept: BoundedDoubleDouble,
 }
 
 /// The powers of two by which slopes and intercepts are scaled.
@@ -92,7 +92,8 @@ impl<'a> LineArrangement<'a> {
             }
         }
         let exact = |item: u32| source.line(graphs[item as usize].line);
-        let keyed = |key: fn(&Graph) -> Approximation, item: u32| Keyed { key: key(&graphs[item as usize]), item };
+        let keyed =
+            |key: fn(&Graph) -> BoundedDoubleDouble, item: u32| Keyed { key: key(&graphs[item as usize]), item };
         let mut order: Vec<Keyed> = (0..graphs.len() as u32).map(|item| keyed(|g| g.slope, item)).collect();
         let parallel = sort_exactly(&mut order, |item| slope(&exact(item)), tally);
         let mut classes: Vec<u32> = (0..graphs.len() as u32).collect();
@@ -214,7 +215,7 @@ impl<'a> LineArrangement<'a> {
     }
 
     /// The abscissa of an event in the scaled frame.
-    pub(crate) fn approximate_abscissa(&self, event: Event) -> Approximation {
+    pub(crate) fn approximate_abscissa(&self, event: Event) -> BoundedDoubleDouble {
         match event {
             Event::Crossing(places) => {
                 let [first, second] = places.map(|place| &self.places[place as usize]);

@@ -45,37 +45,30 @@
 //! assert_eq!(brute_force::locate(&question).status(), "boundary");
 //! ```
 
-mod coefficients;
-mod span;
-
 use std::cmp::Ordering;
-
-pub(super) use coefficients::through_facet;
-pub(super) use span::Span;
-use span::{dot, normals};
 
 use super::gauge::Gauge;
 use super::location::{Location, Separation};
+use super::tightest_facet::{TightestFacet, Vector, witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::Span;
 use crate::zonotope::query::Query;
-
-pub(super) type Vector = Vec<Dyadic>;
 
 /// Where the displacement lies, with a proof.
 pub fn locate<const D: usize>(question: &Query<'_, D>) -> Location<D> {
     let point = question.exact().to_vec();
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
-    let span = Span::of(&generators, D);
+    let span = Span::of(generators.iter().cloned(), D);
     if let Some(direction) = span.direction_to(&point) {
         return Location::Outside(Separation::near(question, &array(direction)));
     }
-    let tightest = Tightest::of(&span.project(&point), &span.project_all(&generators));
+    let tightest = TightestFacet::within(&span, &point, &generators);
     let order = tightest.along_point.cmp(&tightest.along_zonotope);
     if order == Ordering::Greater {
-        return Location::Outside(Separation::near(question, &array(span.lift(&tightest.normal))));
+        return Location::Outside(Separation::near(question, &array(tightest.normal)));
     }
-    let witness = coefficients::witness(&point, &generators);
+    let witness = witness(&point, &generators);
     if order == Ordering::Less && span.rank() == D { Location::Inside(witness) } else { Location::Boundary(witness) }
 }
 
@@ -83,11 +76,11 @@ pub fn locate<const D: usize>(question: &Query<'_, D>) -> Location<D> {
 pub fn exact_gauge<const D: usize>(question: &Query<'_, D>) -> Option<Rational> {
     let point = question.exact().to_vec();
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
-    let span = Span::of(&generators, D);
+    let span = Span::of(generators.iter().cloned(), D);
     if span.direction_to(&point).is_some() {
         return None;
     }
-    let tightest = Tightest::of(&span.project(&point), &span.project_all(&generators));
+    let tightest = TightestFacet::within(&span, &point, &generators);
     Some(tightest.along_point.to_rational() / tightest.along_zonotope.to_rational())
 }
 
@@ -100,39 +93,6 @@ pub fn gauge<const D: usize>(question: &Query<'_, D>) -> Gauge<D> {
     let error = if rounded > exact { rounded - exact } else { exact - rounded };
     let error = if error == Rational::ZERO { 0.0 } else { error.to_f64().value().next_up() };
     Gauge { value, error, location }
-}
-
-/// The normal that bounds the gauge from below best, with the support values on both sides.
-pub(super) struct Tightest {
-    pub(super) normal: Vector,
-    /// normal · p, not negative.
-    pub(super) along_point: Dyadic,
-    /// Σ |normal · g_i|, positive.
-    pub(super) along_zonotope: Dyadic,
-}
-
-impl Tightest {
-    /// The generators must span the space. In no dimension the gauge is 0.
-    fn of(point: &Vector, generators: &[Vector]) -> Self {
-        let rank = point.len();
-        let mut best = Self {
-            normal: vec![Dyadic::zero(); rank],
-            along_point: Dyadic::zero(),
-            along_zonotope: Dyadic::from_f64(1.0),
-        };
-        let mut found = false;
-        for normal in normals(generators, rank) {
-            let along = dot(&normal, point);
-            let total = generators.iter().fold(Dyadic::zero(), |sum, g| sum + dot(&normal, g).abs());
-            let positive = along.clone().abs();
-            if !found || &positive * &best.along_zonotope > &best.along_point * &total {
-                let normal = if along.sign().is_lt() { normal.into_iter().map(|v| -v).collect() } else { normal };
-                best = Self { normal, along_point: positive, along_zonotope: total };
-                found = true;
-            }
-        }
-        best
-    }
 }
 
 fn array<const D: usize>(vector: Vector) -> [Dyadic; D] {

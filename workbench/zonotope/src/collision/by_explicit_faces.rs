@@ -44,21 +44,19 @@
 //! assert_eq!((gauge.value, gauge.location.status()), (2.0, "outside"));
 //! ```
 
-use super::brute_force::{Span, Tightest, Vector, through_facet};
+use super::basis_solve::near_witness;
 use super::gauge::Gauge;
 use super::location::{Location, Separation, Witness};
-use super::settling::settle;
-use super::solving::near_witness;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
-use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction};
+use super::tightest_facet::{TightestFacet, Vector};
+use super::to_doubles::rounded_off_a_basis;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, Span, cross, dot, exact, rounded_direction};
+use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
+use crate::numeric::tolerance::PRODUCT_OF_ROUNDED_VECTORS;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 use crate::zonotope::faces::{FaceLattice, Faces, FacesError, Facet, faces};
 use crate::zonotope::query::Query;
-
-/// How far a product of rounded vectors may be off, relative to Σ |product|: two roundings of coordinates, each at most 4 ε, and five of
-/// products and sums, each at most ε / 2.
-const PRODUCT_ERROR: f64 = 16.0 * f64::EPSILON;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
 ///
@@ -96,7 +94,7 @@ pub fn gauge_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl T
     let displacement = question.exact();
     let point = displacement.to_vec();
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
-    let span = Span::of(&generators, D);
+    let span = Span::of(generators.iter().cloned(), D);
     if let Some(direction) = span.direction_to(&point) {
         let direction = std::array::from_fn(|k| direction[k].clone());
         let location = Location::Outside(Separation::near(question, &direction));
@@ -108,16 +106,16 @@ pub fn gauge_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl T
         return Ok(Gauge { value: 0.0, error: 0.0, location });
     }
     let tightest = tightest(&solid(question, &span), &in_space(&displacement), tally)?;
-    let facet = Tightest { normal: tightest.normal[..D].to_vec(), ..tightest };
+    let facet = TightestFacet { normal: tightest.normal[..D].to_vec(), ..tightest };
     let location = if facet.along_point > facet.along_zonotope {
         let direction = std::array::from_fn(|k| facet.normal[k].clone());
         Location::Outside(Separation::near(question, &direction))
     } else {
-        let coefficients = through_facet(&facet, &point, &generators);
+        let coefficients = facet.coefficients(&point, &generators);
         let rounded = coefficients.iter().map(|c| c.to_f64().value().clamp(-1.0, 1.0)).collect();
         let witness = near_witness(question, &displacement, rounded).map(|(witness, _)| witness);
         let rational = |i: usize| generators[i].iter().map(Dyadic::to_rational).collect();
-        let witness = witness.unwrap_or_else(|| settle(coefficients, rational));
+        let witness = witness.unwrap_or_else(|| rounded_off_a_basis(coefficients, rational));
         let is_inside = facet.along_point < facet.along_zonotope && span.rank() == D;
         if is_inside { Location::Inside(witness) } else { Location::Boundary(witness) }
     };
@@ -133,9 +131,9 @@ pub fn gauge_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl T
 fn solid<const D: usize>(question: &Query<'_, D>, span: &Span) -> Vec<[f64; 3]> {
     let padded = |g: &[f64; D]| std::array::from_fn(|k| g.get(k).copied().unwrap_or(0.0));
     let mut generators: Vec<[f64; 3]> = question.generators().map(padded).collect();
-    let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let largest = largest_magnitude(generators.as_flattened());
     let size = scale_by_power_of_two(1.0, binary_exponent(largest).map_or(0, i64::from));
-    for axis in span.other_axes().chain(D..3) {
+    for axis in span.other_coordinates().chain(D..3) {
         generators.push(std::array::from_fn(|k| if k == axis { size } else { 0.0 }));
     }
     generators
@@ -146,7 +144,7 @@ fn in_space<const D: usize>(vector: &[Dyadic; D]) -> ExactVector {
 }
 
 /// The facet of a solid body whose multiple has the point on its boundary.
-fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally) -> Result<Tightest, FacesError> {
+fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally) -> Result<TightestFacet, FacesError> {
     let body = Zonotope::new([0.0; 3], generators.to_vec()).expect("a displacement has finite generators");
     let Faces::Solid(lattice) = faces(&body)? else { unreachable!("the axes off the span make the body solid") };
     let half = lattice.facet_count() as u32 / 2;
@@ -154,7 +152,7 @@ fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally
     let probe = Probe::new(&lattice, point);
     let bounds: Vec<[f64; 2]> = (0..half).map(|facet| probe.bounds(&lattice, Facet(facet))).collect();
     let certain = bounds.iter().fold(0.0f64, |best, [low, _]| best.max(*low));
-    let mut best: Option<Tightest> = None;
+    let mut best: Option<TightestFacet> = None;
     for facet in (0..half).filter(|&facet| bounds[facet as usize][1] >= certain).map(Facet) {
         tally.add(Operation::ExactFallback, 1);
         let normal = exact_normal(&lattice, facet);
@@ -163,7 +161,7 @@ fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally
         let along_zonotope = generators.iter().fold(Dyadic::zero(), |sum, g| sum + dot(&turned, &exact(*g)).abs());
         let along_point = along.abs();
         if best.as_ref().is_none_or(|b| &along_point * &b.along_zonotope > &b.along_point * &along_zonotope) {
-            best = Some(Tightest { normal: turned.to_vec(), along_point, along_zonotope });
+            best = Some(TightestFacet { normal: turned.to_vec(), along_point, along_zonotope });
         }
     }
     Ok(best.expect("a solid body has facets, and the one with the largest certain bound is among those tried"))
@@ -193,7 +191,7 @@ struct Probe {
 impl Probe {
     fn new(lattice: &FaceLattice, point: &ExactVector) -> Self {
         let generators = lattice.body().generators();
-        let largest = generators.as_flattened().iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let largest = largest_magnitude(generators.as_flattened());
         let scale = -binary_exponent(largest).map_or(0, i64::from);
         Self {
             direction: rounded_direction(point),
@@ -215,7 +213,7 @@ impl Probe {
             let terms: [f64; 3] = std::array::from_fn(|k| normal[k] * a[k]);
             let size: f64 = terms.iter().map(|t| t.abs()).sum();
             let from_normal: f64 = (0..3).map(|k| 1.01 * normal_error[k] * a[k].abs()).sum();
-            let error = PRODUCT_ERROR * size + from_normal + 4.0 * f64::MIN_POSITIVE;
+            let error = PRODUCT_OF_ROUNDED_VECTORS * size + from_normal + 4.0 * f64::MIN_POSITIVE;
             ((terms[0] + terms[1] + terms[2]).abs(), error)
         };
         let (along, error) = product(&self.direction);

@@ -44,6 +44,7 @@ mod nearest;
 
 use nearest::Simplex;
 
+use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::passes::extreme_sum;
 use crate::zonotope::query::Query;
@@ -110,10 +111,6 @@ pub fn locate_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl 
         direction = nearest.map(|v| -v);
     }
     GjkAnswer::GaveUp
-}
-
-fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

@@ -45,10 +45,10 @@
 //! assert_eq!((gauge.value, gauge.location.status()), (3.0, "outside"));
 //! ```
 
+use super::basis_solve::{left_over, solve};
 use super::gauge::Gauge;
 use super::location::{Location, Separation, Witness};
-use super::settling::settle;
-use super::solving::{left_over, solve};
+use super::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
 use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend, dot4};
 use crate::numeric::Rational;
@@ -163,6 +163,6 @@ impl Exit<'_> {
         for (&b, value) in facet.iter().zip(values) {
             exact[b] = value / self.reach.to_rational();
         }
-        settle(exact, |i| self.question.generator(i).map(|v| Dyadic::from_f64(v).to_rational()).to_vec())
+        rounded_off_a_basis(exact, |i| self.question.generator(i).map(|v| Dyadic::from_f64(v).to_rational()).to_vec())
     }
 }

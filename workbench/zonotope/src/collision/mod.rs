@@ -22,6 +22,7 @@
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
+mod basis_solve;
 pub mod brute_force;
 pub mod by_explicit_faces;
 pub mod by_gjk;
@@ -30,11 +31,10 @@ pub mod by_lad_in_r4;
 #[cfg(feature = "linear-programming")]
 pub mod by_linear_program;
 pub mod by_slope_selection;
-mod elimination;
 mod gauge;
 mod location;
-mod settling;
-mod solving;
+mod tightest_facet;
+mod to_doubles;
 pub mod upper_hull;
 pub mod verify;
 

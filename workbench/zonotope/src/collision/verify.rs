@@ -20,6 +20,7 @@ use thiserror::Error;
 use super::location::{Location, Separation, Witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::sum_of_products;
 use crate::numeric::exact_sum::ExactSum;
 use crate::zonotope::query::Query;
 
@@ -101,8 +102,8 @@ fn verify_separation<const D: usize>(question: &Query<'_, D>, separation: &Separ
             std::array::from_fn(|i| Dyadic::new((&direction[i] * &common).numerator().clone(), 0))
         }
     };
-    let reach = question.generators().fold(Dyadic::zero(), |sum, g| sum + dot(&direction, &exact(g)).abs());
-    if dot(&direction, &question.exact()) > reach { Ok(()) } else { Err(VerifyError::NotSeparating) }
+    let reach = question.generators().fold(Dyadic::zero(), |sum, g| sum + sum_of_products(&direction, &exact(g)).abs());
+    if sum_of_products(&direction, &question.exact()) > reach { Ok(()) } else { Err(VerifyError::NotSeparating) }
 }
 
 /// Every coefficient, exactly.
@@ -258,7 +259,7 @@ fn ray(forms: &[Vector], dimension: usize) -> Option<Vector> {
     let mut u: Vector = vec![Dyadic::zero(); dimension];
     u[0] = Dyadic::from_f64(1.0);
     for (position, form) in forms.iter().enumerate() {
-        if dot(form, &u).sign() != Ordering::Less {
+        if sum_of_products(form, &u).sign() != Ordering::Less {
             continue;
         }
         let before = &forms[..position];
@@ -269,7 +270,7 @@ fn ray(forms: &[Vector], dimension: usize) -> Option<Vector> {
             Some(flat) => lift(flat, form, pivot),
             None => {
                 let opposite: Vector = u.into_iter().map(|v| -v).collect();
-                if before.iter().any(|other| dot(other, &opposite).sign() == Ordering::Less) {
+                if before.iter().any(|other| sum_of_products(other, &opposite).sign() == Ordering::Less) {
                     return None;
                 }
                 opposite
@@ -291,10 +292,6 @@ fn lift(flat: Vector, equation: &[Dyadic], pivot: usize) -> Vector {
 
 fn exact<const D: usize>(vector: &[f64; D]) -> [Dyadic; D] {
     vector.map(Dyadic::from_f64)
-}
-
-fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
-    a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b)
 }
 
 #[cfg(test)]

@@ -12,8 +12,9 @@ use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{ExactLine, ExactLines, LineError, MadeLines};
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::{ExactSum, exact_sum};
+use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 
 /// The points of a hull scaled by a power of two to magnitude at most 1, and a reference near twice their middle.
@@ -127,14 +128,6 @@ impl Frame {
         let unscale = |v: Dyadic| v.scaled(self.scale - 1);
         [unscale(x + &(&rx * w)), unscale(y + &(&ry * w)), w.clone()]
     }
-}
-
-/// The largest magnitude of finite values, several at a time.
-fn largest_magnitude(values: &[f64]) -> f64 {
-    let (blocks, rest) = values.as_chunks::<8>();
-    let larger = |a: f64, b: f64| if b.abs() > a { b.abs() } else { a };
-    let lanes = blocks.iter().fold([0.0; 8], |lanes, block| std::array::from_fn(|i| larger(lanes[i], block[i])));
-    lanes.iter().chain(rest).copied().fold(0.0, larger)
 }
 
 /// a + b − r within 3 UNIT of the result, barring underflow.

@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::verify::{HullDefect, verify};
 use super::*;
-use crate::numeric::dyadic::scale_by_power_of_two;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, OperationCounts};
 
 type Method = fn(&[[f64; 2]]) -> Result<ConvexHull, HullError>;

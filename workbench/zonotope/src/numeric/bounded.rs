@@ -1,18 +1,12 @@
 //! Doubles with a bound on their distance from an exact value, for filters of a few operations.
 //!
 //! Each operation adds its own rounding: u = 2^-53 times the result, and less than 2^-1000 for underflow. The bounds themselves are sums and
-//! products of a few rounded terms that are not negative, which [`SLACK`] covers. Overflow makes a bound infinite or NaN, and
+//! products of a few rounded terms that are not negative, which [`FIVE_ROUNDINGS`] covers. Overflow makes a bound infinite or NaN, and
 //! every certain comparison false.
 
 use std::ops::{Add, Mul, Sub};
 
-use super::tolerance::UNIT;
-
-/// Covers five roundings in the computation of a bound.
-const SLACK: f64 = 1.0 + 8.0 * UNIT;
-
-/// Covers the underflow of one operation.
-const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
+use super::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
 
 /// An exact value within `error` of `value`.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +21,7 @@ pub(crate) type BoundedVector = [Bounded; 3];
 impl Bounded {
     /// A double that is the exact value.
     #[inline]
-    pub(crate) fn exact(value: f64) -> Self {
+    pub(crate) const fn exact(value: f64) -> Self {
         Self { value, error: 0.0 }
     }
 
@@ -40,7 +34,7 @@ impl Bounded {
     /// Whether the exact value is certainly smaller in magnitude than another, which is certainly positive.
     #[inline]
     pub(crate) fn is_within(self, limit: Self) -> bool {
-        (self.value.abs() + self.error) * SLACK < (limit.value - limit.error) * (2.0 - SLACK)
+        (self.value.abs() + self.error) * FIVE_ROUNDINGS < (limit.value - limit.error) * (2.0 - FIVE_ROUNDINGS)
     }
 
     /// The sign of the exact value if it is certain and not zero.
@@ -52,7 +46,7 @@ impl Bounded {
     /// A bound for the exact value's magnitude.
     #[inline]
     pub(crate) fn magnitude(self) -> f64 {
-        (self.value.abs() + self.error) * SLACK
+        (self.value.abs() + self.error) * FIVE_ROUNDINGS
     }
 
     /// The opposite value.
@@ -67,7 +61,7 @@ impl Add for Bounded {
     #[inline]
     fn add(self, other: Self) -> Self {
         let value = self.value + other.value;
-        Self { value, error: (self.error + other.error + UNIT * value.abs()) * SLACK }
+        Self { value, error: (self.error + other.error + UNIT * value.abs()) * FIVE_ROUNDINGS }
     }
 }
 
@@ -76,7 +70,7 @@ impl Sub for Bounded {
     #[inline]
     fn sub(self, other: Self) -> Self {
         let value = self.value - other.value;
-        Self { value, error: (self.error + other.error + UNIT * value.abs()) * SLACK }
+        Self { value, error: (self.error + other.error + UNIT * value.abs()) * FIVE_ROUNDINGS }
     }
 }
 
@@ -86,20 +80,8 @@ impl Mul for Bounded {
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         let carried = self.value.abs() * other.error + (other.value.abs() + other.error) * self.error;
-        Self { value, error: (carried + UNIT * value.abs()) * SLACK + TINY }
+        Self { value, error: (carried + UNIT * value.abs()) * FIVE_ROUNDINGS + PRODUCT_UNDERFLOW }
     }
-}
-
-/// a · b.
-#[inline]
-pub(crate) fn dot(a: &BoundedVector, b: &BoundedVector) -> Bounded {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// a × b.
-#[inline]
-pub(crate) fn cross(a: &BoundedVector, b: &BoundedVector) -> BoundedVector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// A vector of doubles.
@@ -112,7 +94,8 @@ pub(crate) fn exact(v: [f64; 3]) -> BoundedVector {
 mod tests {
     use super::*;
     use crate::numeric::dyadic::Dyadic;
-    use crate::numeric::vector;
+    use crate::numeric::exact_linear;
+    use crate::numeric::linear::{cross, dot};
     use proptest::prelude::*;
 
     proptest! {
@@ -125,8 +108,8 @@ mod tests {
             let rows: [[f64; 3]; 3] = [0, 3, 6].map(|i| [0, 1, 2].map(|k| value(bits[i + k])));
             let [a, b, c] = rows.map(exact);
             let rounded = dot(&cross(&a, &b), &c);
-            let [a, b, c] = rows.map(vector::exact);
-            let truth = vector::dot(&vector::cross(&a, &b), &c);
+            let [a, b, c] = rows.map(exact_linear::exact);
+            let truth = dot(&cross(&a, &b), &c);
             if rounded.error.is_finite() && rounded.value.is_finite() {
                 let off = (truth.clone() - Dyadic::from_f64(rounded.value)).abs();
                 prop_assert!(off <= Dyadic::from_f64(rounded.error));

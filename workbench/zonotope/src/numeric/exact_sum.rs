@@ -5,7 +5,8 @@
 
 use dashu_int::IBig;
 
-use super::dyadic::{Dyadic, decompose};
+use super::dyadic::Dyadic;
+use super::scaling::decompose;
 
 /// a + b as an unevaluated sum of two doubles, the rounded sum and its error; exact unless the sum overflows (Knuth).
 #[inline]

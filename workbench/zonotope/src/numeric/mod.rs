@@ -1,27 +1,37 @@
-//! The numeric ground: exact values, exact sums, exact signs, named tolerances.
+//! The ground floor: exact values, exact signs, error bounds, linear algebra; nothing of it is written twice anywhere else.
 //!
-//! | file | what it decides |
+//! | file | what it holds |
 //! |---|---|
-//! | `approximation` | values within a known error, to about 98 bits |
 //! | `bounded` | doubles with a bound on their error, for filters of a few operations |
+//! | `double_double/` | numbers of two doubles, with a bound on their error or without |
 //! | [`dyadic`] | exact numbers m·2^e, closed under +, −, ×: every double is one |
+//! | `exact_linear/` | vectors, spans, inverses and solutions on exact numbers |
 //! | `exact_product` | the product of two doubles without rounding |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
+//! | `lanes` | passes over vectors of space, two side by side |
+//! | `linear/` | dot and cross products, determinants and inverses |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
-//! | `pair` | numbers of two doubles, without a bound |
+//! | `outward` | directed rounding: the nearest double on a given side of an exact number |
+//! | [`scaling`] | powers of two, and differences that do not overflow |
+//! | `signed_sum` | sums of vectors with signs, exactly, by blocks |
+//! | `subsets` | subsets of one size, in order |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
-//! | `vector` | vectors of space with exact coordinates |
+//! | `weighted_median` | where weights, added up in order, reach a target |
 
-pub(crate) mod approximation;
 pub(crate) mod bounded;
+pub(crate) mod double_double;
 pub mod dyadic;
+pub(crate) mod exact_linear;
 pub(crate) mod exact_product;
 pub mod exact_sum;
 pub(crate) mod lanes;
+pub(crate) mod linear;
 pub mod orientation;
-pub(crate) mod pair;
+pub(crate) mod outward;
+pub mod scaling;
 pub(crate) mod signed_sum;
+pub(crate) mod subsets;
 pub mod tolerance;
-pub(crate) mod vector;
+pub(crate) mod weighted_median;
 
 pub use dashu_ratio::RBig as Rational;

@@ -1,18 +1,19 @@
-//! Exact sums of generators with signs.
+//! Σ ± v over vectors of doubles, exactly.
 //!
 //! A block of doubles is summed exactly by parts: adding and subtracting a power of two σ far above them splits each into a multiple of
 //! σ's last place and a rest, without error, and those multiples sum up in a double without error. Twice that, and only of
 //! doubles more than 2^30 times smaller than the block's largest a rest is left, for the accumulator.
 
-use crate::numeric::exact_sum::ExactSum;
-use crate::numeric::vector::ExactVector;
+use super::exact_linear::ExactVector;
+use super::exact_sum::ExactSum;
+use super::scaling::{power_of_two, power_of_two_below};
 
 /// Doubles summed at once.
 const BLOCK: usize = 256;
 
 /// Magnitudes of a block's largest double between which no σ overflows and no part is lost to underflow.
-const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
-const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
+const SMALLEST: f64 = power_of_two(-900);
+const LARGEST: f64 = power_of_two(1000);
 
 /// Σ sign · v, exactly.
 pub(crate) fn signed_sum(terms: impl Iterator<Item = ([f64; 3], i8)>) -> ExactVector {
@@ -53,7 +54,7 @@ fn add_block(sum: &mut ExactSum, block: &mut [f64; BLOCK]) {
         return;
     }
     // the power of two not above the largest, times 2^10: BLOCK multiples below 2^1 times the power stay below σ
-    let power = f64::from_bits(largest.to_bits() & (0x7ff << 52));
+    let power = power_of_two_below(largest);
     let coarse = power * 1024.0;
     sum.add(extract(block, coarse));
     // what is left is at most half of σ's last place, 2^-53 σ: 2^-44 times the power

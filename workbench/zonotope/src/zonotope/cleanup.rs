@@ -1,8 +1,8 @@
 //! Generators put in order: zero ones left out, parallel ones merged. Nothing else in the library does this behind the caller's back.
 
 use super::directions::Directions;
-use super::outward::Loss;
 use super::{Zonotope, ZonotopeError};
+use crate::numeric::outward::Loss;
 
 impl<const D: usize> Zonotope<D> {
     /// The same body without its zero generators. O(n).
@@ -22,7 +22,7 @@ impl<const D: usize> Zonotope<D> {
         let mut loss = Loss::none();
         let sums = (0..directions.len()).map(|class| loss.round(&directions.exact_sum(class, self.generators())));
         let generators = sums.collect();
-        loss.enclose(self.center(), generators)
+        Self::enclosing_rounded(self.center(), generators, &loss)
     }
 }
 

@@ -6,9 +6,9 @@ use super::Zonotope;
 use super::directions::Directions;
 use super::faces::by_recursion::{total_volume, vertices_and_facets};
 use super::faces::space_counts;
-use super::rank::independent_coordinates;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::Span;
 
 /// How many faces a zonotope has, counted within its affine hull.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,7 +33,7 @@ pub struct Combinatorics {
 /// [`vertices_and_facets`] and n^r determinants for r ≥ 4.
 pub fn combinatorics<const D: usize>(body: &Zonotope<D>) -> Combinatorics {
     let directions = Directions::new(body.generators());
-    let coordinates = independent_coordinates(directions.representatives());
+    let coordinates = Span::of_doubles(directions.representatives()).independent_coordinates();
     let count = directions.len() as u64;
     let full = coordinates.len() == D;
     let answer = |vertices, edges, facets, facet_sizes: &[(usize, u64)], measure: Dyadic| Combinatorics {

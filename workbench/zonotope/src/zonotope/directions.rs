@@ -120,7 +120,7 @@ mod tests {
             exponents in proptest::collection::vec(-1000i64..1000, 12),
         ) {
             let scaled: Vec<[f64; 4]> = generators.iter().zip(exponents)
-                .map(|(g, e)| g.map(|c| crate::numeric::dyadic::scale_by_power_of_two(f64::from(c), e))).collect();
+                .map(|(g, e)| g.map(|c| crate::numeric::scaling::scale_by_power_of_two(f64::from(c), e))).collect();
             let directions = Directions::new(&scaled);
             let mut class_of = vec![usize::MAX; generators.len()];
             for class in 0..directions.len() {

@@ -3,6 +3,8 @@
 use thiserror::Error;
 
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
+use crate::numeric::outward::Loss;
 
 /// The zonotope { center + Σ δ_i generators_i : |δ_i| ≤ 1 }; generators are half-segments, in any order, zero and
 /// parallel ones allowed. Every coordinate is finite.
@@ -71,6 +73,19 @@ impl<const D: usize> Zonotope<D> {
         Ok(Self { center, generators })
     }
 
+    /// The zonotope of a centre and generators that were rounded and, along each axis that lost something, a generator that makes up for it.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), if a coordinate left the range of doubles.
+    pub(crate) fn enclosing_rounded(
+        center: [f64; D],
+        mut generators: Vec<[f64; D]>,
+        loss: &Loss<D>,
+    ) -> Result<Self, ZonotopeError> {
+        generators.extend(loss.generators());
+        Self::new(center, generators)
+    }
+
     /// The centre.
     pub fn center(&self) -> [f64; D] {
         self.center
@@ -85,12 +100,11 @@ impl<const D: usize> Zonotope<D> {
     /// generator, the vertex has it with coefficient 1. O(n) exact operations.
     pub fn support(&self, direction: [f64; D]) -> Support<D> {
         let direction = direction.map(Dyadic::from_f64);
-        let along = |v: &[Dyadic; D]| v.iter().zip(&direction).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b);
         let mut point = self.center.map(Dyadic::from_f64);
-        let mut value = along(&point);
+        let mut value = dot(&point, &direction);
         for generator in &self.generators {
             let generator = generator.map(Dyadic::from_f64);
-            let gain = along(&generator);
+            let gain = dot(&generator, &direction);
             let signed = if gain.sign().is_lt() { generator.map(|v| -v) } else { generator };
             value = value + gain.abs();
             for (sum, v) in point.iter_mut().zip(signed) {

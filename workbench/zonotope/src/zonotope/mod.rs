@@ -22,10 +22,8 @@ mod implicit;
 mod matrices;
 pub mod named;
 mod operations;
-mod outward;
 pub mod passes;
 pub mod query;
-mod rank;
 pub(crate) mod ray_exit;
 pub mod zonogon;
 

@@ -3,10 +3,11 @@
 //! An operation whose exact result doubles can hold gives it. Otherwise the result encloses the exact one: centre and generators
 //! are rounded, and along each coordinate axis one more generator, as long as all that was lost to rounding there, makes up for it.
 
-use super::outward::{Loss, round_up};
 use super::{Zonotope, ZonotopeError};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::ExactSum;
+use crate::numeric::linear::dot;
+use crate::numeric::outward::{Loss, at_least, at_most};
 
 /// The points with low ≤ x ≤ high in every coordinate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +44,7 @@ impl<const D: usize> Zonotope<D> {
         let generators = [self.generators(), other.generators()].concat();
         let mut loss = Loss::none();
         let center = loss.round(&exact_sum(centers));
-        loss.enclose(center, generators)
+        Self::enclosing_rounded(center, generators, &loss)
     }
 
     /// The reflection { −x } in the origin, exactly: the generators stay. O(n).
@@ -60,7 +61,7 @@ impl<const D: usize> Zonotope<D> {
         finite(by)?;
         let mut loss = Loss::none();
         let center = loss.round(&exact_sum([self.center, by]));
-        loss.enclose(center, self.generators.clone())
+        Self::enclosing_rounded(center, self.generators.clone(), &loss)
     }
 
     /// The image under a linear map, given by its rows: { M x }. Encloses it; equal if all products M c and M g are vectors of doubles, as for
@@ -74,12 +75,11 @@ impl<const D: usize> Zonotope<D> {
         let mut loss = Loss::none();
         let mut image = |v: &[f64; D]| {
             let v = v.map(Dyadic::from_f64);
-            let along = |row: &[Dyadic; D]| row.iter().zip(&v).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b);
-            loss.round(&rows.each_ref().map(along))
+            loss.round(&rows.each_ref().map(|row| dot(row, &v)))
         };
         let center = image(&self.center);
         let generators = self.generators.iter().map(image).collect();
-        loss.enclose(center, generators)
+        Zonotope::enclosing_rounded(center, generators, &loss)
     }
 
     /// The projection to some coordinates, in the order given, exactly; `None` if there is no such coordinate. O(n).
@@ -100,8 +100,8 @@ impl<const D: usize> Zonotope<D> {
         });
         let center = self.center.map(Dyadic::from_f64);
         BoundingBox {
-            low: std::array::from_fn(|k| 0.0 - round_up(&(&reach[k] - &center[k]))),
-            high: std::array::from_fn(|k| round_up(&(&reach[k] + &center[k]))),
+            low: std::array::from_fn(|k| at_most(&(&center[k] - &reach[k]))),
+            high: std::array::from_fn(|k| at_least(&(&reach[k] + &center[k]))),
         }
     }
 }

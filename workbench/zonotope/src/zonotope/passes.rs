@@ -8,16 +8,14 @@ use wide::f64x2;
 use super::Zonotope;
 use super::faces::Estimate;
 use crate::numeric::bounded::Bounded;
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::linear::dot;
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
 /// Partial sums kept side by side.
 const LANES: usize = 8;
 
 /// Generators whose sums are taken together where the bound is to be small for any number of them.
 const BLOCK: usize = 512;
-
-/// Covers the underflow of a dot product.
-const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
 
 /// Σ |g · direction| over the generators, in doubles; [`Extents::error`] bounds how far it is off. O(n).
 ///
@@ -71,7 +69,7 @@ pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Boun
     let additions = (BLOCK + generators.len() / BLOCK + 8) as f64;
     let largest = direction.iter().fold(0.0f64, |m, c| m.max(c.abs()));
     let error = UNIT * (additions * value + 4.0 * magnitude * largest) * (1.0 + 4.0 * additions * UNIT);
-    Bounded { value, error: error + generators.len() as f64 * TINY }
+    Bounded { value, error: error + generators.len() as f64 * PRODUCT_UNDERFLOW }
 }
 
 /// Σ ± g with the signs of g · direction: an extreme vertex of the centred body, in doubles. O(n).
@@ -83,7 +81,7 @@ pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]
     let mut sums = [[0.0; LANES]; D];
     let (blocks, rest) = generators.as_chunks::<LANES>();
     for block in blocks {
-        let signs: [f64; LANES] = std::array::from_fn(|lane| dot(&block[lane], direction));
+        let signs: [f64; LANES] = std::array::from_fn(|lane| dot_or_plus_zero(&block[lane], direction));
         for (axis, sum) in sums.iter_mut().enumerate() {
             for lane in 0..LANES {
                 sum[lane] += turned(block[lane][axis], signs[lane]);
@@ -91,7 +89,7 @@ pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]
         }
     }
     for (lane, generator) in rest.iter().enumerate() {
-        let sign = dot(generator, direction);
+        let sign = dot_or_plus_zero(generator, direction);
         for (axis, sum) in sums.iter_mut().enumerate() {
             sum[lane] += turned(generator[axis], sign);
         }
@@ -139,7 +137,7 @@ impl<const D: usize> Extents<D> {
         let magnitude: f64 = self.sums.iter().zip(direction).map(|(sum, u)| sum * u.abs()).sum();
         let relative = UNIT * (2.0 * (dimension + 1.0) * magnitude + additions(self.count) * value.abs());
         let underflow = f64::from_bits(1) * 4.0 * (self.count as f64 + 1.0) * (dimension + 1.0);
-        finite_or_infinity(relative * (1.0 + 1.0 / 1_048_576.0) + underflow)
+        finite_or_infinity(relative * LONG_SUM + underflow)
     }
 
     /// A bound for the error of each coordinate of [`extreme_sum`], against the exact sum with the same signs.
@@ -157,7 +155,7 @@ impl<const D: usize> Zonotope<D> {
         let magnitude: f64 = center.iter().zip(direction).map(|(c, u)| (c * u).abs()).sum();
         let value = dot(&center, direction) + width;
         let of_center = UNIT * (D as f64 + 2.0) * magnitude + UNIT * width + f64::from_bits(1) * (D as f64 + 2.0);
-        let error = (extents.error(direction, width) + of_center) * (1.0 + 1.0 / 1_048_576.0);
+        let error = (extents.error(direction, width) + of_center) * LONG_SUM;
         Estimate { value, error: if value.is_finite() { finite_or_infinity(error) } else { f64::INFINITY } }
     }
 }
@@ -171,13 +169,10 @@ fn finite_or_infinity(bound: f64) -> f64 {
     if bound.is_finite() { bound } else { f64::INFINITY }
 }
 
+/// The dot product, where 0 has the plus sign: a generator that is orthogonal to the direction is added as it stands.
 #[inline(always)]
-fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let mut sum = 0.0;
-    for axis in 0..D {
-        sum += a[axis] * b[axis];
-    }
-    sum
+fn dot_or_plus_zero<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    0.0 + dot(a, b)
 }
 
 /// `value`, or its opposite if `sign` is negative.
@@ -226,7 +221,7 @@ mod tests {
             let error = extents.error(&direction, value);
             prop_assert!(error == f64::INFINITY || (exact(value) - truth.clone()).abs() <= exact(error));
 
-            let signs: Vec<bool> = generators.iter().map(|g| dot(g, &direction).is_sign_negative()).collect();
+            let signs: Vec<bool> = generators.iter().map(|g| dot_or_plus_zero(g, &direction).is_sign_negative()).collect();
             let point: [Dyadic; 3] = std::array::from_fn(|k| {
                 generators.iter().zip(&signs).fold(Dyadic::zero(), |s, (g, &minus)| if minus { s - exact(g[k]) } else { s + exact(g[k]) })
             });

@@ -5,7 +5,8 @@ use std::path::Path;
 use figures::scene::page::WorldBox;
 use figures::scene::{LegendEntry, Sample};
 use figures::style::{ENCLOSING, INPUT, INPUT_POINT, Marker, OPTIMAL_CENTER, Paint, Shape, Stroke, weight};
-use zonotope::numeric::dyadic::{Dyadic, binary_exponent};
+use zonotope::numeric::dyadic::Dyadic;
+use zonotope::numeric::scaling::binary_exponent;
 
 use crate::commands::page::{Page, stride, thinned};
 use crate::enclosure::Enclosure;

@@ -48,7 +48,7 @@ use super::{Corner, CornerIndex, Edge, EdgeIndex, Tile, TileIndex, Tiling, Tilin
 use crate::arrangement::dual::{DualArrangement, Upward};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{cross, exact, is_zero};
+use crate::numeric::exact_linear::{cross, exact, is_zero};
 
 /// Where the lines of two upward generators cross.
 struct Crossing {

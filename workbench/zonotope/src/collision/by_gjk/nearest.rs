@@ -1,6 +1,6 @@
 //! The point of a simplex nearest to the origin.
 
-use super::dot;
+use crate::numeric::linear::dot;
 
 /// An edge shorter than this share of itself off the others is taken for their combination.
 const DEPENDENT: f64 = 1e-14;

@@ -1,9 +1,10 @@
 //! What the numbers of an optimum prove, exactly.
 
 use super::Answer;
+use crate::collision::basis_solve::near_witness;
 use crate::collision::location::{Location, Separation};
-use crate::collision::solving::near_witness;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
 use crate::zonotope::query::Query;
 
 /// The separation that a direction or its opposite is.
@@ -40,8 +41,4 @@ pub(super) fn membership<const D: usize>(
 
 fn reach<const D: usize>(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Dyadic {
     question.generators().fold(Dyadic::zero(), |sum, g| sum + dot(direction, &g.map(Dyadic::from_f64)).abs())
-}
-
-fn dot<const D: usize>(a: &[Dyadic; D], b: &[Dyadic; D]) -> Dyadic {
-    a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b)
 }

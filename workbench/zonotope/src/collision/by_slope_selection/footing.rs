@@ -12,7 +12,7 @@ use crate::arrangement::fraction::Fraction;
 use crate::arrangement::slope_selection::randomized::select;
 use crate::arrangement::slope_selection::slab::Slab;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, dot, exact};
+use crate::numeric::exact_linear::{ExactVector, dot, exact};
 use crate::tally::Tally;
 
 /// The facet of the upper hull over p_0, or an edge or vertex of it.

@@ -10,12 +10,12 @@ use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::member_from_exact::rounded;
-use crate::collision::settling::settle;
+use crate::collision::to_doubles::rounded_off_a_basis;
 use crate::collision::{Query, Witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, difference, exact, multiple};
 use crate::numeric::signed_sum::signed_sum;
-use crate::numeric::vector::{ExactVector, difference, exact, multiple};
 
 /// Vertices with weights.
 #[derive(Debug)]
@@ -143,7 +143,9 @@ fn settled(question: &Query<'_, 3>, classes: &[Class], total: &Dyadic) -> Witnes
             coefficients[member] = value.clone();
         }
     }
-    settle(coefficients, |member| exact(question.generator(member)).iter().map(Dyadic::to_rational).collect())
+    rounded_off_a_basis(coefficients, |member| {
+        exact(question.generator(member)).iter().map(Dyadic::to_rational).collect()
+    })
 }
 
 #[cfg(test)]

@@ -92,8 +92,8 @@ use crate::collision::by_lad::proof::separation::separation;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, cross, exact, is_zero, negated};
 use crate::numeric::exact_sum::ExactSum;
-use crate::numeric::vector::{ExactVector, cross, exact, is_zero, negated};
 use crate::tally::Tally;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof; `seed` decides the time, never the answer.

@@ -7,7 +7,8 @@ use super::answer::Multiplier;
 use super::problem::FixedDirections;
 use super::scaled::Scaled;
 use crate::numeric::Rational;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::ray_exit::dot;
 

@@ -7,7 +7,8 @@ use std::cmp::Ordering;
 
 use super::problem::FixedDirections;
 use super::span::Span;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::{PowerOfTwo, binary_exponent, scale_by_power_of_two, scaled_difference};
 
 /// A direction that is kept: v = `vector` · 2^`exponent` in the coordinates of the span.
 pub(crate) struct KeptDirection<const D: usize> {
@@ -44,12 +45,7 @@ pub(crate) struct Setting<'a, const D: usize> {
 impl<const D: usize> Scaled<D> {
     /// p − q in the units of the points here, rounded once.
     pub(crate) fn difference(&self, p: f64, q: f64) -> f64 {
-        let whole = p - q;
-        if whole.is_finite() {
-            scale_by_power_of_two(whole, -self.exponent)
-        } else {
-            scale_by_power_of_two(p / 2.0 - q / 2.0, 1 - self.exponent)
-        }
+        scaled_difference(p, q, -self.exponent)
     }
 
     pub(crate) fn new(problem: &FixedDirections<'_, D>, span: &Span<D>) -> Self {
@@ -69,7 +65,7 @@ impl<const D: usize> Scaled<D> {
         let half = whole == f64::INFINITY;
         let shift = i64::from(half);
         let exponent = binary_exponent(if half { largest(half) } else { whole }).map_or(0, |e| i64::from(e) + shift);
-        let factor = Factor::new(shift - exponent);
+        let factor = PowerOfTwo::new(shift - exponent);
         let points = problem.points().iter().map(|p| difference(p, half).map(|c| factor.apply(c))).collect();
         let directions = cheapest_of_each_line(problem, &inside);
         let costs = || directions.iter().map(|d| (problem.weights()[d.index], d.exponent)).filter(|(w, _)| *w > 0.0);
@@ -86,20 +82,6 @@ impl<const D: usize> Scaled<D> {
 
 /// Directions so much dearer than the cheapest one are taken for no dearer than this; the proof of the answer uses the true weights.
 const HEAVIEST: f64 = 1e100;
-
-/// A multiplication by a power of two in two steps, neither of which overflows on its own.
-struct Factor([f64; 2]);
-
-impl Factor {
-    fn new(exponent: i64) -> Self {
-        let half = exponent / 2;
-        Self([scale_by_power_of_two(1.0, half), scale_by_power_of_two(1.0, exponent - half)])
-    }
-
-    fn apply(&self, value: f64) -> f64 {
-        value * self.0[0] * self.0[1]
-    }
-}
 
 fn cheapest_of_each_line<const D: usize>(
     problem: &FixedDirections<'_, D>,

@@ -6,7 +6,7 @@ use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
 use super::lower_bound::Best;
 use crate::enclosing::fixed_directions::first_non_finite;
-use crate::numeric::dyadic::scale_by_power_of_two;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
 
 pub(super) fn validate<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<(), MinLengthError> {

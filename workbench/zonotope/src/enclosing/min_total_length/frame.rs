@@ -1,6 +1,6 @@
 //! Coordinates for the floating-point search: of ordinary size, in the affine hull of the points, with lengths as they are.
 
-use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::zonotope::ray_exit::dot;
 
 /// Orthonormal axes of the affine hull of points, within rounding; of all space, these are the coordinate axes exactly.

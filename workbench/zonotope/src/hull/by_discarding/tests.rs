@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use super::*;
 use crate::hull::verify::verify;
 use crate::hull::{VertexIndex, by_monotone_chain};
-use crate::numeric::dyadic::scale_by_power_of_two;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::OperationCounts;
 
 /// A point for two numbers in [0, 1).

@@ -6,8 +6,10 @@
 //! for forms.
 
 use super::vector4::{Vector4, cross4, dot4, is_zero4};
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::ExactSum;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::PRODUCT_OF_ROUNDED_VECTORS;
 
 /// The exact forms.
 #[derive(Debug)]
@@ -90,10 +92,6 @@ pub(super) struct Product {
     pub(super) sign: i8,
 }
 
-/// How far a dot product of rounded vectors may be off, relative to Σ |product|: two roundings of coordinates, each at
-/// most 4 ε, and seven of products and sums, each at most ε / 2.
-const PRODUCT_ERROR: f64 = 16.0 * f64::EPSILON;
-
 impl<'a> Instance<'a> {
     /// Scales and rounds the forms. O(n).
     pub(crate) fn new(chart: Vector4, linear: Vector4, source: Source<'a>) -> Self {
@@ -145,7 +143,7 @@ impl<'a> Instance<'a> {
         let terms: [f64; 4] = std::array::from_fn(|k| self.rounded[i][k] * probe.rounded[k]);
         let value = terms.iter().sum::<f64>();
         let size = terms.iter().map(|t| t.abs()).sum::<f64>();
-        let bound = PRODUCT_ERROR * size + 8.0 * f64::MIN_POSITIVE;
+        let bound = PRODUCT_OF_ROUNDED_VECTORS * size + 8.0 * f64::MIN_POSITIVE;
         let sign = if value.abs() > bound {
             if value > 0.0 { 1 } else { -1 }
         } else {
@@ -241,7 +239,7 @@ impl Gradient {
         for k in 0..4 {
             let term = self.value[k] * probe.rounded[k];
             value += term;
-            error += PRODUCT_ERROR * term.abs() + 1.01 * self.error[k] * probe.rounded[k].abs();
+            error += PRODUCT_OF_ROUNDED_VECTORS * term.abs() + 1.01 * self.error[k] * probe.rounded[k].abs();
         }
         (value, error)
     }

@@ -39,7 +39,7 @@ use super::search::narrowing::{Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
 use super::support::separates;
-use crate::numeric::vector::ExactVector;
+use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
 use crate::zonotope::query::Query;

@@ -1,12 +1,13 @@
 //! The support function of the generators of a query, in doubles with a bound of its error.
 
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::linear::dot;
 use crate::zonotope::passes::bounded_sum;
 use crate::zonotope::query::Query;
 
 /// Whether u · p > h(u), proved by one pass in doubles.
 pub(crate) fn separates(query: &Query<'_, 3>, p: &BoundedVector, u: &[f64; 3]) -> bool {
-    (bounded::dot(p, &bounded::exact(*u)) - reach(query, u)).is_positive()
+    (dot(p, &bounded::exact(*u)) - reach(query, u)).is_positive()
 }
 
 /// h(u).

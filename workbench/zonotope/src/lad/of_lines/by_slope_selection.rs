@@ -77,7 +77,8 @@ use crate::arrangement::lines::{LineArrangement, LineSource};
 use crate::arrangement::slope_selection::randomized::select;
 use crate::arrangement::slope_selection::slab::Slab;
 use crate::numeric::Rational;
-use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::Tally;
 
 /// One vertical line of the search, with what was found on it.

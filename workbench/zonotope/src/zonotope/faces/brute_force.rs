@@ -44,20 +44,16 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use crate::numeric::Rational;
+use super::SignVector;
 use crate::numeric::dyadic::Dyadic;
-
-/// The coefficients of a face: 1 (`Greater`), −1 (`Less`), none (`Equal`).
-pub type SignVector = Vec<Ordering>;
+use crate::numeric::exact_linear::{Span, hyperplane_normal, sum_of_products};
+use crate::numeric::subsets::for_each_subset;
 
 /// All nonempty faces, by dimension.
 pub fn faces_by_dimension<const D: usize>(generators: &[[f64; D]]) -> Vec<BTreeSet<SignVector>> {
-    let exact: Vec<Vec<Rational>> =
-        generators.iter().map(|g| g.iter().map(|&c| Dyadic::from_f64(c).to_rational()).collect()).collect();
-    let coordinates = pivots(exact.clone());
-    let vectors: Vec<Vec<Rational>> =
-        exact.iter().map(|v| coordinates.iter().map(|&c| v[c].clone()).collect()).collect();
-    let facets = facets(&vectors, coordinates.len());
+    let span = Span::of_doubles(generators);
+    let vectors: Vec<Vec<Dyadic>> = generators.iter().map(|g| span.project(&g.map(Dyadic::from_f64))).collect();
+    let facets = facets(&vectors, span.rank());
     let mut faces = BTreeSet::from([vec![Ordering::Equal; vectors.len()]]);
     let mut fresh: Vec<SignVector> = faces.iter().cloned().collect();
     while let Some(face) = fresh.pop() {
@@ -68,75 +64,27 @@ pub fn faces_by_dimension<const D: usize>(generators: &[[f64; D]]) -> Vec<BTreeS
             }
         }
     }
-    let mut by_dimension = vec![BTreeSet::new(); coordinates.len() + 1];
+    let mut by_dimension = vec![BTreeSet::new(); span.rank() + 1];
     for face in faces {
-        let along = vectors.iter().zip(&face).filter(|(_, sign)| sign.is_eq()).map(|(v, _)| v.clone()).collect();
-        by_dimension[pivots(along).len()].insert(face);
+        let along = vectors.iter().zip(&face).filter(|(_, sign)| sign.is_eq()).map(|(v, _)| v.clone());
+        by_dimension[Span::of(along, span.rank()).rank()].insert(face);
     }
     by_dimension
 }
 
 /// The sign vectors of the facets of vectors that span R^`rank`; none for rank 0.
-fn facets(vectors: &[Vec<Rational>], rank: usize) -> BTreeSet<SignVector> {
+fn facets(vectors: &[Vec<Dyadic>], rank: usize) -> BTreeSet<SignVector> {
     let mut facets = BTreeSet::new();
     if rank == 0 {
         return facets;
     }
-    let mut chosen: Vec<usize> = (0..rank - 1).collect();
-    loop {
-        if let Some(normal) = normal(chosen.iter().map(|&i| vectors[i].clone()).collect(), rank) {
-            let dot = |v: &Vec<Rational>| v.iter().zip(&normal).fold(Rational::ZERO, |sum, (a, b)| sum + a * b);
-            let signs: SignVector = vectors.iter().map(|v| dot(v).cmp(&Rational::ZERO)).collect();
+    for_each_subset(vectors.len(), rank - 1, |chosen| {
+        let normal = hyperplane_normal(&chosen.iter().map(|&i| &vectors[i]).collect::<Vec<_>>());
+        if normal.iter().any(|c| !c.is_zero()) {
+            let signs: SignVector = vectors.iter().map(|v| sum_of_products(v, &normal).sign()).collect();
             facets.insert(signs.iter().map(|sign| sign.reverse()).collect());
             facets.insert(signs);
         }
-        let Some(at) = (0..rank - 1).rev().find(|&at| chosen[at] + rank - 1 < vectors.len() + at) else {
-            return facets;
-        };
-        chosen[at] += 1;
-        for later in at + 1..rank - 1 {
-            chosen[later] = chosen[later - 1] + 1;
-        }
-    }
-}
-
-/// A vector orthogonal to `dimension` − 1 independent ones; `None` if they are dependent.
-fn normal(mut rows: Vec<Vec<Rational>>, dimension: usize) -> Option<Vec<Rational>> {
-    let columns = eliminate(&mut rows);
-    if columns.len() + 1 < dimension {
-        return None;
-    }
-    let free = (0..dimension).find(|c| !columns.contains(c)).expect("one column has no pivot");
-    let mut normal = vec![Rational::ZERO; dimension];
-    normal[free] = Rational::ONE;
-    for (row, &column) in rows.iter().zip(&columns) {
-        normal[column] = -&row[free] / &row[column];
-    }
-    Some(normal)
-}
-
-/// Columns in which the rows have full rank.
-fn pivots(mut rows: Vec<Vec<Rational>>) -> Vec<usize> {
-    eliminate(&mut rows)
-}
-
-/// Gauss–Jordan elimination: afterwards each of the first rows alone has an entry in its column of those returned.
-fn eliminate(rows: &mut [Vec<Rational>]) -> Vec<usize> {
-    let mut columns = Vec::new();
-    for column in 0..rows.first().map_or(0, Vec::len) {
-        let done = columns.len();
-        let Some(pivot) = (done..rows.len()).find(|&row| !rows[row][column].is_zero()) else { continue };
-        rows.swap(done, pivot);
-        let source = rows[done].clone();
-        for (index, row) in rows.iter_mut().enumerate() {
-            if index != done && !row[column].is_zero() {
-                let factor = &row[column] / &source[column];
-                for (entry, from) in row.iter_mut().zip(&source) {
-                    *entry -= &factor * from;
-                }
-            }
-        }
-        columns.push(column);
-    }
-    columns
+    });
+    facets
 }

@@ -48,10 +48,11 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::brute_force::SignVector;
+use super::SignVector;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{Span, determinant, exact, hyperplane_normal, sum_of_products};
+use crate::numeric::subsets::for_each_subset;
 use crate::zonotope::directions::Directions;
-use crate::zonotope::rank::independent_coordinates;
 
 type Vector = Vec<Dyadic>;
 
@@ -73,7 +74,7 @@ pub struct VerticesAndFacets {
 /// The vertices and the facets of the zonotope of some generators.
 pub fn vertices_and_facets<const D: usize>(generators: &[[f64; D]]) -> VerticesAndFacets {
     let directions = Directions::new(generators);
-    let coordinates = independent_coordinates(directions.representatives());
+    let coordinates = Span::of_doubles(directions.representatives()).independent_coordinates();
     let chosen = |v: &[f64; D]| coordinates.iter().map(|&c| Dyadic::from_f64(v[c])).collect();
     let vectors: Vec<Vector> = directions.representatives().iter().map(chosen).collect();
     let mut vertices = BTreeSet::new();
@@ -171,10 +172,9 @@ fn facet_pairs(vectors: &[Vector], rank: usize) -> Vec<FacetPair> {
         return facets;
     }
     for_each_subset(vectors.len(), rank - 1, |tuple| {
-        let normal = cross_product(&tuple.iter().map(|&i| &vectors[i]).collect::<Vec<_>>());
+        let normal = hyperplane_normal(&tuple.iter().map(|&i| &vectors[i]).collect::<Vec<_>>());
         let Some(axis) = normal.iter().position(|c| !c.is_zero()) else { return };
-        let dot = |v: &Vector| v.iter().zip(&normal).fold(Dyadic::zero(), |sum, (a, b)| sum + a * b).sign();
-        let signs: SignVector = vectors.iter().map(dot).collect();
+        let signs: SignVector = vectors.iter().map(|v| sum_of_products(v, &normal).sign()).collect();
         let along: Vec<usize> = (0..vectors.len()).filter(|&i| signs[i].is_eq()).collect();
         if seen.insert(along.clone()) {
             facets.push(FacetPair { along, signs, axis });
@@ -183,60 +183,17 @@ fn facet_pairs(vectors: &[Vector], rank: usize) -> Vec<FacetPair> {
     facets
 }
 
-/// Calls `visit` with the subsets of 0 … `count` − 1 of one size, in lexicographic order.
-pub(super) fn for_each_subset(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
-    let mut subset: Vec<usize> = (0..size).collect();
-    if size > count {
-        return;
-    }
-    loop {
-        visit(&subset);
-        let Some(at) = (0..size).rev().find(|&at| subset[at] + size < count + at) else { return };
-        subset[at] += 1;
-        for later in at + 1..size {
-            subset[later] = subset[later - 1] + 1;
-        }
-    }
-}
-
-/// The vector whose dot product with any v is det(v, rows).
-fn cross_product(rows: &[&Vector]) -> Vector {
-    let dimension = rows.len() + 1;
-    let minor = |axis: usize| {
-        let columns: Vec<usize> = (0..dimension).filter(|&k| k != axis).collect();
-        let value = determinant(rows, &columns);
-        if axis.is_multiple_of(2) { value } else { -value }
-    };
-    (0..dimension).map(minor).collect()
-}
-
-/// The determinant of some columns of rows, by expansion along the first row.
-pub(super) fn determinant(rows: &[&Vector], columns: &[usize]) -> Dyadic {
-    let Some((first, rest)) = rows.split_first() else { return Dyadic::from_f64(1.0) };
-    let mut sum = Dyadic::zero();
-    for (at, &column) in columns.iter().enumerate() {
-        if first[column].is_zero() {
-            continue;
-        }
-        let others: Vec<usize> = columns.iter().copied().filter(|&c| c != column).collect();
-        let term = &first[column] * &determinant(rest, &others);
-        sum = if at.is_multiple_of(2) { sum + term } else { sum - term };
-    }
-    sum
-}
-
 fn opposite(signs: &SignVector) -> SignVector {
     signs.iter().map(|sign| sign.reverse()).collect()
 }
 
 /// The volume in R^D, exactly: 2^D Σ |det| over D-tuples of generators, n^D of them.
 pub fn total_volume<const D: usize>(generators: &[[f64; D]]) -> Dyadic {
-    let vectors: Vec<Vector> = generators.iter().map(|g| g.iter().map(|&c| Dyadic::from_f64(c)).collect()).collect();
-    let columns: Vec<usize> = (0..D).collect();
+    let vectors: Vec<[Dyadic; D]> = generators.iter().map(|&g| exact(g)).collect();
     let mut sum = Dyadic::zero();
     for_each_subset(vectors.len(), D, |tuple| {
-        let rows: Vec<&Vector> = tuple.iter().map(|&i| &vectors[i]).collect();
-        sum = &sum + &determinant(&rows, &columns).abs();
+        let rows: Vec<&[Dyadic; D]> = tuple.iter().map(|&i| &vectors[i]).collect();
+        sum = &sum + &determinant::<Dyadic, _>(&rows).abs();
     });
     sum.scaled(D as i64)
 }

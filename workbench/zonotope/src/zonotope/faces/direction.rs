@@ -7,13 +7,10 @@ use std::cmp::Ordering;
 
 use robust::{Coord3D, orient3d};
 
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
-use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+use crate::numeric::exact_linear::{cross, dot, exact};
+use crate::numeric::scaling::{binary_exponent, power_of_two, scale_by_power_of_two};
+use crate::numeric::tolerance::{DETERMINANT_3X3, UNDERFLOW};
 use crate::tally::{Operation, Tally};
-
-/// Bounds the error of a computed determinant relative to the sum of the magnitudes of its six products: each goes through five
-/// roundings; the rest pays for the roundings within the bound.
-const RELATIVE: f64 = 8.0 * UNIT;
 
 /// A nonzero vector, and the same scaled by a power of two so that its largest coordinate has magnitude in [1, 2).
 #[derive(Debug, Clone, Copy)]
@@ -39,7 +36,7 @@ impl Direction {
     pub(super) fn new(original: [f64; 3]) -> Self {
         let exponent = original.iter().filter_map(|&c| binary_exponent(c)).max().unwrap_or(0);
         let scaled = original.map(|c| scale_by_power_of_two(c, -i64::from(exponent)));
-        let least = f64::from_bits((1023 - 200) << 52);
+        let least = power_of_two(-200);
         let narrow = original.iter().zip(&scaled).all(|(o, s)| *o == 0.0 || s.abs() >= least);
         let short = narrow && scaled.iter().all(|s| (s * 32768.0).fract() == 0.0);
         let precision = match (short, narrow) {
@@ -88,7 +85,7 @@ pub(super) fn determinant_sign_counted(
         x * (products[0] - products[1]) + y * (products[2] - products[3]) + z * (products[4] - products[5]);
     let [p, q, r, s, t, u] = products.map(f64::abs);
     let magnitude = x.abs() * (p + q) + y.abs() * (r + s) + z.abs() * (t + u);
-    if determinant.abs() > RELATIVE * magnitude + UNDERFLOW {
+    if determinant.abs() > DETERMINANT_3X3 * magnitude + UNDERFLOW {
         return if determinant > 0.0 { Ordering::Greater } else { Ordering::Less };
     }
     tally.add(Operation::ExactFallback, 1);
@@ -106,9 +103,8 @@ fn exact_sign(computed: f64, a: &Direction, b: &Direction, c: &Direction) -> Ord
             sign_of(orient3d(a, b, c, Coord3D { x: 0.0, y: 0.0, z: 0.0 }))
         }
         Precision::Wide => {
-            let [a, b, c] = [a, b, c].map(|v| v.original.map(Dyadic::from_f64));
-            let minor = |k: usize, l: usize| &b[k] * &c[l] - &b[l] * &c[k];
-            (&a[0] * &minor(1, 2) + &a[1] * &minor(2, 0) + &a[2] * &minor(0, 1)).sign()
+            let [a, b, c] = [a, b, c].map(|v| exact(v.original));
+            dot(&a, &cross(&b, &c)).sign()
         }
     }
 }

@@ -1,12 +1,12 @@
 //! Volume, exactly, and surface area of a zonotope of space.
 
 use super::circles::{Circles, NEW_PLACE};
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, sum};
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 use crate::zonotope::directions::Directions;
-
-type Exact = [Dyadic; 3];
 
 /// A rounded number and how far it may be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +60,7 @@ impl Zonotope<3> {
 }
 
 /// By rank, the sum of the generators of a circle's direction, turned to the hemisphere of the pole.
-pub(super) fn half_edges(circles: &Circles, directions: &Directions<3>, generators: &[[f64; 3]]) -> Vec<Exact> {
+pub(super) fn half_edges(circles: &Circles, directions: &Directions<3>, generators: &[[f64; 3]]) -> Vec<ExactVector> {
     let turned = |&(class, reversed): &(u32, bool)| {
         let sum = directions.exact_sum(class as usize, generators);
         if reversed { sum.map(|c| -c) } else { sum }
@@ -69,26 +69,17 @@ pub(super) fn half_edges(circles: &Circles, directions: &Directions<3>, generato
 }
 
 /// Σ |det(w, w_a, w_b)| over pairs of circles south of the circle of w, given its crossings.
-pub(super) fn determinants_south_of(rank: usize, crossings: &[u32], half_edges: &[Exact]) -> Dyadic {
-    let zero = || std::array::from_fn(|_| Dyadic::zero());
-    let (mut before, mut area): (Exact, Exact) = (zero(), zero());
+pub(super) fn determinants_south_of(rank: usize, crossings: &[u32], half_edges: &[ExactVector]) -> Dyadic {
+    let [mut before, mut area] = [exact([0.0; 3]), exact([0.0; 3])];
     for other in crossings.iter().map(|crossing| (crossing & !NEW_PLACE) as usize).filter(|&other| other > rank) {
-        let [x, y, z] = &before;
-        let [a, b, c] = &half_edges[other];
-        let product = [y * c - z * b, z * a - x * c, x * b - y * a];
-        area = std::array::from_fn(|k| &area[k] + &product[k]);
-        before = std::array::from_fn(|k| &before[k] + &half_edges[other][k]);
+        area = sum(&area, &cross(&before, &half_edges[other]));
+        before = sum(&before, &half_edges[other]);
     }
-    let terms = half_edges[rank].iter().zip(&area).map(|(w, a)| w * a);
-    terms.fold(Dyadic::zero(), |sum, term| sum + term)
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    dot(&half_edges[rank], &area)
 }
 
 fn length(v: [f64; 3]) -> f64 {
-    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
+    dot(&v, &v).sqrt()
 }
 
 #[cfg(test)]
@@ -127,12 +118,11 @@ mod tests {
         ) {
             let n = generators.len();
             let g = &generators;
-            let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
             let (mut volume, mut area) = (0.0, 0.0);
             for i in 0..n {
                 for j in 0..i {
                     area += 8.0 * length(cross(&g[i], &g[j]));
-                    volume += (0..j).map(|k| 8.0 * dot(g[k], cross(&g[i], &g[j])).abs()).sum::<f64>();
+                    volume += (0..j).map(|k| 8.0 * dot(&g[k], &cross(&g[i], &g[j])).abs()).sum::<f64>();
                 }
             }
             let body = Zonotope::new([0.5; 3], generators).expect("finite");

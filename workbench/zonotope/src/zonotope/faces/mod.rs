@@ -7,7 +7,7 @@
 //! | [`Stars`] | the edges and facets at a vertex |
 //! | `export` | the lattice as OBJ, PLY and STL |
 //! | [`by_recursion`] | vertices and facets in any dimension, O(n^r) for rank r |
-//! | [`brute_force`] | all faces in any dimension, as sign vectors in rationals: the truth |
+//! | [`brute_force`] | all faces in any dimension, as sign vectors: the truth |
 
 pub mod brute_force;
 pub mod by_recursion;
@@ -25,6 +25,8 @@ mod stars;
 #[cfg(test)]
 mod tests;
 
+use std::cmp::Ordering;
+
 use thiserror::Error;
 
 pub(super) use counts::space_counts;
@@ -35,6 +37,9 @@ pub use stars::Stars;
 use super::Zonotope;
 use super::directions::Directions;
 use crate::tally::Tally;
+
+/// The coefficients of a face, one a generator: 1 (`Greater`), −1 (`Less`), or none along the face (`Equal`).
+pub type SignVector = Vec<Ordering>;
 
 /// The faces of a zonotope, by the dimension of the body.
 #[derive(Debug, Clone)]

@@ -7,7 +7,8 @@ use proptest::prelude::*;
 
 use super::brute_force::{SignVector, faces_by_dimension};
 use super::{Edge, FaceLattice, Faces, Facet, Vertex, Zone, faces, faces_counted};
-use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, OperationCounts};
 use crate::zonotope::Zonotope;
 

@@ -8,6 +8,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+pub(crate) use crate::numeric::linear::{dot, inverse};
 use crate::numeric::tolerance::UNIT;
 
 /// Where a ray leaves the zonotope.
@@ -243,46 +244,12 @@ impl<const D: usize> FacetDescent<D> {
     }
 }
 
-pub(crate) fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
 fn apply<const D: usize>(matrix: &[[f64; D]; D], vector: &[f64; D]) -> [f64; D] {
     std::array::from_fn(|i| dot(&matrix[i], vector))
 }
 
 fn identity<const D: usize>() -> [[f64; D]; D] {
     std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
-}
-
-/// The inverse of the leading square of a matrix, by Gauss–Jordan elimination with pivoting; zero elsewhere.
-pub(crate) fn inverse<const D: usize>(rank: usize, matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
-    let mut left = *matrix;
-    let mut right = identity();
-    for row in right.iter_mut().skip(rank) {
-        *row = [0.0; D];
-    }
-    for column in 0..rank {
-        let pivot = (column..rank).max_by(|&a, &b| left[a][column].abs().total_cmp(&left[b][column].abs()))?;
-        let head = left[pivot][column];
-        if head == 0.0 || !head.is_finite() {
-            return None;
-        }
-        left.swap(column, pivot);
-        right.swap(column, pivot);
-        left[column] = left[column].map(|c| c / head);
-        right[column] = right[column].map(|c| c / head);
-        for row in 0..rank {
-            let factor = left[row][column];
-            if row != column && factor != 0.0 {
-                for c in 0..rank {
-                    left[row][c] -= factor * left[column][c];
-                    right[row][c] -= factor * right[column][c];
-                }
-            }
-        }
-    }
-    right.iter().flatten().all(|c| c.is_finite()).then_some(right)
 }
 
 #[cfg(test)]

@@ -2,9 +2,10 @@
 
 use super::Clear;
 use super::combination::Combination;
-use super::huber_dual::{Lengths, Moments, Runs, dot};
+use super::huber_dual::{Lengths, Moments, Runs};
 use crate::lad::of_generators::support::separates;
 use crate::numeric::bounded::BoundedVector;
+use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::query::Query;
 

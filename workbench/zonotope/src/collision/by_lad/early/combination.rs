@@ -5,11 +5,12 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH_EXCESS, WELL_WITHIN, cross, dot, length};
+use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH_EXCESS, WELL_WITHIN, length};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::{Columns, clipped, columns, product, size, totals};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 
 /// Generators whose sums are taken together, so that a term goes through few additions.

@@ -12,6 +12,7 @@ use wide::f64x2;
 
 use crate::collision::by_lad::early::combination::Combination;
 use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
+use crate::numeric::linear::{cross, dot};
 
 /// No coefficient is nearer to ±1 than this leaves room for.
 pub(crate) const WELL_WITHIN: f64 = 0.9999;
@@ -233,16 +234,6 @@ impl Moments {
     pub(crate) fn step(&self, target: &[f64; 3]) -> [f64; 3] {
         self.solve(&[0, 1, 2].map(|k| target[k] - self.sum[k])).0
     }
-}
-
-#[inline(always)]
-pub(crate) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-pub(crate) fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// |a|_1.

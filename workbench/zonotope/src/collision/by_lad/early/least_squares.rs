@@ -9,12 +9,13 @@ use wide::f64x2;
 use crate::collision::by_lad::early::combination::{
     PRODUCT_SLACK, UNDERFLOW_FLOOR, correcting_basis, correcting_pair, rest,
 };
-use crate::collision::by_lad::early::huber_dual::{Moments, Runs, WELL_WITHIN, dot};
+use crate::collision::by_lad::early::huber_dual::{Moments, Runs, WELL_WITHIN};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
 
 /// Of so many pairs it is seen that coefficients will be too large.
@@ -126,7 +127,7 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &Bo
         // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
         let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * longest) * PRODUCT_SLACK
             + n as f64 * UNDERFLOW_FLOOR;
-        if (bounded::dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
+        if (dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
             return Ok(Clear::Outside(y));
         }
     }

@@ -15,7 +15,7 @@ use std::array;
 use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
 
 use crate::collision::by_lad::early::combination::Combination;
-use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, dot};
+use crate::collision::by_lad::early::huber_dual::{Lengths, Moments};
 use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
 use crate::collision::{Location, Query, Separation, Witness};
@@ -24,6 +24,7 @@ use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::lad::of_generators::support::reach;
 use crate::numeric::bounded::{self, BoundedVector};
+use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
 
@@ -140,7 +141,7 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     let own = p.map(|c| c.value);
     let (y, is_thick) = Moments::at_zero(query.runs(), Lengths::Own).solve(&own);
     let reach = reach(query, &y);
-    let along = bounded::dot(p, &bounded::exact(y));
+    let along = dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
         tally.answered_by(Rung::LeastSquares);
         return Some(Clear::Outside(y));

@@ -2,7 +2,7 @@
 
 use crate::collision::Query;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero, rounded_direction};
 
 /// How many generators are proposed as the next of a basis.
 const PROPOSAL_LIMIT: usize = 3;

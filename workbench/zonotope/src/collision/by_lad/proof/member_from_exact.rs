@@ -12,7 +12,7 @@ use crate::collision::by_lad::proof::pivot_to_doubles::walk;
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, difference, exact, multiple, sum};
+use crate::numeric::exact_linear::{ExactVector, difference, exact, multiple, sum};
 use crate::tally::Rung;
 
 /// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.

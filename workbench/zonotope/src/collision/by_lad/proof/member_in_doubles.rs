@@ -9,6 +9,7 @@ use crate::collision::{Query, Witness};
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
 
@@ -141,11 +142,11 @@ fn prove_by_others(
 
 /// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).
 fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3]> {
-    let normals = [bounded::cross(b, c), bounded::cross(c, a), bounded::cross(a, b)];
-    let determinant = bounded::dot(c, &normals[2]);
+    let normals = [cross(b, c), cross(c, a), cross(a, b)];
+    let determinant = dot(c, &normals[2]);
     let negative = determinant.sign()? < 0;
     let determinant = if negative { determinant.negated() } else { determinant };
-    let numerators = normals.map(|normal| bounded::dot(rest, &normal));
+    let numerators = normals.map(|normal| dot(rest, &normal));
     let is_within = numerators.iter().all(|n| n.is_within(determinant));
     let sign = if negative { -1.0 } else { 1.0 };
     is_within.then(|| numerators.map(|n| sign * n.value / determinant.value))
@@ -161,14 +162,6 @@ fn attempt(query: &Query<'_, 3>, certain: &RoundedOptimum, p: &BoundedVector, at
     let largest = normals.iter().fold(0.0f64, |m, normal| m.max((dot(&rest, normal) / determinant).abs()));
     // none where the third is in the plane of the others
     Attempt { margin: if determinant == 0.0 { 0.0 } else { 1.0 - largest }, ..attempt }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ use crate::lad::of_generators::ladder;
 use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
 use crate::lad::of_generators::problem::rounded_displacement;
 use crate::numeric::Rational;
-use crate::numeric::vector::ExactVector;
+use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
 
 /// Where the displacement of a query lies, with its proof, from the query's optimum.

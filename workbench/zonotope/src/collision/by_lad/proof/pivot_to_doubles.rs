@@ -11,8 +11,8 @@ use crate::collision::Witness;
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::member_from_exact::{Combination, rounded};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, difference, exact, multiple};
 use crate::numeric::signed_sum::signed_sum;
-use crate::numeric::vector::{ExactVector, difference, exact, multiple};
 
 struct Walk<'a> {
     combination: &'a Combination<'a>,

@@ -4,7 +4,7 @@ use crate::collision::{Query, Separation};
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
 
 use crate::numeric::signed_sum::signed_sum;
 

@@ -4,7 +4,8 @@ use super::basis::{exact_inverse, long_basis};
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::Scaled;
 use crate::numeric::Rational;
-use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::ray_exit::inverse;
 
 /// A zonotope along the kept directions of a problem.

@@ -68,7 +68,7 @@ use super::conclude::{around_equal_points, conclude, proven, validate};
 use super::frame::Frame;
 use super::in_the_plane::least_in_plane;
 use super::lower_bound::Best;
-use crate::numeric::pair::Pair;
+use crate::numeric::double_double::DoubleDouble;
 use crate::tally::Tally;
 use crate::zonotope::ray_exit::dot;
 use interior::scalar::Scalar;
@@ -128,7 +128,7 @@ fn around_outer<const D: usize>(
             if answer.outcome == Outcome::WithinEpsilon {
                 return Ok(answer);
             }
-            let other = around_hull::<Pair, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
+            let other = around_hull::<DoubleDouble, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             let directions = answer.directions + other.directions;
             let shorter = if other.length < answer.length { other } else { answer };
             let around = (shorter.zonotope, shorter.length);

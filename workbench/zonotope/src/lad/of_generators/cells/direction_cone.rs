@@ -4,9 +4,10 @@ use wide::f64x2;
 
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
-use crate::numeric::vector::{self, ExactVector};
 
 /// Covers the underflow of a dot product of doubles.
 const UNDERFLOW_FLOOR: f64 = f64::from_bits((1023 - 1000) << 52);
@@ -130,7 +131,7 @@ impl DirectionCone {
     /// Whether a direction u is certainly in the cell, when scaled such that u · p is center · p.
     pub(crate) fn contains(&self, u: &BoundedVector, p: &BoundedVector) -> bool {
         let center = bounded::exact(self.center);
-        let (along, own) = (bounded::dot(u, p), bounded::dot(&center, p));
+        let (along, own) = (dot(u, p), dot(&center, p));
         let mut nearest = center;
         if let Some(axes) = self.axes {
             for (x, axis) in self.nearest(u.map(|c| c.value), along.value, own.value).into_iter().zip(axes) {
@@ -139,7 +140,7 @@ impl DirectionCone {
         }
         let off = [0, 1, 2].map(|k| u[k] * own - nearest[k] * along);
         let ball = along * Bounded::exact(self.ball);
-        along.is_positive() && own.is_positive() && bounded::dot(&off, &off).is_within(ball * ball)
+        along.is_positive() && own.is_positive() && dot(&off, &off).is_within(ball * ball)
     }
 
     /// Whether a direction u with u · p > 0 is in the cell, when scaled such that u · p is center · p.
@@ -147,23 +148,22 @@ impl DirectionCone {
         if !self.is_finite() {
             return false;
         }
-        let center = vector::exact(self.center);
-        let (along, own) = (vector::dot(u, p), vector::dot(&center, p));
+        let center = exact_linear::exact(self.center);
+        let (along, own) = (exact_linear::dot(u, p), exact_linear::dot(&center, p));
         let mut nearest = center;
         if let Some(axes) = self.axes {
             let direction = u.each_ref().map(|c| c.ratio(&along));
             for (x, axis) in self.nearest(direction, 1.0, own.to_f64()).into_iter().zip(axes) {
-                nearest = vector::sum(&nearest, &vector::multiple(&Dyadic::from_f64(x), &vector::exact(axis)));
+                nearest = exact_linear::sum(
+                    &nearest,
+                    &exact_linear::multiple(&Dyadic::from_f64(x), &exact_linear::exact(axis)),
+                );
             }
         }
-        let off = vector::difference(&vector::multiple(&own, u), &vector::multiple(&along, &nearest));
+        let off = exact_linear::difference(&exact_linear::multiple(&own, u), &exact_linear::multiple(&along, &nearest));
         let ball = &along * &Dyadic::from_f64(self.ball);
-        along.sign().is_gt() && own.sign().is_gt() && vector::dot(&off, &off) <= &ball * &ball
+        along.sign().is_gt() && own.sign().is_gt() && exact_linear::dot(&off, &off) <= &ball * &ball
     }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn length(a: &[f64; 3]) -> f64 {
@@ -310,7 +310,7 @@ mod tests {
     fn holds(cell: &DirectionCone, u: [f64; 3]) -> [bool; 2] {
         [
             cell.contains(&bounded::exact(u), &bounded::exact(P)),
-            cell.contains_exactly(&vector::exact(u), &vector::exact(P)),
+            cell.contains_exactly(&exact_linear::exact(u), &exact_linear::exact(P)),
         ]
     }
 

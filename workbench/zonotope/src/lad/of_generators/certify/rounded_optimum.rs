@@ -15,7 +15,8 @@
 use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::facet_coefficients::facet_coefficients;
-use crate::numeric::bounded::{Bounded, BoundedVector, cross, dot, exact};
+use crate::numeric::bounded::{Bounded, BoundedVector, exact};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 
 /// The optimum and what is known of it.

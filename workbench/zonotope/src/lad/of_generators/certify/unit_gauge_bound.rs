@@ -4,6 +4,7 @@
 //! gauge of x is at most |y|_1 for x = W y. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞ ≤ ρ < 1/3, and let s be the largest gauge of
 //! the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3 ρ), and the gauge of any x is at most s |x|_1.
 
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::query::Query;
 
@@ -49,14 +50,6 @@ pub(crate) fn unit_gauge_bound(query: &Query<'_, 3>, share: usize) -> f64 {
     let bound = size / (1.0 - 3.0 * rest) * (1.0 + 16.0 * UNIT);
     let is_sound = rest < 0.25 && (SMALLEST..LARGEST).contains(&(xx + yy + zz)) && bound > 0.0;
     if is_sound { bound } else { f64::INFINITY }
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[cfg(test)]

@@ -3,9 +3,10 @@
 //! Each coordinate of u is rounded once, to about 98 bits, with an exponent of its own, and so is each product. So it does not matter how far the
 //! sizes of coordinates and generators are apart.
 
-use crate::numeric::approximation::Approximation;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
-use crate::numeric::vector::ExactVector;
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 
 /// Between 2 to the power of this and of its opposite, products of two doubles and their rounding errors are normal numbers.
 const MODERATE_EXPONENT: i64 = 300;
@@ -13,20 +14,20 @@ const MODERATE_EXPONENT: i64 = 300;
 /// A direction as pairs of doubles.
 pub(crate) struct PairDirection {
     /// Each coordinate divided by the power of two below it; none for zero.
-    terms: [Option<(Approximation, i64)>; 3],
+    terms: [Option<(BoundedDoubleDouble, i64)>; 3],
     /// The coordinates themselves, scaled by the same power of two, if they are of moderate size.
-    moderate: Option<[Approximation; 3]>,
+    moderate: Option<[BoundedDoubleDouble; 3]>,
 }
 
 impl PairDirection {
     pub(crate) fn new(direction: &ExactVector) -> Self {
         let terms = direction.each_ref().map(|c| {
             let exponent = c.binary_exponent()?;
-            Some((Approximation::of(&c.clone().scaled(-exponent)), exponent))
+            Some((BoundedDoubleDouble::of(&c.clone().scaled(-exponent)), exponent))
         });
         let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max().unwrap_or(0);
         let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < MODERATE_EXPONENT);
-        let scaled = |c: &Dyadic| Approximation::of(&c.clone().scaled(-largest));
+        let scaled = |c: &Dyadic| BoundedDoubleDouble::of(&c.clone().scaled(-largest));
         Self { terms, moderate: is_moderate.then(|| direction.each_ref().map(scaled)) }
     }
 
@@ -36,18 +37,18 @@ impl PairDirection {
         const LARGE: f64 = f64::from_bits(((1023 + MODERATE_EXPONENT) as u64) << 52);
         let is_moderate = |c: &f64| *c == 0.0 || (SMALL..LARGE).contains(&c.abs());
         if let Some(direction) = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate)) {
-            let [x, y, z] = [0, 1, 2].map(|k| direction[k] * Approximation::exact(v[k]));
+            let [x, y, z] = [0, 1, 2].map(|k| direction[k] * BoundedDoubleDouble::exact(v[k]));
             return (x + y + z).sign();
         }
         let terms = [0, 1, 2].map(|k| {
             let ((coordinate, own), exponent) = (self.terms[k]?, i64::from(binary_exponent(v[k])?));
-            Some((coordinate * Approximation::exact(scale_by_power_of_two(v[k], -exponent)), own + exponent))
+            Some((coordinate * BoundedDoubleDouble::exact(scale_by_power_of_two(v[k], -exponent)), own + exponent))
         });
         let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max()?;
         let sum = terms
             .into_iter()
             .flatten()
-            .fold(Approximation::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
+            .fold(BoundedDoubleDouble::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
         sum.sign()
     }
 }
@@ -55,7 +56,7 @@ impl PairDirection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::vector::{cross, dot, exact};
+    use crate::numeric::exact_linear::{cross, dot, exact};
     use proptest::prelude::*;
 
     fn coordinate() -> impl Strategy<Value = f64> {

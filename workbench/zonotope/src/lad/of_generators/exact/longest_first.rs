@@ -8,7 +8,7 @@ use crate::lad::of_generators::exact::direction_signs::PairDirection;
 use crate::lad::of_generators::exact::solve::{ExactOptimum, SEED};
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, rounded_direction};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::query::Query;
 

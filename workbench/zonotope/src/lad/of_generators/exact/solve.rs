@@ -7,8 +7,8 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, rounded_direction, sum};
 use crate::numeric::signed_sum::signed_sum;
-use crate::numeric::vector::{ExactVector, cross, dot, exact, rounded_direction, sum};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::query::Query;
 

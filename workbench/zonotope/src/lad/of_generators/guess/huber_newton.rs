@@ -9,6 +9,7 @@ use wide::f64x2;
 use crate::lad::of_generators::guess::sample::Sample;
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_lines::{Pair, RoundedLines};
+use crate::numeric::linear::dot;
 
 /// A point near the optimum, the band in which the lines were rounded off, and the sides of a parallelogram around the point that
 /// the optimum is likely to be in.
@@ -239,7 +240,7 @@ impl RoundedLines {
                 point = shorter;
                 continue;
             }
-            let step = Step { origin: point, vector: newton.map(|c| -c), slope: -dot(gradient, newton) };
+            let step = Step { origin: point, vector: newton.map(|c| -c), slope: -dot(&gradient, &newton) };
             point = step.end();
             // the mean square of the change of t / e in the band, each length taken for the harmonic mean
             let change = -step.slope * moments.weight / (moments.count * moments.count);
@@ -308,14 +309,10 @@ impl Step {
 
     /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
     fn shortened(&self, gradient: [f64; 2]) -> Option<[f64; 2]> {
-        let slope = dot(gradient, self.vector);
+        let slope = dot(&gradient, &self.vector);
         let part = (self.slope / (self.slope - slope)).max(0.05);
         (slope > -0.3 * self.slope).then(|| [0, 1].map(|i| self.origin[i] + part * self.vector[i]))
     }
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 /// Sums side by side: the gradient, the Hessian, weight and count of the band.

@@ -9,6 +9,7 @@ use crate::lad::of_generators::guess::huber_newton::Guess;
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::numeric::linear::dot;
 
 /// So many generators of the sample are compared with each other to see whether any are parallel.
 const PROBES: usize = 12;
@@ -165,10 +166,6 @@ fn sine_square([a, b, c]: &[f64; 3], [d, e, f]: &[f64; 3]) -> f64 {
 
 fn is_along(v: &[f64; 3], unit: &[f64; 3]) -> bool {
     sine_square(v, unit) < 4.0 * PARALLEL_SINE * PARALLEL_SINE * dot(v, v)
-}
-
-fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]

@@ -12,10 +12,11 @@
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
 use crate::lad::of_generators::exact::direction_signs::PairDirection;
-use crate::numeric::dyadic::{Dyadic, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, dot, exact, multiple};
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::UNIT;
-use crate::numeric::vector::{ExactVector, dot, exact, multiple};
 use crate::zonotope::query::Query;
 
 /// The coordinates of the plane for a displacement that is not zero.

@@ -5,6 +5,7 @@ use wide::f64x2;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::huber_newton::Guess;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::numeric::linear::dot;
 
 /// The smallest reach of a cell, in terms of its centre.
 const LEAST_CELL_SIZE: f64 = 1e-11;
@@ -89,7 +90,7 @@ impl RoundedChart {
         let center = self.point(guess.point);
         // not so small that a vertex in which many lines meet is missed by rounding
         let least = LEAST_CELL_SIZE * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-        let (xx, xy, yy) = (dot(first, first), dot(first, second), dot(second, second));
+        let (xx, xy, yy) = (dot(&first, &first), dot(&first, &second), dot(&second, &second));
         let (middle, half) = ((xx + yy) / 2.0, ((xx - yy) * (xx - yy) / 4.0 + xy * xy).sqrt());
         if middle - half >= ROUND_ELLIPSE * (middle + half) {
             DirectionCone { center, axes: None, ball: least.max((middle + half).sqrt()) }
@@ -97,8 +98,4 @@ impl RoundedChart {
             DirectionCone { center, axes: Some([first, second]), ball: least }
         }
     }
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

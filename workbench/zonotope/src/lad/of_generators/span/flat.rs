@@ -6,8 +6,8 @@
 
 use wide::f64x2;
 
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero};
 use crate::numeric::lanes::for_pairs;
-use crate::numeric::vector::{ExactVector, cross, dot, exact, is_zero};
 use crate::zonotope::query::Query;
 
 /// The plane is looked for among so many generators first.

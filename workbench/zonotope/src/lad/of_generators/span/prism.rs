@@ -8,7 +8,7 @@ use std::array;
 use std::ops::Range;
 
 use crate::collision::{Location, Separation, Witness};
-use crate::numeric::dyadic::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::zonotope::passes::Extents;
 use crate::zonotope::query::Query;
 

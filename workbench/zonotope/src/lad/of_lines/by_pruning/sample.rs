@@ -6,8 +6,8 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
 use crate::lad::of_lines::cells::Frame;
-use crate::lad::of_lines::descent::weighted_select;
 use crate::lad::of_lines::subproblem::Subproblem;
+use crate::numeric::weighted_median::weighted_median;
 use crate::tally::{Operation, Tally};
 
 /// Number of the sample's lines, per square root of its size, from which the radius is estimated: at least sixty of
@@ -79,7 +79,7 @@ pub(super) fn radius<T: Tally>(
     let deviations = (2.0 / 3.0 * std::f64::consts::LN_2 * f64::from(n.ilog2())).sqrt();
     let needed = GATHERED_DEVIATIONS * deviations * (squares / step as f64).sqrt();
     let smallest = reached.iter().map(|r| r.0).filter(|distance| *distance > 0.0).reduce(f64::min)?;
-    let (distance, _) = *weighted_select(&mut reached, needed, |a, b| a.0.total_cmp(&b.0), |(_, reach)| *reach);
+    let (distance, _) = *weighted_median(&mut reached, needed, |a, b| a.0.total_cmp(&b.0), |(_, reach)| *reach)?;
     Some(distance.max(smallest))
 }
 

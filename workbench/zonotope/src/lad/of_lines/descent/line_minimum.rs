@@ -11,6 +11,7 @@ use std::cmp::Ordering;
 use super::search_line::SearchLine;
 use crate::lad::of_lines::subproblem::{Subdifferential, Subproblem, Vertex};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
+use crate::numeric::weighted_median::weighted_median;
 use crate::tally::{Operation, Tally};
 
 /// The outcome of a search along a line.
@@ -63,7 +64,7 @@ impl SearchLine {
                 let order = a.position.total_cmp(&b.position).then(a.line.cmp(&b.line));
                 if forward { order } else { order.reverse() }
             };
-            let pivot = *weighted_select(candidates, slope_to_gain, order, |c| c.weight);
+            let pivot = *weighted_median(candidates, slope_to_gain, order, |c| c.weight).expect("candidates are left");
             let vertex =
                 Vertex::new(self.exact(subproblem), &subproblem.exact_line(pivot.line), [self.index, Some(pivot.line)]);
             subproblem.read_at(&vertex, around, tally);
@@ -136,30 +137,6 @@ impl SearchLine {
         });
         crossings
     }
-}
-
-/// The item at which the weights, added up in the given order, reach `target`; the last one if they never do. Of at
-/// least one item; expected O(n); the order of `items` is left changed.
-pub(crate) fn weighted_select<T>(
-    items: &mut [T],
-    target: f64,
-    order: impl Fn(&T, &T) -> Ordering,
-    weight: impl Fn(&T) -> f64,
-) -> &T {
-    let mut range = items;
-    let mut missing = target;
-    while range.len() > 1 {
-        let middle = (range.len() - 1) / 2;
-        range.select_nth_unstable_by(middle, &order);
-        let below: f64 = range[..=middle].iter().map(&weight).sum();
-        if below >= missing {
-            range = &mut range[..=middle];
-        } else {
-            missing -= below;
-            range = &mut range[middle + 1..];
-        }
-    }
-    &range[0]
 }
 
 /// Moves the crossings that satisfy a predicate to the front, and returns their number.

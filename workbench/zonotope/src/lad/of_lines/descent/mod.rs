@@ -22,7 +22,7 @@ mod solution;
 mod tie_break;
 mod vertex_descent;
 
-pub(crate) use line_minimum::{LineMinimum, weighted_select};
+pub(crate) use line_minimum::LineMinimum;
 pub(crate) use optimality::decide;
 pub(crate) use rank_cases::solve_with;
 pub(crate) use search_line::SearchLine;

@@ -2,7 +2,8 @@
 
 use super::exact_lines::ExactLines;
 use crate::arrangement::ExactLine;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 
 /// One term weight · |normal · x + offset| of the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,7 +14,8 @@ use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::{Scaled, Setting};
 use crate::enclosing::fixed_directions::span::{Span, rational};
 use crate::numeric::Rational;
-use crate::numeric::dyadic::{Dyadic, binary_exponent};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::binary_exponent;
 
 /// A small coordinate is not made finer than this many bits below the largest one's last.
 const FINER: i64 = 60;

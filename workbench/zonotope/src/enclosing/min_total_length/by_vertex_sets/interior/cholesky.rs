@@ -111,7 +111,7 @@ impl<R: Scalar> Factor<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::pair::Pair;
+    use crate::numeric::double_double::DoubleDouble;
 
     #[test]
     fn a_solution_by_hand() {
@@ -148,7 +148,7 @@ mod tests {
         let size = 12;
         let multiple = (1..2 * size as u64).fold(1, |m, k| m * k / greatest_divisor(m, k));
         let off = |x: &[f64]| x.iter().map(|x| (x - 1.0).abs()).fold(0.0, f64::max);
-        let in_pairs = solved::<Pair>(size, multiple);
+        let in_pairs = solved::<DoubleDouble>(size, multiple);
         assert!(off(&in_pairs) < 1e-12, "{in_pairs:?}");
         assert!(off(&solved::<f64>(size, multiple)) > 1e-6);
     }

@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::f64x2;
 
-use crate::numeric::pair::Pair;
+use crate::numeric::double_double::DoubleDouble;
 
 /// Rows whose products with two others are summed side by side.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) const BLOCK: usize = 4;
@@ -42,7 +42,7 @@ pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
     }
 }
 
-impl Scalar for Pair {
+impl Scalar for DoubleDouble {
     const NOTHING: f64 = 1e-30;
     const WORK: f64 = 50.0;
 

@@ -1,10 +1,11 @@
 //! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for a witness.
 
-use super::elimination::reduce;
 use super::location::Witness;
 use crate::numeric::Rational;
-use crate::numeric::dyadic::{Dyadic, binary_exponent, scale_by_power_of_two};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear;
 use crate::numeric::exact_sum::ExactSum;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::zonotope::query::Query;
 
 /// The displacement minus the generators off the basis, each with its coefficient. O(n) exact additions.
@@ -37,16 +38,9 @@ pub(super) fn solve<const D: usize>(
     basis: &[usize],
     sum: &[Dyadic; D],
 ) -> Option<Vec<Rational>> {
-    let mut rows: Vec<Vec<Rational>> = (0..D)
-        .map(|axis| {
-            let columns = basis.iter().map(|&b| Dyadic::from_f64(question.generator(b)[axis]).to_rational());
-            columns.chain([sum[axis].to_rational()]).collect()
-        })
-        .collect();
-    reduce(&mut rows, basis.len()).ok()?;
-    let (solved, over) = rows.split_at(basis.len());
-    let is_solution = over.iter().all(|row| row[basis.len()] == Rational::ZERO);
-    is_solution.then(|| solved.iter().map(|row| row[basis.len()].clone()).collect())
+    let columns: Vec<Vec<Rational>> =
+        basis.iter().map(|&b| question.generator(b).map(exact_linear::rational).to_vec()).collect();
+    exact_linear::solve(&columns, &sum.each_ref().map(Dyadic::to_rational))
 }
 
 /// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner point: D coefficients of the

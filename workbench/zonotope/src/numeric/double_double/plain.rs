@@ -3,17 +3,17 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::exact_product::exact_product;
-use super::exact_sum::exact_sum;
+use crate::numeric::exact_product::exact_product;
+use crate::numeric::exact_sum::exact_sum;
 
 /// `high` + `low`, |low| ≤ u |high|. With u = 2^-53 sums are within 16 u² of the operands' magnitudes, products, quotients and roots within 16 u² of themselves, but for underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pair {
+pub(crate) struct DoubleDouble {
     pub(crate) high: f64,
     pub(crate) low: f64,
 }
 
-impl Pair {
+impl DoubleDouble {
     /// a + b, |a| ≥ |b| or a = 0.
     #[inline]
     pub(crate) fn ordered_sum(a: f64, b: f64) -> Self {
@@ -32,14 +32,14 @@ impl Pair {
     }
 }
 
-impl From<f64> for Pair {
+impl From<f64> for DoubleDouble {
     #[inline]
     fn from(value: f64) -> Self {
         Self { high: value, low: 0.0 }
     }
 }
 
-impl PartialOrd for Pair {
+impl PartialOrd for DoubleDouble {
     #[inline]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         match self.high.partial_cmp(&other.high) {
@@ -49,7 +49,7 @@ impl PartialOrd for Pair {
     }
 }
 
-impl Neg for Pair {
+impl Neg for DoubleDouble {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
@@ -57,7 +57,7 @@ impl Neg for Pair {
     }
 }
 
-impl Add for Pair {
+impl Add for DoubleDouble {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -66,7 +66,7 @@ impl Add for Pair {
     }
 }
 
-impl Sub for Pair {
+impl Sub for DoubleDouble {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -74,7 +74,7 @@ impl Sub for Pair {
     }
 }
 
-impl Mul for Pair {
+impl Mul for DoubleDouble {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -83,7 +83,7 @@ impl Mul for Pair {
     }
 }
 
-impl Div for Pair {
+impl Div for DoubleDouble {
     type Output = Self;
     #[inline]
     fn div(self, divisor: Self) -> Self {
@@ -100,17 +100,17 @@ mod tests {
     use crate::numeric::dyadic::Dyadic;
     use proptest::prelude::*;
 
-    fn exact(pair: Pair) -> Rational {
+    fn exact(pair: DoubleDouble) -> Rational {
         Dyadic::from_f64(pair.high).to_rational() + Dyadic::from_f64(pair.low).to_rational()
     }
 
-    fn number() -> impl Strategy<Value = Pair> {
+    fn number() -> impl Strategy<Value = DoubleDouble> {
         let high = prop_oneof![-1.0..1.0f64, -1e9..1e9f64, (-3i32..4).prop_map(f64::from)];
-        (high, -1.0..1.0f64).prop_map(|(high, part)| Pair::ordered_sum(high, high * part * f64::EPSILON))
+        (high, -1.0..1.0f64).prop_map(|(high, part)| DoubleDouble::ordered_sum(high, high * part * f64::EPSILON))
     }
 
     /// Whether a result is within 16 u² of a size.
-    fn near(result: Pair, truth: &Rational, size: &Rational) -> bool {
+    fn near(result: DoubleDouble, truth: &Rational, size: &Rational) -> bool {
         let allowed = size * Dyadic::from_f64(f64::EPSILON * f64::EPSILON * 4.0).to_rational();
         let off = exact(result) - truth;
         off <= allowed && -off <= allowed

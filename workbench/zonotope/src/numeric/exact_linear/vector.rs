@@ -1,23 +1,19 @@
 //! Vectors of space with exact coordinates.
 
-use super::dyadic::Dyadic;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
 
 /// An exact vector.
 pub(crate) type ExactVector = [Dyadic; 3];
 
 /// The exact value of a vector of doubles.
-pub(crate) fn exact(v: [f64; 3]) -> ExactVector {
+pub(crate) fn exact<const D: usize>(v: [f64; D]) -> [Dyadic; D] {
     v.map(Dyadic::from_f64)
 }
 
-/// a · b.
-pub(crate) fn dot([a, b, c]: &ExactVector, [d, e, f]: &ExactVector) -> Dyadic {
-    a * d + b * e + c * f
-}
-
-/// a × b.
-pub(crate) fn cross([a, b, c]: &ExactVector, [d, e, f]: &ExactVector) -> ExactVector {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
+/// The exact value of a double, as a fraction.
+pub(crate) fn rational(value: f64) -> Rational {
+    Dyadic::from_f64(value).to_rational()
 }
 
 /// −a.

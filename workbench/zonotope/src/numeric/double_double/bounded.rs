@@ -6,33 +6,28 @@
 //!
 //! Bounds: with u = 2^-53, the sum, product and quotient of two doubles-pairs below have a relative error of at most 16 u² of the sum of the
 //! operands' magnitudes (sum) or of the result (product, quotient), plus less than 2^-1060 for underflow;
-//! [`RELATIVE`] and [`UNDERFLOW`] are above both, with room for the rounding of the bounds themselves.
+//! [`DOUBLE_DOUBLE_OPERATION`] and [`UNDERFLOW`] are above both, with room for the rounding of the bounds themselves.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::dyadic::{Dyadic, scale_by_power_of_two};
-use super::pair::Pair;
-use super::tolerance::{UNDERFLOW, UNIT};
-
-/// Bounds the relative rounding error of one operation: 2^-98 = 256 u².
-const RELATIVE: f64 = f64::from_bits((1023 - 98) << 52);
-
-/// Covers the rounding of a bound that is computed in a few operations.
-const SLACK: f64 = 1.0 + f64::from_bits((1023 - 40) << 52);
+use super::plain::DoubleDouble;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::scale_by_power_of_two;
+use crate::numeric::tolerance::{DOUBLE_DOUBLE_BOUND, DOUBLE_DOUBLE_OPERATION, UNDERFLOW, UNIT};
 
 /// A value scaled down by more than this power of two is only an error.
 const VANISHING: i64 = -900;
 
 /// The exact value lies within `error` of `high` + `low`; |low| ≤ u |high|.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Approximation {
+pub(crate) struct BoundedDoubleDouble {
     pub(crate) high: f64,
     low: f64,
     error: f64,
 }
 
-impl Approximation {
+impl BoundedDoubleDouble {
     /// A double.
     pub(crate) fn exact(value: f64) -> Self {
         Self { high: value, low: 0.0, error: 0.0 }
@@ -44,13 +39,13 @@ impl Approximation {
         if !head.is_finite() {
             return Self::unknown();
         }
-        let pair = Pair::ordered_sum(head, (number - &Dyadic::from_f64(head)).to_f64());
-        Self::within(pair, RELATIVE * pair.high.abs() + UNDERFLOW)
+        let pair = DoubleDouble::ordered_sum(head, (number - &Dyadic::from_f64(head)).to_f64());
+        Self::within(pair, DOUBLE_DOUBLE_OPERATION * pair.high.abs() + UNDERFLOW)
     }
 
     /// The sign of the exact value if it is certain and not zero.
     pub(crate) fn sign(&self) -> Option<i8> {
-        let is_certain = self.high.abs() * (1.0 - 4.0 * UNIT) > self.error * SLACK;
+        let is_certain = self.high.abs() * (1.0 - 4.0 * UNIT) > self.error * DOUBLE_DOUBLE_BOUND;
         is_certain.then_some(if self.high > 0.0 { 1 } else { -1 })
     }
 
@@ -61,17 +56,17 @@ impl Approximation {
             return Self::unknown();
         }
         let rest = numerator - &(&Dyadic::from_f64(head) * denominator);
-        let pair = Pair::ordered_sum(head, rest.ratio(denominator));
-        Self::within(pair, RELATIVE * pair.high.abs() + UNDERFLOW)
+        let pair = DoubleDouble::ordered_sum(head, rest.ratio(denominator));
+        Self::within(pair, DOUBLE_DOUBLE_OPERATION * pair.high.abs() + UNDERFLOW)
     }
 
     /// The value times 2 to the power of an exponent that is not positive; a value near zero where it is below that of [`VANISHING`].
     pub(crate) fn scaled_down(self, exponent: i64) -> Self {
         let factor = scale_by_power_of_two(1.0, exponent.max(VANISHING));
         if exponent < VANISHING {
-            return Self::within(Pair::from(0.0), 2.0 * (self.high.abs() + self.error) * factor + UNDERFLOW);
+            return Self::within(DoubleDouble::from(0.0), 2.0 * (self.high.abs() + self.error) * factor + UNDERFLOW);
         }
-        let pair = Pair { high: self.high * factor, low: self.low * factor };
+        let pair = DoubleDouble { high: self.high * factor, low: self.low * factor };
         Self::within(pair, self.error * factor + UNDERFLOW)
     }
 
@@ -79,13 +74,13 @@ impl Approximation {
     pub(crate) fn certain_order(&self, other: &Self) -> Option<Ordering> {
         let (high, low) = (self.high - other.high, self.low - other.low);
         let difference = high + low;
-        let bound = (self.error + other.error + 4.0 * UNIT * (high.abs() + low.abs())) * SLACK;
+        let bound = (self.error + other.error + 4.0 * UNIT * (high.abs() + low.abs())) * DOUBLE_DOUBLE_BOUND;
         (difference.abs() > bound).then(|| difference.total_cmp(&0.0))
     }
 
     /// Doubles between which the exact value lies.
     pub(crate) fn interval(&self) -> (f64, f64) {
-        let reach = (self.low.abs() + self.error + 2.0 * UNIT * self.high.abs()) * SLACK;
+        let reach = (self.low.abs() + self.error + 2.0 * UNIT * self.high.abs()) * DOUBLE_DOUBLE_BOUND;
         if reach < f64::INFINITY { (self.high - reach, self.high + reach) } else { (f64::NEG_INFINITY, f64::INFINITY) }
     }
 
@@ -93,12 +88,12 @@ impl Approximation {
         Self { high: f64::NAN, low: 0.0, error: f64::INFINITY }
     }
 
-    fn pair(&self) -> Pair {
-        Pair { high: self.high, low: self.low }
+    fn pair(&self) -> DoubleDouble {
+        DoubleDouble { high: self.high, low: self.low }
     }
 
-    fn within(Pair { high, low }: Pair, error: f64) -> Self {
-        let error = error * SLACK;
+    fn within(DoubleDouble { high, low }: DoubleDouble, error: f64) -> Self {
+        let error = error * DOUBLE_DOUBLE_BOUND;
         if high.is_finite() && low.is_finite() && error < f64::INFINITY {
             Self { high, low, error }
         } else {
@@ -107,40 +102,43 @@ impl Approximation {
     }
 }
 
-impl Add for Approximation {
+impl Add for BoundedDoubleDouble {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let rounding = RELATIVE * (self.high.abs() + other.high.abs());
+        let rounding = DOUBLE_DOUBLE_OPERATION * (self.high.abs() + other.high.abs());
         Self::within(self.pair() + other.pair(), self.error + other.error + rounding)
     }
 }
 
-impl Sub for Approximation {
+impl Sub for BoundedDoubleDouble {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + Self { high: -other.high, low: -other.low, ..other }
     }
 }
 
-impl Mul for Approximation {
+impl Mul for BoundedDoubleDouble {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let product = self.pair() * other.pair();
         let carried = self.high.abs() * other.error + other.high.abs() * self.error + self.error * other.error;
-        Self::within(product, carried + RELATIVE * product.high.abs() + UNDERFLOW)
+        Self::within(product, carried + DOUBLE_DOUBLE_OPERATION * product.high.abs() + UNDERFLOW)
     }
 }
 
-impl Div for Approximation {
+impl Div for BoundedDoubleDouble {
     type Output = Self;
     fn div(self, divisor: Self) -> Self {
-        let least = divisor.high.abs() * (1.0 - 8.0 * UNIT) - divisor.error * SLACK;
+        let least = divisor.high.abs() * (1.0 - 8.0 * UNIT) - divisor.error * DOUBLE_DOUBLE_BOUND;
         if least.is_nan() || least <= 0.0 {
             return Self::unknown();
         }
         let quotient = self.pair() / divisor.pair();
         let carried = (self.error + quotient.high.abs() * divisor.error + UNDERFLOW) / least;
-        Self::within(quotient, carried * SLACK + RELATIVE * quotient.high.abs() + UNDERFLOW)
+        Self::within(
+            quotient,
+            carried * DOUBLE_DOUBLE_BOUND + DOUBLE_DOUBLE_OPERATION * quotient.high.abs() + UNDERFLOW,
+        )
     }
 }
 
@@ -156,11 +154,11 @@ mod tests {
         Dyadic::from_f64(numerator).to_rational() / Dyadic::from_f64(denominator).to_rational()
     }
 
-    fn approximate((numerator, denominator): Fraction) -> Approximation {
-        Approximation::of_ratio(&Dyadic::from_f64(numerator), &Dyadic::from_f64(denominator))
+    fn approximate((numerator, denominator): Fraction) -> BoundedDoubleDouble {
+        BoundedDoubleDouble::of_ratio(&Dyadic::from_f64(numerator), &Dyadic::from_f64(denominator))
     }
 
-    fn holds(value: Approximation, exact: &Rational) -> Result<(), TestCaseError> {
+    fn holds(value: BoundedDoubleDouble, exact: &Rational) -> Result<(), TestCaseError> {
         if value.error == f64::INFINITY {
             return Ok(());
         }
@@ -205,7 +203,7 @@ mod tests {
                 holds(p.scaled_down(exponent), &(Dyadic::from_f64(a.0).scaled(exponent).to_rational() / Dyadic::from_f64(a.1).to_rational()))?;
             }
             let number = Dyadic::from_f64(a.0) * Dyadic::from_f64(b.0) - Dyadic::from_f64(c.0);
-            holds(Approximation::of(&number), &number.to_rational())?;
+            holds(BoundedDoubleDouble::of(&number), &number.to_rational())?;
             if let Some(order) = (p * q).certain_order(&(q * r)) {
                 prop_assert_eq!(order, (&x * &y).cmp(&(&y * &z)));
             }

@@ -1,13 +1,16 @@
-//! From rational coefficients of a member to a witness, whose coefficients off the basis are doubles.
+//! From rational coefficients of a member to a witness, whose coefficients off a basis are doubles.
 
-use super::elimination::reduce;
 use super::location::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::dependence;
 
 /// The witness of exact coefficients in [−1, 1]. They are moved along dependences of the generators until those that no double says belong
 /// to independent generators, the basis; each move takes one of them to −1 or 1. O(n) eliminations.
-pub(super) fn settle(mut coefficients: Vec<Rational>, generator: impl Fn(usize) -> Vec<Rational>) -> Witness {
+pub(super) fn rounded_off_a_basis(
+    mut coefficients: Vec<Rational>,
+    generator: impl Fn(usize) -> Vec<Rational>,
+) -> Witness {
     let is_double = |c: &Rational| Dyadic::from_f64(c.to_f64().value()).to_rational() == *c;
     let mut basis: Vec<usize> = Vec::new();
     for i in 0..coefficients.len() {
@@ -31,17 +34,4 @@ pub(super) fn settle(mut coefficients: Vec<Rational>, generator: impl Fn(usize) 
     }
     let coefficients = coefficients.iter().map(|c| c.to_f64().value().clamp(-1.0, 1.0)).collect();
     Witness { coefficients, basis }
-}
-
-/// The dependence of vectors all but the last of which are independent: Σ c_k vector_k = 0, c ≠ 0; `None` when all are.
-fn dependence(vectors: &[Vec<Rational>]) -> Option<Vec<Rational>> {
-    let count = vectors.len();
-    let dimension = vectors.first().map_or(0, |v| v.len());
-    // One row for each coordinate: the vectors are the columns.
-    let mut rows: Vec<Vec<Rational>> = (0..dimension).map(|j| vectors.iter().map(|v| v[j].clone()).collect()).collect();
-    // Only the last column can depend on those before it.
-    let last = reduce(&mut rows, count).err()?;
-    let mut dependence: Vec<Rational> = rows[..last].iter().map(|row| -&row[last]).collect();
-    dependence.push(Rational::ONE);
-    Some(dependence)
 }

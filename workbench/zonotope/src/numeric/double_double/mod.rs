@@ -1,0 +1,12 @@
+//! Numbers of two doubles, for what one double cannot tell apart and exact arithmetic is too slow for.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `plain` | the sum of two doubles as one number, 104 bits, without a bound on its error |
+//! | `bounded` | the same with a bound on the distance from the exact value, 98 bits: comparisons know whether they are certain |
+
+mod bounded;
+mod plain;
+
+pub(crate) use bounded::BoundedDoubleDouble;
+pub(crate) use plain::DoubleDouble;

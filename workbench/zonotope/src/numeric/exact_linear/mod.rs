@@ -1,0 +1,20 @@
+//! Linear algebra on exact numbers: what decides ranks, spans and solutions without rounding.
+//!
+//! | file | what it computes |
+//! |---|---|
+//! | `vector` | vectors of space with exact coordinates |
+//! | `elimination` | inverses, solutions and dependences, in rationals |
+//! | `span` | the span of vectors: rank, coordinates that tell its vectors apart, directions orthogonal to it |
+//!
+//! Dot and cross products, determinants and normals are those of [`linear`](super::linear), over exact numbers.
+
+mod elimination;
+mod span;
+mod vector;
+
+#[allow(unused_imports)]
+pub(crate) use elimination::{dependence, inverse, solve};
+pub(crate) use span::Span;
+pub(crate) use vector::{ExactVector, difference, exact, is_zero, multiple, negated, rational, rounded_direction, sum};
+
+pub(crate) use super::linear::{cross, determinant, dot, hyperplane_normal, sum_of_products};

@@ -1,0 +1,133 @@
+//! Directed rounding, and what rounding lost as generators along the axes.
+//!
+//! A vector that is off by at most r_k in coordinate k lies in the box Σ [−1, 1] r_k e_k around the exact one. So a zonotope whose centre and generators
+//! were rounded contains the exact one as soon as a generator r_k e_k is added along each axis, r_k the sum of what was lost there.
+
+use super::Rational;
+use super::dyadic::Dyadic;
+
+/// The least double that is not below an exact number; infinite above the largest double.
+pub(crate) fn at_least(exact: &Dyadic) -> f64 {
+    least_upper(exact.to_f64(), |value| Dyadic::from_f64(value) < *exact)
+}
+
+/// The greatest double that is not above an exact number; negative infinity below the lowest double.
+pub(crate) fn at_most(exact: &Dyadic) -> f64 {
+    0.0 - at_least(&-exact.clone())
+}
+
+/// The least double that is not below a fraction; infinite above the largest double.
+#[allow(dead_code)]
+pub(crate) fn fraction_at_least(exact: &Rational) -> f64 {
+    least_upper(exact.to_f64_fast(), |value| Dyadic::from_f64(value).to_rational() < *exact)
+}
+
+/// The greatest double that is not above a fraction; negative infinity below the lowest double.
+#[allow(dead_code)]
+pub(crate) fn fraction_at_most(exact: &Rational) -> f64 {
+    0.0 - fraction_at_least(&-exact.clone())
+}
+
+/// The least double that is not below a number, from a double near it.
+fn least_upper(near: f64, is_below: impl Fn(f64) -> bool) -> f64 {
+    let mut value = near.clamp(f64::MIN, f64::MAX);
+    while is_below(value) {
+        value = value.next_up();
+        if value == f64::INFINITY {
+            return value;
+        }
+    }
+    while value > f64::MIN && !is_below(value.next_down()) {
+        value = value.next_down();
+    }
+    // the double above the smallest negative one is −0
+    value + 0.0
+}
+
+/// The next double above one that is not negative, where 0 is known to be exact and stays.
+#[allow(dead_code)]
+pub(crate) fn above(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.next_up() }
+}
+
+/// The generators of a box of given half-lengths, one along each axis in which there is one.
+pub(crate) fn axis_generators<const D: usize>(half_lengths: [f64; D]) -> impl Iterator<Item = [f64; D]> {
+    let along = |(axis, half): (usize, f64)| {
+        let mut generator = [0.0; D];
+        generator[axis] = half;
+        generator
+    };
+    half_lengths.into_iter().enumerate().filter(|&(_, half)| half != 0.0).map(along)
+}
+
+/// What rounding lost, coordinate by coordinate.
+#[derive(Debug, Clone)]
+pub(crate) struct Loss<const D: usize>([Dyadic; D]);
+
+impl<const D: usize> Loss<D> {
+    /// Nothing was lost yet.
+    pub(crate) fn none() -> Self {
+        Self(std::array::from_fn(|_| Dyadic::zero()))
+    }
+
+    /// Rounds a vector and adds up by how much; infinite coordinates where the range of doubles ends.
+    pub(crate) fn round(&mut self, exact: &[Dyadic; D]) -> [f64; D] {
+        std::array::from_fn(|k| {
+            let rounded = exact[k].to_f64();
+            if rounded.is_finite() {
+                self.0[k] = &self.0[k] + &(&exact[k] - &Dyadic::from_f64(rounded)).abs();
+            }
+            rounded
+        })
+    }
+
+    /// The generators that make up for it, along each axis that lost something.
+    pub(crate) fn generators(&self) -> impl Iterator<Item = [f64; D]> {
+        axis_generators(self.0.each_ref().map(at_least))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn extremes_are_rounded_outward() {
+        let (largest, smallest) = (Dyadic::from_f64(f64::MAX), Dyadic::from_f64(f64::from_bits(1)));
+        assert_eq!(at_least(&largest), f64::MAX);
+        assert_eq!(at_least(&(&largest + &smallest)), f64::INFINITY);
+        assert_eq!(at_least(&-(&largest + &largest)), f64::MIN);
+        assert_eq!(at_most(&(&largest + &largest)), f64::MAX);
+        assert_eq!(at_least(&smallest.clone().scaled(-1)), f64::from_bits(1));
+        assert_eq!(at_most(&smallest.scaled(-1)).to_bits(), 0);
+        assert_eq!(at_least(&Dyadic::zero()).to_bits(), 0);
+        let third = Rational::from_parts(1.into(), 3u8.into());
+        assert!(fraction_at_most(&third) < fraction_at_least(&third));
+        assert_eq!(fraction_at_most(&third).next_up(), fraction_at_least(&third));
+        assert_eq!((above(0.0), above(1.0)), (0.0, 1.0 + f64::EPSILON));
+    }
+
+    #[test]
+    fn what_was_lost_is_a_box() {
+        let (one, part) = (Dyadic::one(), Dyadic::one().scaled(-60));
+        let mut loss = Loss::none();
+        assert_eq!(loss.round(&[one.clone(), &one + &part, -(&one - &part)]), [1.0, 1.0, -1.0]);
+        loss.round(&[one.clone(), &one + &part, Dyadic::zero()]);
+        let lost = part.to_f64();
+        assert_eq!(loss.generators().collect::<Vec<_>>(), [[0.0, 2.0 * lost, 0.0], [0.0, 0.0, lost]]);
+        assert_eq!(axis_generators([0.0, 0.0]).count(), 0);
+    }
+
+    proptest! {
+        #[test]
+        fn the_nearest_double_on_that_side(a in -4.0..4.0f64, b in -1.0..1.0f64, shift in -1100i64..900) {
+            let exact = (Dyadic::from_f64(a) * Dyadic::from_f64(b)).scaled(shift);
+            let (low, high) = (at_most(&exact), at_least(&exact));
+            prop_assert!(Dyadic::from_f64(low) <= exact && exact <= Dyadic::from_f64(high));
+            prop_assert!(low == high || low.next_up() == high || (low == 0.0 && high == f64::from_bits(1)));
+            let fraction = exact.to_rational();
+            prop_assert_eq!((fraction_at_most(&fraction), fraction_at_least(&fraction)), (low, high));
+        }
+    }
+}
