@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 
 use experiments::families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES};
-use zonotope::zonotope::faces::brute_force::{SignVector, faces_by_dimension};
+use zonotope::zonotope::faces::SignVector;
+use zonotope::zonotope::faces::brute_force::faces_by_dimension;
 use zonotope::zonotope::faces::by_recursion::vertices_and_facets;
 use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Vertex, faces};
 use zonotope::zonotope::{Zonotope, combinatorics};

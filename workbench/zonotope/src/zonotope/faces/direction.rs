@@ -112,6 +112,7 @@ fn exact_sign(computed: f64, a: &Direction, b: &Direction, c: &Direction) -> Ord
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::dyadic::Dyadic;
     use proptest::prelude::*;
 
     fn coordinate() -> impl Strategy<Value = f64> {

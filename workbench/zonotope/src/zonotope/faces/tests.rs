@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 
 use proptest::prelude::*;
 
-use super::brute_force::{SignVector, faces_by_dimension};
+use super::SignVector;
+use super::brute_force::faces_by_dimension;
 use super::{Edge, FaceLattice, Faces, Facet, Vertex, Zone, faces, faces_counted};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::scale_by_power_of_two;
@@ -291,7 +292,7 @@ fn cells_by_ranks<const D: usize>(vectors: &[[f64; D]]) -> i64 {
         .map(|subset| {
             let chosen: Vec<[f64; D]> =
                 vectors.iter().enumerate().filter(|(i, _)| subset >> i & 1 == 1).map(|(_, v)| *v).collect();
-            let rank = crate::zonotope::rank::independent_coordinates(&chosen).len();
+            let rank = crate::numeric::exact_linear::Span::of_doubles(&chosen).rank();
             if (chosen.len() - rank).is_multiple_of(2) { 1 } else { -1 }
         })
         .sum()
