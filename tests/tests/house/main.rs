@@ -4,5 +4,6 @@ mod code;
 mod columns;
 mod documentation;
 mod ids;
+mod imports;
 mod layout;
 mod manual;

@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use rand_pcg::Pcg64Mcg;
 
 use super::chain::{Chain, Crossing, Target};
-use super::trace::Side;
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
 use crate::arrangement::fraction::Fraction;
@@ -24,6 +23,17 @@ pub(super) struct Footing {
     pub(super) normal: ExactVector,
     /// h(u) − u · p: u_z times how far p is below the facet.
     pub(super) depth: Dyadic,
+}
+
+/// Where p_0 lies relative to the tiles at a vertical line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Left of the chain just left of the line.
+    Left,
+    /// Between the chains just left and just right of the line: in a tile whose vertex is on it.
+    Within,
+    /// Right of the chain just right of the line.
+    Right,
 }
 
 /// A vertical line of the search, as it is recorded.

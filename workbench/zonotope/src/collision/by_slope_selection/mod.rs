@@ -78,7 +78,8 @@ use std::cmp::Ordering;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 
-pub use trace::{FoundTile, Hull, SearchStep, Side, Trace};
+pub use footing::Side;
+pub use trace::{FoundTile, Hull, SearchStep, Trace};
 
 use self::chain::Target;
 use self::footing::Footing;

@@ -1,23 +1,12 @@
 //! The course of the search, for pictures: the separators tried and the tiles found.
 
 use super::chain::Chain;
-use super::footing::{Footing, Probe};
+use super::footing::{Footing, Probe, Side};
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
 use crate::collision::Location;
 use crate::numeric::Rational;
 use crate::numeric::exact_sum::ExactSum;
-
-/// Where p_0 lies relative to the tiles at a vertical line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Left of the chain just left of the line.
-    Left,
-    /// Between the chains just left and just right of the line: in a tile whose vertex is on it.
-    Within,
-    /// Right of the chain just right of the line.
-    Right,
-}
 
 /// One of the two searches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

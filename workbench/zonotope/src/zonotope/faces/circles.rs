@@ -129,3 +129,36 @@ fn side_of(pole: &[f64; 3], v: &Direction) -> Ordering {
     let dot = terms.iter().zip(pole).fold(Dyadic::zero(), |sum, (c, &p)| sum + c * &Dyadic::from_f64(p));
     dot.sign()
 }
+
+/// The crossings of all circles, one circle after the other.
+pub(super) struct Crossings {
+    /// As [`Circles::crossings`] gives them, n − 1 a circle.
+    pub(super) sequences: Vec<u32>,
+    /// Where the arcs of each circle begin among those of all circles, and their total: twice as many as places.
+    pub(super) zone_starts: Vec<u32>,
+    /// How many crossings there are in the half turn, and for how many pairs (crossing, circle through it).
+    pub(super) facets: usize,
+    pub(super) incidences: usize,
+}
+
+impl Crossings {
+    pub(super) fn new(circles: &Circles, tally: &mut impl Tally) -> Self {
+        let mut sequences = Vec::with_capacity(circles.len() * (circles.len() - 1));
+        let mut zone_starts = vec![0];
+        let (mut keys, mut crossings) = (Vec::new(), Vec::new());
+        let (mut facets, mut incidences) = (0, 0);
+        for rank in 0..circles.len() {
+            circles.crossings(rank, &mut keys, &mut crossings, tally);
+            let mut places = 0;
+            for crossing in &crossings {
+                places += crossing >> 31;
+                // a crossing is counted by the northernmost of its circles: there the first other one lies south of it
+                facets += usize::from(crossing & NEW_PLACE != 0 && crossing & !NEW_PLACE > rank as u32);
+            }
+            incidences += places as usize;
+            zone_starts.push(zone_starts[rank] + 2 * places);
+            sequences.extend_from_slice(&crossings);
+        }
+        Self { sequences, zone_starts, facets, incidences }
+    }
+}

@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use super::by_sweep::Crossings;
-use super::circles::Circles;
+use super::circles::{Circles, Crossings};
 use super::position::{Position, Step};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::UNIT;

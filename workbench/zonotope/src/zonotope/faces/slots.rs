@@ -1,7 +1,6 @@
 //! The moving meridian of the sweep: circles in slots from north to south, cells between them.
 
-use super::by_sweep::Crossings;
-use super::circles::NEW_PLACE;
+use super::circles::{Crossings, NEW_PLACE};
 use super::lattice::FaceLattice;
 use super::position::{Position, Step};
 
