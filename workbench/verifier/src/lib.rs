@@ -10,22 +10,29 @@ mod collision;
 mod enclosing;
 mod exact;
 mod faces;
+mod verdict;
 
-pub use arrangement::separator::check_separator;
-pub use arrangement::slope_selection::check_slope_selection;
+pub use arrangement::separator::{SeparatorProof, check_separator};
+pub use arrangement::slope_selection::{SlopeSelectionProof, check_slope_selection};
 pub use arrangement::upper_hull::check_upper_hull;
-pub use bodies::combinatorics::{CombinatoricsAnswer, CombinatoricsProof, check_combinatorics};
-pub use bodies::support::{SupportAnswer, check_support};
+pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics};
+pub use bodies::support::{SupportAnswer, SupportProof, check_support};
+pub use collision::displaced::{Body, Displaced, Pose};
 pub use collision::gauge::{GaugeAnswer, GaugeProof, check_gauge};
-pub use collision::location::{Displaced, LocationAnswer, LocationCertificate, check_location};
-pub use collision::member_batch::check_member_batch;
+pub use collision::location::{LocationAnswer, LocationCertificate, LocationProof, Status, check_location};
+pub use collision::member_batch::{MemberBatchProof, check_member_batch};
 pub use enclosing::min_area::{
     Certificate, ExactMinArea, MinAreaAnswer, MinAreaProof, check_exact_min_area, check_min_area,
 };
-pub use enclosing::min_length_all::{MinLengthAnswer, MinLengthProof, check_min_length_all};
-pub use enclosing::min_length_dirs::{Directed, DirectedAnswer, DirectedProof, check_min_length_dirs};
+pub use enclosing::min_length_all::{
+    MinLengthAnswer, MinLengthProof, check_min_length_all, check_min_length_all_bounds,
+};
+pub use enclosing::min_length_dirs::{
+    Directed, DirectedAnswer, DirectedProof, check_min_length_dirs, check_min_length_dirs_bounds,
+};
 pub use exact::fraction::Fraction;
 pub use exact::whole_direction;
+pub use verdict::{Proved, Verdict};
 
 /// The largest relative difference that is accepted between a figure of an answer and its exact value.
 pub const RELATIVE_ERROR: f64 = 1e-12;

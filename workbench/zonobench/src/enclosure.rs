@@ -8,7 +8,7 @@ use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
 use crate::json::{to_json, vector_to_json};
-use verifier::{Certificate, MinAreaAnswer, MinAreaProof, check_min_area};
+use verifier::{Certificate, MinAreaAnswer, MinAreaProof, Verdict, check_min_area};
 
 /// A solved instance.
 #[derive(Debug)]
@@ -58,7 +58,7 @@ impl Enclosure {
     }
 
     /// Checks the answer with the verifier, which shares no code with the solver.
-    pub fn check(&self, points: &[[f64; 2]]) -> Result<MinAreaProof, String> {
+    pub fn check(&self, points: &[[f64; 2]]) -> Verdict<MinAreaProof> {
         check_min_area(points, &self.answer())
     }
 
@@ -115,7 +115,7 @@ mod tests {
         cases.extend([1.0, 1e-3, 1e-9].map(|radius| around([5e5, 5.2e6], radius, 300)));
         for points in cases {
             let enclosure = Enclosure::of(&points, Method::default(), 0).expect("finite points");
-            assert!(enclosure.check(&points).is_ok(), "{:?} {:?}", enclosure.check(&points), points[0]);
+            assert!(enclosure.check(&points).is_right(), "{:?} {:?}", enclosure.check(&points), points[0]);
         }
     }
 }

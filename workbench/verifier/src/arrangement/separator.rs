@@ -9,19 +9,40 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::fmt::{self, Display};
+
+use crate::verdict::Verdict;
 
 use dashu_int::IBig;
 
 use crate::exact::fraction::Fraction;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::inversions::sort_counting;
 use crate::exact::linear::Vector;
 
 /// Checks the points of a chain.
-pub fn check_separator(generators: &[Vec<f64>], k: u64, chain: &[[Fraction; 2]]) -> Result<(), String> {
+pub fn check_separator(generators: &[Vec<f64>], k: u64, chain: &[[Fraction; 2]]) -> Verdict<SeparatorProof> {
+    ordered(generators, k, chain).map(|()| SeparatorProof { left: k }).into()
+}
+
+/// How many tiles lie on the left of the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SeparatorProof {
+    /// The number of tiles.
+    pub left: u64,
+}
+
+impl Display for SeparatorProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a chain of the tiling with {} tiles on its left", self.left)
+    }
+}
+
+fn ordered(generators: &[Vec<f64>], k: u64, chain: &[[Fraction; 2]]) -> Result<(), String> {
     if generators.iter().any(|generator| generator.len() != 3) {
         return Err("answered a question whose generators are not in space".to_owned());
     }
+    check_finite("the question", generators.iter().flatten())?;
     let grid = Grid::of(generators.iter().flatten().copied());
     let placed = generators.iter().map(|generator| generator.iter().map(|&x| grid.units(x)).collect::<Vector>());
     let mut lines: Vec<Vector> = placed.filter_map(upward).collect();
@@ -88,7 +109,8 @@ fn from_the_top(i: &Vector, j: &Vector) -> Ordering {
 }
 
 /// A coordinate in units of the grid, if it is a whole number of them.
-fn on_grid((numerator, denominator): &Fraction, grid: Grid) -> Option<IBig> {
+fn on_grid(fraction: &Fraction, grid: Grid) -> Option<IBig> {
+    let (numerator, denominator) = (fraction.numerator(), fraction.denominator());
     let shift = grid.exponent().unsigned_abs() as usize;
     let (numerator, denominator) = if grid.exponent() < 0 {
         (numerator << shift, denominator.clone())
@@ -170,8 +192,8 @@ mod tests {
     fn check(generators: &[[f64; 3]], k: u64, chain: &[[i64; 2]]) -> Result<(), String> {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
         let chain: Vec<[Fraction; 2]> =
-            chain.iter().map(|point| point.map(|coordinate| (coordinate.into(), 1.into()))).collect();
-        check_separator(&generators, k, &chain)
+            chain.iter().map(|point| point.map(|x| Fraction::new(x, 1).expect("one is not zero"))).collect();
+        check_separator(&generators, k, &chain).proof().map(|_| ())
     }
 
     #[test]

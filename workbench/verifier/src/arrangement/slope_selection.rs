@@ -6,11 +6,14 @@
 //! k not right of it. A vertical line crosses every other one that is not vertical.
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
+
+use crate::verdict::Verdict;
 
 use dashu_int::IBig;
 
 use crate::exact::fraction::Fraction;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::inversions::sort_counting;
 use crate::exact::linear::Vector;
 
@@ -19,12 +22,29 @@ use crate::exact::linear::Vector;
 pub(crate) struct Lines {
     /// Lines with b > 0 from the lowest to the highest far to the left, parallel ones too.
     graphs: Vec<Vector>,
-    /// The abscissas of vertical lines as fractions with positive denominators.
-    verticals: Vec<Fraction>,
+    /// The abscissas of vertical lines: numerators and positive denominators.
+    verticals: Vec<(IBig, IBig)>,
 }
 
 /// Checks the abscissas of vertices, given by their ranks from 1.
-pub fn check_slope_selection(generators: &[Vec<f64>], ranks: &[u64], x: &[Fraction]) -> Result<(), String> {
+pub fn check_slope_selection(generators: &[Vec<f64>], ranks: &[u64], x: &[Fraction]) -> Verdict<SlopeSelectionProof> {
+    counted(generators, ranks, x).map(|()| SlopeSelectionProof { abscissas: x.len() }).into()
+}
+
+/// How many abscissas were proved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SlopeSelectionProof {
+    /// The number of abscissas.
+    pub abscissas: usize,
+}
+
+impl Display for SlopeSelectionProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} abscissas, each with the right numbers of vertices on its sides", self.abscissas)
+    }
+}
+
+fn counted(generators: &[Vec<f64>], ranks: &[u64], x: &[Fraction]) -> Result<(), String> {
     if ranks.len() != x.len() {
         return Err(format!("{} abscissas for {} ranks", x.len(), ranks.len()));
     }
@@ -44,6 +64,7 @@ impl Lines {
         if generators.iter().any(|generator| generator.len() != 3) {
             return Err("answered a question whose generators are not in space".to_owned());
         }
+        check_finite("the question", generators.iter().flatten())?;
         let grid = Grid::of(generators.iter().flatten().copied());
         let mut lines = Self { graphs: Vec::new(), verticals: Vec::new() };
         for generator in generators {
@@ -64,7 +85,8 @@ impl Lines {
     }
 
     /// How many vertices lie left of an abscissa, and how many not right of it.
-    fn vertices_left_of(&self, (x, w): &Fraction) -> [u64; 2] {
+    fn vertices_left_of(&self, abscissa: &Fraction) -> [u64; 2] {
+        let (x, w) = (abscissa.numerator(), abscissa.denominator());
         let heights: Vec<IBig> = self.graphs.iter().map(|line| -(&line[0] * x + &line[2] * w)).collect();
         let compare =
             |&i: &usize, &j: &usize| (&heights[i] * &self.graphs[j][1]).cmp(&(&heights[j] * &self.graphs[i][1]));
@@ -98,8 +120,8 @@ mod tests {
     fn check(generators: &[[f64; 3]], ranks: &[u64], x: &[(i64, i64)]) -> Result<(), String> {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
         let x: Vec<Fraction> =
-            x.iter().map(|&(numerator, denominator)| (numerator.into(), denominator.into())).collect();
-        check_slope_selection(&generators, ranks, &x)
+            x.iter().filter_map(|&(numerator, denominator)| Fraction::new(numerator, denominator)).collect();
+        check_slope_selection(&generators, ranks, &x).proof().map(|_| ())
     }
 
     #[test]

@@ -10,25 +10,27 @@ use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
 use crate::exact::fraction::Fraction;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector, dot};
 use crate::exact::polygon::ConvexPolygon;
 use crate::exact::proportion::Proportion;
 use crate::exact::subsets::{count_subsets, subsets};
+use crate::verdict::{Proved, Stop, Verdict};
 
 /// So many products of vertices and generators are tried.
 const MOST_TRIALS: u64 = 3_000_000;
 
-/// Checks the height over p_0, which is absent beside Q; whether the body was small enough for that.
-pub fn check_upper_hull(
-    generators: &[Vec<f64>],
-    p0: [f64; 2],
-    above_q: bool,
-    z: Option<&Fraction>,
-) -> Result<bool, String> {
+/// Checks the height over p_0, which is absent beside Q, if the body is small enough for that.
+pub fn check_upper_hull(generators: &[Vec<f64>], p0: [f64; 2], above_q: bool, z: Option<&Fraction>) -> Verdict<Proved> {
+    lowest(generators, p0, above_q, z).into()
+}
+
+fn lowest(generators: &[Vec<f64>], p0: [f64; 2], above_q: bool, z: Option<&Fraction>) -> Result<Proved, Stop> {
+    let right = Proved("the lowest of the bounds of all vertices");
     if generators.iter().any(|generator| generator.len() != 3) {
-        return Err("answered a question whose generators are not in space".to_owned());
+        return Err("answered a question whose generators are not in space".into());
     }
+    check_finite("the question", generators.iter().flatten().chain(&p0))?;
     let grid = Grid::of(generators.iter().flatten().chain(&p0).copied());
     let p0 = grid.point(p0);
     let vectors: Vec<Vector> =
@@ -36,19 +38,19 @@ pub fn check_upper_hull(
     let shadows: Vec<[IBig; 2]> = vectors.iter().map(|v| [v[0].clone(), v[1].clone()]).collect();
     let inside = ConvexPolygon::zonogon(&[IBig::ZERO, IBig::ZERO], &shadows).contains(&p0);
     if above_q != inside {
-        return Err(format!("above_q is {above_q}, but p0 lies {} Q", if inside { "in" } else { "beside" }));
+        return Err(format!("above_q is {above_q}, but p0 lies {} Q", if inside { "in" } else { "beside" }).into());
     }
-    let Some((numerator, denominator)) = z else {
-        return if inside { Err("z is missing".to_owned()) } else { Ok(true) };
+    let Some(z) = z else {
+        return if inside { Err("z is missing".into()) } else { Ok(right) };
     };
     if !inside {
-        return Err("there is no hull beside Q, but z is given".to_owned());
+        return Err("there is no hull beside Q, but z is given".into());
     }
 
     let plane: Vec<Vector> = shadows.into_iter().map(Vec::from).collect();
     let pivots = Echelon::spanned(2, &plane).pivots();
     if count_subsets(vectors.len(), pivots.len()).saturating_mul(vectors.len() as u64) > MOST_TRIALS {
-        return Ok(false);
+        return Err(Stop::Unchecked("too many vertices to go through".to_owned()));
     }
     let kept = |v: &[IBig]| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
     let upright: Vec<Vector> = vectors.iter().map(|v| [kept(v), vec![v[2].clone()]].concat()).collect();
@@ -71,11 +73,11 @@ pub fn check_upper_hull(
     }
     let lowest = lowest.ok_or("no direction bounds the hull")?;
     let exact = lowest.times(&Proportion::whole(IBig::ONE, grid.exponent()));
-    let claimed = Proportion::new(numerator.clone(), denominator.clone(), 0);
+    let claimed = Proportion::of_fraction(z);
     if claimed.compare(&exact) == Ordering::Equal {
-        Ok(true)
+        Ok(right)
     } else {
-        Err(format!("z is {:?}, exactly it is {:?}", claimed.near(), exact.near()))
+        Err(format!("z is {:?}, exactly it is {:?}", claimed.nearest(), exact.nearest()).into())
     }
 }
 
@@ -85,8 +87,8 @@ mod tests {
 
     fn check(generators: &[[f64; 3]], p0: [f64; 2], z: Option<(i64, i64)>) -> Result<bool, String> {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
-        let z = z.map(|(numerator, denominator)| (numerator.into(), denominator.into()));
-        check_upper_hull(&generators, p0, z.is_some(), z.as_ref())
+        let z = z.and_then(|(numerator, denominator)| Fraction::new(numerator, denominator));
+        check_upper_hull(&generators, p0, z.is_some(), z.as_ref()).proof().map(|_| true)
     }
 
     #[test]

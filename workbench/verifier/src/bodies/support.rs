@@ -1,16 +1,23 @@
 //! Answers to "how far does the zonotope reach in this direction, and where".
 //!
 //! The exact value is h(u) = u·p + Σ |u·v_i|. The farthest points are p + Σ ±v_i with the sign of u·v_i, and any coefficient
-//! in [−1, 1] where u·v_i = 0.
+//! in [−1, 1] where u·v_i = 0: a face, itself a zonotope. The point of an answer must lie in the face but for rounding, that is, in the sum of
+//! the face and a box; that sum is a zonotope, too, and the point is held against all of its facets. Coordinate by coordinate would not do: the generator
+//! (1, −1) is orthogonal to (1, 1), and the point (1, 1) is within its reach on either axis, but not on both at once.
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
 use crate::RELATIVE_ERROR;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
+use crate::exact::linear::Vector;
 use crate::exact::proportion::{Proportion, check_figure};
+use crate::faces::containment::one_outside;
+use crate::faces::normals::TooMany;
+use crate::verdict::{Stop, Verdict};
 
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,65 +28,152 @@ pub struct SupportAnswer {
     pub point: Vec<f64>,
 }
 
-/// Checks the value and the point of an answer; vectors of different lengths are the caller's mistake.
+/// The value that was proved, up to rounding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SupportProof {
+    /// The value as it was written.
+    pub value: f64,
+}
+
+impl Display for SupportProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "value {:?} and point agree with the exact sums", self.value)
+    }
+}
+
+/// Checks the value and the point of an answer.
 ///
 /// `value` may err by [`RELATIVE_ERROR`] times Σ |u_j p_j| + Σ |u_j v_ij|, each coordinate of `point` by [`RELATIVE_ERROR`]
-/// times |p_j| + Σ |v_ij|: what rounding leaves of sums whose terms may cancel.
+/// times |p_j| + Σ |v_ij|: what rounding leaves of sums whose terms may cancel. A coordinate beyond the range of doubles is an infinity.
 pub fn check_support(
     direction: &[f64],
     center: &[f64],
     generators: &[Vec<f64>],
     answer: &SupportAnswer,
-) -> Result<(), String> {
-    if answer.point.len() != direction.len() {
-        return Err(format!("point has {} coordinates, not {}", answer.point.len(), direction.len()));
+) -> Verdict<SupportProof> {
+    proved(direction, center, generators, answer).into()
+}
+
+fn proved(
+    direction: &[f64],
+    center: &[f64],
+    generators: &[Vec<f64>],
+    answer: &SupportAnswer,
+) -> Result<SupportProof, Stop> {
+    let dimension = direction.len();
+    if center.len() != dimension || generators.iter().any(|generator| generator.len() != dimension) {
+        return Err("answered a question whose dimensions do not agree".into());
+    }
+    check_finite("the question", direction.iter().chain(center).chain(generators.iter().flatten()))?;
+    if answer.point.len() != dimension {
+        return Err(format!("point has {} coordinates, not {dimension}", answer.point.len()).into());
     }
     let directions = Grid::of(direction.iter().copied());
     let lengths = Grid::of(center.iter().chain(generators.iter().flatten()).copied());
     let u: Vec<IBig> = direction.iter().map(|&component| directions.units(component)).collect();
-    let placed = |vector: &[f64]| -> Vec<IBig> { vector.iter().map(|&component| lengths.units(component)).collect() };
-    let dot = |v: &[IBig]| -> IBig { u.iter().zip(v).map(|(u, v)| u * v).sum() };
+    let placed = |vector: &[f64]| -> Vector { vector.iter().map(|&component| lengths.units(component)).collect() };
+    let sum = |v: &[IBig]| -> IBig { u.iter().zip(v).map(|(u, v)| u * v).sum() };
     let sizes = |v: &[IBig]| -> IBig { u.iter().zip(v).map(|(u, v)| (u * v).abs()).sum() };
 
     let p = placed(center);
-    let mut value = dot(&p);
-    let mut scale = sizes(&p);
-    let mut corner = p.clone();
-    let mut slack = vec![IBig::ZERO; p.len()];
-    let mut reach: Vec<IBig> = p.iter().map(|component| component.clone().abs()).collect();
+    let (mut value, mut scale) = (sum(&p), sizes(&p));
+    let mut face = Face { middle: p.clone(), generators: Vec::new(), reach: p.into_iter().map(Abs::abs).collect() };
     for generator in generators {
         let v = placed(generator);
-        let along = dot(&v);
-        let sign = along.cmp(&IBig::ZERO);
-        for (axis, component) in v.iter().enumerate() {
-            match sign {
-                Ordering::Greater => corner[axis] += component,
-                Ordering::Less => corner[axis] -= component,
-                Ordering::Equal => slack[axis] += component.clone().abs(),
-            }
-            reach[axis] += component.clone().abs();
-        }
-        value += along.abs();
+        let along = sum(&v);
+        value += along.clone().abs();
         scale += sizes(&v);
+        face.add(v, along.cmp(&IBig::ZERO));
+    }
+    let exponent = directions.exponent() + lengths.exponent();
+    let allowed = Proportion::whole(scale, exponent).times(&Proportion::of_double(RELATIVE_ERROR));
+    check_figure("value", answer.value, &Proportion::whole(value, exponent), &allowed)?;
+    face.check_point(&answer.point, lengths)?;
+    Ok(SupportProof { value: answer.value })
+}
+
+/// The farthest points, in units of a grid.
+struct Face {
+    middle: Vector,
+    generators: Vec<Vector>,
+    /// |p_j| + Σ |v_ij| over all generators of the body, which is what rounding is measured by.
+    reach: Vector,
+}
+
+impl Face {
+    /// Adds a generator of the body on its side of the direction.
+    fn add(&mut self, v: Vector, side: Ordering) {
+        for (axis, component) in v.iter().enumerate() {
+            match side {
+                Ordering::Greater => self.middle[axis] += component,
+                Ordering::Less => self.middle[axis] -= component,
+                Ordering::Equal => {}
+            }
+            self.reach[axis] += component.clone().abs();
+        }
+        if side.is_eq() {
+            self.generators.push(v);
+        }
     }
 
-    let tolerance = Proportion::of_double(RELATIVE_ERROR);
-    let exponent = directions.exponent() + lengths.exponent();
-    let allowed = Proportion::whole(scale, exponent).times(&tolerance);
-    check_figure("value", answer.value, &Proportion::whole(value, exponent), &allowed)?;
-    let units = |number: &IBig| Proportion::whole(number.clone(), lengths.exponent());
-    for (axis, &coordinate) in answer.point.iter().enumerate() {
-        let name = format!("coordinate {} of point", axis + 1);
-        let rounding = units(&reach[axis]).times(&tolerance);
-        if coordinate.is_infinite() {
-            // the farthest point that lies farthest out on that side is beyond the range of doubles, or none is
-            let outmost = if coordinate > 0.0 { &corner[axis] + &slack[axis] } else { &corner[axis] - &slack[axis] };
-            check_figure(&name, coordinate, &units(&outmost), &rounding)?;
-        } else {
-            check_figure(&name, coordinate, &units(&corner[axis]), &rounding.plus(&units(&slack[axis])))?;
+    /// Accepts a point of the face, but for rounding.
+    fn check_point(&self, point: &[f64], lengths: Grid) -> Result<(), Stop> {
+        let ranges: Vec<[Proportion; 2]> = point
+            .iter()
+            .enumerate()
+            .map(|(axis, &coordinate)| self.range(axis, coordinate, lengths))
+            .collect::<Result<_, String>>()?;
+        if self.generators.is_empty() {
+            return Ok(());
+        }
+        // Point minus middle must be a point of the face about the origin plus one of the box of the ranges, with all of them in halves of one unit.
+        let exponent = ranges.iter().flatten().map(Proportion::exponent).fold(lengths.exponent(), i32::min);
+        let units = |range: &[Proportion; 2]| range.each_ref().map(|end| end.floor_at(exponent));
+        let up = usize::try_from(lengths.exponent() - exponent).map_err(|_| "the unit is the smallest one")?;
+        let mut generators: Vec<Vector> =
+            self.generators.iter().map(|v| v.iter().map(|x| (x << up) * 2).collect()).collect();
+        let mut apart = Vec::with_capacity(point.len());
+        for (axis, range) in ranges.iter().enumerate() {
+            let [low, high] = units(range);
+            let mut edge = vec![IBig::ZERO; point.len()];
+            edge[axis] = &high - &low;
+            generators.push(edge);
+            apart.push(low + high - (&self.middle[axis] << up) * 2);
+        }
+        match one_outside(point.len(), &generators, &[apart]) {
+            Ok(None) => Ok(()),
+            Ok(Some(_)) => Err("point is not among the farthest ones".into()),
+            Err(TooMany) => {
+                let reason = "value agrees with the exact sum; the face of the farthest points has too many facets to hold `point` against";
+                Err(Stop::Unchecked(reason.to_owned()))
+            }
         }
     }
-    Ok(())
+
+    /// The exact coordinates for which a coordinate may stand; an error if the face has none of them.
+    fn range(&self, axis: usize, coordinate: f64, lengths: Grid) -> Result<[Proportion; 2], String> {
+        let name = format!("coordinate {} of point", axis + 1);
+        let units = |number: IBig| Proportion::whole(number, lengths.exponent());
+        let slack: IBig = self.generators.iter().map(|v| v[axis].clone().abs()).sum();
+        let rounding = units(self.reach[axis].clone()).times(&Proportion::of_double(RELATIVE_ERROR));
+        if coordinate.is_infinite() {
+            // A coordinate of the face that is beyond the range of doubles, if there is one.
+            let sign = if coordinate > 0.0 { slack } else { -slack };
+            let outmost = units(&self.middle[axis] + sign);
+            check_figure(&name, coordinate, &outmost, &rounding)?;
+            let largest = Proportion::of_double(f64::MAX.copysign(coordinate));
+            return Ok(if coordinate > 0.0 { [largest, outmost] } else { [outmost, largest] });
+        }
+        check_figure(&name, coordinate, &units(self.middle[axis].clone()), &rounding.plus(&units(slack)))?;
+        let rounding = if rounding.compare(&smallest()).is_lt() { rounding.plus(&smallest()) } else { rounding };
+        let coordinate = Proportion::of_double(coordinate);
+        Ok([coordinate.minus(&rounding), coordinate.plus(&rounding)])
+    }
+}
+
+/// The smallest double: a coordinate of the last places is rounded by less.
+fn smallest() -> Proportion {
+    Proportion::of_double(f64::from_bits(1))
 }
 
 #[cfg(test)]
@@ -91,10 +185,10 @@ mod tests {
         let generators = [vec![1.0, 0.0], vec![0.0, 1.0]];
         let check = |direction: [f64; 2], value: f64, point: [f64; 2]| {
             let answer = SupportAnswer { value, point: point.to_vec() };
-            check_support(&direction, &[5.0, 5.0], &generators, &answer)
+            check_support(&direction, &[5.0, 5.0], &generators, &answer).proof().map(|proof| proof.value)
         };
-        assert_eq!(check([1.0, 2.0], 18.0, [6.0, 6.0]), Ok(()));
-        assert_eq!(check([-1.0, 0.0], -4.0, [4.0, 5.5]), Ok(()), "any point of the edge");
+        assert_eq!(check([1.0, 2.0], 18.0, [6.0, 6.0]), Ok(18.0));
+        assert_eq!(check([-1.0, 0.0], -4.0, [4.0, 5.5]), Ok(-4.0), "any point of the edge");
         assert!(check([1.0, 2.0], 18.0, [6.0, 4.0]).is_err());
         assert!(check([1.0, 2.0], 18.001, [6.0, 6.0]).is_err());
         assert!(check([-1.0, 0.0], -4.0, [4.0, 7.0]).is_err());
@@ -104,16 +198,52 @@ mod tests {
     #[test]
     fn values_beyond_the_range_of_doubles() {
         let answer = SupportAnswer { value: f64::INFINITY, point: vec![1e200] };
-        assert_eq!(check_support(&[1e200], &[0.0], &[vec![1e200]], &answer), Ok(()));
+        assert!(check_support(&[1e200], &[0.0], &[vec![1e200]], &answer).is_right());
         let answer = SupportAnswer { value: 0.0, point: vec![1e-200] };
-        assert_eq!(check_support(&[1e-200], &[0.0], &[vec![-1e-200]], &answer), Ok(()));
+        assert!(check_support(&[1e-200], &[0.0], &[vec![-1e-200]], &answer).is_right());
         // every point of the body is a farthest one, some of them beyond the range
         let generators = [vec![f64::MAX], vec![1e300]];
         let check = |coordinate: f64| {
             check_support(&[0.0], &[1.0], &generators, &SupportAnswer { value: 0.0, point: vec![coordinate] })
+                .is_right()
         };
-        assert_eq!((check(f64::INFINITY), check(f64::NEG_INFINITY), check(1e308)), (Ok(()), Ok(()), Ok(())));
+        assert!(check(f64::INFINITY) && check(f64::NEG_INFINITY) && check(1e308));
         let within = SupportAnswer { value: 0.0, point: vec![f64::INFINITY] };
-        assert!(check_support(&[0.0], &[1.0], &[vec![1e308]], &within).is_err());
+        assert!(check_support(&[0.0], &[1.0], &[vec![1e308]], &within).is_wrong());
+    }
+
+    /// What lies on a facet is decided on all axes at once.
+    #[test]
+    fn points_beside_a_face_within_its_reach_on_every_axis() {
+        let generators = [vec![1.0, -1.0]];
+        let check = |point: [f64; 2]| {
+            let answer = SupportAnswer { value: 0.0, point: point.to_vec() };
+            check_support(&[1.0, 1.0], &[0.0, 0.0], &generators, &answer)
+        };
+        for right in [[1.0, -1.0], [0.0, 0.0], [-0.25, 0.25], [0.1 + 0.2, -0.3]] {
+            assert!(check(right).is_right(), "{right:?}");
+        }
+        for wrong in [[1.0, 1.0], [-1.0, -1.0], [0.5, 0.5], [0.25, -0.25 + 1e-11], [1.0 + 1e-11, -1.0 - 1e-11]] {
+            assert!(check(wrong).is_wrong(), "{wrong:?}");
+        }
+        // The facet of a cube spanned by (0, 1, 1) and (0, 1, −1): a square on its corner.
+        let cube = [vec![1.0, 0.0, 0.0], vec![0.0, 1.0, 1.0], vec![0.0, 1.0, -1.0]];
+        let check = |y: f64, z: f64| {
+            check_support(&[2.0, 0.0, 0.0], &[0.0; 3], &cube, &SupportAnswer { value: 2.0, point: vec![1.0, y, z] })
+        };
+        assert!(check(2.0, 0.0).is_right() && check(1.0, -1.0).is_right() && check(0.5, 1.5).is_right());
+        assert!(check(2.0, 0.5).is_wrong() && check(-1.5, -1.0).is_wrong());
+    }
+
+    #[test]
+    fn figures_off_by_the_smallest_double() {
+        let smallest = f64::from_bits(1);
+        let nothing = |value: f64, x: f64| {
+            check_support(&[1.0], &[0.0], &[vec![0.0]], &SupportAnswer { value, point: vec![x] }).is_right()
+        };
+        assert!(nothing(0.0, 0.0) && !nothing(smallest, 0.0) && !nothing(0.0, smallest) && !nothing(0.0, -smallest));
+        let nan = SupportAnswer { value: f64::NAN, point: vec![0.0] };
+        assert!(check_support(&[1.0], &[0.0], &[], &nan).is_wrong());
+        assert!(check_support(&[f64::NAN], &[0.0], &[], &nan).is_wrong());
     }
 }

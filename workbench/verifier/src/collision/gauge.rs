@@ -7,16 +7,19 @@
 //! known.
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
-use super::location::{Coefficients, Displaced, Located, LocationAnswer, LocationCertificate, located};
+use super::displaced::Displaced;
+use super::location::{Coefficients, Located, LocationCertificate, proven};
 use crate::RELATIVE_ERROR;
 use crate::exact::linear::{Echelon, Vector, dot, is_zero};
 use crate::exact::proportion::{Proportion, check_figure};
 use crate::exact::subsets::subsets;
 use crate::faces::facets::{Facets, reach};
+use crate::verdict::{Stop, Verdict};
 
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,34 +28,48 @@ pub struct GaugeAnswer {
     pub gauge: f64,
     /// Whether it is at most 1.
     pub at_most_one: bool,
-    /// Where p lies, with its proof; the status `inside` stands for either status of a member.
+    /// The proof that p lies in Z or does not.
     pub certificate: LocationCertificate,
 }
 
-/// How much of a gauge was proved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum GaugeProof {
-    /// The value is the exact gauge up to rounding.
-    Exact,
-    /// Only that the value is on the right side of 1 and of what the certificate bounds.
-    Bounded,
+/// The gauge that was proved, up to rounding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GaugeProof {
+    /// The gauge as it was written.
+    pub gauge: f64,
+}
+
+impl Display for GaugeProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "gauge {:?} is the exact gauge, rounded", self.gauge)
+    }
 }
 
 /// Proves the gauge, or says what fails. The value may err by the relative [`RELATIVE_ERROR`]; the largest double stands for any
-/// finite gauge that is larger.
-pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugeProof, String> {
-    let found = member_or_not(question, answer)?;
+/// finite gauge that is larger. Where the facet is not found, the value is held against what the certificate bounds and left unchecked.
+pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Verdict<GaugeProof> {
+    proved(question, answer).into()
+}
+
+fn proved(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugeProof, Stop> {
+    let right = GaugeProof { gauge: answer.gauge };
+    let expect = |exact: f64, reason: &str| -> Result<GaugeProof, Stop> {
+        if answer.gauge == exact {
+            Ok(right)
+        } else {
+            Err(format!("gauge is {:?}, but it is {exact:?}: {reason}", answer.gauge).into())
+        }
+    };
+    let found = proven(question, &answer.certificate)?;
     if answer.at_most_one != matches!(found, Located::Member(_)) {
-        return Err("at_most_one is not what the certificate proves".to_owned());
+        return Err("at_most_one is not what the certificate proves".into());
     }
     let span = Echelon::spanned(question.dimension(), &question.generators);
     if !span.contains(&question.p) {
-        let right = answer.gauge == f64::INFINITY;
-        return if right { Ok(GaugeProof::Exact) } else { Err("the gauge is infinite: Z is flat".to_owned()) };
+        return expect(f64::INFINITY, "the vector leaves the span of the generators");
     }
     if is_zero(&question.p) {
-        let right = answer.gauge == 0.0;
-        return if right { Ok(GaugeProof::Exact) } else { Err("the gauge of no displacement is 0".to_owned()) };
+        return expect(0.0, "the vector is zero");
     }
     // In coordinates that tell the vectors of the span apart, Z has an interior.
     let pivots = span.pivots();
@@ -71,15 +88,15 @@ pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugePr
         .find_map(|facet| tight_gauge(&p, &generators, facet, &found).or_else(|| facet_gauge(&p, &generators, facet)));
     let exact = exact.or_else(|| searched(&p, &generators));
     if let Some(exact) = exact {
-        if answer.gauge == f64::MAX && exact.near() == f64::INFINITY {
-            return Ok(GaugeProof::Exact);
+        if answer.gauge == f64::MAX && exact.nearest() == f64::INFINITY {
+            return Ok(right);
         }
         let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
         check_figure("gauge", answer.gauge, &exact, &allowed)?;
-        return Ok(GaugeProof::Exact);
+        return Ok(right);
     }
     if !answer.gauge.is_finite() {
-        return Err(format!("gauge is {}", answer.gauge));
+        return Err(format!("gauge is {}", answer.gauge).into());
     }
     let claimed = Proportion::of_double(answer.gauge);
     let slack = Proportion::of_double(1.0 + RELATIVE_ERROR);
@@ -94,27 +111,13 @@ pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugePr
         }
     };
     if in_bounds {
-        Ok(GaugeProof::Bounded)
+        Err(Stop::Unchecked(format!(
+            "gauge {:?} agrees with its certificate, which bounds the gauge on one side alone",
+            answer.gauge
+        )))
     } else {
-        Err(format!("gauge is {:?}, against its own certificate", answer.gauge))
+        Err(format!("gauge is {:?}, against its own certificate", answer.gauge).into())
     }
-}
-
-/// The location that the certificate proves, whether it is that of the interior or not.
-fn member_or_not(question: &Displaced, answer: &GaugeAnswer) -> Result<Located, String> {
-    let statuses: &[&str] = match &answer.certificate {
-        LocationCertificate::Separation(_) => &["outside"],
-        LocationCertificate::Witness { .. } => &["inside", "boundary"],
-    };
-    let mut outcome = Err("there is no certificate".to_owned());
-    for status in statuses {
-        let location = LocationAnswer { status: (*status).to_owned(), certificate: answer.certificate.clone() };
-        outcome = located(question, &location);
-        if outcome.is_ok() {
-            break;
-        }
-    }
-    outcome
 }
 
 /// The generators with the smallest coefficients, ascending.
@@ -221,15 +224,12 @@ mod tests {
     use super::*;
     use crate::LocationCertificate;
 
-    fn check(
-        p: &[f64],
-        generators: &[&[f64]],
-        gauge: f64,
-        certificate: LocationCertificate,
-    ) -> Result<GaugeProof, String> {
+    fn check(p: &[f64], generators: &[&[f64]], gauge: f64, certificate: LocationCertificate) -> Result<f64, String> {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
         let question = Displaced::new(&vec![0.0; p.len()], p, &generators).expect("one dimension");
         check_gauge(&question, &GaugeAnswer { gauge, at_most_one: gauge <= 1.0, certificate })
+            .proof()
+            .map(|proof| proof.gauge)
     }
 
     fn witness(coefficients: &[f64], basis: &[usize]) -> LocationCertificate {
@@ -244,10 +244,10 @@ mod tests {
 
     #[test]
     fn a_square_by_hand() {
-        assert_eq!(check(&[0.5, 0.25], &SQUARE, 0.5, witness(&[0.5, 0.25], &[])), Ok(GaugeProof::Exact));
-        assert_eq!(check(&[3.0, 0.5], &SQUARE, 3.0, separation(&[5, 1])), Ok(GaugeProof::Exact));
-        assert_eq!(check(&[0.0, 0.0], &SQUARE, 0.0, witness(&[0.0, 0.0], &[])), Ok(GaugeProof::Exact));
-        assert_eq!(check(&[1.0, 1.0], &SQUARE, 1.0, witness(&[1.0, 1.0], &[])), Ok(GaugeProof::Exact));
+        assert_eq!(check(&[0.5, 0.25], &SQUARE, 0.5, witness(&[0.5, 0.25], &[])), Ok(0.5));
+        assert_eq!(check(&[3.0, 0.5], &SQUARE, 3.0, separation(&[5, 1])), Ok(3.0));
+        assert_eq!(check(&[0.0, 0.0], &SQUARE, 0.0, witness(&[0.0, 0.0], &[])), Ok(0.0));
+        assert_eq!(check(&[1.0, 1.0], &SQUARE, 1.0, witness(&[1.0, 1.0], &[])), Ok(1.0));
         assert!(check(&[3.0, 0.5], &SQUARE, 3.001, separation(&[5, 1])).is_err());
         assert!(check(&[0.5, 0.25], &SQUARE, 0.75, witness(&[0.5, 0.25], &[])).is_err());
         assert!(check(&[0.5, 0.25], &SQUARE, 0.25, witness(&[0.5, 0.25], &[])).is_err());
@@ -256,8 +256,8 @@ mod tests {
     #[test]
     fn flat_bodies_have_a_gauge_in_their_span() {
         let segment: [&[f64]; 2] = [&[1.0, 1.0, 0.0], &[2.0, 2.0, 0.0]];
-        assert_eq!(check(&[6.0, 6.0, 0.0], &segment, 2.0, separation(&[1, 1, 0])), Ok(GaugeProof::Exact));
-        assert_eq!(check(&[1.0, 1.0, 1.0], &segment, f64::INFINITY, separation(&[0, 0, 1])), Ok(GaugeProof::Exact));
+        assert_eq!(check(&[6.0, 6.0, 0.0], &segment, 2.0, separation(&[1, 1, 0])), Ok(2.0));
+        assert_eq!(check(&[1.0, 1.0, 1.0], &segment, f64::INFINITY, separation(&[0, 0, 1])), Ok(f64::INFINITY));
         assert!(check(&[1.0, 1.0, 1.0], &segment, 5.0, separation(&[0, 0, 1])).is_err());
     }
 }

@@ -4,19 +4,51 @@
 //! then depends on them alone: a supporting direction u ≠ 0 must be orthogonal to every g_i with |δ_i| < 1 and must not
 //! turn away from δ_i g_i for the others.
 
+use std::fmt::{self, Display};
+
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
+use super::displaced::Displaced;
+use crate::verdict::Verdict;
+
 use crate::exact::grid::Grid;
 use crate::exact::linear::{Echelon, Vector, dot, reduced, solve};
-use crate::exact::proportion::Proportion;
+use crate::exact::proportion::{Proportion, check_coefficient};
 use crate::faces::cone::{combined, common_direction};
+
+/// Where a vector lies relative to a zonotope.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// In the interior; a flat zonotope has none.
+    Inside,
+    /// In the zonotope, but not in its interior.
+    Boundary,
+    /// Not in the zonotope.
+    Outside,
+}
+
+impl Status {
+    /// The status with a name: `inside`, `boundary` or `outside`.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Inside, Self::Boundary, Self::Outside].into_iter().find(|status| status.name() == name)
+    }
+
+    /// The name of the status.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inside => "inside",
+            Self::Boundary => "boundary",
+            Self::Outside => "outside",
+        }
+    }
+}
 
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LocationAnswer {
-    /// `inside`, `boundary` or `outside`.
-    pub status: String,
+    /// The claimed status.
+    pub status: Status,
     /// Its proof.
     pub certificate: LocationCertificate,
 }
@@ -28,18 +60,12 @@ pub enum LocationCertificate {
     Separation(Vec<IBig>),
     /// Coefficients of the generators.
     Witness {
-        /// One in [−1, 1] for each generator; what stands at the basis is not read.
+        /// One in [−1, 1] for each generator.
         coefficients: Vec<f64>,
-        /// At most d generators whose coefficients are solved for.
+        /// At most d generators, by increasing index: their coefficients are those that solve the system exactly, and the doubles given for
+        /// them are nearest to these or beside the nearest.
         basis: Vec<usize>,
     },
-}
-
-/// The question: the exact vector from one point to another, and generators, all of one dimension.
-#[derive(Debug, Clone)]
-pub struct Displaced {
-    pub(crate) p: Vector,
-    pub(crate) generators: Vec<Vector>,
 }
 
 /// What was proved of a location.
@@ -58,57 +84,62 @@ pub(crate) struct Coefficients {
     pub(crate) denominator: IBig,
 }
 
-impl Displaced {
-    /// The vector `to` − `from` and the generators.
-    pub fn new(from: &[f64], to: &[f64], generators: &[Vec<f64>]) -> Result<Self, String> {
-        let dimension = from.len();
-        if to.len() != dimension || generators.iter().any(|generator| generator.len() != dimension) {
-            return Err("answered a question whose dimensions do not agree".to_owned());
-        }
-        let grid = Grid::of(from.iter().chain(to).chain(generators.iter().flatten()).copied());
-        let placed = |v: &[f64]| -> Vector { v.iter().map(|&component| grid.units(component)).collect() };
-        let p = placed(to).iter().zip(placed(from)).map(|(to, from)| to - from).collect();
-        Ok(Self { p, generators: generators.iter().map(|generator| placed(generator)).collect() })
-    }
-
-    pub(crate) fn dimension(&self) -> usize {
-        self.p.len()
-    }
-
-    /// The exact support function Σ |u · g_i|.
-    pub(crate) fn support(&self, u: &[IBig]) -> IBig {
-        self.generators.iter().map(|generator| dot(u, generator).abs()).sum()
-    }
-}
-
 /// Proves the status of an answer, or says what fails.
-pub fn check_location(question: &Displaced, answer: &LocationAnswer) -> Result<(), String> {
-    located(question, answer).map(|_| ())
+pub fn check_location(question: &Displaced, answer: &LocationAnswer) -> Verdict<LocationProof> {
+    located(question, answer)
+        .map(|found| LocationProof { status: answer.status, is_direction: matches!(found, Located::Outside(_)) })
+        .into()
 }
 
-pub(crate) fn located(question: &Displaced, answer: &LocationAnswer) -> Result<Located, String> {
-    match (&answer.certificate, answer.status.as_str()) {
-        (LocationCertificate::Separation(u), "outside") => {
-            if u.len() != question.dimension() {
-                return Err(format!("separating_direction has {} components", u.len()));
-            }
-            if dot(u, &question.p) > question.support(u) {
-                Ok(Located::Outside(u.clone()))
-            } else {
-                Err("the direction does not separate".to_owned())
-            }
-        }
-        (LocationCertificate::Witness { coefficients, basis }, status @ ("inside" | "boundary")) => {
-            let coefficients = exact_coefficients(question, coefficients, basis)?;
-            let interior = is_interior(question, &coefficients);
-            if interior == (status == "inside") {
-                Ok(Located::Member(coefficients))
+/// The status that was proved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LocationProof {
+    /// The status.
+    pub status: Status,
+    is_direction: bool,
+}
+
+impl Display for LocationProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let proof = if self.is_direction {
+            "the direction separates exactly"
+        } else {
+            "the coefficients solve the system exactly and prove the status"
+        };
+        write!(f, "{}; {proof}", self.status.name())
+    }
+}
+
+fn located(question: &Displaced, answer: &LocationAnswer) -> Result<Located, String> {
+    let found = proven(question, &answer.certificate)?;
+    match (&found, answer.status) {
+        (Located::Outside(_), Status::Outside) => Ok(found),
+        (Located::Member(coefficients), status @ (Status::Inside | Status::Boundary)) => {
+            let interior = is_interior(question, coefficients);
+            if interior == (status == Status::Inside) {
+                Ok(found)
             } else {
                 let truth = if interior { "in the interior" } else { "on the boundary" };
-                Err(format!("the status is {status}, but it lies {truth}"))
+                Err(format!("the status is {}, but it lies {truth}", status.name()))
             }
         }
-        (_, status) => Err(format!("the certificate does not fit the status `{status}`")),
+        (_, status) => Err(format!("the certificate does not fit the status `{}`", status.name())),
+    }
+}
+
+/// What a certificate proves by itself: that the vector lies in the zonotope, or that it does not.
+pub(crate) fn proven(question: &Displaced, certificate: &LocationCertificate) -> Result<Located, String> {
+    match certificate {
+        LocationCertificate::Separation(u) if u.len() != question.dimension() => {
+            Err(format!("certificate: separating_direction has {} components", u.len()))
+        }
+        LocationCertificate::Separation(u) if dot(u, &question.p) > question.support(u) => {
+            Ok(Located::Outside(u.clone()))
+        }
+        LocationCertificate::Separation(_) => Err("certificate: the direction does not separate".to_owned()),
+        LocationCertificate::Witness { coefficients, basis } => {
+            Ok(Located::Member(exact_coefficients(question, coefficients, basis)?))
+        }
     }
 }
 
@@ -152,9 +183,12 @@ fn exact_coefficients(question: &Displaced, coefficients: &[f64], basis: &[usize
     }
     for (&generator, solved) in basis.iter().zip(solved) {
         if solved.clone().abs() > whole {
-            let value = Proportion::new(solved, whole, 0).near();
+            let value = Proportion::new(solved, whole, 0).nearest();
             return Err(format!("certificate: the coefficient of basis generator {generator} is {value}"));
         }
+        let exact = Proportion::new(solved.clone(), whole.clone(), 0);
+        let name = format!("certificate: coefficient {generator}, of the basis,");
+        check_coefficient(&name, coefficients[generator], &exact)?;
         numerators[generator] = solved;
     }
     Ok(Coefficients { numerators, denominator: whole })
@@ -214,23 +248,24 @@ mod tests {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
         let question = Displaced::new(&vec![0.0; p.len()], p, &generators).expect("one dimension");
         let certificate = LocationCertificate::Witness { coefficients: coefficients.to_vec(), basis: basis.to_vec() };
-        check_location(&question, &LocationAnswer { status: status.to_owned(), certificate })
+        let status = Status::named(status).expect("a status");
+        check_location(&question, &LocationAnswer { status, certificate }).proof().map(|_| ())
     }
 
     fn separates(p: &[f64], generators: &[&[f64]], u: &[i64]) -> bool {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
         let question = Displaced::new(&vec![0.0; p.len()], p, &generators).expect("one dimension");
         let certificate = LocationCertificate::Separation(u.iter().copied().map(IBig::from).collect());
-        check_location(&question, &LocationAnswer { status: "outside".to_owned(), certificate }).is_ok()
+        check_location(&question, &LocationAnswer { status: Status::Outside, certificate }).is_right()
     }
 
     const SQUARE: [&[f64]; 2] = [&[1.0, 0.0], &[0.0, 1.0]];
 
     #[test]
     fn a_square_by_hand() {
-        assert_eq!(check(&[0.5, 0.25], &SQUARE, "inside", &[0.0, 0.0], &[0, 1]), Ok(()));
+        assert_eq!(check(&[0.5, 0.25], &SQUARE, "inside", &[0.5, 0.25], &[0, 1]), Ok(()));
         assert_eq!(check(&[0.5, 0.25], &SQUARE, "inside", &[0.5, 0.25], &[]), Ok(()));
-        assert_eq!(check(&[1.0, 0.25], &SQUARE, "boundary", &[1.0, 9.0], &[1]), Ok(()));
+        assert_eq!(check(&[1.0, 0.25], &SQUARE, "boundary", &[1.0, 0.25], &[1]), Ok(()));
         assert_eq!(check(&[1.0, -1.0], &SQUARE, "boundary", &[1.0, -1.0], &[]), Ok(()));
         assert!(check(&[1.0, -1.0], &SQUARE, "inside", &[1.0, -1.0], &[]).is_err());
         assert!(check(&[0.5, 0.25], &SQUARE, "boundary", &[0.5, 0.25], &[]).is_err());
@@ -240,6 +275,19 @@ mod tests {
         assert!(separates(&[1.5, 0.0], &SQUARE, &[1, 0]));
         assert!(!separates(&[1.0, 0.0], &SQUARE, &[1, 0]), "touching is no gap");
         assert!(!separates(&[1.5, 0.0], &SQUARE, &[-1, 0]));
+    }
+
+    #[test]
+    fn coefficients_of_the_basis_are_those_that_solve_the_system() {
+        let around = |second: f64| check(&[0.5, 0.3], &SQUARE, "inside", &[0.5, second], &[1]);
+        for right in [0.3, 0.3_f64.next_up(), 0.3_f64.next_down()] {
+            assert_eq!(around(right), Ok(()), "{right}");
+        }
+        for wrong in [0.3_f64.next_up().next_up(), -0.3, 0.0, 1.0, 9.0, f64::NAN, f64::INFINITY] {
+            assert!(around(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(check(&[1.0, 0.0], &SQUARE, "boundary", &[1.0, 0.0], &[0]), Ok(()));
+        assert!(check(&[1.0, 0.0], &SQUARE, "boundary", &[1.0_f64.next_up(), 0.0], &[0]).is_err());
     }
 
     #[test]

@@ -4,9 +4,13 @@
 //! large body is not checked.
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
+
+use super::location::Status;
+use crate::verdict::{Stop, Verdict};
 
 use crate::RELATIVE_ERROR;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector};
 use crate::exact::proportion::{Proportion, check_figure};
 use crate::faces::facets::Facets;
@@ -14,20 +18,43 @@ use crate::faces::facets::Facets;
 /// So many products of facets and points are tried.
 const MOST_TRIALS: usize = 20_000_000;
 
-/// Checks the status and the gauge of every point; whether the body was small enough for that.
+/// How many points were held against every facet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MemberBatchProof {
+    /// The number of points.
+    pub points: usize,
+}
+
+impl Display for MemberBatchProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} points, each held against every facet", self.points)
+    }
+}
+
+/// Checks the status and the gauge of every point, if the body is small enough for that.
 pub fn check_member_batch(
     center: &[f64],
     generators: &[Vec<f64>],
     points: &[Vec<f64>],
-    answers: &[(&str, f64)],
-) -> Result<bool, String> {
+    answers: &[(Status, f64)],
+) -> Verdict<MemberBatchProof> {
+    held(center, generators, points, answers).into()
+}
+
+fn held(
+    center: &[f64],
+    generators: &[Vec<f64>],
+    points: &[Vec<f64>],
+    answers: &[(Status, f64)],
+) -> Result<MemberBatchProof, Stop> {
     if answers.len() != points.len() {
-        return Err(format!("{} answers for {} points", answers.len(), points.len()));
+        return Err(format!("{} answers for {} points", answers.len(), points.len()).into());
     }
     let dimension = center.len();
     if generators.iter().chain(points).any(|v| v.len() != dimension) {
-        return Err("answered a question whose dimensions do not agree".to_owned());
+        return Err("answered a question whose dimensions do not agree".into());
     }
+    check_finite("the question", center.iter().chain(generators.iter().chain(points).flatten()))?;
     let grid = Grid::of(center.iter().chain(generators.iter().chain(points).flatten()).copied());
     let placed = |v: &[f64]| -> Vector { v.iter().map(|&component| grid.units(component)).collect() };
     let center = placed(center);
@@ -39,35 +66,40 @@ pub fn check_member_batch(
         0 => None,
         rank => match Facets::of(rank, &generators.iter().map(projected).collect::<Vec<_>>()) {
             Some(facets) if facets.count().saturating_mul(points.len()) <= MOST_TRIALS => Some(facets),
-            _ => return Ok(false),
+            _ => {
+                let reason = "too many facets to hold points without certificates against";
+                return Err(Stop::Unchecked(reason.to_owned()));
+            }
         },
     };
 
     for (number, (point, (status, gauge))) in (1..).zip(points.iter().zip(answers)) {
         let p: Vector = placed(point).iter().zip(&center).map(|(point, center)| point - center).collect();
         if !span.contains(&p) {
-            if *status != "outside" || *gauge != f64::INFINITY {
+            if *status != Status::Outside || *gauge != f64::INFINITY {
+                let status = status.name();
                 return Err(format!(
                     "point {number} is off the span, but it is said to be {status} with gauge {gauge}"
-                ));
+                )
+                .into());
             }
             continue;
         }
         let exact = facets.as_ref().map_or(Proportion::of_double(0.0), |facets| facets.gauge(&projected(&p)));
         let truth = match exact.compare(&Proportion::of_double(1.0)) {
-            Ordering::Greater => "outside",
-            Ordering::Less if span.rank() == dimension => "inside",
-            _ => "boundary",
+            Ordering::Greater => Status::Outside,
+            Ordering::Less if span.rank() == dimension => Status::Inside,
+            _ => Status::Boundary,
         };
         if *status != truth {
-            return Err(format!("point {number} is said to be {status}, but it is {truth}"));
+            return Err(format!("point {number} is said to be {}, but it is {}", status.name(), truth.name()).into());
         }
-        if *gauge != f64::MAX || exact.near().is_finite() {
+        if *gauge != f64::MAX || exact.nearest().is_finite() {
             let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
             check_figure(&format!("the gauge of point {number}"), *gauge, &exact, &allowed)?;
         }
     }
-    Ok(true)
+    Ok(MemberBatchProof { points: points.len() })
 }
 
 #[cfg(test)]
@@ -76,20 +108,44 @@ mod tests {
 
     #[test]
     fn points_around_a_square_and_a_segment() {
-        let check = |generators: &[[f64; 2]], answers: &[(&str, f64)]| {
+        let check = |generators: &[[f64; 2]], answers: &[(Status, f64)]| {
             let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
             let points = [vec![1.0, 1.5], vec![2.0, 1.0], vec![4.0, 1.0], vec![1.0, 1.0]];
-            check_member_batch(&[1.0, 1.0], &generators, &points, answers)
+            check_member_batch(&[1.0, 1.0], &generators, &points, answers).proof().map(|proof| proof.points)
         };
         let square = [[1.0, 0.0], [0.0, 1.0]];
-        assert_eq!(check(&square, &[("inside", 0.5), ("boundary", 1.0), ("outside", 3.0), ("inside", 0.0)]), Ok(true));
-        assert!(check(&square, &[("inside", 0.5), ("inside", 1.0), ("outside", 3.0), ("inside", 0.0)]).is_err());
-        assert!(check(&square, &[("inside", 0.5), ("boundary", 1.0), ("outside", 2.0), ("inside", 0.0)]).is_err());
+        assert_eq!(
+            check(
+                &square,
+                &[(Status::Inside, 0.5), (Status::Boundary, 1.0), (Status::Outside, 3.0), (Status::Inside, 0.0)]
+            ),
+            Ok(4)
+        );
+        assert!(
+            check(
+                &square,
+                &[(Status::Inside, 0.5), (Status::Inside, 1.0), (Status::Outside, 3.0), (Status::Inside, 0.0)]
+            )
+            .is_err()
+        );
+        assert!(
+            check(
+                &square,
+                &[(Status::Inside, 0.5), (Status::Boundary, 1.0), (Status::Outside, 2.0), (Status::Inside, 0.0)]
+            )
+            .is_err()
+        );
         let infinite = f64::INFINITY;
-        let flat = [("outside", infinite), ("boundary", 0.5), ("outside", 1.5), ("boundary", 0.0)];
-        assert_eq!(check(&[[2.0, 0.0]], &flat), Ok(true));
-        let nothing = [("outside", infinite), ("outside", infinite), ("outside", infinite), ("boundary", 0.0)];
-        assert_eq!(check(&[], &nothing), Ok(true));
+        let flat =
+            [(Status::Outside, infinite), (Status::Boundary, 0.5), (Status::Outside, 1.5), (Status::Boundary, 0.0)];
+        assert_eq!(check(&[[2.0, 0.0]], &flat), Ok(4));
+        let nothing = [
+            (Status::Outside, infinite),
+            (Status::Outside, infinite),
+            (Status::Outside, infinite),
+            (Status::Boundary, 0.0),
+        ];
+        assert_eq!(check(&[], &nothing), Ok(4));
         assert!(check(&square, &[]).is_err());
     }
 }

@@ -10,12 +10,15 @@ pub(crate) fn check_bound(claimed: f64, proven: &Proportion) -> Result<(), Strin
         return Err(format!("lower_bound is {claimed}"));
     }
     if Proportion::of_double(claimed).compare(proven) == Ordering::Greater {
-        return Err(format!("lower_bound {claimed:?} is above {:?}, all that the certificate proves", proven.near()));
+        return Err(format!(
+            "lower_bound {claimed:?} is above {:?}, all that the certificate proves",
+            proven.nearest()
+        ));
     }
     let smallest = Proportion::of_double(f64::MIN_POSITIVE);
     let weaker = proven.times(&Proportion::of_double(1.0 - 1e-9)).minus(&smallest);
-    if proven.near().is_finite() && Proportion::of_double(claimed).compare(&weaker) == Ordering::Less {
-        return Err(format!("lower_bound {claimed:?} says less than the certificate proves, {:?}", proven.near()));
+    if proven.nearest().is_finite() && Proportion::of_double(claimed).compare(&weaker) == Ordering::Less {
+        return Err(format!("lower_bound {claimed:?} says less than the certificate proves, {:?}", proven.nearest()));
     }
     Ok(())
 }

@@ -21,14 +21,17 @@
 mod tests;
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, Gcd};
+use dashu_int::ops::Abs;
 
 use crate::RELATIVE_ERROR;
-use crate::exact::grid::Grid;
+use crate::exact::fraction::{Fraction, common_denominator};
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::polygon::{ConvexPolygon, Point, cross, vector};
 use crate::exact::proportion::{Proportion, check_figure};
+use crate::verdict::{Proved, Verdict};
 
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +55,7 @@ pub struct Certificate {
     pub hull: Vec<usize>,
     /// For each hull edge, the position in `hull` of a vertex farthest from it.
     pub farthest: Vec<usize>,
-    /// For each hull edge its coefficient δ_t; what stands at the basis edges is not read.
+    /// For each hull edge its coefficient δ_t; those of the basis edges are solved for, and 0 stands in their places.
     pub coefficients: Vec<f64>,
     /// At most two hull edges whose coefficients are solved for.
     pub basis: Vec<usize>,
@@ -67,6 +70,15 @@ pub struct MinAreaProof {
     pub proven_bound: f64,
     /// The exact area above the proven bound, relative to the area; 0 when both are 0.
     pub gap: f64,
+    /// How many points the zonogon contains.
+    pub points: usize,
+}
+
+impl Display for MinAreaProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { area, gap, points, .. } = self;
+        write!(f, "contains all {points} points; area {area:?} is within {gap:.1e} of the proven bound")
+    }
 }
 
 /// Proves that the zonogon contains every point, has the area it is said to have, and is the smallest up to rounding;
@@ -76,10 +88,16 @@ pub struct MinAreaProof {
 /// The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since the centre and the generators of thin bodies and of those far
 /// from the origin cannot be rounded any closer, by (2^-49 · largest coordinate + 2^-1068) · (width + height); it may exceed `lower_bound` by as much, but
 /// for values that leave the range of normal doubles.
-pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, String> {
+pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Verdict<MinAreaProof> {
+    proved(points, answer).into()
+}
+
+fn proved(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, String> {
     if points.is_empty() {
         return Err("there is no point to enclose".to_owned());
     }
+    check_finite("the question", points.as_flattened())?;
+    check_finite("the zonogon", answer.generators.as_flattened().iter().chain(&answer.center))?;
     let coordinates = points.iter().chain(&answer.generators).chain([&answer.center]).flatten().copied();
     let grid = Grid::of(coordinates);
     let placed: Vec<Point> = points.iter().map(|&point| grid.point(point)).collect();
@@ -107,63 +125,63 @@ pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<Min
         return Err(format!(
             "lower_bound {:?} is above {:?}, all that the certificate proves",
             answer.lower_bound,
-            bound.near()
+            bound.nearest()
         ));
     }
     let allowed = allowed.plus(&rounding_allowance(points));
     if area.minus(&bound).compare(&allowed) == Ordering::Greater {
         return Err(format!(
             "the area {:?} is above the proven bound {:?} by more than rounding",
-            area.near(),
-            bound.near()
+            area.nearest(),
+            bound.nearest()
         ));
     }
     let smallest = Proportion::of_double(f64::MIN_POSITIVE);
-    let in_range = area.near().is_finite();
+    let in_range = area.nearest().is_finite();
     if in_range && area.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
         return Err(format!(
             "lower_bound {:?} says less than the certificate proves, {:?}",
             answer.lower_bound,
-            bound.near()
+            bound.nearest()
         ));
     }
     Ok(MinAreaProof {
-        area: area.near(),
-        proven_bound: bound.near(),
-        gap: area.minus(&bound).over(&area).map_or(0.0, |gap| gap.near()),
+        area: area.nearest(),
+        proven_bound: bound.nearest(),
+        gap: area.minus(&bound).over(&area).map_or(0.0, |gap| gap.nearest()),
+        points: points.len(),
     })
 }
 
-/// An optimum without any rounding; every number is a numerator with a positive denominator.
+/// An optimum without any rounding.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExactMinArea {
     /// The area of the zonogon.
-    pub area: (IBig, IBig),
+    pub area: Fraction,
     /// Its centre.
-    pub center: [(IBig, IBig); 2],
+    pub center: [Fraction; 2],
     /// Its generators.
-    pub generators: Vec<[(IBig, IBig); 2]>,
+    pub generators: Vec<[Fraction; 2]>,
 }
 
 /// Proves that a zonogon contains every point, has exactly the area it is said to have, and that the certificate proves exactly this area
 /// to be the least; or says what fails.
-pub fn check_exact_min_area(
-    points: &[[f64; 2]],
-    certificate: &Certificate,
-    exact: &ExactMinArea,
-) -> Result<(), String> {
+pub fn check_exact_min_area(points: &[[f64; 2]], certificate: &Certificate, exact: &ExactMinArea) -> Verdict<Proved> {
+    proved_exactly(points, certificate, exact)
+        .map(|()| Proved("the exact optimum is proved to be the least area"))
+        .into()
+}
+
+fn proved_exactly(points: &[[f64; 2]], certificate: &Certificate, exact: &ExactMinArea) -> Result<(), String> {
+    check_finite("the question", points.as_flattened())?;
+    check_finite("certificate: `coefficients`", &certificate.coefficients)?;
     let exponent = Grid::of(points.iter().flatten().copied()).exponent().min(0);
-    let numbers = || exact.generators.iter().chain([&exact.center]).flatten();
-    // every coordinate is a whole number of units 2^exponent / common
-    let common = numbers().fold(IBig::ONE, |common, (_, denominator)| {
-        let shared = IBig::from((&common).gcd(denominator));
-        common / shared * denominator
-    });
+    // Every coordinate is a whole number of units 2^exponent / common.
+    let common = common_denominator(exact.generators.iter().chain([&exact.center]).flatten());
     let up = exponent.unsigned_abs() as usize;
     let of_double = |point: &[f64; 2]| Grid::at(exponent).point(*point).map(|units| units * &common);
-    let of_fraction = |vector: &[(IBig, IBig); 2]| {
-        vector.each_ref().map(|(numerator, denominator)| (numerator * (&common / denominator)) << up)
-    };
+    let of_fraction =
+        |vector: &[Fraction; 2]| vector.each_ref().map(|x| (x.numerator() * (&common / x.denominator())) << up);
     let placed: Vec<Point> = points.iter().map(of_double).collect();
     let center = of_fraction(&exact.center);
     let generators: Vec<Point> = exact.generators.iter().map(of_fraction).collect();
@@ -173,7 +191,7 @@ pub fn check_exact_min_area(
         return Err(format!("exact: point {} lies outside the zonogon", outside + 1));
     }
     let doubled = Proportion::whole(zonogon.doubled_area(), 0);
-    let claimed = Proportion::new(exact.area.0.clone(), exact.area.1.clone(), 0);
+    let claimed = Proportion::of_fraction(&exact.area);
     let unit = Proportion::new(IBig::ONE, &common * &common, 2 * exponent - 1);
     if doubled.times(&unit).compare(&claimed) != Ordering::Equal {
         return Err("exact: `area` is not that of the zonogon".to_owned());
@@ -269,6 +287,12 @@ fn loss(edges: &[Point], offsets: &[IBig], certificate: &Certificate) -> Result<
     if let Some(wrong) = basis.iter().find(|&&edge| edge >= count) {
         return Err(format!("certificate: basis names edge {wrong}, which does not exist"));
     }
+    if let Some(wrong) = basis.iter().find(|&&edge| coefficients[edge] != 0.0) {
+        return Err(format!(
+            "certificate: the coefficient of basis edge {wrong} is solved for, but {} is given",
+            coefficients[*wrong]
+        ));
+    }
 
     let fractions = Grid::of(coefficients.iter().copied());
     let one = fractions.exponent().min(0);
@@ -285,7 +309,7 @@ fn loss(edges: &[Point], offsets: &[IBig], certificate: &Certificate) -> Result<
     for (&edge, delta) in basis.iter().zip(solved(edges, basis, &rest)?) {
         let delta = Proportion::new(delta.0, delta.1, one);
         if delta.magnitude().compare(&Proportion::of_double(1.0)) == Ordering::Greater {
-            return Err(format!("certificate: the coefficient of basis edge {edge} is {}", delta.near()));
+            return Err(format!("certificate: the coefficient of basis edge {edge} is {}", delta.nearest()));
         }
         let offset = Proportion::whole(offsets[edge].clone(), 0);
         total = total.plus(&offset.magnitude()).minus(&delta.times(&offset));

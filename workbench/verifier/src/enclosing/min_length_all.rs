@@ -5,18 +5,20 @@
 //! Σ λ_j · p_j ≤ Σ_i Σ_j |λ_j · g_i|, and Σ_j |λ_j · u| ≤ ρ for every unit vector u.
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
 
 use dashu_int::IBig;
 
 use super::lower_bound::check_bound;
 use crate::RELATIVE_ERROR;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::length::{root, total_length};
 use crate::exact::linear::{Vector, dot};
 use crate::exact::proportion::{Proportion, check_figure};
 use crate::faces::containment::one_outside;
 use crate::faces::dual_reach::farthest_squared;
 use crate::faces::normals::TooMany;
+use crate::verdict::{Stop, Verdict};
 
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +42,8 @@ pub struct MinLengthAnswer {
 /// What was proved of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MinLengthProof {
+    /// How many points there are.
+    pub points: usize,
     /// The exact length, rounded.
     pub length: f64,
     /// The largest lower bound that the forces prove, rounded.
@@ -50,26 +54,63 @@ pub struct MinLengthProof {
     pub is_within: bool,
 }
 
-/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the shortest or says that it is not; or says what fails. `None` if there are too many
-/// facets, or vertices of the zonotope of the forces, to go through.
+impl Display for MinLengthProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { points, length, ratio, .. } = self;
+        write!(f, "contains all {points} points; length {length:?}, proven to be at most {ratio:.12} times the least")
+    }
+}
+
+/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the shortest; or says what fails. An answer
+/// that says itself that it is not that short is left unchecked, as are bodies with too many facets, or forces whose zonotope has
+/// too many vertices, to go through.
 ///
 /// `length` and `ratio` may differ from their exact values by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
 /// `length` may exceed (1 + ε) · `lower_bound` by what rounding to doubles costs bodies that are thin, far from the origin or tiny: 2^-46 · d · (largest
 /// coordinate, at least the smallest normal double).
-pub fn check_min_length_all(
+pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengthAnswer) -> Verdict<MinLengthProof> {
+    let checked = proved(points, epsilon, answer, true).and_then(|proof| {
+        if proof.is_within {
+            return Ok(proof);
+        }
+        Err(Stop::Unchecked(format!("{proof}, which is above 1 + epsilon, as the answer says")))
+    });
+    checked.into()
+}
+
+/// Proves what [`check_min_length_all`] does but for the containment of the points; a ratio above 1 + ε is no reason to leave it unchecked.
+pub fn check_min_length_all_bounds(
     points: &[Vec<f64>],
     epsilon: f64,
     answer: &MinLengthAnswer,
-) -> Result<Option<MinLengthProof>, String> {
+) -> Verdict<MinLengthProof> {
+    proved(points, epsilon, answer, false).into()
+}
+
+fn proved(
+    points: &[Vec<f64>],
+    epsilon: f64,
+    answer: &MinLengthAnswer,
+    with_points: bool,
+) -> Result<MinLengthProof, Stop> {
+    let too_many = |TooMany| {
+        let reason = "too many facets to hold the points against, or too many vertices of the forces' zonotope";
+        Stop::Unchecked(reason.to_owned())
+    };
     let dimension = points.first().ok_or("there is no point to enclose")?.len();
     if points.iter().any(|point| point.len() != dimension) {
-        return Err("answered a question whose dimensions do not agree".to_owned());
+        return Err("answered a question whose dimensions do not agree".into());
     }
     if !(epsilon > 0.0 && epsilon < 1.0) {
-        return Err("answered a question whose epsilon is not between 0 and 1".to_owned());
+        return Err("answered a question whose epsilon is not between 0 and 1".into());
     }
     if answer.center.len() != dimension || answer.generators.iter().any(|generator| generator.len() != dimension) {
-        return Err(format!("the zonotope does not have {dimension} coordinates"));
+        return Err(format!("the zonotope does not have {dimension} coordinates").into());
+    }
+    check_finite("the question", points.iter().flatten())?;
+    check_finite("the zonotope", answer.generators.iter().flatten().chain(&answer.center))?;
+    if answer.forces.iter().any(|(_, vector)| vector.iter().any(|x| !x.is_finite())) {
+        return Err("certificate: a force holds a number that is not finite".into());
     }
     let grid = Grid::of(points.iter().chain(&answer.generators).chain([&answer.center]).flatten().copied());
     let placed = |v: &[f64]| -> Vector { v.iter().map(|&x| grid.units(x)).collect() };
@@ -78,18 +119,15 @@ pub fn check_min_length_all(
     let differences: Vec<Vector> =
         places.iter().map(|place| place.iter().zip(&center).map(|(x, c)| x - c).collect()).collect();
     let generators: Vec<Vector> = answer.generators.iter().map(|generator| placed(generator)).collect();
-    match one_outside(dimension, &generators, &differences) {
-        Ok(None) => {}
-        Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1)),
-        Err(TooMany) => return Ok(None),
+    if with_points && let Some(outside) = one_outside(dimension, &generators, &differences).map_err(too_many)? {
+        return Err(format!("point {} lies outside the zonotope", outside + 1).into());
     }
     let unit = Proportion::whole(IBig::ONE, grid.exponent());
     let [length, _] = total_length(&generators).map(|bound| bound.times(&unit));
     let relative = Proportion::of_double(RELATIVE_ERROR);
     check_figure("length", answer.length, &length, &length.times(&relative))?;
 
-    let Ok(bound) = proven_bound(&places, &answer.forces)? else { return Ok(None) };
-    let bound = bound.times(&unit);
+    let bound = proven_bound(&places, &answer.forces)?.map_err(too_many)?.times(&unit);
     check_bound(answer.lower_bound, &bound)?;
     check_ratio(answer)?;
     let mut is_within = true;
@@ -103,14 +141,17 @@ pub fn check_min_length_all(
             .plus(&rounding);
         is_within = Proportion::of_double(answer.length).compare(&allowed) != Ordering::Greater;
         if !is_within && answer.within_epsilon != Some(false) {
-            return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio));
+            return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio).into());
         }
         if answer.within_epsilon == Some(false) && answer.ratio < (1.0 + epsilon) * (1.0 - RELATIVE_ERROR) {
-            return Err(format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio));
+            return Err(
+                format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio).into()
+            );
         }
     }
-    let ratio = length.over(&bound).map_or(1.0, |ratio| ratio.near());
-    Ok(Some(MinLengthProof { length: length.near(), proven_bound: bound.near(), ratio, is_within }))
+    let ratio = length.over(&bound).map_or(1.0, |ratio| ratio.nearest());
+    let [length, proven_bound] = [length, bound].map(|exact| exact.nearest());
+    Ok(MinLengthProof { points: points.len(), length, proven_bound, ratio, is_within })
 }
 
 fn check_ratio(answer: &MinLengthAnswer) -> Result<(), String> {
@@ -185,10 +226,11 @@ mod tests {
 
     #[test]
     fn a_diamond_by_hand() {
-        let proof = check_min_length_all(&diamond(), 1e-9, &answer()).expect("right").expect("small");
+        let proof = check_min_length_all(&diamond(), 1e-9, &answer()).proof().expect("right");
         assert!((proof.ratio - 1.0).abs() < 1e-15 && (proof.proven_bound - 2.0_f64.sqrt()).abs() < 1e-15);
-        let complaint =
-            |answer: MinLengthAnswer| check_min_length_all(&diamond(), 1e-9, &answer).expect_err("something is wrong");
+        let complaint = |answer: MinLengthAnswer| {
+            check_min_length_all(&diamond(), 1e-9, &answer).proof().expect_err("something is wrong")
+        };
         assert!(complaint(MinLengthAnswer { lower_bound: 1.414_213_563, ..answer() }).contains("lower_bound"));
         assert!(complaint(MinLengthAnswer { lower_bound: 1.4, ..answer() }).contains("says less"));
         assert!(complaint(MinLengthAnswer { ratio: 1.0 + 1e-9, ..answer() }).contains("ratio is"));
@@ -200,7 +242,8 @@ mod tests {
         assert!(complaint(weak.clone()).contains("above 1 + epsilon"));
         assert!(complaint(MinLengthAnswer { within_epsilon: None, ..weak.clone() }).contains("above 1 + epsilon"));
         let honest = MinLengthAnswer { within_epsilon: Some(false), ..weak };
-        let proof = check_min_length_all(&diamond(), 1e-9, &honest).expect("right").expect("small");
+        assert!(matches!(check_min_length_all(&diamond(), 1e-9, &honest), Verdict::Unchecked(_)));
+        let proof = check_min_length_all_bounds(&diamond(), 1e-9, &honest).proof().expect("right");
         assert!(!proof.is_within && proof.ratio > 1.4);
         assert!(complaint(MinLengthAnswer { within_epsilon: Some(false), ..answer() }).contains("within_epsilon"));
         assert!(complaint(MinLengthAnswer { length: 1.414_213_563, ..answer() }).contains("length"));
@@ -224,7 +267,7 @@ mod tests {
             within_epsilon: Some(true),
             forces: vec![],
         };
-        assert!(check_min_length_all(&[vec![3.0]], 0.5, &nothing).is_ok());
-        assert!(check_min_length_all(&[vec![4.0]], 0.5, &nothing).is_err());
+        assert!(check_min_length_all(&[vec![3.0]], 0.5, &nothing).is_right());
+        assert!(check_min_length_all(&[vec![4.0]], 0.5, &nothing).is_wrong());
     }
 }

@@ -5,18 +5,20 @@
 //! proved by a functional that vanishes on all directions and takes different values at two points.
 
 use std::cmp::Ordering;
+use std::fmt::{self, Display};
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, Gcd};
+use dashu_int::ops::Abs;
 
 use super::lower_bound::check_bound;
 use crate::RELATIVE_ERROR;
-use crate::exact::fraction::Fraction;
-use crate::exact::grid::Grid;
+use crate::exact::fraction::{Fraction, common_denominator, whole_numbers};
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Vector, dot, is_zero};
 use crate::exact::proportion::{Proportion, check_figure};
 use crate::faces::containment::one_outside;
 use crate::faces::normals::TooMany;
+use crate::verdict::{Stop, Verdict};
 
 /// The question as it was written.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,11 +56,16 @@ pub enum DirectedAnswer {
     },
 }
 
+/// The largest gap between the value and the proven bound, relative to the value, for which the value is called the least but for rounding.
+const PROVEN_GAP: f64 = 1e-6;
+
 /// What was proved of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DirectedProof {
     /// The zonotope contains the points, and its value is this far above the proven bound, relative to the value.
     Optimal {
+        /// How many points the zonotope contains.
+        points: usize,
         /// The exact value, rounded.
         value: f64,
         /// The exact gap, rounded; 0 when both are 0.
@@ -66,58 +73,100 @@ pub enum DirectedProof {
     },
     /// There is no zonotope.
     Infeasible,
-    /// The zonotope has too many facets to hold the points against.
-    TooManyFacets,
+}
+
+impl Display for DirectedProof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Optimal { points, value, gap } => {
+                write!(f, "contains all {points} points; value {value:?} is within {gap:.1e} of the proven bound")
+            }
+            Self::Infeasible => f.write_str("two points differ by a vector outside the span of the directions"),
+        }
+    }
 }
 
 /// Proves that the zonotope contains every point and costs what it is said to cost, and that none costs less than `lower_bound`, or that
 /// there is none at all; or says what fails.
 ///
-/// `value` may differ from the exact value by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound. How far
-/// that is from the value the proof tells: within rounding the answer is the cheapest, else it may be.
-pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof, String> {
+/// `value` may differ from the exact value by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound. A value that exceeds
+/// that bound by more than a relative 10^-6 is left unchecked, for it may not be the least; so is a zonotope with too many facets to
+/// hold the points against.
+pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
+    proved(question, answer).into()
+}
+
+fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof, Stop> {
+    let (value, gap) = match checked_bounds(question, answer)? {
+        None => return Ok(DirectedProof::Infeasible),
+        Some(bounds) => bounds,
+    };
+    let points = question.points.len();
+    if let DirectedAnswer::Optimal { center, coefficients, .. } = answer {
+        match first_missed(question, center, coefficients) {
+            Ok(None) => {}
+            Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1).into()),
+            Err(TooMany) => return Err(Stop::Unchecked("too many facets to hold the points against".to_owned())),
+        }
+    }
+    if gap > PROVEN_GAP {
+        return Err(Stop::Unchecked(format!(
+            "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be the least"
+        )));
+    }
+    Ok(DirectedProof::Optimal { points, value, gap })
+}
+
+/// Proves what [`check_min_length_dirs`] does but for the containment of the points: the value, the lower bound, that there is no zonotope. O(k) exact operations for each
+/// force and k directions, however many points there are. The proof says the value and the gap.
+pub fn check_min_length_dirs_bounds(question: &Directed, answer: &DirectedAnswer) -> Verdict<(f64, f64)> {
+    checked_bounds(question, answer).map(|bounds| bounds.unwrap_or((f64::INFINITY, 0.0))).into()
+}
+
+/// The exact value and its gap, rounded; `None` for a proof that there is no zonotope.
+fn checked_bounds(question: &Directed, answer: &DirectedAnswer) -> Result<Option<(f64, f64)>, String> {
     let dimension = question.points.first().ok_or("there is no point to enclose")?.len();
     let is_even = |v: &Vec<f64>| v.len() == dimension;
     if !question.points.iter().chain(&question.directions).all(is_even) {
         return Err("answered a question whose dimensions do not agree".to_owned());
     }
+    check_finite(
+        "the question",
+        question.points.iter().chain(&question.directions).flatten().chain(&question.weights),
+    )?;
     if question.weights.len() != question.directions.len() || question.weights.iter().any(|weight| *weight < 0.0) {
         return Err("answered a question whose weights are not one number ≥ 0 for each direction".to_owned());
     }
     match answer {
         DirectedAnswer::Infeasible { points, functional } => {
-            check_infeasible(question, *points, functional).map(|()| DirectedProof::Infeasible)
+            check_infeasible(question, *points, functional).map(|()| None)
         }
         DirectedAnswer::Optimal { value, center, coefficients, lower_bound, forces } => {
             if center.len() != dimension {
                 return Err(format!("center has {} coordinates, not {dimension}", center.len()));
             }
-            match first_missed(question, center, coefficients)? {
-                Ok(None) => {}
-                Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1)),
-                Err(TooMany) => return Ok(DirectedProof::TooManyFacets),
+            if coefficients.len() != question.directions.len() {
+                return Err(format!(
+                    "{} coefficients for {} directions",
+                    coefficients.len(),
+                    question.directions.len()
+                ));
+            }
+            check_finite("the zonotope", center.iter().chain(coefficients))?;
+            if let Some(wrong) = coefficients.iter().find(|c| **c < 0.0) {
+                return Err(format!("the coefficient {wrong} is negative"));
             }
             let cost = cost(&question.weights, coefficients);
             check_figure("value", *value, &cost, &cost.times(&Proportion::of_double(RELATIVE_ERROR)))?;
             let bound = proven_bound(question, forces)?;
             check_bound(*lower_bound, &bound)?;
-            let gap = cost.minus(&bound).over(&cost).map_or(0.0, |gap| gap.near());
-            Ok(DirectedProof::Optimal { value: cost.near(), gap })
+            let gap = cost.minus(&bound).over(&cost).map_or(0.0, |gap| gap.nearest());
+            Ok(Some((cost.nearest(), gap)))
         }
     }
 }
 
-fn first_missed(
-    question: &Directed,
-    center: &[f64],
-    coefficients: &[f64],
-) -> Result<Result<Option<usize>, TooMany>, String> {
-    if coefficients.len() != question.directions.len() {
-        return Err(format!("{} coefficients for {} directions", coefficients.len(), question.directions.len()));
-    }
-    if let Some(wrong) = coefficients.iter().find(|c| **c < 0.0) {
-        return Err(format!("the coefficient {wrong} is negative"));
-    }
+fn first_missed(question: &Directed, center: &[f64], coefficients: &[f64]) -> Result<Option<usize>, TooMany> {
     let lengths = Grid::of(coefficients.iter().copied());
     let directions = Grid::of(question.directions.iter().flatten().copied());
     let places = Grid::of(question.points.iter().flatten().chain(center).copied());
@@ -141,7 +190,7 @@ fn first_missed(
         .iter()
         .map(|p| p.iter().zip(&center).map(|(&x, c)| (places.units(x) - c) << up(places.exponent())).collect())
         .collect();
-    Ok(one_outside(center.len(), &generators, &differences))
+    one_outside(center.len(), &generators, &differences)
 }
 
 fn cost(weights: &[f64], coefficients: &[f64]) -> Proportion {
@@ -171,7 +220,7 @@ fn proven_bound(question: &Directed, forces: &[(usize, Vec<Fraction>)]) -> Resul
         let load: IBig = whole.iter().map(|force| dot(force, &direction).abs()).sum();
         let load = Proportion::new(load, common.clone(), directions.exponent());
         if load.compare(&Proportion::of_double(weight)) == Ordering::Greater {
-            return Err(format!("certificate: the forces load direction {} with {}", index + 1, load.near()));
+            return Err(format!("certificate: the forces load direction {} with {}", index + 1, load.nearest()));
         }
     }
     let places = Grid::of(question.points.iter().flatten().copied());
@@ -204,17 +253,6 @@ fn check_infeasible(question: &Directed, points: [usize; 2], functional: &[Fract
     Ok(())
 }
 
-fn common_denominator<'a>(fractions: impl IntoIterator<Item = &'a Fraction>) -> IBig {
-    fractions.into_iter().fold(IBig::ONE, |common, (_, denominator)| {
-        let shared = IBig::from((&common).gcd(denominator));
-        common / shared * denominator
-    })
-}
-
-fn whole_numbers(fractions: &[Fraction], common: &IBig) -> Vector {
-    fractions.iter().map(|(numerator, denominator)| numerator * (common / denominator)).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -229,7 +267,7 @@ mod tests {
     }
 
     fn halves(vector: [i64; 2]) -> Vec<Fraction> {
-        vector.map(|x| (IBig::from(x), IBig::from(2))).to_vec()
+        vector.into_iter().filter_map(|x| Fraction::new(x, 2)).collect()
     }
 
     fn square(lower_bound: f64, scale: i64) -> DirectedAnswer {
@@ -247,8 +285,8 @@ mod tests {
     fn a_square_around_a_triangle_by_hand() {
         let question = triangle(&[[1.0, 0.0], [0.0, 1.0]]);
         let proof = check_min_length_dirs(&question, &square(2.0, 1));
-        assert_eq!(proof, Ok(DirectedProof::Optimal { value: 2.0, gap: 0.0 }));
-        let complaint = |answer: &DirectedAnswer| check_min_length_dirs(&question, answer).expect_err("wrong");
+        assert_eq!(proof, Verdict::Right(DirectedProof::Optimal { points: 3, value: 2.0, gap: 0.0 }));
+        let complaint = |answer: &DirectedAnswer| check_min_length_dirs(&question, answer).proof().expect_err("wrong");
         assert!(complaint(&square(2.0_f64.next_up(), 1)).contains("lower_bound"));
         assert!(complaint(&square(2.0, 2)).contains("load direction 1"));
         let DirectedAnswer::Optimal { value, center, lower_bound, forces, .. } = square(2.0, 1) else { unreachable!() };
@@ -264,6 +302,7 @@ mod tests {
         );
         assert!(complaint(&with(vec![1.0, 1.0], 2.0 + 1e-9, forces.clone())).contains("value"));
         assert!(complaint(&with(vec![1.0, 1.0], value, forces[..2].to_vec())).contains("add up"));
+        assert!(complaint(&with(vec![1.0, f64::NAN], value, forces.clone())).contains("not finite"));
         assert!(complaint(&with(vec![1.0], value, forces)).contains("1 coefficients for 2"));
     }
 
@@ -271,10 +310,13 @@ mod tests {
     fn points_out_of_reach_by_hand() {
         let question = triangle(&[[1.0, 1.0]]);
         let answer = |points, functional| DirectedAnswer::Infeasible { points, functional: halves(functional) };
-        assert_eq!(check_min_length_dirs(&question, &answer([0, 1], [1, -1])), Ok(DirectedProof::Infeasible));
-        assert!(check_min_length_dirs(&question, &answer([0, 0], [1, -1])).is_err());
-        assert!(check_min_length_dirs(&question, &answer([0, 1], [1, 1])).is_err());
-        assert!(check_min_length_dirs(&question, &answer([0, 9], [1, -1])).is_err());
-        assert!(check_min_length_dirs(&question, &answer([0, 1], [0, 0])).is_err());
+        assert_eq!(
+            check_min_length_dirs(&question, &answer([0, 1], [1, -1])),
+            Verdict::Right(DirectedProof::Infeasible)
+        );
+        assert!(check_min_length_dirs(&question, &answer([0, 0], [1, -1])).is_wrong());
+        assert!(check_min_length_dirs(&question, &answer([0, 1], [1, 1])).is_wrong());
+        assert!(check_min_length_dirs(&question, &answer([0, 9], [1, -1])).is_wrong());
+        assert!(check_min_length_dirs(&question, &answer([0, 1], [0, 0])).is_wrong());
     }
 }

@@ -41,6 +41,14 @@ impl Grid {
     }
 }
 
+/// Refuses numbers that are not finite: nothing else lies on a grid.
+pub(crate) fn check_finite<'a>(name: &str, numbers: impl IntoIterator<Item = &'a f64>) -> Result<(), String> {
+    match numbers.into_iter().find(|number| !number.is_finite()) {
+        Some(wrong) => Err(format!("{name} holds {wrong}, which is not finite")),
+        None => Ok(()),
+    }
+}
+
 /// The odd mantissa and the exponent of a finite double: number = mantissa · 2^exponent.
 fn decode(number: f64) -> (i64, i32) {
     assert!(number.is_finite(), "only finite numbers are placed on a grid");

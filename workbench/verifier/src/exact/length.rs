@@ -42,9 +42,9 @@ mod tests {
         let [low, high] = root(&IBig::from(2));
         assert_eq!(low.times(&low).compare(&two), Ordering::Less);
         assert_eq!(high.times(&high).compare(&two), Ordering::Greater);
-        assert_eq!(high.minus(&low).near(), 2.0_f64.powi(-159));
+        assert_eq!(high.minus(&low).nearest(), 2.0_f64.powi(-159));
         let [low, high] =
             total_length(&[vec![3.into(), 4.into()], vec![0.into(), (-7).into()], vec![0.into(), 0.into()]]);
-        assert_eq!((low.near(), high.near()), (12.0, 12.0));
+        assert_eq!((low.nearest(), high.nearest()), (12.0, 12.0));
     }
 }

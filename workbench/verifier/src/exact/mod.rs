@@ -12,8 +12,9 @@ pub(crate) mod turns;
 
 use dashu_int::IBig;
 
-/// A direction of finite doubles as whole numbers of one unit: the length of a direction says nothing.
-pub fn whole_direction(direction: &[f64]) -> Vec<IBig> {
-    let grid = grid::Grid::of(direction.iter().copied());
-    direction.iter().map(|&component| grid.units(component)).collect()
+use self::fraction::{Fraction, common_denominator, whole_numbers};
+
+/// A direction as whole numbers of one unit: the length of a direction says nothing.
+pub fn whole_direction(direction: &[Fraction]) -> Vec<IBig> {
+    whole_numbers(direction, &common_denominator(direction))
 }

@@ -86,7 +86,7 @@ fn by_area(options: &Options, reading: &Reading, progress: Progress, existing: E
     let enclosure = Enclosure::of(points, Method::default(), options.seed)
         .map_err(|error| anyhow!("{}: {error}", options.file.display()))?;
     progress.next("checking");
-    let proof = enclosure.check(points);
+    let proof = enclosure.check(points).proof();
     drop(progress);
 
     let exact = options.exact.then(|| enclosure.exact());

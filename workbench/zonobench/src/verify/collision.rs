@@ -4,18 +4,18 @@ use super::Verdict;
 use super::reading::{boolean, direction, float, index, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
-    Displaced, GaugeAnswer, GaugeProof, LocationAnswer, LocationCertificate, check_gauge, check_location,
+    Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, Status, check_gauge, check_location,
     check_member_batch,
 };
 
-pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let point = vector(member(input, "point")?, "point")?;
     let center = vector(member(input, "center")?, "center")?;
     let generators = vectors(member(input, "generators")?, "generators")?;
     located(&Displaced::new(&center, &point, &generators)?, result, "member")
 }
 
-pub(super) fn intersect(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn intersect(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let [a, b] = [member(input, "a")?, member(input, "b")?];
     let center = |body| vector(member(body, "center")?, "center");
     let mut generators = vectors(member(a, "generators")?, "generators")?;
@@ -23,20 +23,19 @@ pub(super) fn intersect(input: &Tree, result: &Tree) -> Result<String, String> {
     located(&Displaced::new(&center(a)?, &center(b)?, &generators)?, result, "intersects")
 }
 
-fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<String, String> {
+fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<Verdict, String> {
     let answer = LocationAnswer {
-        status: text(result, "status")?.to_owned(),
+        status: status(text(result, "status")?)?,
         certificate: certificate(member(result, "certificate")?)?,
     };
-    if boolean(result, flag)? != (answer.status != "outside") {
+    if boolean(result, flag)? != (answer.status != Status::Outside) {
         return Err(format!("`{flag}` contradicts the status"));
     }
-    check_location(question, &answer)?;
-    let proof = match answer.certificate {
-        LocationCertificate::Separation(_) => "the direction separates exactly",
-        LocationCertificate::Witness { .. } => "the coefficients solve the system exactly and prove the status",
-    };
-    Ok(format!("{}; {proof}", answer.status))
+    Ok(check_location(question, &answer).in_words())
+}
+
+fn status(name: &str) -> Result<Status, String> {
+    Status::named(name).ok_or_else(|| format!("there is no status `{name}`"))
 }
 
 pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -47,13 +46,7 @@ pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<Verdict, String> {
         at_most_one: boolean(result, "at_most_one")?,
         certificate: certificate(member(result, "certificate")?)?,
     };
-    let value = answer.gauge;
-    Ok(match check_gauge(&Displaced::new(&p, &q, &generators)?, &answer)? {
-        GaugeProof::Exact => Verdict::Right(format!("gauge {value:?} is the exact gauge, rounded")),
-        GaugeProof::Bounded => Verdict::Unchecked(format!(
-            "gauge {value:?} agrees with its certificate, which bounds the gauge on one side alone"
-        )),
-    })
+    Ok(check_gauge(&Displaced::new(&p, &q, &generators)?, &answer).in_words())
 }
 
 pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -68,13 +61,12 @@ pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, Strin
     if statuses.len() != gauges.len() {
         return Err("`status` and `gauge` have different lengths".to_owned());
     }
-    let pairs = statuses.iter().zip(gauges).map(|(status, gauge)| Some((status.text()?, gauge.float()?)));
-    let answers: Vec<(&str, f64)> = pairs.collect::<Option<_>>().ok_or("`status` or `gauge` holds something else")?;
-    Ok(if check_member_batch(&center, &generators, &points, &answers)? {
-        Verdict::Right(format!("{} points, each held against every facet", points.len()))
-    } else {
-        Verdict::Unchecked("too many facets to hold points without certificates against".to_owned())
-    })
+    let answers = statuses.iter().zip(gauges).map(|(name, gauge)| {
+        let name = name.text().ok_or("`status` holds something else than names")?;
+        Ok((status(name)?, gauge.float().ok_or("`gauge` holds something else than numbers")?))
+    });
+    let answers: Vec<(Status, f64)> = answers.collect::<Result<_, String>>()?;
+    Ok(check_member_batch(&center, &generators, &points, &answers).in_words())
 }
 
 /// A proof of either form.

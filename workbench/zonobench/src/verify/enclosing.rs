@@ -1,37 +1,30 @@
 //! Bodies around points.
 
-use dashu_int::IBig;
-
 use super::Verdict;
-use super::reading::{boolean, exact_numbers, float, fraction, index, indices, member, planar, text, vector, vectors};
+use super::reading::{boolean, exact_numbers, float, index, indices, member, planar, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
-    Certificate, Directed, DirectedAnswer, DirectedProof, ExactMinArea, MinAreaAnswer, MinLengthAnswer,
+    Certificate, Directed, DirectedAnswer, ExactMinArea, Fraction, MinAreaAnswer, MinLengthAnswer,
     check_exact_min_area, check_min_area, check_min_length_all, check_min_length_dirs,
 };
 
-pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let points = planar(member(input, "points")?, "points")?;
     let answer = min_area_answer(result)?;
-    let proof = check_min_area(&points, &answer)?;
-    let count = points.len();
-    let mut proved =
-        format!("contains all {count} points; area {:?} is within {:.1e} of the proven bound", proof.area, proof.gap);
-    if let Some(exact) = result.field("exact") {
-        check_exact_min_area(&points, &answer.certificate, &exact_min_area(exact)?)?;
-        proved.push_str("; the exact optimum is one");
-    }
-    Ok(proved)
+    let verdict = check_min_area(&points, &answer).in_words();
+    let (Verdict::Right(proved), Some(exact)) = (&verdict, result.field("exact")) else { return Ok(verdict) };
+    check_exact_min_area(&points, &answer.certificate, &exact_min_area(exact)?).proof()?;
+    Ok(Verdict::Right(format!("{proved}; the exact optimum is one")))
 }
 
 fn exact_min_area(exact: &Tree) -> Result<ExactMinArea, String> {
     let point = |value: &Tree, name: &str| {
-        let numbers = exact_numbers(value).and_then(|numbers| <[(IBig, IBig); 2]>::try_from(numbers).ok());
+        let numbers = exact_numbers(value).and_then(|numbers| <[Fraction; 2]>::try_from(numbers).ok());
         numbers.ok_or_else(|| format!("exact: `{name}` holds something else than pairs of exact numbers"))
     };
     let generators = member(exact, "generators")?.list().ok_or("exact: `generators` is not a list")?;
     Ok(ExactMinArea {
-        area: fraction(text(exact, "area")?).ok_or("exact: `area` is not an exact number")?,
+        area: Fraction::parse(text(exact, "area")?).ok_or("exact: `area` is not an exact number")?,
         center: point(member(exact, "center")?, "center")?,
         generators: generators.iter().map(|value| point(value, "generators")).collect::<Result<_, _>>()?,
     })
@@ -53,9 +46,6 @@ fn min_area_answer(result: &Tree) -> Result<MinAreaAnswer, String> {
         },
     })
 }
-
-/// A value this near to its bound, relative to it, is the least but for rounding.
-const PROVEN_GAP: f64 = 1e-6;
 
 pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let question = Directed {
@@ -80,19 +70,7 @@ pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, St
         },
         other => return Err(format!("there is no status `{other}`")),
     };
-    let count = question.points.len();
-    Ok(match check_min_length_dirs(&question, &answer)? {
-        DirectedProof::Optimal { value, gap } if gap <= PROVEN_GAP => Verdict::Right(format!(
-            "contains all {count} points; value {value:?} is within {gap:.1e} of the proven bound"
-        )),
-        DirectedProof::Optimal { value, gap } => Verdict::Unchecked(format!(
-            "contains all {count} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be the least"
-        )),
-        DirectedProof::TooManyFacets => Verdict::Unchecked(TOO_MANY.to_owned()),
-        DirectedProof::Infeasible => {
-            Verdict::Right("two points differ by a vector outside the span of the directions".to_owned())
-        }
-    })
+    Ok(check_min_length_dirs(&question, &answer).in_words())
 }
 
 pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -106,24 +84,8 @@ pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, Str
         within_epsilon: result.field("within_epsilon").map(|_| boolean(result, "within_epsilon")).transpose()?,
         forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
     };
-    let count = points.len();
-    Ok(match check_min_length_all(&points, float(input, "epsilon")?, &answer)? {
-        Some(proof) => {
-            let proved = format!(
-                "contains all {count} points; length {:?}, proven to be at most {:.12} times the least",
-                proof.length, proof.ratio
-            );
-            if proof.is_within {
-                Verdict::Right(proved)
-            } else {
-                Verdict::Unchecked(format!("{proved}, which is above 1 + epsilon, as the answer says"))
-            }
-        }
-        None => Verdict::Unchecked(TOO_MANY.to_owned()),
-    })
+    Ok(check_min_length_all(&points, float(input, "epsilon")?, &answer).in_words())
 }
-
-const TOO_MANY: &str = "too many facets to hold the points against, or too many vertices of the forces' zonotope";
 
 /// Points and the vectors that pull at them.
 fn forces<T>(certificate: &Tree, read: impl Fn(&Tree) -> Option<T>) -> Result<Vec<(usize, T)>, String> {

@@ -8,16 +8,7 @@ mod solids;
 use crate::json::Tree;
 use reading::member;
 
-/// What the check says about one answer.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Verdict {
-    /// Proved right; what was proved.
-    Right(String),
-    /// Wrong; why.
-    Wrong(String),
-    /// A refusal, or a kind that this verifier does not know.
-    Unchecked(String),
-}
+pub use verifier::Verdict;
 
 /// The codes of refusals.
 const CODES: [&str; 11] = [
@@ -63,20 +54,19 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     let result = member(answer, "result")?;
     match question.field("kind").and_then(Tree::text).unwrap_or_default() {
         "min_area" => enclosing::min_area(input, result),
-        "min_length_dirs" => return enclosing::min_length_dirs(input, result),
-        "min_length_all" => return enclosing::min_length_all(input, result),
+        "min_length_dirs" => enclosing::min_length_dirs(input, result),
+        "min_length_all" => enclosing::min_length_all(input, result),
         "support" => solids::support(input, result),
-        "combinatorics" => return solids::combinatorics(input, result),
+        "combinatorics" => solids::combinatorics(input, result),
         "slope_selection" => solids::slope_selection(input, result),
         "separator" => solids::separator(input, result),
-        "upper_hull" => return solids::upper_hull(input, result),
-        "member_batch" => return collision::member_batch(input, result),
+        "upper_hull" => solids::upper_hull(input, result),
+        "member_batch" => collision::member_batch(input, result),
         "member" => collision::member_of(input, result),
         "intersect" => collision::intersect(input, result),
-        "gauge" => return collision::gauge(input, result),
-        other => return Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
+        "gauge" => collision::gauge(input, result),
+        other => Ok(Verdict::Unchecked(format!("the kind `{other}` is not checked"))),
     }
-    .map(Verdict::Right)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Values of questions and answers, with complaints that name them.
 
 use dashu_int::IBig;
-use verifier::whole_direction;
+use verifier::{Fraction, whole_direction};
 
 use crate::json::Tree;
 
@@ -60,34 +60,21 @@ pub(super) fn boolean(object: &Tree, name: &str) -> Result<bool, String> {
     }
 }
 
-/// An exact number `num` or `num/den`, as numerator and positive denominator.
-pub(super) fn fraction(text: &str) -> Option<(IBig, IBig)> {
-    let (numerator, denominator) = text.split_once('/').unwrap_or((text, "1"));
-    let number = |digits: &str| IBig::from_str_radix(digits, 10).ok();
-    let (numerator, denominator) = (number(numerator)?, number(denominator)?);
-    (denominator > IBig::ZERO).then_some((numerator, denominator))
-}
-
-pub(super) fn fractions(object: &Tree, name: &str) -> Result<Vec<(IBig, IBig)>, String> {
+pub(super) fn fractions(object: &Tree, name: &str) -> Result<Vec<Fraction>, String> {
     exact_numbers(member(object, name)?).ok_or_else(|| format!("`{name}` is not a list of exact numbers"))
 }
 
 /// A list of exact numbers.
-pub(super) fn exact_numbers(value: &Tree) -> Option<Vec<(IBig, IBig)>> {
-    value.list()?.iter().map(|value| value.text().and_then(fraction)).collect()
+pub(super) fn exact_numbers(value: &Tree) -> Option<Vec<Fraction>> {
+    value.list()?.iter().map(|value| value.text().and_then(Fraction::parse)).collect()
 }
 
 /// A direction as whole numbers: its length says nothing. Components are finite floats, or all of them exact numbers.
 pub(super) fn direction(object: &Tree, name: &str) -> Result<Vec<IBig>, String> {
-    let components = member(object, name)?.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     let wrong = || format!("`{name}` holds something else than finite or exact numbers");
-    if components.iter().any(|component| component.text().is_some()) {
-        let exact: Vec<(IBig, IBig)> =
-            components.iter().map(|c| c.text().and_then(fraction)).collect::<Option<_>>().ok_or_else(wrong)?;
-        let common: IBig = exact.iter().map(|(_, denominator)| denominator).product();
-        return Ok(exact.iter().map(|(numerator, denominator)| numerator * (&common / denominator)).collect());
-    }
-    let floats = vector(member(object, name)?, name)?;
-
-    Ok(whole_direction(&floats))
+    let value = member(object, name)?;
+    let components = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    let floats = || components.iter().map(|component| component.float().and_then(Fraction::of_double)).collect();
+    let exact: Option<Vec<Fraction>> = exact_numbers(value).or_else(floats);
+    exact.map(|exact| whole_direction(&exact)).ok_or_else(wrong)
 }

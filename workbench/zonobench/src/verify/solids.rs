@@ -1,36 +1,29 @@
 //! Zonotopes as bodies of their own: how far they reach, how many faces they have.
 
 use super::Verdict;
-use super::reading::{
-    boolean, exact_numbers, float, fraction, fractions, index, indices, member, text, vector, vectors,
-};
+use super::reading::{boolean, exact_numbers, float, fractions, index, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
-    CombinatoricsAnswer, SupportAnswer, check_combinatorics, check_separator, check_slope_selection, check_support,
-    check_upper_hull,
+    CombinatoricsAnswer, Fraction, SupportAnswer, check_combinatorics, check_separator, check_slope_selection,
+    check_support, check_upper_hull,
 };
 
-pub(super) fn support(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn support(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let direction = vector(member(input, "direction")?, "direction")?;
     let center = vector(member(input, "center")?, "center")?;
     let generators = vectors(member(input, "generators")?, "generators")?;
-    if center.len() != direction.len() || generators.iter().any(|generator| generator.len() != direction.len()) {
-        return Err("answered a question whose dimensions do not agree".to_owned());
-    }
     // A coordinate beyond the range of doubles is an infinity.
     let point = member(result, "point")?.list().ok_or("`point` is not a list")?;
     let point: Option<Vec<f64>> = point.iter().map(|x| x.float().filter(|x| !x.is_nan())).collect();
     let point = point.ok_or("`point` holds something else than numbers")?;
     let answer = SupportAnswer { value: float(result, "value")?, point };
-    check_support(&direction, &center, &generators, &answer)?;
-    Ok(format!("value {:?} and point agree with the exact sums", answer.value))
+    Ok(check_support(&direction, &center, &generators, &answer).in_words())
 }
 
-pub(super) fn slope_selection(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn slope_selection(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let ranks: Vec<u64> = indices(input, "k")?.into_iter().map(|rank| rank as u64).collect();
-    check_slope_selection(&generators, &ranks, &fractions(result, "x")?)?;
-    Ok(format!("{} abscissas, each with the right numbers of vertices on its sides", ranks.len()))
+    Ok(check_slope_selection(&generators, &ranks, &fractions(result, "x")?).in_words())
 }
 
 pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -46,25 +39,19 @@ pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<Verdict, Stri
         edges: count("edges")?,
         facets: count("facets")?,
         facet_sizes: sizes.collect::<Option<_>>().ok_or("`facet_sizes` holds something else than counts")?,
-        measure: fraction(text(result, "measure")?).ok_or("`measure` is not an exact number")?,
+        measure: Fraction::parse(text(result, "measure")?).ok_or("`measure` is not an exact number")?,
     };
-    let proof = check_combinatorics(&generators, &answer)?;
-    let counts =
-        if proof.counted { "every face counted" } else { "the counts satisfy Euler's relation, but were not counted" };
-    let measure = if proof.measured { "the measure is exact" } else { "the measure was not computed" };
-    let verdict = if proof.counted && proof.measured { Verdict::Right } else { Verdict::Unchecked };
-    Ok(verdict(format!("{counts}; {measure}")))
+    Ok(check_combinatorics(&generators, &answer).in_words())
 }
 
-pub(super) fn separator(input: &Tree, result: &Tree) -> Result<String, String> {
+pub(super) fn separator(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let chain = member(result, "chain")?.list().ok_or("`chain` is not a list")?;
     let point = |point: &Tree| <[_; 2]>::try_from(exact_numbers(point)?).ok();
     let chain: Vec<_> =
         chain.iter().map(point).collect::<Option<_>>().ok_or("`chain` holds something else than exact points")?;
     let k = index(input, "k")? as u64;
-    check_separator(&generators, k, &chain)?;
-    Ok(format!("a chain of the tiling with {k} tiles on its left"))
+    Ok(check_separator(&generators, k, &chain).in_words())
 }
 
 pub(super) fn upper_hull(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -72,11 +59,7 @@ pub(super) fn upper_hull(input: &Tree, result: &Tree) -> Result<Verdict, String>
     let p0 = <[f64; 2]>::try_from(vector(member(input, "p0")?, "p0")?).map_err(|_| "p0 is not a point of the plane")?;
     let z = match member(result, "z")? {
         Tree::Null => None,
-        value => Some(value.text().and_then(fraction).ok_or("`z` is neither an exact number nor null")?),
+        value => Some(value.text().and_then(Fraction::parse).ok_or("`z` is neither an exact number nor null")?),
     };
-    Ok(if check_upper_hull(&generators, p0, boolean(result, "above_q")?, z.as_ref())? {
-        Verdict::Right("the lowest of the bounds of all vertices".to_owned())
-    } else {
-        Verdict::Unchecked("too many vertices to go through".to_owned())
-    })
+    Ok(check_upper_hull(&generators, p0, boolean(result, "above_q")?, z.as_ref()).in_words())
 }

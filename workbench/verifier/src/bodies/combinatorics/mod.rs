@@ -13,11 +13,12 @@ use dashu_int::IBig;
 use dashu_int::ops::{Abs, BitTest};
 
 use crate::exact::fraction::Fraction;
-use crate::exact::grid::Grid;
+use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector, absolute_determinant, is_zero, reduced};
 use crate::exact::proportion::Proportion;
 use crate::exact::subsets::{count_subsets, subsets};
 use crate::exact::turns::turns;
+use crate::verdict::{Proved, Stop, Verdict};
 
 /// So many steps are made for the counts, and for the measure: a step takes some tenths of a microsecond.
 const MOST_STEPS: u64 = 30_000_000;
@@ -39,24 +40,18 @@ pub struct CombinatoricsAnswer {
     pub measure: Fraction,
 }
 
-/// What was proved of an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CombinatoricsProof {
-    /// Whether the faces were counted; else they only satisfy the relations that all such counts do.
-    pub counted: bool,
-    /// Whether the measure was computed.
-    pub measured: bool,
+/// Checks counts and measure. Where going through the faces would take too long, counts are only held against the relations that all such counts
+/// satisfy, and left unchecked.
+pub fn check_combinatorics(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Verdict<Proved> {
+    counted_and_measured(generators, answer).into()
 }
 
-/// Checks counts and measure.
-pub fn check_combinatorics(
-    generators: &[Vec<f64>],
-    answer: &CombinatoricsAnswer,
-) -> Result<CombinatoricsProof, String> {
+fn counted_and_measured(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Result<Proved, Stop> {
     let dimension = generators.first().map_or(0, Vec::len);
     if generators.iter().any(|generator| generator.len() != dimension) {
-        return Err("answered a question whose dimensions do not agree".to_owned());
+        return Err("answered a question whose dimensions do not agree".into());
     }
+    check_finite("the question", generators.iter().flatten())?;
     let grid = Grid::of(generators.iter().flatten().copied());
     let placed: Vec<Vector> =
         generators.iter().map(|generator| generator.iter().map(|&component| grid.units(component)).collect()).collect();
@@ -72,7 +67,9 @@ pub fn check_combinatorics(
             expect("edges", answer.edges, counts.edges)?;
             expect("facets", answer.facets, counts.facet_sizes.values().sum())?;
             if answer.facet_sizes != counts.facet_sizes {
-                return Err(format!("facet_sizes are {:?}, exactly {:?}", answer.facet_sizes, counts.facet_sizes));
+                return Err(
+                    format!("facet_sizes are {:?}, exactly {:?}", answer.facet_sizes, counts.facet_sizes).into()
+                );
             }
             true
         }
@@ -82,19 +79,26 @@ pub fn check_combinatorics(
         }
     };
 
-    let claimed = Proportion::new(answer.measure.0.clone(), answer.measure.1.clone(), 0);
-    let exponent = i32::try_from(dimension).map_err(|_| "the dimension is beyond all bounds")? * grid.exponent();
+    let claimed = Proportion::of_fraction(&answer.measure);
+    let exponent = i32::try_from(dimension).ok().and_then(|dimension| dimension.checked_mul(grid.exponent()));
+    let exponent = exponent.ok_or("the dimension is beyond all bounds")?;
     let measured = match measure(dimension, &placed, span.rank()) {
         Some(units) => {
             let exact = Proportion::whole(units, exponent);
             if claimed.compare(&exact).is_ne() {
-                return Err(format!("measure is {:?}, exactly {:?}", claimed.near(), exact.near()));
+                return Err(format!("measure is {:?}, exactly {:?}", claimed.nearest(), exact.nearest()).into());
             }
             true
         }
         None => false,
     };
-    Ok(CombinatoricsProof { counted, measured })
+    let counts =
+        if counted { "every face counted" } else { "the counts satisfy Euler's relation, but were not counted" };
+    let measure = if measured { "the measure is exact" } else { "the measure was not computed" };
+    if counted && measured {
+        return Ok(Proved("every face counted; the measure is exact"));
+    }
+    Err(Stop::Unchecked(format!("{counts}; {measure}")))
 }
 
 fn expect(name: &str, claimed: u64, exact: u64) -> Result<(), String> {
@@ -216,17 +220,21 @@ mod tests {
     fn answer(affine_dim: usize, counts: [u64; 3], facet_sizes: &[(usize, u64)], measure: i64) -> CombinatoricsAnswer {
         let [vertices, edges, facets] = counts;
         let facet_sizes = facet_sizes.iter().copied().collect();
-        CombinatoricsAnswer { affine_dim, vertices, edges, facets, facet_sizes, measure: (measure.into(), 1.into()) }
+        CombinatoricsAnswer { affine_dim, vertices, edges, facets, facet_sizes, measure: whole(measure) }
+    }
+
+    fn whole(number: i64) -> Fraction {
+        Fraction::new(number, 1).expect("one is not zero")
     }
 
     fn right(generators: &[&[f64]], answer: &CombinatoricsAnswer) {
         let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
         let proof = check_combinatorics(&generators, answer);
-        assert_eq!(proof, Ok(CombinatoricsProof { counted: true, measured: true }), "{generators:?}");
+        assert!(proof.is_right(), "{generators:?} {proof:?}");
         let worse = CombinatoricsAnswer { edges: answer.edges + 2, ..answer.clone() };
-        assert!(check_combinatorics(&generators, &worse).is_err());
-        let worse = CombinatoricsAnswer { measure: (1.into(), 7.into()), ..answer.clone() };
-        assert!(check_combinatorics(&generators, &worse).is_err());
+        assert!(check_combinatorics(&generators, &worse).is_wrong());
+        let worse = CombinatoricsAnswer { measure: Fraction::new(1, 7).expect("not over zero"), ..answer.clone() };
+        assert!(check_combinatorics(&generators, &worse).is_wrong());
     }
 
     const E: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -265,6 +273,6 @@ mod tests {
     #[test]
     fn a_point_has_one_vertex() {
         let proof = check_combinatorics(&[vec![0.0, 0.0]], &answer(0, [1, 0, 0], &[], 0));
-        assert_eq!(proof, Ok(CombinatoricsProof { counted: true, measured: true }));
+        assert!(proof.is_right(), "{proof:?}");
     }
 }

@@ -35,8 +35,8 @@ fn triangle() -> (Vec<[f64; 2]>, MinAreaAnswer) {
 #[test]
 fn the_triangle_is_proved_optimal() {
     let (points, answer) = triangle();
-    let proof = check_min_area(&points, &answer).expect("worked out by hand");
-    assert_eq!(proof, MinAreaProof { area: 4.0, proven_bound: 4.0, gap: 0.0 });
+    let proof = check_min_area(&points, &answer).proof().expect("worked out by hand");
+    assert_eq!(proof, MinAreaProof { area: 4.0, proven_bound: 4.0, gap: 0.0, points: 3 });
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn every_false_statement_is_caught() {
     let caught = |change: fn(&mut MinAreaAnswer), expected: &str| {
         let (points, mut answer) = triangle();
         change(&mut answer);
-        let complaint = check_min_area(&points, &answer).expect_err(expected);
+        let complaint = check_min_area(&points, &answer).proof().expect_err(expected);
         assert!(complaint.contains(expected), "{complaint}");
     };
     caught(|answer| answer.center[0] += 2.0_f64.powi(-52), "point 1 lies outside");
@@ -62,10 +62,14 @@ fn every_false_statement_is_caught() {
     caught(|answer| answer.certificate.farthest = vec![2, 0], "2 entries for 3 edges");
     caught(|answer| answer.certificate.coefficients[1] = 1.0, "all that the certificate proves");
     caught(|answer| answer.certificate.coefficients[1] = -1.5, "outside [-1, 1]");
+    caught(|answer| answer.certificate.coefficients[2] = 0.5, "is solved for");
+    caught(|answer| answer.certificate.coefficients[0] = f64::NAN, "outside [-1, 1]");
+    caught(|answer| answer.center[0] = f64::NAN, "not finite");
+    caught(|answer| answer.generators[0][1] = f64::INFINITY, "not finite");
     caught(|answer| answer.certificate.basis = vec![0], "do not close");
     caught(|answer| answer.certificate.basis = vec![], "do not close");
     caught(|answer| answer.certificate.basis = vec![0, 0], "parallel");
-    caught(|answer| answer.certificate.basis = vec![0, 1, 2], "at most two");
+    caught(|answer| answer.certificate.basis = vec![0, 2, 0], "at most two");
     caught(|answer| answer.certificate.basis = vec![0, 7], "does not exist");
 }
 
@@ -74,7 +78,7 @@ fn a_larger_zonogon_is_not_optimal() {
     let (points, mut answer) = triangle();
     answer.generators[0] = [2.0, 0.0];
     answer.area = 8.0;
-    assert!(check_min_area(&points, &answer).is_err());
+    assert!(check_min_area(&points, &answer).is_wrong());
 }
 
 #[test]
@@ -87,8 +91,8 @@ fn points_on_a_line_need_no_certificate() {
         lower_bound: 0.0,
         certificate: Certificate { hull: vec![0, 1], farthest: vec![], coefficients: vec![], basis: vec![] },
     };
-    let proof = check_min_area(&points, &answer).expect("the segment itself");
-    assert_eq!(proof, MinAreaProof { area: 0.0, proven_bound: 0.0, gap: 0.0 });
+    let proof = check_min_area(&points, &answer).proof().expect("the segment itself");
+    assert_eq!(proof, MinAreaProof { area: 0.0, proven_bound: 0.0, gap: 0.0, points: 3 });
 }
 
 /// The identity f(O) = constant + 1/2 Σ |v_t(O)|, from which the proof of the bound follows, on pairs of random centres.
@@ -126,7 +130,7 @@ fn the_area_differs_from_half_the_sum_of_offsets_by_a_constant() {
 #[test]
 fn exact_optima() {
     let (points, MinAreaAnswer { certificate, .. }) = triangle();
-    let number = |numerator: i32, denominator: i32| (IBig::from(numerator), IBig::from(denominator));
+    let number = |numerator: i32, denominator: i32| Fraction::new(numerator, denominator).expect("not over zero");
     let square = ExactMinArea {
         area: number(4, 1),
         center: [number(2, 2), number(1, 1)],
@@ -135,7 +139,7 @@ fn exact_optima() {
     let check = |change: &dyn Fn(&mut ExactMinArea)| {
         let mut exact = square.clone();
         change(&mut exact);
-        check_exact_min_area(&points, &certificate, &exact)
+        check_exact_min_area(&points, &certificate, &exact).proof().map(|_| ())
     };
     assert_eq!(check(&|_| ()), Ok(()));
     let complaint = |text: &str| Err(format!("exact: {text}"));
