@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 use zonotope::collision::{
-    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_lad, by_lad_in_r4, by_linear_program,
-    by_slope_selection,
+    Gauge, Location, Query, Separation, Witness, brute_force, by_explicit_faces, by_lad, by_lad_in_r4,
+    by_linear_program, by_slope_selection,
 };
 use zonotope::linear_program::Clarabel;
 
@@ -177,12 +177,12 @@ impl Methods<5> for Dimension {}
 impl Methods<6> for Dimension {}
 
 /// The status and the proof of a location.
-pub(super) fn certificate<const D: usize>(location: &Location<D>) -> Value {
+pub(super) fn certificate<const D: usize>(question: &Query<'_, D>, location: &Location<D>) -> Value {
     match location {
-        Location::Inside(witness) | Location::Boundary(witness) => json!({
-            "coefficients": vector_to_json(&witness.coefficients),
-            "basis": witness.basis,
-        }),
+        Location::Inside(witness) | Location::Boundary(witness) => {
+            let Witness { coefficients, basis } = witness.clone().with_nearest_basis(question);
+            json!({"coefficients": vector_to_json(&coefficients), "basis": basis})
+        }
         Location::Outside(Separation::Rounded(direction)) => {
             json!({"separating_direction": vector_to_json(direction)})
         }

@@ -34,7 +34,7 @@ where
     let result = json!({
         "gauge": to_json(gauge.value),
         "at_most_one": gauge.location.is_member(),
-        "certificate": certificate(&gauge.location),
+        "certificate": certificate(&question, &gauge.location),
     });
     Ok(Solution { method: method.name(), result })
 }

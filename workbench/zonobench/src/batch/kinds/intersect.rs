@@ -41,7 +41,7 @@ where
     let result = json!({
         "intersects": location.is_member(),
         "status": location.status(),
-        "certificate": certificate(&location),
+        "certificate": certificate(&question, &location),
     });
     Ok(Solution { method: method.name(), result })
 }

@@ -34,7 +34,7 @@ where
     let result = json!({
         "member": location.is_member(),
         "status": location.status(),
-        "certificate": certificate(&location),
+        "certificate": certificate(&question, &location),
     });
     Ok(Solution { method: method.name(), result })
 }
