@@ -1,8 +1,53 @@
-//! An exact check of answers about zonotopes, by code that shares nothing with the solvers but the big integers.
+//! Answers about zonotopes, checked against their certificates: exactly, on plain numbers, without the solvers.
+//!
+//! A zonotope is { c + Σ δ_i g_i : |δ_i| ≤ 1 } with centre c and generators g_i. A solver that answers a question about it
+//! also says why the answer is true: that is the certificate. A check takes the numbers of the question and of the answer
+//! as they are written and returns a [`Verdict`]: `Right` with what was proved, `Wrong` with the place and the reason, or
+//! `Unchecked` where a proof would take too long. This crate shares nothing with the solvers but the long integers, reads
+//! and writes nothing, and no input makes it panic.
+//!
+//! # What proves what
+//!
+//! Let p be the vector from the centre of the zonotope (or of the first body) to the point (or to the second centre),
+//! taken exactly; of two bodies the generators count together.
+//!
+//! | check | the claim | the certificate, checked by hand |
+//! | --- | --- | --- |
+//! | [`check_location`] | p lies outside | a direction u with u · p > Σ abs(u · g_i) |
+//! | | p lies inside or on the boundary | coefficients δ_i in [−1, 1] with Σ δ_i g_i = p: those of at most d basis generators solve this equation exactly, the doubles given for them lie beside the solution; inside if no direction supports there |
+//! | [`check_gauge`] | the least t ≥ 0 with p in t Z | as for a location, which tells the side of 1; the d − 1 generators that span the facet through which p leaves tell the value |
+//! | [`check_member_batch`] | status and gauge of many points | none: every point is held against every facet |
+//! | [`check_support`] | h(u) = u · c + Σ abs(u · g_i) and a point that far | none: the sum, and the face of all farthest points, a zonotope itself |
+//! | [`check_min_area`] | no enclosing zonogon has less area | hull edges e_t and coefficients δ_t in [−1, 1] with Σ δ_t e_t = 0 |
+//! | [`check_min_length_dirs`] | no cheaper one along given directions | forces λ_j at points, Σ λ_j = 0, that load no direction beyond its weight: Σ_j abs(λ_j · v_i) ≤ w_i |
+//! | [`check_min_length_all`] | none is shorter by more than a factor | forces λ_j at points, Σ λ_j = 0, and the farthest vertex of Σ [−1, 1] λ_j |
+//! | [`check_combinatorics`] | numbers of faces, the volume | none: counted in another way, Σ abs(det) |
+//! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |
+//! | [`check_separator`] | a chain with k tiles on its left | none: the order of the lines along the chain |
+//! | [`check_upper_hull`] | the height of the upper hull | none: the bounds of all vertices |
+//!
+//! # How it stays exact
 //!
 //! Every double is a whole multiple of a power of two. So all the numbers of one question and its answer are laid on one
-//! `grid`: integers, in which sums and products are exact. What is proved on the grid holds for the numbers as written.
-//! Distances between a rounded figure and the exact one are measured in the same integers.
+//! grid: integers, in which sums and products are exact. A quotient is a numerator over a positive denominator, a type of
+//! a page built on the same integers: a rational library would reduce after every step, which no check needs, and would
+//! be one thing more to trust. Where floating point is used, to go through many facets, it only passes over what is
+//! certainly clear. Figures (areas, lengths, gauges) may differ from their exact values by [`RELATIVE_ERROR`]; where a
+//! figure is too small for that, it is one of the two doubles around the exact value. Decisions have no tolerance.
+//!
+//! # Example
+//!
+//! ```
+//! use verifier::{Displaced, LocationAnswer, LocationCertificate, Status, Verdict, check_location};
+//!
+//! // The point (1, 1/4) is on the boundary of the square [−1, 1]².
+//! let question = Displaced::new(&[0.0, 0.0], &[1.0, 0.25], &[[1.0, 0.0], [0.0, 1.0]])?;
+//! let certificate = LocationCertificate::Witness { coefficients: vec![1.0, 0.25], basis: vec![1] };
+//! let answer = |status| LocationAnswer { status, certificate: certificate.clone() };
+//! assert!(check_location(&question, &answer(Status::Boundary)).is_right());
+//! assert!(matches!(check_location(&question, &answer(Status::Inside)), Verdict::Wrong(_)));
+//! # Ok::<(), String>(())
+//! ```
 
 mod arrangement;
 mod bodies;

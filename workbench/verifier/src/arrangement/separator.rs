@@ -1,11 +1,11 @@
 //! Answers to "which chain from the top to the bottom vertex of Q has k tiles on its left".
 //!
-//! Q is the zonogon of the projections (a, b) of generators (a, b, c), and a chain steps down by twice each of them, turned to
-//! point up (level ones to the left). Its order is the order, from the top, in which a vertical line at some x that leans a
-//! little to the left meets the lines a x + b y + c = 0, vertical ones left of it first and those right of it last. Two lines that
-//! have changed their order since x = −∞ are a tile on the left. So the pairs that have changed must be k; and of the pairs that
-//! are neighbours in the chain, those that have changed must cross before the others do: at a smaller x, or the same x but
-//! further down.
+//! Q is the zonogon of the projections (a, b) of generators (a, b, c), and a chain steps down by twice each of them,
+//! turned to point up (level ones to the left). Its order is the order, from the top, in which a vertical line at some
+//! x that leans a little to the left meets the lines a x + b y + c = 0, vertical ones left of it first and those right
+//! of it last. Two lines that have changed their order since x = −∞ are a tile on the left. So the pairs that have
+//! changed must be k; and of the pairs that are neighbours in the chain, those that have changed must cross before the
+//! others do: at a smaller x, or the same x but further down.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -99,8 +99,8 @@ fn turn(i: &Vector, j: &Vector) -> IBig {
     &i[0] * &j[1] - &i[1] * &j[0]
 }
 
-/// The order of lines from the top, far to the left: the largest a / b first, vertical lines last; parallel lines from the top,
-/// vertical ones from the left, since a line that leans to the left meets those on the left further up.
+/// The order of lines from the top, far to the left: the largest a / b first, vertical lines last; parallel lines from
+/// the top, vertical ones from the left, since a line that leans to the left meets those on the left further up.
 fn from_the_top(i: &Vector, j: &Vector) -> Ordering {
     IBig::ZERO.cmp(&turn(i, j)).then_with(|| {
         let size = |line: &Vector| if line[1] == IBig::ZERO { -&line[0] } else { line[1].clone() };

@@ -1,9 +1,9 @@
 //! Answers to "which abscissa has the k-th leftmost vertex of an arrangement of lines".
 //!
-//! The line a x + b y + c = 0 of a generator with b ≠ 0 has the height −(a x + c) / b over x. Far to the left the lines are
-//! sorted by slope, falling slopes upwards; two of them cross left of x just when their order over x is another. So the
-//! number of vertices left of x is a number of inversions, and x is right if fewer than k vertices lie left of it and at least
-//! k not right of it. A vertical line crosses every other one that is not vertical.
+//! The line a x + b y + c = 0 of a generator with b ≠ 0 has the height −(a x + c) / b over x. Far to the left the
+//! lines are sorted by slope, falling slopes upwards; two of them cross left of x just when their order over x is
+//! another. So the number of vertices left of x is a number of inversions, and x is right if fewer than k vertices lie
+//! left of it and at least k not right of it. A vertical line crosses every other one that is not vertical.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};

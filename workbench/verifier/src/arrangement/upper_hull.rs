@@ -1,8 +1,9 @@
 //! Answers to "how high is the upper hull of a zonotope around the origin over the point p_0 of the plane".
 //!
-//! For every direction (x, y, 1) the hull over p_0 is no higher than Σ |a x + b y + c| − (x, y) · p_0, and where p_0 lies in the
-//! projection Q the lowest of these bounds is reached at a vertex of the lines a x + b y + c = 0. Where Q is a segment or a point, one
-//! coordinate or none is enough. All vertices are gone through; a body with too many is not checked.
+//! For every direction (x, y, 1) the hull over p_0 is no higher than Σ |a x + b y + c| − (x, y) · p_0, and where p_0
+//! lies in the projection Q the lowest of these bounds is reached at a vertex of the lines a x + b y + c = 0. Where Q
+//! is a segment or a point, one coordinate or none is enough. All vertices are gone through; a body with too many is
+//! not checked.
 
 use std::cmp::Ordering;
 

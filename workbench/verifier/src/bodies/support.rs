@@ -1,9 +1,10 @@
 //! Answers to "how far does the zonotope reach in this direction, and where".
 //!
-//! The exact value is h(u) = u·p + Σ |u·v_i|. The farthest points are p + Σ ±v_i with the sign of u·v_i, and any coefficient
-//! in [−1, 1] where u·v_i = 0: a face, itself a zonotope. The point of an answer must lie in the face but for rounding, that is, in the sum of
-//! the face and a box; that sum is a zonotope, too, and the point is held against all of its facets. Coordinate by coordinate would not do: the generator
-//! (1, −1) is orthogonal to (1, 1), and the point (1, 1) is within its reach on either axis, but not on both at once.
+//! The exact value is h(u) = u·p + Σ |u·v_i|. The farthest points are p + Σ ±v_i with the sign of u·v_i, and any
+//! coefficient in [−1, 1] where u·v_i = 0: a face, itself a zonotope. The point of an answer must lie in the face but
+//! for rounding, that is, in the sum of the face and a box; that sum is a zonotope, too, and the point is held against
+//! all of its facets. Coordinate by coordinate would not do: the generator (1, −1) is orthogonal to (1, 1), and the
+//! point (1, 1) is within its reach on either axis, but not on both at once.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};
@@ -43,8 +44,9 @@ impl Display for SupportProof {
 
 /// Checks the value and the point of an answer.
 ///
-/// `value` may err by [`RELATIVE_ERROR`] times Σ |u_j p_j| + Σ |u_j v_ij|, each coordinate of `point` by [`RELATIVE_ERROR`]
-/// times |p_j| + Σ |v_ij|: what rounding leaves of sums whose terms may cancel. A coordinate beyond the range of doubles is an infinity.
+/// `value` may err by [`RELATIVE_ERROR`] times Σ |u_j p_j| + Σ |u_j v_ij|, each coordinate of `point` by
+/// [`RELATIVE_ERROR`] times |p_j| + Σ |v_ij|: what rounding leaves of sums whose terms may cancel. A coordinate beyond
+/// the range of doubles is an infinity.
 pub fn check_support(
     direction: &[f64],
     center: &[f64],
@@ -126,7 +128,8 @@ impl Face {
         if self.generators.is_empty() {
             return Ok(());
         }
-        // Point minus middle must be a point of the face about the origin plus one of the box of the ranges, with all of them in halves of one unit.
+        // Point minus middle must be a point of the face about the origin plus one of the box of the ranges, with all
+        // of them in halves of one unit.
         let exponent = ranges.iter().flatten().map(Proportion::exponent).fold(lengths.exponent(), i32::min);
         let units = |range: &[Proportion; 2]| range.each_ref().map(|end| end.floor_at(exponent));
         let up = usize::try_from(lengths.exponent() - exponent).map_err(|_| "the unit is the smallest one")?;
@@ -144,7 +147,8 @@ impl Face {
             Ok(None) => Ok(()),
             Ok(Some(_)) => Err("point is not among the farthest ones".into()),
             Err(TooMany) => {
-                let reason = "value agrees with the exact sum; the face of the farthest points has too many facets to hold `point` against";
+                let reason =
+                    "value agrees, but the face of the farthest points has too many facets to hold `point` against";
                 Err(Stop::Unchecked(reason.to_owned()))
             }
         }

@@ -6,7 +6,8 @@ use dashu_int::ops::Abs;
 use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Vector, dot};
 
-/// A placement of a body of space, x ↦ matrix · x + translation, taken as the exact numbers that they are: nothing is said about a rotation.
+/// A placement of a body of space, x ↦ matrix · x + translation, taken as the exact numbers that they are: nothing is
+/// said about a rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose {
     /// The rows of the matrix.
@@ -42,7 +43,8 @@ impl Displaced {
         Self::to_point(&Body { center: from, generators, pose: None }, to)
     }
 
-    /// The vector from the centre of a placed body to a point, and the generators of the body: whether it contains the point.
+    /// The vector from the centre of a placed body to a point, and the generators of the body: whether it contains the
+    /// point.
     ///
     /// # Errors
     /// As for [`Displaced::new`]; a pose that is not of space.
@@ -50,7 +52,8 @@ impl Displaced {
         Self::between(body, &Body { center: point, generators: &[], pose: None })
     }
 
-    /// The vector from the centre of one placed body to that of another, and the generators of both, those of `a` first: whether they intersect.
+    /// The vector from the centre of one placed body to that of another, and the generators of both, those of `a`
+    /// first: whether they intersect.
     ///
     /// # Errors
     /// As for [`Displaced::to_point`].
@@ -74,7 +77,8 @@ impl Displaced {
         let matrices: Vec<f64> =
             [a, b].iter().filter_map(|body| body.pose).flat_map(|pose| pose.matrix.into_iter().flatten()).collect();
         check_finite("the question", places.iter().chain(&matrices))?;
-        // An image is a sum of products of numbers of the two grids; what has no pose is multiplied by the 1 of the matrices.
+        // An image is a sum of products of numbers of the two grids; what has no pose is multiplied by the 1 of the
+        // matrices.
         let frame = Frame { places: Grid::of(places), matrices: Grid::at(Grid::of(matrices).exponent().min(0)) };
 
         let [from, to] = [a, b].map(|body| frame.placed_point(body.center, body.pose));
@@ -141,7 +145,8 @@ mod tests {
         let generators = [[1.0, 2.0, 0.5]];
         let body = Body { center: &[1.0, 0.0, 2.0], generators: &generators, pose: Some(&pose) };
         let question = Displaced::to_point(&body, &[0.5, 1.0, -5.0]).expect("space");
-        // The centre goes to (0.25, 1, −5), the generator to (−2, 1, 0.75); halves of the matrix times quarters are eighths.
+        // The centre goes to (0.25, 1, −5), the generator to (−2, 1, 0.75); halves of the matrix times quarters are
+        // eighths.
         let eighths = |x: [f64; 3]| x.map(|x| IBig::from((x * 8.0) as i64)).to_vec();
         assert_eq!(question.p, eighths([0.25, 0.0, 0.0]));
         assert_eq!(question.generators, [eighths([-2.0, 1.0, 0.75])]);

@@ -1,10 +1,10 @@
 //! Answers to "how many times must Z = { Σ δ_i g_i : |δ_i| ≤ 1 } be taken to hold the vector p".
 //!
-//! The gauge is at least u · p / Σ |u · g_i| for every direction u. Where the certificate is tight it names the d − 1 generators
-//! that span a facet through which p leaves Z: the direction u orthogonal to them gives that bound, and solving
-//! λ p = Σ ± g_i + Σ over the facet of x_j g_j with all |x_j| ≤ 1 shows that the gauge is at most 1/λ, the same number.
-//! Else the facets of a small Z are gone through one by one, in the plane those of any; of a large one only what the certificate says is
-//! known.
+//! The gauge is at least u · p / Σ |u · g_i| for every direction u. Where the certificate is tight it names the d − 1
+//! generators that span a facet through which p leaves Z: the direction u orthogonal to them gives that bound, and
+//! solving λ p = Σ ± g_i + Σ over the facet of x_j g_j with all |x_j| ≤ 1 shows that the gauge is at most 1/λ, the
+//! same number. Else the facets of a small Z are gone through one by one, in the plane those of any; of a large one
+//! only what the certificate says is known.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};
@@ -45,8 +45,9 @@ impl Display for GaugeProof {
     }
 }
 
-/// Proves the gauge, or says what fails. The value may err by the relative [`RELATIVE_ERROR`]; the largest double stands for any
-/// finite gauge that is larger. Where the facet is not found, the value is held against what the certificate bounds and left unchecked.
+/// Proves the gauge, or says what fails. The value may err by the relative [`RELATIVE_ERROR`]; the largest double
+/// stands for any finite gauge that is larger. Where the facet is not found, the value is held against what the
+/// certificate bounds and left unchecked.
 pub fn check_gauge(question: &Displaced, answer: &GaugeAnswer) -> Verdict<GaugeProof> {
     proved(question, answer).into()
 }
@@ -177,7 +178,8 @@ fn tight_gauge(p: &Vector, generators: &[Vector], facet: &[usize], found: &Locat
     (above.compare(&below) == Ordering::Equal).then_some(above)
 }
 
-/// The gauge, if p leaves Z through the facet of these generators: through Σ ± g_i plus the zonotope of all that span the facet.
+/// The gauge, if p leaves Z through the facet of these generators: through Σ ± g_i plus the zonotope of all that span
+/// the facet.
 fn facet_gauge(p: &Vector, generators: &[Vector], facet: &[usize]) -> Option<Proportion> {
     let u = normal(p, generators, facet)?;
     let mut corner = vec![IBig::ZERO; p.len()];

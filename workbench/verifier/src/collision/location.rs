@@ -1,8 +1,8 @@
 //! Answers to "where does a vector p lie relative to the zonotope Z = { Σ δ_i g_i : |δ_i| ≤ 1 }".
 //!
-//! Outside: a direction u with u · p > Σ |u · g_i|. In Z: coefficients with Σ δ_i g_i = p. Whether p lies on the boundary
-//! then depends on them alone: a supporting direction u ≠ 0 must be orthogonal to every g_i with |δ_i| < 1 and must not
-//! turn away from δ_i g_i for the others.
+//! Outside: a direction u with u · p > Σ |u · g_i|. In Z: coefficients with Σ δ_i g_i = p. Whether p lies on the
+//! boundary then depends on them alone: a supporting direction u ≠ 0 must be orthogonal to every g_i with |δ_i| < 1
+//! and must not turn away from δ_i g_i for the others.
 
 use std::fmt::{self, Display};
 
@@ -62,8 +62,8 @@ pub enum LocationCertificate {
     Witness {
         /// One in [−1, 1] for each generator.
         coefficients: Vec<f64>,
-        /// At most d generators, by increasing index: their coefficients are those that solve the system exactly, and the doubles given for
-        /// them are nearest to these or beside the nearest.
+        /// At most d generators, by increasing index: their coefficients are those that solve the system exactly, and
+        /// the doubles given for them are nearest to these or beside the nearest.
         basis: Vec<usize>,
     },
 }

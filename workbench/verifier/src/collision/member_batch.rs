@@ -1,7 +1,7 @@
 //! Answers to "where do these points lie relative to one zonotope, and what are their gauges".
 //!
-//! They come without certificates, so the facets of the zonotope are listed once and every point is held against all of them; a
-//! large body is not checked.
+//! They come without certificates, so the facets of the zonotope are listed once and every point is held against all
+//! of them; a large body is not checked.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};

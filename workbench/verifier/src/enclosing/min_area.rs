@@ -1,8 +1,8 @@
 //! Answers to "the zonogon of least area that contains the points".
 //!
-//! Let H be the convex hull of the points, e_t = P_{t+1} − P_t its edges in counter-clockwise order, P_s the vertex farthest
-//! from e_t, and v_t(O) = e_t × (2 O − P_s − P_t). Every enclosing zonogon with centre O contains the hull of H and its
-//! reflection 2 O − H, whose area is
+//! Let H be the convex hull of the points, e_t = P_{t+1} − P_t its edges in counter-clockwise order, P_s the vertex
+//! farthest from e_t, and v_t(O) = e_t × (2 O − P_s − P_t). Every enclosing zonogon with centre O contains the hull of
+//! H and its reflection 2 O − H, whose area is
 //!
 //! ```text
 //! f(O) = constant + 1/2 Σ_t |v_t(O)|.
@@ -84,10 +84,11 @@ impl Display for MinAreaProof {
 /// Proves that the zonogon contains every point, has the area it is said to have, and is the smallest up to rounding;
 /// or says what fails.
 ///
-/// `area` may differ from the exact area by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
-/// The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since the centre and the generators of thin bodies and of those far
-/// from the origin cannot be rounded any closer, by (2^-49 · largest coordinate + 2^-1068) · (width + height); it may exceed `lower_bound` by as much, but
-/// for values that leave the range of normal doubles.
+/// `area` may differ from the exact area by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven
+/// bound. The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since the centre and the
+/// generators of thin bodies and of those far from the origin cannot be rounded any closer, by (2^-49 · largest
+/// coordinate + 2^-1068) · (width + height); it may exceed `lower_bound` by as much, but for values that leave the
+/// range of normal doubles.
 pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Verdict<MinAreaProof> {
     proved(points, answer).into()
 }
@@ -164,8 +165,8 @@ pub struct ExactMinArea {
     pub generators: Vec<[Fraction; 2]>,
 }
 
-/// Proves that a zonogon contains every point, has exactly the area it is said to have, and that the certificate proves exactly this area
-/// to be the least; or says what fails.
+/// Proves that a zonogon contains every point, has exactly the area it is said to have, and that the certificate
+/// proves exactly this area to be the least; or says what fails.
 pub fn check_exact_min_area(points: &[[f64; 2]], certificate: &Certificate, exact: &ExactMinArea) -> Verdict<Proved> {
     proved_exactly(points, certificate, exact)
         .map(|()| Proved("the exact optimum is proved to be the least area"))

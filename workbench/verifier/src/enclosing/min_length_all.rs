@@ -1,8 +1,8 @@
 //! Answers to "the zonotope of least total length Σ |g_i| that contains the points, within a ratio of 1 + ε".
 //!
-//! Vectors λ_j at points p_j with Σ λ_j = 0 prove that every zonotope around the points has a total length of at least Σ λ_j · p_j / ρ,
-//! where ρ is the distance of the farthest vertex of Σ [−1, 1] λ_j from the origin: for if p_j = p + Σ b_ij g_i with |b_ij| ≤ 1, then
-//! Σ λ_j · p_j ≤ Σ_i Σ_j |λ_j · g_i|, and Σ_j |λ_j · u| ≤ ρ for every unit vector u.
+//! Vectors λ_j at points p_j with Σ λ_j = 0 prove that every zonotope around the points has a total length of at least
+//! Σ λ_j · p_j / ρ, where ρ is the distance of the farthest vertex of Σ [−1, 1] λ_j from the origin: for if p_j = p +
+//! Σ b_ij g_i with |b_ij| ≤ 1, then Σ λ_j · p_j ≤ Σ_i Σ_j |λ_j · g_i|, and Σ_j |λ_j · u| ≤ ρ for every unit vector u.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};
@@ -61,13 +61,13 @@ impl Display for MinLengthProof {
     }
 }
 
-/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the shortest; or says what fails. An answer
-/// that says itself that it is not that short is left unchecked, as are bodies with too many facets, or forces whose zonotope has
-/// too many vertices, to go through.
+/// Proves that the zonotope contains every point, has the length it is said to have, and is within 1 + ε of the
+/// shortest; or says what fails. An answer that says itself that it is not that short is left unchecked, as are bodies
+/// with too many facets, or forces whose zonotope has too many vertices, to go through.
 ///
-/// `length` and `ratio` may differ from their exact values by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound.
-/// `length` may exceed (1 + ε) · `lower_bound` by what rounding to doubles costs bodies that are thin, far from the origin or tiny: 2^-46 · d · (largest
-/// coordinate, at least the smallest normal double).
+/// `length` and `ratio` may differ from their exact values by the relative [`RELATIVE_ERROR`]; `lower_bound` may not
+/// exceed the proven bound. `length` may exceed (1 + ε) · `lower_bound` by what rounding to doubles costs bodies that
+/// are thin, far from the origin or tiny: 2^-46 · d · (largest coordinate, at least the smallest normal double).
 pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengthAnswer) -> Verdict<MinLengthProof> {
     let checked = proved(points, epsilon, answer, true).and_then(|proof| {
         if proof.is_within {
@@ -78,7 +78,8 @@ pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengt
     checked.into()
 }
 
-/// Proves what [`check_min_length_all`] does but for the containment of the points; a ratio above 1 + ε is no reason to leave it unchecked.
+/// Proves what [`check_min_length_all`] does but for the containment of the points; a ratio above 1 + ε is no reason
+/// to leave it unchecked.
 pub fn check_min_length_all_bounds(
     points: &[Vec<f64>],
     epsilon: f64,
@@ -211,7 +212,8 @@ mod tests {
         [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|point| point.to_vec()).to_vec()
     }
 
-    /// A diamond is a zonogon; pulls along the axes prove that nothing around it is shorter: their vertices are (±2, ±2).
+    /// A diamond is a zonogon; pulls along the axes prove that nothing around it is shorter: their vertices are (±2,
+    /// ±2).
     fn answer() -> MinLengthAnswer {
         MinLengthAnswer {
             length: 2.0_f64.sqrt(),

@@ -1,8 +1,10 @@
-//! Answers to "the cheapest zonotope { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } along given directions v_i that contains the points".
+//! Answers to "the cheapest zonotope { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } along given directions v_i that contains the
+//! points".
 //!
-//! Forces λ_j at points p_j with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for every direction prove Σ w_i c_i ≥ Σ λ_j · p_j: for if
-//! p_j = p + Σ b_ij v_i with |b_ij| ≤ c_i, then Σ λ_j · p_j = Σ b_ij λ_j · v_i ≤ Σ c_i Σ_j |λ_j · v_i|. That there is no such zonotope is
-//! proved by a functional that vanishes on all directions and takes different values at two points.
+//! Forces λ_j at points p_j with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for every direction prove Σ w_i c_i ≥ Σ λ_j ·
+//! p_j: for if p_j = p + Σ b_ij v_i with |b_ij| ≤ c_i, then Σ λ_j · p_j = Σ b_ij λ_j · v_i ≤ Σ c_i Σ_j |λ_j · v_i|.
+//! That there is no such zonotope is proved by a functional that vanishes on all directions and takes different values
+//! at two points.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};
@@ -56,7 +58,8 @@ pub enum DirectedAnswer {
     },
 }
 
-/// The largest gap between the value and the proven bound, relative to the value, for which the value is called the least but for rounding.
+/// The largest gap between the value and the proven bound, relative to the value, for which the value is called the
+/// least but for rounding.
 const PROVEN_GAP: f64 = 1e-6;
 
 /// What was proved of an answer.
@@ -86,12 +89,12 @@ impl Display for DirectedProof {
     }
 }
 
-/// Proves that the zonotope contains every point and costs what it is said to cost, and that none costs less than `lower_bound`, or that
-/// there is none at all; or says what fails.
+/// Proves that the zonotope contains every point and costs what it is said to cost, and that none costs less than
+/// `lower_bound`, or that there is none at all; or says what fails.
 ///
-/// `value` may differ from the exact value by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven bound. A value that exceeds
-/// that bound by more than a relative 10^-6 is left unchecked, for it may not be the least; so is a zonotope with too many facets to
-/// hold the points against.
+/// `value` may differ from the exact value by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven
+/// bound. A value that exceeds that bound by more than a relative 10^-6 is left unchecked, for it may not be the
+/// least; so is a zonotope with too many facets to hold the points against.
 pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
     proved(question, answer).into()
 }
@@ -111,14 +114,16 @@ fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof,
     }
     if gap > PROVEN_GAP {
         return Err(Stop::Unchecked(format!(
-            "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be the least"
+            "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be \
+             the least"
         )));
     }
     Ok(DirectedProof::Optimal { points, value, gap })
 }
 
-/// Proves what [`check_min_length_dirs`] does but for the containment of the points: the value, the lower bound, that there is no zonotope. O(k) exact operations for each
-/// force and k directions, however many points there are. The proof says the value and the gap.
+/// Proves what [`check_min_length_dirs`] does but for the containment of the points: the value, the lower bound, that
+/// there is no zonotope. O(k) exact operations for each force and k directions, however many points there are. The
+/// proof says the value and the gap.
 pub fn check_min_length_dirs_bounds(question: &Directed, answer: &DirectedAnswer) -> Verdict<(f64, f64)> {
     checked_bounds(question, answer).map(|bounds| bounds.unwrap_or((f64::INFINITY, 0.0))).into()
 }

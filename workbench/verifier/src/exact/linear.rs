@@ -106,8 +106,8 @@ fn eliminated(vector: Vector, pivot: usize, row: &[IBig]) -> Vector {
     vector.iter().zip(row).map(|(v, r)| keep * v - take * r).collect()
 }
 
-/// The coefficients x with Σ x_j columns_j = target, as numerators over one positive denominator; `None` if the columns are
-/// dependent or do not reach the target.
+/// The coefficients x with Σ x_j columns_j = target, as numerators over one positive denominator; `None` if the
+/// columns are dependent or do not reach the target.
 pub(crate) fn solve(columns: &[&Vector], target: &[IBig]) -> Option<(Vector, IBig)> {
     let count = columns.len();
     let mut rows: Vec<Vector> = (0..target.len())

@@ -109,7 +109,8 @@ impl Proportion {
             return 0.0;
         }
         let bits = |number: &IBig| i64::try_from(number.bit_len()).expect("numbers of a check fit into memory");
-        // The value lies in [2^leading, 2^(leading + 2)), and 55 bits of it tell the nearest double, or fewer where doubles have fewer.
+        // The value lies in [2^leading, 2^(leading + 2)), and 55 bits of it tell the nearest double, or fewer where
+        // doubles have fewer.
         let leading = bits(&self.numerator) - bits(&self.denominator) - 1 + i64::from(self.exponent);
         let unit = (leading - 54).max(SMALLEST_EXPONENT - 2);
         let shift = i64::from(self.exponent) - unit;
@@ -127,8 +128,8 @@ impl Proportion {
     }
 }
 
-/// Accepts a finite double that is within `allowed` of the exact value or nearer to it than any two doubles are to each other, and an
-/// infinity where the exact value rounds to it.
+/// Accepts a finite double that is within `allowed` of the exact value or nearer to it than any two doubles are to
+/// each other, and an infinity where the exact value rounds to it.
 pub(crate) fn check_figure(name: &str, claimed: f64, exact: &Proportion, allowed: &Proportion) -> Result<(), String> {
     let nearest = exact.nearest();
     let accepted = if claimed.is_finite() {
@@ -162,8 +163,8 @@ fn shifted(number: &IBig, shift: i32) -> IBig {
     number << usize::try_from(shift).expect("shifts go up only")
 }
 
-/// The double nearest to (`units`, and a part of a unit if there is `more`) · 2^`exponent`: the unit is at least two places finer
-/// than that of the double, so that the places that are dropped tell which way to round.
+/// The double nearest to (`units`, and a part of a unit if there is `more`) · 2^`exponent`: the unit is at least two
+/// places finer than that of the double, so that the places that are dropped tell which way to round.
 fn rounded(units: u64, more: bool, exponent: i64) -> f64 {
     let length = i64::from(u64::BITS - units.leading_zeros());
     let dropped = (length - i64::from(f64::MANTISSA_DIGITS)).max(SMALLEST_EXPONENT - exponent);

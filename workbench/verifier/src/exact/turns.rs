@@ -32,7 +32,8 @@ fn passed(before: &mut Vector, v: &Vector) -> Vector {
     std::mem::replace(before, after)
 }
 
-/// For each vector of the plane that is not zero, a direction orthogonal to it and how far the zonotope of all of them reaches along it.
+/// For each vector of the plane that is not zero, a direction orthogonal to it and how far the zonotope of all of them
+/// reaches along it.
 pub(crate) fn edges(vectors: Vec<Vector>) -> Vec<(Vector, IBig)> {
     let sorted = by_angle(vectors);
     let mut rest = vec![IBig::ZERO; 2];

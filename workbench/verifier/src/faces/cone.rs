@@ -6,9 +6,9 @@ use crate::exact::linear::{Echelon, Vector, dot, is_zero, reduced};
 
 /// A direction u ≠ 0 with u · w ≥ 0 for every w, if there is one: the polar cone of the vectors has more than its apex.
 ///
-/// The vectors are taken one after the other. If u turns away from the next one, w, any direction for all vectors so far lies on
-/// the other side of the hyperplane w^⊥, and the way to it crosses that hyperplane in a direction that is as good; only −u has no
-/// such way.
+/// The vectors are taken one after the other. If u turns away from the next one, w, any direction for all vectors so
+/// far lies on the other side of the hyperplane w^⊥, and the way to it crosses that hyperplane in a direction that is
+/// as good; only −u has no such way.
 pub(crate) fn common_direction(dimension: usize, vectors: &[Vector]) -> Option<Vector> {
     if dimension == 0 {
         return None;

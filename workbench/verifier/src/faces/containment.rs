@@ -1,7 +1,8 @@
 //! Whether a zonotope contains points: each is held against every facet.
 //!
-//! Every facet of { Σ δ_i g_i : |δ_i| ≤ 1 } is orthogonal to a normal u of d − 1 independent generators, so a vector p of their
-//! span lies inside just when |u · p| ≤ Σ |u · g_i| for all these u. In floating point first, pencil by pencil; what rounding leaves open, exactly.
+//! Every facet of { Σ δ_i g_i : |δ_i| ≤ 1 } is orthogonal to a normal u of d − 1 independent generators, so a vector p
+//! of their span lies inside just when |u · p| ≤ Σ |u · g_i| for all these u. In floating point first, pencil by
+//! pencil; what rounding leaves open, exactly.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;

@@ -1,9 +1,10 @@
 //! How far the zonotope Σ [−1, 1] λ_j reaches from the origin: the distance of its farthest vertex, squared and exact.
 //!
-//! A vertex is Σ ± λ_j with the signs that some direction in general position gives. The signs change only where a direction is orthogonal to a vector, so
-//! each choice of signs that occurs does so next to a direction u orthogonal to d − 1 independent vectors: the vectors that are not orthogonal
-//! to u have their signs from u, and those that are form the same problem in one dimension less. Every choice that is looked at is a point of the
-//! zonotope, so none reaches too far; floating point only puts off those that are certainly not the farthest.
+//! A vertex is Σ ± λ_j with the signs that some direction in general position gives. The signs change only where a
+//! direction is orthogonal to a vector, so each choice of signs that occurs does so next to a direction u orthogonal
+//! to d − 1 independent vectors: the vectors that are not orthogonal to u have their signs from u, and those that are
+//! form the same problem in one dimension less. Every choice that is looked at is a point of the zonotope, so none
+//! reaches too far; floating point only puts off those that are certainly not the farthest.
 
 use dashu_int::IBig;
 
@@ -16,8 +17,9 @@ const MOST_PAIRS: u64 = 2_000_000_000;
 
 /// Choices of signs that fall short of the farthest vertex so far by more than this part are passed over.
 ///
-/// A rounded sum of m vectors errs by (m + 4) 2^-52 Σ |λ_j|, and the farthest vertex is not nearer than 0.4 Σ |λ_j| in at most four dimensions: that is
-/// the mean of Σ |λ_j · u| over all unit vectors u. For a million vectors the error is below 10^-9.
+/// A rounded sum of m vectors errs by (m + 4) 2^-52 Σ |λ_j|, and the farthest vertex is not nearer than 0.4 Σ |λ_j| in
+/// at most four dimensions: that is the mean of Σ |λ_j · u| over all unit vectors u. For a million vectors the error
+/// is below 10^-9.
 const SHORT: f64 = 1e-8;
 
 const MOST_VECTORS: usize = 1_000_000;
@@ -53,8 +55,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Goes through the choices of signs for the vectors named by `open`; `seen` are these vectors in coordinates that keep them apart, `sum` the rounded
-    /// sum of those whose sign is chosen. `half` leaves out opposite choices.
+    /// Goes through the choices of signs for the vectors named by `open`; `seen` are these vectors in coordinates that
+    /// keep them apart, `sum` the rounded sum of those whose sign is chosen. `half` leaves out opposite choices.
     fn explore(&mut self, open: &[usize], seen: Vec<Vector>, sum: Image, half: bool) {
         let span = Echelon::spanned(seen.first().map_or(0, Vec::len), &seen);
         let rank = span.rank();

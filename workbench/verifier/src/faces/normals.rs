@@ -1,4 +1,5 @@
-//! The hyperplanes that d − 1 of some vectors span, and how far others are from them: exactly, by floating point where it leaves no doubt.
+//! The hyperplanes that d − 1 of some vectors span, and how far others are from them: exactly, by floating point where
+//! it leaves no doubt.
 
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
@@ -9,10 +10,12 @@ use crate::exact::subsets::subsets;
 /// The most coordinates that an image has.
 pub(crate) const MOST_COORDINATES: usize = 4;
 
-/// A vector in floating point: each component within a relative 2^-52 of the true one over a common power of two, or denormal.
+/// A vector in floating point: each component within a relative 2^-52 of the true one over a common power of two, or
+/// denormal.
 pub(crate) type Image = [f64; MOST_COORDINATES];
 
-/// Twice what the rounding of two images and of their inner product adds up to, relative to the sum of the absolute products.
+/// Twice what the rounding of two images and of their inner product adds up to, relative to the sum of the absolute
+/// products.
 pub(crate) const DOT_ERROR: f64 = 1.0 / (1_u64 << 47) as f64;
 
 /// What products may lose where they leave the range of normal doubles; images are not larger than 1.

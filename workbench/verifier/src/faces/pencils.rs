@@ -1,13 +1,14 @@
 //! Lower bounds of how far a zonotope reaches along the normals of its facets, in floating point.
 //!
-//! The normals that are orthogonal to d − 2 generators lie in a plane; when a normal turns around in it, one generator after
-//! another changes the side. So with the generators in that order, the sums over both sides are running sums. Whatever the
-//! order and the signs, |u · Σ δ_k g_k| with all |δ_k| ≤ 1 is never more than the reach: rounding spoils the bound, not its truth.
+//! The normals that are orthogonal to d − 2 generators lie in a plane; when a normal turns around in it, one generator
+//! after another changes the side. So with the generators in that order, the sums over both sides are running sums.
+//! Whatever the order and the signs, |u · Σ δ_k g_k| with all |δ_k| ≤ 1 is never more than the reach: rounding spoils
+//! the bound, not its truth.
 
 use crate::faces::normals::{Image, MOST_COORDINATES, UNDERFLOW, image_dot, image_size};
 
-/// How far each component of a computed normal may be off, relative to the product of its vectors' sums of absolute components: a
-/// component is a sum of at most six products of three images, each within 2^-52.
+/// How far each component of a computed normal may be off, relative to the product of its vectors' sums of absolute
+/// components: a component is a sum of at most six products of three images, each within 2^-52.
 const NORMAL_ERROR: f64 = 1.0 / (1_u64 << 47) as f64;
 
 /// Generators and points, as images in a space of `rank` dimensions.
@@ -31,7 +32,8 @@ impl<'a> Pencils<'a> {
         Self { rank, generators, points, extent, farthest }
     }
 
-    /// The generators after the last of `fixed`, rank − 2 of them, whose facets with these may have a point outside; the others' have none for sure.
+    /// The generators after the last of `fixed`, rank − 2 of them, whose facets with these may have a point outside;
+    /// the others' have none for sure.
     pub(crate) fn open(&self, fixed: &[usize]) -> Vec<usize> {
         let first = fixed.last().map_or(0, |last| last + 1);
         let mut turned = self.turned(fixed);
@@ -53,8 +55,8 @@ impl<'a> Pencils<'a> {
         open
     }
 
-    /// The generators but the fixed ones as they are met by a turning normal: an increasing key, the index, and the sign that turns them into one half; 0
-    /// where rounding leaves nothing of one.
+    /// The generators but the fixed ones as they are met by a turning normal: an increasing key, the index, and the
+    /// sign that turns them into one half; 0 where rounding leaves nothing of one.
     fn turned(&self, fixed: &[usize]) -> Vec<(f64, usize, f64)> {
         let mut removed: Vec<(usize, Image)> = Vec::with_capacity(fixed.len());
         for &index in fixed {
@@ -125,7 +127,8 @@ fn orthogonal<'a>(rank: usize, mut rows: impl Iterator<Item = &'a Image>) -> Ima
 mod tests {
     use super::*;
 
-    /// Points a little inside and a little outside of the facets of random bodies, some of them with parallel and coplanar generators.
+    /// Points a little inside and a little outside of the facets of random bodies, some of them with parallel and
+    /// coplanar generators.
     #[test]
     fn facets_with_points_beyond_them_are_open() {
         let mut state = 3_u64;

@@ -1,9 +1,9 @@
 //! Faces of any dimension, counted subset by subset.
 //!
-//! In the coordinates of its span the zonotope has as many vertices as the hyperplanes g_i^⊥ cut space into regions, and the
-//! number of regions grows, hyperplane by hyperplane, by the regions into which the earlier ones cut the new one. The edges
-//! parallel to g_i are the vertices of the projection along g_i. A facet is the zonotope of all the generators in a hyperplane
-//! that they span.
+//! In the coordinates of its span the zonotope has as many vertices as the hyperplanes g_i^⊥ cut space into regions,
+//! and the number of regions grows, hyperplane by hyperplane, by the regions into which the earlier ones cut the new
+//! one. The edges parallel to g_i are the vertices of the projection along g_i. A facet is the zonotope of all the
+//! generators in a hyperplane that they span.
 
 use std::collections::BTreeMap;
 

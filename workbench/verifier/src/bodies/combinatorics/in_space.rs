@@ -1,8 +1,9 @@
 //! Faces and volumes in space, line by line.
 //!
-//! Seen along one of its lines, a zonotope of space is a zonogon: its directions are the planes through the line that others of
-//! the lines span, and each is a pair of facets. A facet with m lines is so met m times. The determinants of three vectors, one
-//! of which is fixed, are the turns between the other two as seen along it, and turns add up in the order of their angles.
+//! Seen along one of its lines, a zonotope of space is a zonogon: its directions are the planes through the line that
+//! others of the lines span, and each is a pair of facets. A facet with m lines is so met m times. The determinants of
+//! three vectors, one of which is fixed, are the turns between the other two as seen along it, and turns add up in the
+//! order of their angles.
 
 use std::collections::BTreeMap;
 

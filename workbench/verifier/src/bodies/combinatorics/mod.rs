@@ -1,8 +1,8 @@
 //! Answers to "how many faces has the zonotope of these generators, and what does it measure".
 //!
-//! The faces are counted in the coordinates of the zonotope's span: in space line by line, in other dimensions subset by subset.
-//! The measure is 2^d Σ |det| over all d generators. Where either would take too long, only what holds for every zonotope is
-//! looked at.
+//! The faces are counted in the coordinates of the zonotope's span: in space line by line, in other dimensions subset
+//! by subset. The measure is 2^d Σ |det| over all d generators. Where either would take too long, only what holds for
+//! every zonotope is looked at.
 
 mod by_subsets;
 mod in_space;
@@ -40,8 +40,8 @@ pub struct CombinatoricsAnswer {
     pub measure: Fraction,
 }
 
-/// Checks counts and measure. Where going through the faces would take too long, counts are only held against the relations that all such counts
-/// satisfy, and left unchecked.
+/// Checks counts and measure. Where going through the faces would take too long, counts are only held against the
+/// relations that all such counts satisfy, and left unchecked.
 pub fn check_combinatorics(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Verdict<Proved> {
     counted_and_measured(generators, answer).into()
 }
@@ -162,7 +162,8 @@ fn modulo(vectors: &[Vector], g: &Vector) -> Vec<Vector> {
     vectors.iter().map(along).collect()
 }
 
-/// What holds for every zonotope: faces come in opposite pairs; in space V − E + F = 2, and each edge belongs to two facets.
+/// What holds for every zonotope: faces come in opposite pairs; in space V − E + F = 2, and each edge belongs to two
+/// facets.
 fn relations(rank: usize, answer: &CombinatoricsAnswer) -> Result<(), String> {
     expect("the sum of facet_sizes", answer.facet_sizes.values().sum(), answer.facets)?;
     let all = [answer.vertices, answer.edges, answer.facets];

@@ -14,7 +14,8 @@ impl Sequence {
     }
 }
 
-/// The right triangle (0,0), (2,0), (0,2) in the square [0,2]², whose area 4 is twice the triangle's: the least possible.
+/// The right triangle (0,0), (2,0), (0,2) in the square [0,2]², whose area 4 is twice the triangle's: the least
+/// possible.
 fn triangle() -> (Vec<[f64; 2]>, MinAreaAnswer) {
     let answer = MinAreaAnswer {
         area: 4.0,
@@ -95,7 +96,8 @@ fn points_on_a_line_need_no_certificate() {
     assert_eq!(proof, MinAreaProof { area: 0.0, proven_bound: 0.0, gap: 0.0, points: 3 });
 }
 
-/// The identity f(O) = constant + 1/2 Σ |v_t(O)|, from which the proof of the bound follows, on pairs of random centres.
+/// The identity f(O) = constant + 1/2 Σ |v_t(O)|, from which the proof of the bound follows, on pairs of random
+/// centres.
 #[test]
 fn the_area_differs_from_half_the_sum_of_offsets_by_a_constant() {
     let mut sequence = Sequence(11);
