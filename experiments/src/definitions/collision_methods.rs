@@ -3,9 +3,7 @@
 use crate::definition::{Case, Verdict};
 use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
-use zonotope::collision::by_gjk::{self, GjkAnswer};
-use zonotope::collision::by_linear_program;
-use zonotope::collision::{Gauge, Location, Query, Separation, by_explicit_faces, by_lad, by_slope_selection, verify};
+use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program, verify};
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::tally::Tally;
 
@@ -52,27 +50,20 @@ pub(super) struct Reply {
     pub error: f64,
 }
 
-/// Asks the method that a variant names.
+/// Asks the exact method that a variant names; `by_lad_location` is the kernel without the gauge.
 pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut impl Tally) -> Result<Reply, String> {
-    match variant {
-        "by_lad" => {
-            let Gauge { value, error, location } = by_lad::gauge_counted(displacement, tally);
-            Ok(Reply { location, gauge: Some(value), error })
-        }
-        "by_lad_location" => {
-            Ok(Reply { location: by_lad::locate_counted(displacement, tally), gauge: None, error: 0.0 })
-        }
-        "by_slope_selection" => Ok(Reply {
-            location: by_slope_selection::locate_counted(displacement, seed, tally),
-            gauge: None,
-            error: 0.0,
-        }),
-        "by_explicit_faces" => {
-            let Gauge { value, error, location } =
-                by_explicit_faces::gauge_counted(displacement, tally).map_err(|error| error.to_string())?;
-            Ok(Reply { location, gauge: Some(value), error })
-        }
-        _ => Err(format!("no method of collision is called {variant}")),
+    let (id, measures) = match variant {
+        "by_lad_location" => ("by_lad", false),
+        other => (other, true),
+    };
+    let method = Method::from_id(id).ok_or_else(|| format!("no method of collision is called {variant}"))?;
+    if measures && method.measures() {
+        let gauge = method.gauge(displacement, tally).map_err(|error| error.to_string())?;
+        return Ok(Reply { location: gauge.location, gauge: Some(gauge.value), error: gauge.error });
+    }
+    match method.locate(displacement, seed, tally).map_err(|error| error.to_string())? {
+        Finding::Located(location) => Ok(Reply { location, gauge: None, error: 0.0 }),
+        Finding::Member(_) | Finding::Undecided => Err(format!("{variant} has left the location open")),
     }
 }
 
@@ -116,7 +107,7 @@ pub(super) fn is_rounded(variant: &str) -> bool {
 
 /// Whether a method's answers are proven, so that none may be wrong.
 pub(super) fn is_exact(variant: &str) -> bool {
-    variant != "by_gjk"
+    Method::from_id(variant).is_none_or(Method::is_exact)
 }
 
 /// Whether a method takes the displacement for a member, be the method exact or not; none if it gives up.
@@ -128,10 +119,10 @@ pub(super) fn guess(
 ) -> Result<Option<bool>, String> {
     let proven = |engine: &dyn Engine| by_linear_program::locate(displacement, engine).is_member();
     Ok(match variant {
-        "by_gjk" => match by_gjk::locate_counted(displacement, tally) {
-            GjkAnswer::Intersecting => Some(true),
-            GjkAnswer::Disjoint { .. } => Some(false),
-            GjkAnswer::GaveUp => None,
+        "by_gjk" => match Method::ByGjk.locate(displacement, seed, tally).map_err(|error| error.to_string())? {
+            Finding::Located(location) => Some(location.is_member()),
+            Finding::Member(is_member) => Some(is_member),
+            Finding::Undecided => None,
         },
         "clarabel" => proven(&Clarabel),
         "microlp" => proven(&Microlp),

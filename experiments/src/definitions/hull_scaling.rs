@@ -6,7 +6,7 @@ use crate::definition::{
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
-use zonotope::hull::{self, ConvexHull, HullError};
+use zonotope::hull::{self, ConvexHull, HullError, Method};
 use zonotope::tally::{OperationCounts, Tally};
 
 /// Orientation tests and time of the convex hull against the number of points.
@@ -38,11 +38,7 @@ pub const EXPERIMENT: Experiment = Experiment {
 };
 
 fn solve(variant: &str, points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
-    match variant {
-        "by_discarding" => hull::by_discarding::convex_hull_counted(points, tally),
-        "brute_force" => hull::brute_force::convex_hull_counted(points, tally),
-        _ => hull::by_monotone_chain::convex_hull_counted(points, tally),
-    }
+    Method::from_id(variant).unwrap_or_default().convex_hull(points, tally)
 }
 
 fn digest(hull: &ConvexHull) -> u64 {

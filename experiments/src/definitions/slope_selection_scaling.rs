@@ -7,7 +7,7 @@ use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::arrangement::LineArrangement;
 use zonotope::arrangement::slope_selection::{
-    ArrangementVertex, brute_force, kth_leftmost_vertex, kth_leftmost_vertex_counted,
+    ArrangementVertex, Method, kth_leftmost_vertex, kth_leftmost_vertex_counted,
 };
 use zonotope::tally::OperationCounts;
 
@@ -59,7 +59,8 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let vertex =
         kth_leftmost_vertex_counted(&arrangement, rank, case.seed, &mut counts).map_err(|error| error.to_string())?;
     let (reference, expected) = if case.n <= TWIN_LIMIT {
-        ("brute_force", brute_force::kth_leftmost_vertex(&arrangement, rank))
+        let all = Method::BruteForce.vertices(&arrangement, &[rank], case.seed);
+        (Method::BruteForce.id(), all.map(|mut vertices| vertices.swap_remove(0)))
     } else {
         ("randomized with another seed", kth_leftmost_vertex(&arrangement, rank, !case.seed))
     };

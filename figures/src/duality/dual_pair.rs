@@ -2,7 +2,7 @@
 
 use crate::solid::Face;
 use zonotope::arrangement::LineArrangement;
-use zonotope::arrangement::slope_selection::{ArrangementVertex, brute_force};
+use zonotope::arrangement::slope_selection::{ArrangementVertex, Method};
 
 /// The arrangement of the lines of some generators and the tiling of the upper hull that is dual to it. The generators
 /// are small integers in general position, so that everything here is what is drawn.
@@ -45,7 +45,7 @@ impl DualPair {
         };
         Self {
             generators: generators.to_vec(),
-            crossings: brute_force::vertices(&arrangement).iter().map(crossing).collect(),
+            crossings: Method::BruteForce.all_vertices(&arrangement, 0).iter().map(crossing).collect(),
         }
     }
 

@@ -10,7 +10,7 @@ use crate::style::{
     text_size, weight,
 };
 use zonotope::arrangement::LineArrangement;
-use zonotope::arrangement::slope_selection::{ArrangementVertex, brute_force};
+use zonotope::arrangement::slope_selection::{ArrangementVertex, Method};
 use zonotope::lad::by_slope_selection::{self, SearchStep, Side};
 use zonotope::lad::{LadProblem, WeightedLine};
 use zonotope::numeric::Rational;
@@ -162,7 +162,7 @@ fn vertices_of(lines: &[DrawnLine]) -> Vec<Vertex> {
         let [x, y, w] = first.meet(&second);
         Vertex { place: [x.ratio(&w), y.ratio(&w)], exact_x: vertex.exact_x() }
     };
-    brute_force::vertices(&arrangement).iter().map(vertex).collect()
+    Method::BruteForce.all_vertices(&arrangement, 0).iter().map(vertex).collect()
 }
 
 /// A step with what is needed to draw it.

@@ -3,8 +3,7 @@
 use super::{Answer, Contender, Work};
 use experiments::families::bodies::question::Question;
 use std::hint::black_box;
-use zonotope::collision::by_gjk::{self, GjkAnswer};
-use zonotope::collision::{by_explicit_faces, by_lad, by_slope_selection};
+use zonotope::collision::{Finding, Method};
 use zonotope::zonotope::passes::absolute_sum;
 
 /// One evaluation of the support function in doubles over the question's generators.
@@ -18,15 +17,19 @@ fn pass(question: &Question) -> Option<Work<'_>> {
     }))
 }
 
+/// The work of locating by a method of the library.
+fn location(method: Method, question: &Question) -> Option<Work<'_>> {
+    let displacement = question.displacement();
+    Some(Box::new(move || match method.locate(&displacement, 1, &mut ()) {
+        Ok(Finding::Located(location)) => Answer::Member(location.is_member()),
+        Ok(Finding::Member(is_member)) => Answer::Member(is_member),
+        Ok(Finding::Undecided) | Err(_) => Answer::Failed,
+    }))
+}
+
 /// Location with its proof, by the kernel.
-pub const LOCATE: Contender = Contender {
-    id: "by_lad",
-    largest: usize::MAX,
-    prepare: |question| {
-        let displacement = question.displacement();
-        Some(Box::new(move || Answer::Member(by_lad::locate(&displacement).is_member())))
-    },
-};
+pub const LOCATE: Contender =
+    Contender { id: "by_lad", largest: usize::MAX, prepare: |question| location(Method::ByLad, question) };
 
 /// The exact gauge and location with its proof, by the kernel.
 pub const GAUGE: Contender = Contender {
@@ -34,7 +37,10 @@ pub const GAUGE: Contender = Contender {
     largest: usize::MAX,
     prepare: |question| {
         let displacement = question.displacement();
-        Some(Box::new(move || Answer::Member(by_lad::gauge(&displacement).location.is_member())))
+        Some(Box::new(move || match Method::ByLad.gauge(&displacement, &mut ()) {
+            Ok(gauge) => Answer::Member(gauge.location.is_member()),
+            Err(_) => Answer::Failed,
+        }))
     },
 };
 
@@ -42,35 +48,16 @@ pub const GAUGE: Contender = Contender {
 pub const SLOPE_SELECTION: Contender = Contender {
     id: "by_slope_selection",
     largest: 1 << 14,
-    prepare: |question| {
-        let displacement = question.displacement();
-        Some(Box::new(move || Answer::Member(by_slope_selection::locate(&displacement, 1).is_member())))
-    },
+    prepare: |question| location(Method::BySlopeSelection, question),
 };
 
 /// All facets, listed anew for each question: what it costs to have no implicit form.
 pub const EXPLICIT_FACES: Contender = Contender {
     id: "by_explicit_faces",
     largest: 1 << 10,
-    prepare: |question| {
-        let displacement = question.displacement();
-        Some(Box::new(move || match by_explicit_faces::locate(&displacement) {
-            Ok(location) => Answer::Member(location.is_member()),
-            Err(_) => Answer::Failed,
-        }))
-    },
+    prepare: |question| location(Method::ByExplicitFaces, question),
 };
 
 /// GJK on the difference of the two bodies, as the library has it: in doubles, giving up openly.
-pub const GJK: Contender = Contender {
-    id: "by_gjk",
-    largest: usize::MAX,
-    prepare: |question| {
-        let displacement = question.displacement();
-        Some(Box::new(move || match by_gjk::locate(&displacement) {
-            GjkAnswer::Intersecting => Answer::Member(true),
-            GjkAnswer::Disjoint { .. } => Answer::Member(false),
-            GjkAnswer::GaveUp => Answer::Failed,
-        }))
-    },
-};
+pub const GJK: Contender =
+    Contender { id: "by_gjk", largest: usize::MAX, prepare: |question| location(Method::ByGjk, question) };

@@ -17,6 +17,8 @@
 //! | [`by_gjk`] | 1 to 7 | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
+//! [`Method`] names them, for callers that choose one when they run.
+//!
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of the plane.
 //! [`verify`] checks an answer exactly and shares nothing with the methods.
 //!
@@ -33,6 +35,7 @@ pub mod by_linear_program;
 pub mod by_slope_selection;
 mod gauge;
 mod location;
+mod method;
 mod tightest_facet;
 mod to_doubles;
 pub mod upper_hull;
@@ -43,3 +46,4 @@ pub use by_lad::{gauge, locate};
 pub use crate::zonotope::query::{Query, QueryError};
 pub use gauge::Gauge;
 pub use location::{Location, Separation, Witness};
+pub use method::{Finding, Method, MethodError};

@@ -18,12 +18,14 @@ pub mod brute_force;
 pub mod by_discarding;
 pub mod by_monotone_chain;
 mod error;
+mod method;
 mod polygon;
 mod sites;
 pub mod verify;
 
 pub use by_discarding::{convex_hull, convex_hull_counted};
 pub use error::{HullError, MAX_POINTS};
+pub use method::Method;
 pub use polygon::{ConvexHull, PointIndex, VertexIndex};
 
 #[cfg(test)]

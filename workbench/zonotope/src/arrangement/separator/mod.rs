@@ -17,10 +17,12 @@
 
 pub mod brute_force;
 pub mod by_slope_selection;
+mod method;
 
 use thiserror::Error;
 
 pub use by_slope_selection::{separator, separator_counted};
+pub use method::Method;
 
 use super::dual::Upward;
 use crate::numeric::Rational;

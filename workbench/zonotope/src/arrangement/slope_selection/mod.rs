@@ -13,11 +13,13 @@
 
 pub mod brute_force;
 mod inversions;
+mod method;
 pub mod randomized;
 pub(crate) mod slab;
 
 use thiserror::Error;
 
+pub use method::Method;
 pub use randomized::{kth_leftmost_vertex, kth_leftmost_vertex_counted, kth_leftmost_vertices};
 
 use super::fraction::Fraction;

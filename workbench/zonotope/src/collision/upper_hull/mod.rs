@@ -13,10 +13,12 @@
 pub mod brute_force;
 pub mod by_kernel;
 pub mod by_slope_selection;
+mod method;
 
 use thiserror::Error;
 
 pub use by_kernel::height;
+pub use method::Method;
 
 use crate::arrangement::GeneratorError;
 use crate::numeric::Rational;

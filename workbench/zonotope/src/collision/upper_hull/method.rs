@@ -1,0 +1,82 @@
+//! The methods for the height of the upper hull by name.
+
+use super::{Height, HeightError, brute_force, by_kernel, by_slope_selection};
+
+/// A method that finds the height of the upper hull over a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[non_exhaustive]
+pub enum Method {
+    /// [`by_kernel`], the default.
+    #[default]
+    ByKernel,
+    /// [`by_slope_selection`], the paper's search.
+    BySlopeSelection,
+    /// [`brute_force`].
+    BruteForce,
+}
+
+impl Method {
+    /// Every method, better ones first.
+    pub const ALL: [Self; 3] = [Self::ByKernel, Self::BySlopeSelection, Self::BruteForce];
+
+    /// The name of the method's file.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::ByKernel => "by_kernel",
+            Self::BySlopeSelection => "by_slope_selection",
+            Self::BruteForce => "brute_force",
+        }
+    }
+
+    /// The method with a name.
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.id() == id)
+    }
+
+    /// The name for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::ByKernel => "Kernel",
+            Self::BySlopeSelection => "The paper's search for the tile",
+            Self::BruteForce => "All vertices of the dual arrangement in rationals",
+        }
+    }
+
+    /// The cost for n generators.
+    pub fn cost(self) -> &'static str {
+        match self {
+            Self::ByKernel => "O(n) expected",
+            Self::BySlopeSelection => "O(n log² n) expected",
+            Self::BruteForce => "O(n³) in rationals",
+        }
+    }
+
+    /// The height over p_0. `seed` decides the time, never the height.
+    ///
+    /// # Errors
+    /// [`HeightError`] if a number is not finite or there are too many generators.
+    pub fn height(self, generators: &[[f64; 3]], p0: [f64; 2], seed: u64) -> Result<Height, HeightError> {
+        match self {
+            Self::ByKernel => by_kernel::height(generators, p0),
+            Self::BySlopeSelection => by_slope_selection::height(generators, p0, seed),
+            Self::BruteForce => brute_force::height(generators, p0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Rational;
+
+    /// The upper hull of the unit cube is at 1 over its square and nowhere beside it.
+    #[test]
+    fn methods_agree() {
+        let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for method in Method::ALL {
+            assert_eq!(method.height(&cube, [0.5, 1.0], 3), Ok(Height::OverQ(Rational::ONE)), "{method:?}");
+            assert!(matches!(method.height(&cube, [0.5, 1.5], 3), Ok(Height::BesideQ(_))), "{method:?}");
+            assert_eq!(Method::from_id(method.id()), Some(method));
+        }
+    }
+}
