@@ -75,5 +75,8 @@ fn collect(root: &Path, folder: &Path, endings: &[&str], found: &mut Vec<Source>
 /// The folder of the library's sources.
 pub const LIBRARY: &str = "workbench/zonotope/src";
 
+/// The folder of the source files of the interface of questions and answers.
+pub const BATCH: &str = "workbench/batch/src";
+
 /// The folder of the source files of the verifier.
 pub const VERIFIER: &str = "workbench/verifier/src";

@@ -1,14 +1,13 @@
 //! Whatever the line, there is one answer to it: no panic, no refusal without a code, and what is accepted verifies.
 
+use batch::json::{MAX_VALUES, Tree, read};
+use batch::{Code, KINDS, Line, Verdict, answer_line, check};
 use proptest::prelude::*;
 use serde_json::{Value, json};
-use zonobench::batch::{Code, KINDS, answer};
-use zonobench::json::{Line, MAX_VALUES, Tree, read};
-use zonobench::verify::{Verdict, check};
 
 /// The answer to one line, which must be one in form.
 fn answered(line: &[u8]) -> Value {
-    let answer = answer(1, &Line::Content(line.to_vec()), 0);
+    let answer = answer_line(1, &Line::Content(line.to_vec()), 0);
     let content = answer.content;
     assert_eq!(answer.refused, content.get("error").is_some(), "{content}");
     assert_ne!(content.get("result").is_some(), content.get("error").is_some(), "{content}");

@@ -5,12 +5,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use tests::sources::{LIBRARY, files, root};
 
 /// The crates from the bottom up; a crate may use those of the levels below its own.
-const LEVELS: [&[&str]; 5] =
-    [&["zonotope", "verifier"], &["experiments"], &["figures", "paper_checks", "peers"], &["zonobench"], &["tests"]];
+const LEVELS: [&[&str]; 5] = [
+    &["zonotope", "verifier"],
+    &["experiments", "batch"],
+    &["figures", "paper_checks", "peers"],
+    &["zonobench"],
+    &["tests"],
+];
 
-const FOLDERS: [&str; 8] = [
+const FOLDERS: [&str; 9] = [
     "workbench/zonotope",
     "workbench/verifier",
+    "workbench/batch",
     "workbench/zonobench",
     "experiments",
     "experiments/peers",

@@ -1,7 +1,7 @@
 //! The manual documents every kind of question with its fields, every code of a refusal, every command.
 
+use batch::{Code, KINDS};
 use tests::sources::root;
-use zonobench::batch::{Code, KINDS};
 
 fn manual() -> String {
     std::fs::read_to_string(root().join("workbench/zonobench/MANUAL.md")).expect("the program has a manual")

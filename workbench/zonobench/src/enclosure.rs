@@ -7,7 +7,6 @@ use zonotope::lad::Method;
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
-use crate::json::{to_json, vector_to_json};
 use verifier::{Certificate, MinAreaAnswer, MinAreaProof, Verdict, check_min_area};
 
 /// A solved instance.
@@ -69,20 +68,7 @@ impl Enclosure {
 
     /// The result of a `min_area` answer.
     pub fn result(&self) -> Value {
-        let answer = self.answer();
-        let generators: Vec<Value> = answer.generators.iter().map(|generator| vector_to_json(generator)).collect();
-        json!({
-            "area": to_json(answer.area),
-            "center": vector_to_json(&answer.center),
-            "generators": generators,
-            "lower_bound": to_json(answer.lower_bound),
-            "certificate": {
-                "hull": answer.certificate.hull,
-                "farthest": answer.certificate.farthest,
-                "coefficients": self.found.certificate.signs,
-                "basis": answer.certificate.basis,
-            },
-        })
+        batch::min_area_result(&self.found)
     }
 }
 

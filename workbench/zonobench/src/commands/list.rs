@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use clap::{Args, ValueEnum};
 
 use super::Ending;
-use crate::batch::KINDS;
+use batch::KINDS;
 
 /// Options of `list`.
 #[derive(Debug, Args)]

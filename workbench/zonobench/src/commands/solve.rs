@@ -1,15 +1,15 @@
 //! `zonobench solve`: questions in, answers out, one line of JSON each, in order.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufRead, BufWriter, Write};
 use std::path::PathBuf;
 
-use anyhow::Context;
 use clap::Args;
+use thiserror::Error;
 
 use super::{Ending, open};
-use crate::batch::{self, MAX_LINE_BYTES};
-use crate::json::Lines;
+use crate::lines::Lines;
 use crate::progress::Progress;
+use batch::MAX_LINE_BYTES;
 
 /// Options of `solve`.
 #[derive(Debug, Args)]
@@ -28,17 +28,59 @@ pub struct Options {
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let name = options.file.as_ref().map_or("standard input".to_owned(), |file| file.display().to_string());
     let source = open(options.file.as_deref())?;
-    let mut output = BufWriter::new(io::stdout().lock());
     let progress = Progress::counting("questions");
-    let mut refused = 0_u64;
-    for line in Lines::new(source, MAX_LINE_BYTES) {
-        let (number, line) = line.with_context(|| format!("{name}: cannot be read"))?;
-        let answer = batch::answer(number, &line, options.seed);
-        refused += u64::from(answer.refused);
-        serde_json::to_writer(&mut output, &answer.content)?;
-        output.write_all(b"\n")?;
-        output.flush()?;
-        progress.step();
-    }
+    let refused =
+        answer_all(source, BufWriter::new(io::stdout().lock()), options.seed, || progress.step()).map_err(|error| {
+            match error {
+                BatchError::Read(error) => anyhow::Error::new(error).context(format!("{name}: cannot be read")),
+                BatchError::Write(error) => error.into(),
+            }
+        })?;
     Ok(if options.strict && refused > 0 { Ending::Bad } else { Ending::Good })
+}
+
+/// Why a batch ended before its last line.
+#[derive(Debug, Error)]
+pub enum BatchError {
+    /// The questions cannot be read.
+    #[error("the questions cannot be read: {0}")]
+    Read(io::Error),
+    /// The answers cannot be written.
+    #[error("the answers cannot be written: {0}")]
+    Write(#[from] io::Error),
+}
+
+/// Answers the questions of a reader one by one, each before the next is read, and tells how many were refused. After every
+/// answer it calls `answered`.
+pub fn answer_all(
+    questions: impl BufRead,
+    mut answers: impl Write,
+    seed: u64,
+    mut answered: impl FnMut(),
+) -> Result<u64, BatchError> {
+    let mut refused = 0_u64;
+    for line in Lines::new(questions, MAX_LINE_BYTES) {
+        let (number, line) = line.map_err(BatchError::Read)?;
+        let answer = batch::answer_line(number, &line, seed);
+        refused += u64::from(answer.refused);
+        writeln!(answers, "{}", answer.content)?;
+        answers.flush()?;
+        answered();
+    }
+    Ok(refused)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_batch_is_answered_in_memory() {
+        let question = r#"{"id":"a","kind":"min_area","input":{"points":[[0,0],[2,0],[0,2]]}}"#;
+        let (mut answers, mut count) = (Vec::new(), 0);
+        let refused = answer_all(format!("{question}\n\nnope\n").as_bytes(), &mut answers, 0, || count += 1);
+        assert_eq!((refused.expect("memory can be read and written"), count), (1, 2));
+        let answers = String::from_utf8(answers).expect("answers are text");
+        assert_eq!(answers.lines().next(), Some(batch::answer(question).as_str()));
+    }
 }

@@ -10,10 +10,12 @@ use clap::Args;
 
 use super::asking::Asking;
 use super::{Ending, open};
-use crate::batch::MAX_LINE_BYTES;
 use crate::input::on_one_line;
-use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
-use crate::verify::{Verdict, check};
+use crate::lines::Lines;
+use batch::Line;
+use batch::MAX_LINE_BYTES;
+use batch::json::{self, MAX_VALUES, Tree};
+use batch::{Verdict, check, check_unread};
 
 /// Options of `verify`.
 #[derive(Debug, Args)]
@@ -58,7 +60,7 @@ fn of_questions(options: &Options, answers: &[Option<Tree>]) -> anyhow::Result<E
         let verdict = match (question, answers.get(index)) {
             (_, None) => Verdict::Wrong("there is no answer".to_owned()),
             (_, Some(None)) => Verdict::Wrong("the answer is not JSON".to_owned()),
-            (None, Some(Some(answer))) => unread_question(answer),
+            (None, Some(Some(answer))) => check_unread(answer),
             (Some(question), Some(Some(answer))) => check(question, answer),
         };
         wrong += u64::from(matches!(verdict, Verdict::Wrong(_)));
@@ -87,14 +89,6 @@ fn write_verdict(
         Verdict::Wrong(reason) => ("WRONG", on_one_line(reason)),
     };
     writeln!(output, "{id}\t{kind}\t{word}\t{reason}")
-}
-
-/// A line that is no JSON document must have been refused.
-fn unread_question(answer: &Tree) -> Verdict {
-    match answer.field("error") {
-        Some(_) => Verdict::Unchecked("refused; the question is no JSON document that is read here".to_owned()),
-        None => Verdict::Wrong("the question is not JSON, but it was answered".to_owned()),
-    }
 }
 
 /// The id of the question that a data file stands for.

@@ -6,7 +6,7 @@ use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
 use super::points::{Points, Wanted};
 use super::reading::{Reading, columns_of};
-use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
+use batch::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
 
 /// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
 pub(super) fn points(
@@ -85,6 +85,7 @@ pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
             Problem::Shape(format!("the field `{field}` occurs twice in one object")).at(file, cell(line, column))
         }
         ReadError::Syntax { line, column, message } => Problem::NotJson(message).at(file, cell(line, column)),
+        other => Problem::NotJson(other.to_string()).at(file, Place::File),
     })
 }
 

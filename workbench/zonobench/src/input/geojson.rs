@@ -7,7 +7,7 @@ use super::error::{InputError, Place, Problem};
 use super::points::Points;
 use super::push_limited;
 use super::reading::Reading;
-use crate::json::Tree;
+use batch::json::Tree;
 
 /// Reads the positions (longitude, latitude; altitudes are left out) of a GeoJSON object.
 pub(super) fn points(file: &Path, content: &[u8]) -> Result<Reading, InputError> {

@@ -12,7 +12,7 @@ use thiserror::Error;
 use self::directions::{Directions, length};
 pub(super) use self::request::Recorded;
 use crate::input::{Columns, Format, PointSource, Points, Reading, Wanted};
-use crate::json::{self, Tree, to_json, vector_to_json};
+use batch::json::{self, Tree, to_json, vector_to_json};
 
 /// A command line that parses but makes no sense.
 #[derive(Debug, Error)]

@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::{Asking, Directions, EPSILON, Objective};
 use crate::input::{Column, Columns, Format, Reading};
-use crate::json::{Tree, to_json, vector_to_json};
+use batch::json::{Tree, to_json, vector_to_json};
 
 /// The question that an answer records.
 #[derive(Debug, Clone)]
@@ -97,7 +97,7 @@ fn directions(value: &Tree) -> Option<Directions> {
 mod tests {
     use super::*;
     use crate::input::Points;
-    use crate::json::{MAX_VALUES, read};
+    use batch::json::{MAX_VALUES, read};
 
     fn record(asking: &Asking, objective: Objective) -> String {
         let columns = vec![Column::Name("y".into()), Column::Number(3)];

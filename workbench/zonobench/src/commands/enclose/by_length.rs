@@ -7,17 +7,17 @@ use serde_json::Value;
 
 use super::summary::verification;
 use super::{Options, solid};
-use crate::batch;
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
 use crate::commands::table::{Table, counted, figure, tuple};
 use crate::commands::verify::question_name;
 use crate::input::{Body, Reading, body_of_answer};
-use crate::json::{self, Line, MAX_VALUES, Tree};
 use crate::output::{Existing, write_whole};
 use crate::progress::Progress;
-use crate::verify::{Verdict, check};
+use batch::Line;
+use batch::json::{self, MAX_VALUES, Tree};
+use batch::{Verdict, check};
 
 /// Reads, solves, checks, and prints a summary.
 pub(super) fn run(
@@ -34,7 +34,7 @@ pub(super) fn run(
     }
     let question = options.asking.question_of_length(&name, points)?;
     progress.next("solving");
-    let mut answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), options.seed).content;
+    let mut answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), options.seed).content;
     if let Some(message) = answer["error"]["message"].as_str() {
         bail!("{}: {message}", file.display());
     }

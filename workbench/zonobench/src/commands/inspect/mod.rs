@@ -16,11 +16,12 @@ use zonotope::zonotope::faces::FaceLattice;
 use self::measures::Measures;
 use super::Ending;
 use super::verify::question_name;
-use crate::batch::{self, MAX_DIMENSION};
 use crate::input::{BodySource, Format};
-use crate::json::{self, Line, MAX_VALUES, rows_to_json};
 use crate::output::{Existing, check_outputs, write_whole};
-use crate::verify::{Verdict, check};
+use batch::Line;
+use batch::MAX_DIMENSION;
+use batch::Verdict;
+use batch::json::rows_to_json;
 
 /// Options of `inspect`.
 #[derive(Debug, Args)]
@@ -77,7 +78,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let lattice = wanted.then(|| export::mesh(&name, &body, largest)).transpose()?;
     let question =
         json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&body.generators)}});
-    let answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), 0);
+    let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
     if let Some(file) = &options.svg {
         write_whole(file, drawing::draw(&name, &body).as_bytes(), existing)?;
     }
@@ -95,11 +96,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
             write_whole(file, format!("{content}\n").as_bytes(), existing)?;
         }
     }
-    let tree = |value: &serde_json::Value| json::read(value.to_string().as_bytes(), MAX_VALUES);
-    let verdict = match (tree(&question), tree(&answer.content)) {
-        (Ok(question), Ok(answer)) => check(&question, &answer),
-        _ => Verdict::Wrong("the answer cannot be read".to_owned()),
-    };
+    let verdict = batch::verify(&question.to_string(), &answer.content.to_string());
     let text = summary::summary(options, &body, &measures, &answer.content, &verdict);
     io::stdout().lock().write_all(text.as_bytes())?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })

@@ -8,7 +8,7 @@ use super::Options;
 use super::measures::Measures;
 use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
-use crate::verify::Verdict;
+use batch::Verdict;
 
 /// Exact numbers longer than this are rounded.
 const LONGEST_EXACT: usize = 40;

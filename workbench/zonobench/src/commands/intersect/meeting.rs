@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
-use crate::batch;
 use crate::input::Body;
-use crate::json::{self, Line, MAX_VALUES, NonFinite, rows_to_json, vector_to_json};
-use crate::verify::{Verdict, check};
+use batch::Line;
+use batch::Verdict;
+use batch::json::{NonFinite, rows_to_json, vector_to_json};
 
 /// Two bodies, the question about them and its answer.
 pub(super) struct Meeting {
@@ -74,11 +74,7 @@ impl Meeting {
 
     /// What the verifier, which shares no code with the solvers, says about the answer.
     pub(super) fn verdict(&self) -> Verdict {
-        let tree = |value: &Value| json::read(value.to_string().as_bytes(), MAX_VALUES);
-        match (tree(&self.question), tree(&self.answer)) {
-            (Ok(question), Ok(answer)) => check(&question, &answer),
-            _ => Verdict::Wrong("the answer cannot be read".to_owned()),
-        }
+        batch::verify(&self.question.to_string(), &self.answer.to_string())
     }
 
     /// How many coordinates there are.
@@ -95,7 +91,7 @@ impl Meeting {
 }
 
 fn answered(question: &Value) -> anyhow::Result<Value> {
-    let answer = batch::answer(1, &Line::Content(question.to_string().into_bytes()), 0);
+    let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
     if answer.refused {
         bail!("{}", answer.content["error"]["message"].as_str().unwrap_or("the question is refused"));
     }

@@ -14,7 +14,7 @@ use super::Ending;
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
 use crate::output::{Existing, check_outputs, write_whole};
-use crate::verify::Verdict;
+use batch::Verdict;
 
 /// Options of `intersect`.
 #[derive(Debug, Args)]

@@ -4,7 +4,7 @@ use super::Options;
 use super::meeting::{Meeting, Proof};
 use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
-use crate::verify::Verdict;
+use batch::Verdict;
 
 /// So many terms of a point are written out.
 const MOST_TERMS: usize = 6;

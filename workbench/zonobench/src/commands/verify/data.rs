@@ -8,12 +8,14 @@ use std::io::BufRead;
 use std::path::Path;
 
 use super::{Options, question_name};
-use crate::batch::MAX_LINE_BYTES;
 use crate::commands::asking::{Asking, Recorded};
 use crate::commands::{Ending, open};
 use crate::input::Format;
-use crate::json::{self, Line, Lines, MAX_VALUES, Tree};
-use crate::verify::{Verdict, check};
+use crate::lines::Lines;
+use batch::Line;
+use batch::MAX_LINE_BYTES;
+use batch::json::{self, MAX_VALUES, Tree};
+use batch::{Verdict, check};
 
 /// What is said of an answer to another question than the one at hand, as far as anyone knows.
 const NO_RECORD: &str = "the answer does not record what was asked, and as an answer to these options it fails";

@@ -6,7 +6,7 @@ use super::Body;
 use crate::input::document::number;
 use crate::input::error::{InputError, Place, Problem};
 use crate::input::push_limited;
-use crate::json::Tree;
+use batch::json::Tree;
 
 /// The zonotope of a document: a list of generators, a body with `generators` or `G`, or an answer that holds one.
 pub(super) fn body(file: &Path, document: &Tree) -> Result<Body, InputError> {

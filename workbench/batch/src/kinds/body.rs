@@ -2,8 +2,8 @@
 
 use zonotope::zonotope::Zonotope;
 
-use crate::batch::fields::Fields;
-use crate::batch::refusal::Refusal;
+use crate::fields::Fields;
+use crate::refusal::Refusal;
 
 /// The zonotope whose centre and generators are fields.
 pub(super) fn zonotope<const D: usize>(fields: &Fields<'_>) -> Result<Zonotope<D>, Refusal> {

@@ -4,17 +4,17 @@ use serde_json::json;
 use zonotope::collision::Query;
 
 use super::body::zonotope;
-use super::collision::{Dimension, LOCATING, Method, Methods, certificate, names};
+use super::collision::{Task, certificate, locate};
 use super::{Kind, Solution};
-use crate::batch::dimension::in_dimension;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::Refusal;
+use crate::dimension::in_dimension;
+use crate::fields::Fields;
+use crate::refusal::Refusal;
 
 pub(super) const KIND: Kind = Kind {
     name: "member",
     summary: "whether a point lies inside a zonotope, on its boundary or outside",
     fields: &["point", "center", "generators"],
-    methods: || names(LOCATING),
+    methods: || Task::Locate.method_names(),
     solve,
 };
 
@@ -22,19 +22,16 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
     in_dimension!(fields.dimension("point")?, "point", in_space(fields, method, seed))
 }
 
-fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal>
-where
-    Dimension: Methods<D>,
-{
+fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let point = fields.vector::<D>("point")?;
     let body = zonotope::<D>(fields)?;
-    let method = Method::chosen::<D>(LOCATING, method, body.generators().len())?;
+    let method = Task::Locate.method::<D>(method, body.generators().len())?;
     let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
-    let (method, location) = method.locate(&question, seed)?;
+    let (method, location) = locate(method, &question, seed)?;
     let result = json!({
         "member": location.is_member(),
         "status": location.status(),
         "certificate": certificate(&question, &location),
     });
-    Ok(Solution { method: method.name(), result })
+    Ok(Solution { method: method.id(), result })
 }

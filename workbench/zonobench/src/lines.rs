@@ -2,16 +2,9 @@
 
 use std::io::{self, BufRead};
 
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+use batch::Line;
 
-/// One line of a stream.
-#[derive(Debug, PartialEq, Eq)]
-pub enum Line {
-    /// Its bytes, without the line's end.
-    Content(Vec<u8>),
-    /// It is longer than the limit; its bytes were read past and dropped.
-    TooLong,
-}
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Numbers the lines of a stream from 1, leaving out blank ones; keeps no more than `limit` bytes of any.
 pub struct Lines<R> {

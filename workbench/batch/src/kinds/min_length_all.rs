@@ -6,10 +6,10 @@ use zonotope::enclosing::min_total_length::{
 };
 
 use super::{Kind, Solution};
-use crate::batch::dimension::refused;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::{Code, Refusal};
+use crate::dimension::refused;
+use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::refusal::{Code, Refusal};
 
 pub(super) const KIND: Kind = Kind {
     name: "min_length_all",
@@ -22,7 +22,7 @@ pub(super) const KIND: Kind = Kind {
 const METHODS: [&str; 3] = ["by_column_generation", "by_direction_net", "by_papers_net"];
 
 /// The most points that are taken in 1, 2, … dimensions.
-const MOST_POINTS: [usize; 4] = [2_000_000, 200_000, 200_000, 20_000];
+const POINT_LIMITS: [usize; 4] = [2_000_000, 200_000, 200_000, 20_000];
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let method = method.unwrap_or(METHODS[0]);
@@ -31,7 +31,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
         2 => in_space::<2>(fields, method)?,
         3 => in_space::<3>(fields, method)?,
         4 => in_space::<4>(fields, method)?,
-        other => return Err(refused("point 1", other, MOST_POINTS.len())),
+        other => return Err(refused("point 1", other, POINT_LIMITS.len())),
     };
     Ok(Solution { method, result })
 }
@@ -39,7 +39,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
 fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, Refusal> {
     let points = fields.vectors::<D>("points")?;
     let epsilon = fields.number("epsilon")?;
-    let most = MOST_POINTS[D - 1];
+    let most = POINT_LIMITS[D - 1];
     if points.len() > most {
         let message = format!("{} points, at most {most} are taken in {D} dimensions", points.len());
         return Err(Refusal::new(Code::TooLarge, message));
@@ -60,7 +60,7 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
 }
 
 /// The result of an answer, as it is written.
-pub(crate) fn result<const D: usize>(found: &MinLengthZonotope<D>) -> Value {
+fn result<const D: usize>(found: &MinLengthZonotope<D>) -> Value {
     let generators: Vec<Value> = found.zonotope.generators().iter().map(|g| vector_to_json(g)).collect();
     let forces = found.multipliers.iter();
     let forces: Vec<Value> =

@@ -17,6 +17,8 @@ mod upper_hull;
 
 use serde_json::Value;
 
+pub use min_area::result as min_area_result;
+
 use super::fields::Fields;
 use super::refusal::Refusal;
 

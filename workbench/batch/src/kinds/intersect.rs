@@ -4,17 +4,17 @@ use serde_json::json;
 use zonotope::collision::Query;
 
 use super::body::zonotope;
-use super::collision::{Dimension, LOCATING, Method, Methods, certificate, names};
+use super::collision::{Task, certificate, locate};
 use super::{Kind, Solution};
-use crate::batch::dimension::in_dimension;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::Refusal;
+use crate::dimension::in_dimension;
+use crate::fields::Fields;
+use crate::refusal::Refusal;
 
 pub(super) const KIND: Kind = Kind {
     name: "intersect",
     summary: "whether two zonotopes overlap, only touch or are disjoint",
     fields: &["a", "b"],
-    methods: || names(LOCATING),
+    methods: || Task::Locate.method_names(),
     solve,
 };
 
@@ -30,18 +30,15 @@ fn in_space<const D: usize>(
     bodies: &[Fields<'_>; 2],
     method: Option<&'static str>,
     seed: u64,
-) -> Result<Solution, Refusal>
-where
-    Dimension: Methods<D>,
-{
+) -> Result<Solution, Refusal> {
     let [a, b] = [zonotope::<D>(&bodies[0])?, zonotope::<D>(&bodies[1])?];
     let question = Query::between(&a, &b);
-    let method = Method::chosen::<D>(LOCATING, method, question.len())?;
-    let (method, location) = method.locate(&question, seed)?;
+    let method = Task::Locate.method::<D>(method, question.len())?;
+    let (method, location) = locate(method, &question, seed)?;
     let result = json!({
         "intersects": location.is_member(),
         "status": location.status(),
         "certificate": certificate(&question, &location),
     });
-    Ok(Solution { method: method.name(), result })
+    Ok(Solution { method: method.id(), result })
 }

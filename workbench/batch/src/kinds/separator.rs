@@ -2,41 +2,35 @@
 
 use serde_json::{Value, json};
 use zonotope::arrangement::DualArrangement;
-use zonotope::arrangement::separator::{SeparatorError, brute_force, by_slope_selection};
+use zonotope::arrangement::separator::{Method, SeparatorError};
 
 use super::{Kind, Solution};
-use crate::batch::fields::Fields;
-use crate::batch::refusal::{Code, Refusal};
+use crate::fields::Fields;
+use crate::refusal::{Code, Refusal};
 
 pub(super) const KIND: Kind = Kind {
     name: "separator",
     summary: "the chain from the top to the bottom of the projected upper hull with k tiles on its left, exactly",
     fields: &["generators", "k"],
-    methods: || vec![BY_SLOPE_SELECTION, BRUTE_FORCE],
+    methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };
 
-const BY_SLOPE_SELECTION: &str = "by_slope_selection";
-const BRUTE_FORCE: &str = "brute_force";
-
-/// Brute force lists all pairs of so many lines at most.
-pub(super) const MOST_LINES_LISTED: usize = 1500;
+/// The most lines of which brute force lists all pairs.
+const LISTED_LINE_LIMIT: usize = 1500;
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let generators = fields.vectors::<3>("generators")?;
     let k = fields.count("k")?;
     let dual = DualArrangement::new(&generators).expect("the numbers of a question are finite, and few enough");
-    let method = method.unwrap_or(BY_SLOPE_SELECTION);
-    let separator = if method == BRUTE_FORCE {
-        refuse_many_lines(generators.len())?;
-        brute_force::separator(&dual, k)
-    } else {
-        by_slope_selection::separator(&dual, k, seed)
-    };
-    let separator = separator.map_err(counted_from_one)?;
+    let method = method.and_then(Method::from_id).unwrap_or_default();
+    if method == Method::BruteForce {
+        refuse_many_lines(generators.len(), method.id())?;
+    }
+    let separator = method.separator(&dual, k, seed).map_err(counted_from_one)?;
     let point = |[x, y]: &[_; 2]| json!([ToString::to_string(x), ToString::to_string(y)]);
     let chain: Vec<Value> = separator.rational_points().iter().map(point).collect();
-    Ok(Solution { method, result: json!({"chain": chain}) })
+    Ok(Solution { method: method.id(), result: json!({"chain": chain}) })
 }
 
 /// The refusal, with generators as people count them.
@@ -53,11 +47,11 @@ fn counted_from_one(error: SeparatorError) -> Refusal {
     })
 }
 
-/// Refuses brute force where it would take a quadratic amount of memory.
-pub(super) fn refuse_many_lines(count: usize) -> Result<(), Refusal> {
-    if count <= MOST_LINES_LISTED {
+/// Refuses a method where it would take a quadratic amount of memory.
+pub(super) fn refuse_many_lines(count: usize, method: &str) -> Result<(), Refusal> {
+    if count <= LISTED_LINE_LIMIT {
         return Ok(());
     }
-    let message = format!("{count} generators, at most {MOST_LINES_LISTED} are taken by `{BRUTE_FORCE}`");
+    let message = format!("{count} generators, at most {LISTED_LINE_LIMIT} are taken by `{method}`");
     Err(Refusal::new(Code::TooLarge, message))
 }

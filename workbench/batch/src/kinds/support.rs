@@ -4,10 +4,10 @@ use serde_json::{Value, json};
 
 use super::body::zonotope;
 use super::{Kind, Solution};
-use crate::batch::dimension::in_dimension;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::Refusal;
+use crate::dimension::in_dimension;
+use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::refusal::Refusal;
 
 pub(super) const KIND: Kind = Kind {
     name: "support",

@@ -1,29 +1,33 @@
-//! A question and its answer, as lines of JSON.
+//! The check of an answer against its question: the numbers of both are read here, the crate `verifier` judges them.
 
 mod collision;
 mod enclosing;
 mod reading;
 mod solids;
 
-use crate::json::Tree;
+use crate::json::{self, MAX_VALUES, Tree};
+use crate::refusal::Code;
 use reading::member;
 
 pub use verifier::Verdict;
 
-/// The codes of refusals.
-const CODES: [&str; 11] = [
-    "non_finite",
-    "dimension_mismatch",
-    "length_mismatch",
-    "empty",
-    "negative_weight",
-    "bad_epsilon",
-    "too_large",
-    "unknown_kind",
-    "unknown_method",
-    "bad_input",
-    "bad_json",
-];
+/// Checks an answer against its question, both as lines of JSON.
+pub fn verify(question: &str, answer: &str) -> Verdict {
+    let tree = |text: &str| json::read(text.as_bytes(), MAX_VALUES);
+    match (tree(question), tree(answer)) {
+        (_, Err(_)) => Verdict::Wrong("the answer is not JSON".to_owned()),
+        (Ok(question), Ok(answer)) => check(&question, &answer),
+        (Err(_), Ok(answer)) => check_unread(&answer),
+    }
+}
+
+/// Checks the answer to a line that is no JSON document that is read: it must be a refusal.
+pub fn check_unread(answer: &Tree) -> Verdict {
+    match answer.field("error") {
+        Some(_) => Verdict::Unchecked("refused; the question is no JSON document that is read here".to_owned()),
+        None => Verdict::Wrong("the question is not JSON, but it was answered".to_owned()),
+    }
+}
 
 /// Checks an answer against its question.
 pub fn check(question: &Tree, answer: &Tree) -> Verdict {
@@ -45,7 +49,7 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
         if answer.field("result").is_some() {
             return Err("there is a result beside the refusal".to_owned());
         }
-        if !CODES.contains(&text("code")) {
+        if Code::ALL.iter().all(|code| code.name() != text("code")) {
             return Err(format!("there is no code `{}`", text("code")));
         }
         return Ok(Verdict::Unchecked(format!("refused: {}: {}", text("code"), text("message"))));
@@ -90,6 +94,14 @@ mod tests {
         assert_eq!(verdict(QUESTION, &other), Verdict::Wrong("the id is not the question's".into()));
         let partial = answer.replace("\"basis\"", "\"base\"");
         assert_eq!(verdict(QUESTION, &partial), Verdict::Wrong("`basis` is missing".into()));
+    }
+
+    #[test]
+    fn lines_that_are_not_json() {
+        let refusal = r#"{"id":null,"kind":null,"error":{"code":"bad_json","message":"m","line":1}}"#;
+        assert!(matches!(verify("nope", refusal), Verdict::Unchecked(_)));
+        assert!(matches!(verify("nope", r#"{"id":"t","result":{}}"#), Verdict::Wrong(_)));
+        assert_eq!(verify(QUESTION, "nope"), Verdict::Wrong("the answer is not JSON".into()));
     }
 
     #[test]

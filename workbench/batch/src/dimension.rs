@@ -15,7 +15,7 @@ macro_rules! in_dimension {
             4 => $function::<4>($($argument),*),
             5 => $function::<5>($($argument),*),
             6 => $function::<6>($($argument),*),
-            other => Err($crate::batch::dimension::refused($name, other, $crate::batch::MAX_DIMENSION)),
+            other => Err($crate::dimension::refused($name, other, $crate::MAX_DIMENSION)),
         }
     };
 }

@@ -1,17 +1,18 @@
 //! `min_length_dirs`: the smallest zonotope along given directions that contains points.
 
 use serde_json::{Value, json};
-use zonotope::enclosing::fixed_directions::{
-    Enclosure, FixedDirections, FixedDirectionsError, by_row_generation, papers_program, support_form,
-};
+use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, FixedDirectionsError, by_row_generation};
+#[cfg(feature = "linear-programming")]
+use zonotope::enclosing::fixed_directions::{papers_program, support_form};
+#[cfg(feature = "linear-programming")]
 use zonotope::linear_program::Clarabel;
 use zonotope::numeric::Rational;
 
 use super::{Kind, Solution};
-use crate::batch::dimension::refused;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::{Code, Refusal};
+use crate::dimension::refused;
+use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::refusal::{Code, Refusal};
 
 pub(super) const KIND: Kind = Kind {
     name: "min_length_dirs",
@@ -21,19 +22,26 @@ pub(super) const KIND: Kind = Kind {
     solve,
 };
 
-const METHODS: [&str; 3] = ["by_row_generation", "support_form", "papers_program"];
+const METHODS: &[&str] = &[
+    "by_row_generation",
+    #[cfg(feature = "linear-programming")]
+    "support_form",
+    #[cfg(feature = "linear-programming")]
+    "papers_program",
+];
 
-/// So many coordinates are taken.
-const MOST_COORDINATES: usize = 4;
+/// The most coordinates that a point may have.
+const COORDINATE_LIMIT: usize = 4;
 
-/// So many directions are taken.
-const MOST_DIRECTIONS: usize = 1000;
+/// The most directions that are taken.
+const DIRECTION_LIMIT: usize = 1000;
 
-/// So many pairs of a point and a direction are taken, or of a point and a facet normal by the methods that go through all of these.
-const MOST_PAIRS: u64 = 1_000_000_000;
+/// The most pairs of a point and a direction that are taken, or of a point and a facet normal by the methods that go through
+/// all facet normals.
+const PAIR_LIMIT: u64 = 1_000_000_000;
 
-/// So many entries of a linear program that is written out are taken.
-const MOST_ENTRIES: u64 = 4_000_000;
+/// The most entries of a linear program that a method writes out.
+const ENTRY_LIMIT: u64 = 4_000_000;
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let method = method.unwrap_or(METHODS[0]);
@@ -48,7 +56,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
         2 => in_space::<2>(fields, method)?,
         3 => in_space::<3>(fields, method)?,
         4 => in_space::<4>(fields, method)?,
-        other => return Err(refused(named, other, MOST_COORDINATES)),
+        other => return Err(refused(named, other, COORDINATE_LIMIT)),
     };
     Ok(Solution { method, result })
 }
@@ -60,7 +68,9 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| refusal(&error))?;
     check_size(&problem, method)?;
     let enclosure = match method {
+        #[cfg(feature = "linear-programming")]
         "support_form" => support_form::min_length_by_support_form(&problem, &Clarabel),
+        #[cfg(feature = "linear-programming")]
         "papers_program" => papers_program::min_length_by_papers_program(&problem, &Clarabel),
         _ => by_row_generation::min_length_along(&problem),
     };
@@ -68,7 +78,7 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
 }
 
 /// The result of an answer, as it is written.
-pub(crate) fn result<const D: usize>(enclosure: &Enclosure<D>) -> Value {
+fn result<const D: usize>(enclosure: &Enclosure<D>) -> Value {
     let exact = |v: &[Rational; D]| v.iter().map(|c| Value::from(c.to_string())).collect::<Value>();
     match enclosure {
         Enclosure::Optimal(zonotope) => {
@@ -106,14 +116,14 @@ fn refusal(error: &FixedDirectionsError) -> Refusal {
 fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: &str) -> Result<(), Refusal> {
     let (n, k) = (problem.points().len() as u64, problem.directions().len() as u64);
     let too_large = |message: String| Err(Refusal::new(Code::TooLarge, message));
-    if k > MOST_DIRECTIONS as u64 {
-        return too_large(format!("{k} directions, at most {MOST_DIRECTIONS} are taken"));
+    if k > DIRECTION_LIMIT as u64 {
+        return too_large(format!("{k} directions, at most {DIRECTION_LIMIT} are taken"));
     }
     let normals = if method == METHODS[0] { k } else { facet_normals::<D>(k) };
-    if n.saturating_mul(normals) > MOST_PAIRS {
+    if n.saturating_mul(normals) > PAIR_LIMIT {
         let what = if method == METHODS[0] { "directions" } else { "facet normals" };
         return too_large(format!(
-            "{n} points and {normals} {what} make more than the {MOST_PAIRS} pairs that are taken"
+            "{n} points and {normals} {what} make more than the {PAIR_LIMIT} pairs that are taken"
         ));
     }
     let entries = match method {
@@ -121,15 +131,15 @@ fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: &str) ->
         "papers_program" => n.min(2 * normals).saturating_mul(k * (D as u64 + 4)),
         _ => 0,
     };
-    if entries > MOST_ENTRIES {
+    if entries > ENTRY_LIMIT {
         return too_large(format!(
-            "the linear program has {entries} entries, at most {MOST_ENTRIES} are taken by this method"
+            "the linear program has {entries} entries, at most {ENTRY_LIMIT} are taken by this method"
         ));
     }
     Ok(())
 }
 
-/// At most so many facets, up to sign, has a zonotope with k generators.
+/// A bound for the number of facets, opposite ones counted once, of a zonotope with k generators.
 fn facet_normals<const D: usize>(k: u64) -> u64 {
     (0..D as u64 - 1).fold(1_u64, |count, i| count.saturating_mul(k.saturating_sub(i)) / (i + 1))
 }

@@ -6,10 +6,10 @@ use zonotope::tally::OperationCounts;
 
 use super::body::zonotope;
 use super::{Kind, Solution};
-use crate::batch::dimension::refused;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::{Code, Refusal};
+use crate::dimension::refused;
+use crate::fields::Fields;
 use crate::json::to_json;
+use crate::refusal::{Code, Refusal};
 
 pub(super) const KIND: Kind = Kind {
     name: "member_batch",
@@ -21,8 +21,8 @@ pub(super) const KIND: Kind = Kind {
 
 const BY_LAD: &str = "by_lad";
 
-/// So many pairs of a point and a generator are taken.
-const MOST_PAIRS: usize = 1_000_000_000;
+/// The most pairs of a point and a generator that are taken.
+const PAIR_LIMIT: usize = 1_000_000_000;
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     match fields.dimension("center")? {
@@ -41,9 +41,9 @@ fn in_space<const D: usize>(
     let body = zonotope::<D>(fields)?;
     let points = fields.vectors::<D>("points")?;
     let generators = body.generators().len();
-    if points.len().saturating_mul(generators) > MOST_PAIRS {
+    if points.len().saturating_mul(generators) > PAIR_LIMIT {
         let message = format!(
-            "{} points and {generators} generators make more than the {MOST_PAIRS} pairs that are taken",
+            "{} points and {generators} generators make more than the {PAIR_LIMIT} pairs that are taken",
             points.len()
         );
         return Err(Refusal::new(Code::TooLarge, message));

@@ -4,9 +4,9 @@ use serde_json::{Map, Value, json};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
 use super::{Kind, Solution};
-use crate::batch::dimension::in_dimension;
-use crate::batch::fields::Fields;
-use crate::batch::refusal::{Code, Refusal};
+use crate::dimension::in_dimension;
+use crate::fields::Fields;
+use crate::refusal::{Code, Refusal};
 
 pub(super) const KIND: Kind = Kind {
     name: "combinatorics",
@@ -19,7 +19,7 @@ pub(super) const KIND: Kind = Kind {
 const BY_COUNTING: &str = "by_counting";
 
 /// The most generators that are taken in 1, 2, … dimensions.
-const MOST_GENERATORS: [usize; 6] = [2_000_000, 2_000_000, 4000, 40, 16, 12];
+const GENERATOR_LIMITS: [usize; 6] = [2_000_000, 2_000_000, 4000, 40, 16, 12];
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     // No generators are a point, in any space.
@@ -30,7 +30,7 @@ fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Resu
 
 fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let generators = fields.vectors::<D>("generators")?;
-    let most = MOST_GENERATORS[D - 1];
+    let most = GENERATOR_LIMITS[D - 1];
     if generators.len() > most {
         let message = format!("{} generators, at most {most} are taken in {D} dimensions", generators.len());
         return Err(Refusal::new(Code::TooLarge, message));

@@ -1,0 +1,119 @@
+//! What the kinds about a body and a displacement share: the choice of a method, proofs in the answer.
+
+use serde_json::{Value, json};
+use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, Witness};
+
+use crate::json::vector_to_json;
+use crate::refusal::{Code, Refusal};
+
+/// What a kind asks of its methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Task {
+    /// A location with its proof.
+    Locate,
+    /// The gauge as well.
+    Gauge,
+}
+
+impl Task {
+    /// The methods that do it, better ones first.
+    fn methods(self) -> impl Iterator<Item = Method> {
+        let does = move |method: &Method| match self {
+            Self::Locate => method.is_exact(),
+            Self::Gauge => method.measures(),
+        };
+        Method::ALL.iter().copied().filter(does)
+    }
+
+    /// The names of the methods that do it.
+    pub(super) fn method_names(self) -> Vec<&'static str> {
+        self.methods().map(Method::id).collect()
+    }
+
+    /// The method that was asked for, or the best one of the dimension.
+    pub(super) fn method<const D: usize>(
+        self,
+        asked: Option<&'static str>,
+        generators: usize,
+    ) -> Result<Method, Refusal> {
+        let working = || self.methods().filter(|method| method.dimensions().contains(&D));
+        let chosen = match asked {
+            Some(name) => self.methods().find(|method| method.id() == name),
+            None => working().next(),
+        };
+        let chosen = chosen.expect("brute force works in every dimension, and the kinds list these names");
+        if !working().any(|method| method == chosen) {
+            let others: Vec<_> = working().map(Method::id).collect();
+            let message = format!("`{}` does not answer in {D} dimensions; {} would", chosen.id(), others.join(", "));
+            return Err(Refusal::new(Code::UnknownMethod, message));
+        }
+        refuse_many::<D>(chosen, generators)?;
+        Ok(chosen)
+    }
+}
+
+/// The most generators that a method takes in a dimension, where its cost is no small power of their number.
+fn generator_limit(method: Method, dimension: usize) -> Option<usize> {
+    match method {
+        Method::ByExplicitFaces => Some(2000),
+        #[cfg(feature = "linear-programming")]
+        Method::ByLinearProgram => Some(100_000),
+        Method::BruteForce => Some([2000, 400, 60, 26, 18, 14][dimension - 1]),
+        _ => None,
+    }
+}
+
+fn refuse_many<const D: usize>(method: Method, generators: usize) -> Result<(), Refusal> {
+    match generator_limit(method, D) {
+        Some(limit) if generators > limit => {
+            let name = method.id();
+            let message = format!("{generators} generators, at most {limit} are taken by `{name}` in {D} dimensions");
+            Err(Refusal::new(Code::TooLarge, message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Where a displacement lies, and the method that proved it: what a linear program leaves open is decided by the kernel, or by
+/// brute force in dimensions that the kernel does not reach.
+pub(super) fn locate<const D: usize>(
+    method: Method,
+    question: &Query<'_, D>,
+    seed: u64,
+) -> Result<(Method, Location<D>), Refusal> {
+    let find = |method: Method| match method.locate(question, seed, &mut ()) {
+        Ok(Finding::Located(location)) => Some(location),
+        Ok(Finding::Member(_) | Finding::Undecided) | Err(_) => None,
+    };
+    if let Some(location) = find(method) {
+        return Ok((method, location));
+    }
+    let reaches = Method::ByLad.dimensions().contains(&D);
+    let other = if reaches { Method::ByLad } else { Method::BruteForce };
+    refuse_many::<D>(other, question.len())?;
+    let location = find(other).expect("the kernel locates up to four dimensions, brute force in any");
+    Ok((other, location))
+}
+
+/// The gauge by a method that was chosen for it.
+pub(super) fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
+    let gauge = method.gauge(question, &mut ());
+    gauge.expect("the dimension and the number of generators were checked when the method was chosen")
+}
+
+/// The status and the proof of a location.
+pub(super) fn certificate<const D: usize>(question: &Query<'_, D>, location: &Location<D>) -> Value {
+    match location {
+        Location::Inside(witness) | Location::Boundary(witness) => {
+            let Witness { coefficients, basis } = witness.clone().with_nearest_basis(question);
+            json!({"coefficients": vector_to_json(&coefficients), "basis": basis})
+        }
+        Location::Outside(Separation::Rounded(direction)) => {
+            json!({"separating_direction": vector_to_json(direction)})
+        }
+        Location::Outside(Separation::Exact(direction)) => {
+            let exact: Vec<String> = direction.iter().map(ToString::to_string).collect();
+            json!({"separating_direction": exact})
+        }
+    }
+}
