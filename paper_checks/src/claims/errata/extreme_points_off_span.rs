@@ -1,7 +1,8 @@
 //! Section 4.2, second paragraph.
 
 use dashu_ratio::RBig;
-use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, brute_force, min_length_along};
+use zonotope::enclosing::fixed_directions::rational::min_length_in_rationals;
+use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::enclosing::{Row, dot, doubles, facet_normals, papers_program, rows};
@@ -18,7 +19,7 @@ pub static CLAIM: Claim = Claim {
             problem infeasible. Directions e1, e2 of R^3 with the unit square in z = 0: two extreme points give 1/2, \
             the optimum is 1",
     ),
-    code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::brute_force"],
+    code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::rational"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
@@ -40,7 +41,7 @@ fn check(_context: &CheckContext) -> Verdict {
     let (corners, directions) = (doubles(&square), doubles(&axes));
     let answer = |corners: &[[f64; 3]]| {
         let problem = FixedDirections::new(corners, &directions, &[1.0, 1.0]).map_err(|error| error.to_string())?;
-        let truth = brute_force::least_length(&problem).map(|optimum| optimum.value);
+        let truth = min_length_in_rationals(&problem).map(|optimum| optimum.value);
         Ok::<_, String>((min_length_along(&problem).map_err(|error| error.to_string())?, truth))
     };
     let mut lifted = corners.clone();

@@ -2,7 +2,8 @@
 
 use dashu_ratio::RBig;
 use rand_pcg::Pcg64Mcg;
-use zonotope::enclosing::fixed_directions::{FixedDirections, brute_force};
+use zonotope::enclosing::fixed_directions::FixedDirections;
+use zonotope::enclosing::fixed_directions::rational::min_length_in_rationals;
 
 use super::random_problem;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
@@ -66,7 +67,7 @@ fn try_one<const D: usize>(random: &mut Pcg64Mcg, index: usize, seen: &mut Seen)
     let (points, directions) = (doubles(&points), doubles(&directions));
     let weights = vec![1.0; directions.len()];
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
-    if brute_force::least_length(&problem).map(|optimum| optimum.value) != all {
+    if min_length_in_rationals(&problem).map(|optimum| optimum.value) != all {
         return Err(format!("the library's optimum of {points:?} along {directions:?} is not {all:?}"));
     }
     seen.problems += 1;
