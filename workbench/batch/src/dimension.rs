@@ -5,7 +5,8 @@ use super::refusal::{Code, Refusal};
 /// The largest number of coordinates that is taken.
 pub const MAX_DIMENSION: usize = 6;
 
-/// Calls a function whose constant parameter is the dimension with a dimension that the question brings; refuses the others.
+/// Calls a function whose constant parameter is the dimension with a dimension that the question brings; refuses the
+/// others.
 macro_rules! in_dimension {
     ($dimension:expr, $name:literal, $function:ident($($argument:expr),*)) => {
         match $dimension {

@@ -1,14 +1,16 @@
 //! Questions and answers as lines of JSON: the interface of the workbench without its program.
 //!
-//! A question is `{"id": …, "kind": …, "input": {…}, "method": …}` (the method is optional). A kind is one row of [`KINDS`].
-//! [`answer`] makes the answer of a line, [`verify`] checks an answer against its question exactly; [`answer_line`] and
-//! [`check`] do the same for a caller who numbers the lines of a batch, chooses a seed, or has read the JSON already.
+//! A question is `{"id": …, "kind": …, "input": {…}, "method": …}` (the method is optional). A kind is one row of
+//! [`KINDS`]. [`answer`] makes the answer of a line, [`verify`] checks an answer against its question exactly;
+//! [`answer_line`] and [`check`] do the same for a caller who numbers the lines of a batch, chooses a seed, or has
+//! read the JSON already.
 //!
-//! What a question is refused for is looked for in this order: a line that is too long or is not JSON; a number that is not
-//! finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of the input.
+//! What a question is refused for is looked for in this order: a line that is too long or is not JSON; a number that
+//! is not finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of
+//! the input.
 //!
-//! The crate reads no files and has no command line, so that a page or another program can ask, answer and verify. Methods
-//! that need an engine for linear programs are there with the feature `linear-programming`.
+//! The crate reads no files and has no command line, so that a page or another program can ask, answer and verify.
+//! Methods that need an engine for linear programs are there with the feature `linear-programming`.
 //!
 //! ```
 //! let question = r#"{"id":"q","kind":"support","input":{"direction":[1,2],"center":[5,5],"generators":[[1,0],[0,1]]}}"#;
@@ -65,8 +67,8 @@ pub fn answer(question: &str) -> String {
     answer_line(1, &line, 0).content.to_string()
 }
 
-/// Answers the line with the given number of a batch. `seed` decides how long the methods that use random numbers take; the
-/// optima do not depend on it.
+/// Answers the line with the given number of a batch. `seed` decides how long the methods that use random numbers
+/// take; the optima do not depend on it.
 pub fn answer_line(number: u64, line: &Line, seed: u64) -> Answer {
     let mut content = Map::new();
     let outcome = match line {

@@ -1,17 +1,17 @@
 //! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `inspect`, `solve`, `verify`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
-//! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files whole or
-//!   not at all.
+//! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
+//!   whole or not at all.
 //! - [`report`] lays out what `reproduce` found.
 //! - `digest` names files by their SHA-256.
 //! - [`enclosure`] is the answer of least area, with its exact check.
 //!
-//! The crate [`batch`] answers questions that are lines of JSON and reads answers to be checked, which the crate `verifier`
-//! does with exact arithmetic of its own.
+//! The crate [`batch`] answers questions that are lines of JSON and reads answers to be checked, which the crate
+//! `verifier` does with exact arithmetic of its own.
 //!
-//! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for a failure
-//! and 2 for a command line that makes no sense.
+//! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for
+//! a failure and 2 for a command line that makes no sense.
 
 pub mod cli;
 pub mod commands;

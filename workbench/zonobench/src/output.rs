@@ -49,7 +49,8 @@ impl Existing {
     }
 }
 
-/// Refuses early, before the work is done, what [`write_whole`] would refuse after it, and files that are named twice or are read as well.
+/// Refuses early, before the work is done, what [`write_whole`] would refuse after it, and files that are named twice
+/// or are read as well.
 pub fn check_outputs<'a>(
     outputs: impl IntoIterator<Item = &'a PathBuf>,
     inputs: &[&Path],

@@ -55,7 +55,7 @@ impl Progress {
         self.step();
     }
 
-    /// So many are done.
+    /// Shows that the given number of steps is done.
     pub fn reach(&self, done: u64) {
         self.bar.set_position(done);
     }

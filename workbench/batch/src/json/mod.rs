@@ -1,5 +1,6 @@
-//! JSON as questions and answers are written: floats with correct rounding, non-finite floats as the strings `NaN`, `Infinity`
-//! and `-Infinity`, no more values than a stated limit, no deeper nesting than the parser's own limit of 128 levels.
+//! JSON as questions and answers are written: floats with correct rounding, non-finite floats as the strings `NaN`,
+//! `Infinity` and `-Infinity`, no more values than a stated limit, no deeper nesting than the parser's own limit of
+//! 128 levels.
 
 mod number;
 mod tree;

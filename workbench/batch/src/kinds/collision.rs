@@ -74,8 +74,8 @@ fn refuse_many<const D: usize>(method: Method, generators: usize) -> Result<(), 
     }
 }
 
-/// Where a displacement lies, and the method that proved it: what a linear program leaves open is decided by the kernel, or by
-/// brute force in dimensions that the kernel does not reach.
+/// Where a displacement lies, and the method that proved it: what a linear program leaves open is decided by the
+/// kernel, or by brute force in dimensions that the kernel does not reach.
 pub(super) fn locate<const D: usize>(
     method: Method,
     question: &Query<'_, D>,

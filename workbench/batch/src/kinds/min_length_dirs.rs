@@ -36,8 +36,8 @@ const COORDINATE_LIMIT: usize = 4;
 /// The most directions that are taken.
 const DIRECTION_LIMIT: usize = 1000;
 
-/// The most pairs of a point and a direction that are taken, or of a point and a facet normal by the methods that go through
-/// all facet normals.
+/// The most pairs of a point and a direction that are taken, or of a point and a facet normal by the methods that go
+/// through all facet normals.
 const PAIR_LIMIT: u64 = 1_000_000_000;
 
 /// The most entries of a linear program that a method writes out.

@@ -9,7 +9,7 @@ const HEIGHTS: [f64; 2] = [160.0, 560.0];
 const MARGIN: f64 = 24.0;
 
 /// More points or vertices than this are thinned out.
-const MOST_POINTS: usize = 4000;
+const DRAWN_POINT_LIMIT: usize = 4000;
 
 /// A page with room for a legend of some rows.
 pub(super) struct Page {
@@ -56,7 +56,7 @@ pub(super) fn thinned<T>(items: impl IntoIterator<IntoIter: ExactSizeIterator<It
 
 /// One of how many items is kept.
 pub(super) fn stride(count: usize) -> usize {
-    count.div_ceil(MOST_POINTS).max(1)
+    count.div_ceil(DRAWN_POINT_LIMIT).max(1)
 }
 
 /// The height at which the world fills the width, within limits; computed on halves, which do not overflow.

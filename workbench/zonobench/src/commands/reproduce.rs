@@ -157,7 +157,8 @@ struct Folder {
 }
 
 impl Folder {
-    /// Takes the folder for this run: a new or empty one, one that an interrupted run has left behind, or any one by force.
+    /// Takes the folder for this run: a new or empty one, one that an interrupted run has left behind, or any one by
+    /// force.
     fn claim(path: &Path, force: bool) -> anyhow::Result<Self> {
         let named = || format!("{}: cannot be used", path.display());
         fs::create_dir_all(path).with_context(named)?;

@@ -50,8 +50,8 @@ pub enum BatchError {
     Write(#[from] io::Error),
 }
 
-/// Answers the questions of a reader one by one, each before the next is read, and tells how many were refused. After every
-/// answer it calls `answered`.
+/// Answers the questions of a reader one by one, each before the next is read, and tells how many were refused. After
+/// every answer it calls `answered`.
 pub fn answer_all(
     questions: impl BufRead,
     mut answers: impl Write,

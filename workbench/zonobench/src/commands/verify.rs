@@ -20,8 +20,8 @@ use batch::{Verdict, check, check_unread};
 /// Options of `verify`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The questions, one line of JSON each, as `solve` reads or `--question` writes them; or the data file that `enclose` was
-    /// given.
+    /// The questions, one line of JSON each, as `solve` reads or `--question` writes them; or the data file that
+    /// `enclose` was given.
     questions: PathBuf,
     /// The answers, in the order of the questions; or the file that `--json` wrote.
     answers: PathBuf,

@@ -6,7 +6,7 @@ use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{FaceLattice, Faces, faces};
 
 /// Of bodies with more generators only the outline is drawn.
-const MOST_GENERATORS: usize = 120;
+const LATTICE_GENERATOR_LIMIT: usize = 120;
 
 /// From where a body of space is seen: a unit vector.
 const EYE: [f64; 3] = [0.48, 0.6, 0.64];
@@ -69,7 +69,7 @@ fn turn(axis: usize, dimension: usize, shift: f64) -> f64 {
 
 /// The faces of a body of space, if they are few enough to be seen.
 pub(super) fn lattice(generators: &[Vec<f64>]) -> Option<FaceLattice> {
-    if generators.len() > MOST_GENERATORS {
+    if generators.len() > LATTICE_GENERATOR_LIMIT {
         return None;
     }
     let space = generators.iter().map(|generator| <[f64; 3]>::try_from(generator.as_slice()).ok());

@@ -32,9 +32,9 @@ pub struct BodySource {
 }
 
 impl BodySource {
-    /// Reads the zonotope: rows of a table are generators; a document is a list of generators, an object with `generators`
-    /// and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre `c`, or an answer that
-    /// holds a body.
+    /// Reads the zonotope: rows of a table are generators; a document is a list of generators, an object with
+    /// `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
+    /// `c`, or an answer that holds a body.
     pub fn read(&self) -> Result<Body, InputError> {
         let file = &self.file;
         let format = self

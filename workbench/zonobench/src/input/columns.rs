@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::points::MOST_COORDINATES;
+use super::points::COORDINATE_LIMIT;
 
 /// One column of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,8 +21,8 @@ pub struct Columns(pub Vec<Column>);
 impl Columns {
     /// Columns that are not too many and each there once. One column is enough where the columns were guessed.
     pub fn new(columns: Vec<Column>) -> Result<Self, String> {
-        if !(1..=MOST_COORDINATES).contains(&columns.len()) {
-            return Err(format!("give two to {MOST_COORDINATES} columns, such as 2,3 or lon,lat"));
+        if !(1..=COORDINATE_LIMIT).contains(&columns.len()) {
+            return Err(format!("give two to {COORDINATE_LIMIT} columns, such as 2,3 or lon,lat"));
         }
         if columns.iter().enumerate().any(|(index, column)| columns[..index].contains(column)) {
             return Err("two of the columns are the same".to_owned());
@@ -37,7 +37,7 @@ impl FromStr for Columns {
     fn from_str(text: &str) -> Result<Self, String> {
         let columns: Vec<Column> = text.split(',').map(|name| column(name.trim())).collect::<Result<_, _>>()?;
         if columns.len() < 2 {
-            return Err(format!("give two to {MOST_COORDINATES} columns, such as 2,3 or lon,lat"));
+            return Err(format!("give two to {COORDINATE_LIMIT} columns, such as 2,3 or lon,lat"));
         }
         Self::new(columns)
     }

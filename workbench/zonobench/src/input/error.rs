@@ -30,7 +30,8 @@ pub enum Place {
         /// Column of the table, or of the line's characters.
         column: u64,
     },
-    /// A value inside a JSON document, as a path such as `points[3][1]` (indices from 0, as in the document's own notation).
+    /// A value inside a JSON document, as a path such as `points[3][1]` (indices from 0, as in the document's own
+    /// notation).
     Path(String),
 }
 
@@ -161,22 +162,22 @@ impl Problem {
 
     /// Cells quoted in a message stay on one line and are cut to a readable length.
     fn shortened(self) -> Self {
-        const LONGEST: usize = 60;
+        const MESSAGE_LIMIT: usize = 60;
         let cut = |text: &str, longest: usize| {
             let ellipsis = if text.chars().count() > longest { "…" } else { "" };
             text.chars().take(longest).collect::<String>() + ellipsis
         };
-        let tidy = |text: String| on_one_line(&cut(&text, LONGEST));
+        let tidy = |text: String| on_one_line(&cut(&text, MESSAGE_LIMIT));
         match self {
             Self::NoSuchColumn { name, available } => {
-                Self::NoSuchColumn { name: tidy(name), available: on_one_line(&cut(&available, 4 * LONGEST)) }
+                Self::NoSuchColumn { name: tidy(name), available: on_one_line(&cut(&available, 4 * MESSAGE_LIMIT)) }
             }
             Self::TwoColumns(name) => Self::TwoColumns(tidy(name)),
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
             Self::Mesh { format, complaint } => {
                 let words: Vec<&str> = complaint.split_whitespace().collect();
-                Self::Mesh { format, complaint: cut(&words.join(" "), 2 * LONGEST) }
+                Self::Mesh { format, complaint: cut(&words.join(" "), 2 * MESSAGE_LIMIT) }
             }
             other => other,
         }

@@ -1,8 +1,9 @@
-//! Points from data files (CSV, GeoJSON, JSON) and meshes (OBJ, PLY, STL, OFF), zonotopes of any dimension (CSV and JSON).
+//! Points from data files (CSV, GeoJSON, JSON) and meshes (OBJ, PLY, STL, OFF), zonotopes of any dimension (CSV and
+//! JSON).
 //!
-//! A file is read into at most [`MAX_FILE_BYTES`] of memory and yields at most [`MAX_POINTS`] points; both limits are checked
-//! before the memory is taken. Every complaint is one line that names the file and the place ([`InputError`]). A byte order
-//! mark, Windows line endings and blank lines are skipped.
+//! A file is read into at most [`MAX_FILE_BYTES`] of memory and yields at most [`MAX_POINTS`] points; both limits are
+//! checked before the memory is taken. Every complaint is one line that names the file and the place
+//! ([`InputError`]). A byte order mark, Windows line endings and blank lines are skipped.
 
 mod body;
 mod bytes;

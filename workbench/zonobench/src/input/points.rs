@@ -4,7 +4,7 @@ use super::error::Problem;
 use super::push_limited;
 
 /// Points with up to this many coordinates are read.
-pub(super) const MOST_COORDINATES: usize = 4;
+pub(super) const COORDINATE_LIMIT: usize = 4;
 
 /// Points of the line, the plane, space or four dimensions.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,8 +78,8 @@ impl Points {
 /// What points a file should hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wanted {
-    /// Two coordinates: of a table with more, two columns are guessed by their names or must be chosen. Columns x, y and z
-    /// are no points of the plane, unless two of them are chosen.
+    /// Two coordinates: of a table with more, two columns are guessed by their names or must be chosen. Columns x, y
+    /// and z are no points of the plane, unless two of them are chosen.
     Planar,
     /// Three coordinates if the columns are named x, y and z, else two.
     PlaneOrSpace,
@@ -92,7 +92,7 @@ impl Wanted {
     pub(super) fn takes_all(self, cells: usize) -> bool {
         match self {
             Self::Planar | Self::PlaneOrSpace => cells == 2,
-            Self::Any => (1..=MOST_COORDINATES).contains(&cells),
+            Self::Any => (1..=COORDINATE_LIMIT).contains(&cells),
         }
     }
 

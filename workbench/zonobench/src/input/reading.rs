@@ -9,8 +9,8 @@ use super::points::Points;
 pub struct Reading {
     /// The points, in the order of the file.
     pub points: Points,
-    /// The columns that hold the coordinates, in the order of the coordinates; chosen again, they give the same points. The
-    /// list is empty for formats without columns, and for a JSON document that mixes lists and objects.
+    /// The columns that hold the coordinates, in the order of the coordinates; chosen again, they give the same
+    /// points. The list is empty for formats without columns, and for a JSON document that mixes lists and objects.
     pub columns: Vec<Column>,
     /// The columns, or other parts such as altitudes, that the points leave out.
     pub left_out: Vec<String>,

@@ -6,11 +6,12 @@ use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
-use super::points::{MOST_COORDINATES, Points, Wanted};
+use super::points::{COORDINATE_LIMIT, Points, Wanted};
 use super::push_limited;
 use super::reading::{Reading, columns_of};
 
-/// Pairs of header names that are taken for coordinates when no columns are chosen, in the order first, second coordinate.
+/// Pairs of header names that are taken for coordinates when no columns are chosen, in the order first, second
+/// coordinate.
 const KNOWN_NAMES: [[&str; 2]; 6] =
     [["x", "y"], ["lon", "lat"], ["lng", "lat"], ["long", "lat"], ["longitude", "latitude"], ["easting", "northing"]];
 
@@ -19,8 +20,8 @@ const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// Reads the points of a table.
 ///
-/// The first line is a header if the chosen columns are named, if some cell of it is text where the second line has a number,
-/// or if neither chosen cell is a number.
+/// The first line is a header if the chosen columns are named, if some cell of it is text where the second line has a
+/// number, or if neither chosen cell is a number.
 pub(super) fn points(
     file: &Path,
     content: &[u8],
@@ -31,7 +32,8 @@ pub(super) fn points(
     table.read(columns, wanted)
 }
 
-/// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as above.
+/// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as
+/// above.
 pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Vec<Vec<f64>>, InputError> {
     let mut table = Table { file, content, columns: vec![0], width: None };
     let mut reader = table.reader();
@@ -89,7 +91,7 @@ impl<'a> Table<'a> {
         let opening = if has_header { None } else { Some(first) };
         for row in opening.into_iter().chain(second).map(Ok).chain(rows.map(|row| self.parsed(row))) {
             let row = row?;
-            let mut point = [0.0; MOST_COORDINATES];
+            let mut point = [0.0; COORDINATE_LIMIT];
             for (slot, &column) in point.iter_mut().zip(&self.columns) {
                 *slot = self.number(&row, column)?;
             }

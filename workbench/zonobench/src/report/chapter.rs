@@ -19,8 +19,9 @@ pub struct Chapter {
     pub bound: &'static str,
     /// The claims of the paper that it is about.
     pub claims: &'static [&'static str],
-    /// The experiments that belong to it whatever claims they name. Other experiments belong to the chapter of the first claim
-    /// that they name; figures belong where their experiments do, or else to the chapter of their first claim.
+    /// The experiments that belong to it whatever claims they name. Other experiments belong to the chapter of the
+    /// first claim that they name; figures belong where their experiments do, or else to the chapter of their first
+    /// claim.
     pub experiments: &'static [&'static str],
     /// How to run it alone: a command, and what it does.
     pub commands: &'static [(&'static str, &'static str)],

@@ -32,7 +32,8 @@ pub(super) fn prose(text: &str) -> String {
         .collect()
 }
 
-/// Raises what follows `^`, lowers what follows `_` after a lone letter (primes between them allowed); the rest is escaped.
+/// Raises what follows `^`, lowers what follows `_` after a lone letter (primes between them allowed); the rest is
+/// escaped.
 fn formulas(text: &str) -> String {
     let mut markup = String::new();
     let mut rest = text;
@@ -60,7 +61,8 @@ fn formulas(text: &str) -> String {
     markup + &Escaped(rest).to_string()
 }
 
-/// The length of what is raised or lowered: a group in braces or brackets, or digits, or letters and the group that follows them.
+/// The length of what is raised or lowered: a group in braces or brackets, or digits, or letters and the group that
+/// follows them.
 fn script(text: &str) -> Option<usize> {
     let first = text.chars().next()?;
     if first == '{' || first == '(' {

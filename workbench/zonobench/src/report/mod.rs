@@ -1,7 +1,7 @@
 //! The report: what experiments, figures and claims found, as pages that need nothing but a browser.
 //!
-//! `report.html` holds nothing that depends on a clock or a machine, so that two runs with one seed and profile give the same
-//! bytes; what depends on them stands in `times.html`.
+//! `report.html` holds nothing that depends on a clock or a machine, so that two runs with one seed and profile give
+//! the same bytes; what depends on them stands in `times.html`.
 
 pub mod chapter;
 mod chapters;

@@ -79,8 +79,9 @@ fn opening(evidence: &Evidence) -> String {
     let waiting = count(Option::is_none);
     let mut text = format!(
         "<header>\n<p class=\"kicker\">Zonotope Workbench</p>\n<h1>Zonotopes as bounding volumes, running</h1>\n\
-         <p class=\"lead\">{PAPER}, describes algorithms on a class of symmetric bodies. This page shows them at work: what each one \
-         solves, a picture of it, how its cost grows against the bound in the paper, and whether the paper's statements hold.</p>\n\
+         <p class=\"lead\">{PAPER}, describes algorithms on a class of symmetric bodies. This page shows them at \
+         work: what each one solves, a picture of it, how its cost grows against the bound in the paper, and whether \
+         the paper's statements hold.</p>\n\
          </header>\n<ul class=\"tiles\">\n"
     );
     let cases = evidence.records.counts.len() as u64;
@@ -202,8 +203,8 @@ fn experiment_section(experiment: &'static Experiment, evidence: &Evidence) -> S
         }
     }
     let mut text = format!(
-        "<section class=\"experiment\" id=\"experiment-{}\">\n<h3>{}</h3>\n<p>{}</p>\n<p><small>{} answers checked and right, {} unchecked, {} \
-         wrong or failed.</small></p>\n",
+        "<section class=\"experiment\" id=\"experiment-{}\">\n<h3>{}</h3>\n<p>{}</p>\n<p><small>{} answers checked \
+         and right, {} unchecked, {} wrong or failed.</small></p>\n",
         experiment.id,
         Escaped(experiment.title),
         prose(experiment.question),
@@ -254,8 +255,8 @@ fn ledger_section(evidence: &Evidence) -> String {
     });
     let mut text = String::from(
         "<section id=\"ledger\">\n<h2>The paper's statements, one by one</h2>\n\
-         <p>Every statement, figure and open question of the paper, checked where its algorithm exists. A refuted statement comes with \
-         what to read instead.</p>\n",
+         <p>Every statement, figure and open question of the paper, checked where its algorithm exists. A refuted \
+         statement comes with what to read instead.</p>\n",
     );
     for section in sections {
         let results: Vec<_> = evidence.claims.iter().filter(|result| result.claim.place.section == section).collect();
@@ -304,16 +305,17 @@ fn reading_section(evidence: &Evidence) -> String {
     };
     format!(
         "<section id=\"reading\">\n<h2>How to read and repeat this</h2>\n\
-         <p><b>Growth</b> is judged on operation counts, which are the same on every machine. An exponent <i>a</i> is that of the best \
-         power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval; every law is fitted over all sizes and over the last four \
-         doublings. “Beyond it” is the exponent that remains after \
-         division by the bound: near zero means consistent, below zero that the count grows slower still. “Closest” names the law \
-         among n, n log n, n log² n and n² that fits best.</p>\n\
-         <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held wherever it was tried; \
-         “refuted” shows a witness.</p>\n\
-         <p><b>Everything here</b> comes from the profile {profile} with seed {}. <code>manifest.json</code> lists every file with its hash \
-         and says which ones must not change from run to run; <code>records/counts.jsonl</code> holds the counts, \
-         <a href=\"times.html\"><code>times.html</code></a> what the clock said.</p>\n\
+         <p><b>Growth</b> is judged on operation counts, which are the same on every machine. An exponent <i>a</i> \
+         is that of the best power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval; every law \
+         is fitted over all sizes and over the last four doublings. “Beyond it” is the exponent that remains after \
+         division by the bound: near zero means consistent, below zero that the count grows slower still. “Closest” \
+         names the law among n, n log n, n log² n and n² that fits best.</p>\n\
+         <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
+         wherever it was tried; “refuted” shows a witness.</p>\n\
+         <p><b>Everything here</b> comes from the profile {profile} with seed {}. <code>manifest.json</code> lists \
+         every file with its hash and says which ones must not change from run to run; \
+         <code>records/counts.jsonl</code> holds the counts, <a href=\"times.html\"><code>times.html</code></a> what \
+         the clock said.</p>\n\
          <pre><code>zonobench reproduce --profile {profile} --seed {}</code></pre>\n</section>\n",
         evidence.seed, evidence.seed
     )

@@ -8,8 +8,8 @@ use experiments::record::{CountOutcome, CountRow};
 use super::html::{Escaped, grouped, table};
 use super::values::title;
 
-/// For every method the sums of the values over all cases, then the same input by input. Cases with a wrong answer are included,
-/// because wrong answers may be what is counted. The result is empty without values.
+/// For every method the sums of the values over all cases, then the same input by input. Cases with a wrong answer
+/// are included, because wrong answers may be what is counted. The result is empty without values.
 pub(super) fn total_table(experiment: &Experiment, rows: &[CountRow]) -> String {
     let mut all: Vec<Total<'_>> = Vec::new();
     let mut by_family: Vec<Total<'_>> = Vec::new();

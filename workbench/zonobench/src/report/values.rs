@@ -26,7 +26,8 @@ fn median_table(experiment: &Experiment, rows: &[CountRow]) -> String {
     at_largest(experiment, rows.collect(), significant)
 }
 
-/// For every input and method the laps at the largest size, in milliseconds: the middle one of the repetitions and instances.
+/// For every input and method the laps at the largest size, in milliseconds: the middle one of the repetitions and
+/// instances.
 pub(super) fn time_table(experiment: &Experiment, rows: &[TimeRow]) -> String {
     let rows = rows.iter().filter_map(|row| match &row.outcome {
         TimeOutcome::Valid { laps_ns } => {

@@ -1,4 +1,5 @@
-//! Answers that `enclose` writes: what they say of the columns, what `verify` makes of them, and the bodies that they hold.
+//! Answers that `enclose` writes: what they say of the columns, what `verify` makes of them, and the bodies that they
+//! hold.
 
 use std::fs;
 use std::path::Path;

@@ -28,13 +28,13 @@ pub struct Asking {
     /// The format, where the extension does not tell it.
     #[arg(long)]
     pub format: Option<Format>,
-    /// What is to be least: the area (in the plane) or the total length of the generators. Without it, the area of points of
-    /// the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or four columns,
-    /// directions or a precision are given.
+    /// What is to be least: the area (in the plane) or the total length of the generators. Without it, the area of
+    /// points of the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or
+    /// four columns, directions or a precision are given.
     #[arg(long)]
     objective: Option<Objective>,
-    /// Use these directions alone: a file with a direction a row, `axes`, or `net:K`, the corners of K cells along each side
-    /// of the faces of a cube.
+    /// Use these directions alone: a file with a direction a row, `axes`, or `net:K`, the corners of K cells along
+    /// each side of the faces of a cube.
     #[arg(long, value_name = "FILE|axes|net:K", conflicts_with = "epsilon")]
     directions: Option<Directions>,
     /// How far the length may exceed the least one, relative to it: between 0 and 1, by default 0.001.
@@ -107,8 +107,8 @@ impl Asking {
         }
     }
 
-    /// The points, and what is to be least around them: where the options leave it open, the area of points of the plane and
-    /// the length of points of space.
+    /// The points, and what is to be least around them: where the options leave it open, the area of points of the
+    /// plane and the length of points of space.
     pub(super) fn read(&self, file: &Path) -> anyhow::Result<(Reading, Objective)> {
         let stated = self.stated_objective(file)?;
         let wanted = match stated {

@@ -11,8 +11,8 @@ use zonotope::numeric::scaling::binary_exponent;
 use crate::commands::page::{Page, stride, thinned};
 use crate::enclosure::Enclosure;
 
-/// Of more corners the hull's line alone is drawn.
-const MOST_CORNERS: usize = 200;
+/// The most corners of a hull that are marked; of a hull with more of them the outline alone is drawn.
+const MARKED_CORNER_LIMIT: usize = 200;
 
 /// Points, hull, zonogon and centre; scaled by a power of two, so that nothing leaves the range of doubles.
 pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> String {
@@ -44,7 +44,7 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
     panel.polygon(&hull_vertices, &hull);
     let shown: Vec<[f64; 2]> = thinned(points.iter()).map(place).collect();
     panel.markers(&shown, &dot);
-    if found.hull.vertex_count() <= MOST_CORNERS {
+    if found.hull.vertex_count() <= MARKED_CORNER_LIMIT {
         panel.markers(&hull_vertices, &INPUT_POINT);
     }
     panel.marker(center, &OPTIMAL_CENTER);

@@ -11,7 +11,7 @@ use crate::commands::view::{axes, facing, lattice, shrinking};
 use crate::input::{Body, Points};
 
 /// Of bodies with more generators the edges behind are left out.
-const MOST_SEEN_THROUGH: usize = 24;
+const SEEN_THROUGH_LIMIT: usize = 24;
 
 /// Outline and edges, those behind dashed; the points between.
 pub(super) fn draw(name: &str, points: &Points, body: &Body) -> String {
@@ -51,7 +51,7 @@ pub(super) fn draw(name: &str, points: &Points, body: &Body) -> String {
         .iter()
         .flat_map(|lattice| (0..lattice.facet_count() as u32).map(move |index| seen(lattice, index)))
         .collect();
-    let draws_back = small.len() <= MOST_SEEN_THROUGH;
+    let draws_back = small.len() <= SEEN_THROUGH_LIMIT;
     if draws_back {
         for (from, to) in edges(&facets, false) {
             panel.segment(from, to, &back);
@@ -85,8 +85,8 @@ pub(super) fn draw(name: &str, points: &Points, body: &Body) -> String {
     page.finish(&legend)
 }
 
-/// The edges of the facets in front, or behind, each once: neighbours run through theirs in opposite ways. Of those on the outline, which is
-/// drawn by itself, some are left out.
+/// The edges of the facets in front, or behind, each once: neighbours run through theirs in opposite ways. Of those
+/// on the outline, which is drawn by itself, some are left out.
 fn edges(facets: &[Seen], in_front: bool) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
     let chosen = facets.iter().filter(move |facet| facet.in_front == in_front);
     let all = chosen.flat_map(|facet| facet.corners.iter().zip(facet.corners.iter().cycle().skip(1)));

@@ -7,7 +7,7 @@ use zonotope::zonotope::faces::{FaceLattice, Faces, faces};
 use crate::input::Body;
 
 /// Bodies with more generators have too many facets for a mesh: n (n − 1) of them.
-const MOST_GENERATORS: usize = 4000;
+const MESH_GENERATOR_LIMIT: usize = 4000;
 
 /// The faces of a body of space that has facets and no vertex with a coordinate above `largest`.
 pub(in crate::commands) fn mesh(name: &str, body: &Body, largest: f64) -> anyhow::Result<FaceLattice> {
@@ -15,8 +15,8 @@ pub(in crate::commands) fn mesh(name: &str, body: &Body, largest: f64) -> anyhow
     let (Some(center), Some(generators)) = (space(&body.center), body.generators.iter().map(space).collect()) else {
         bail!("{name}: only a body with three coordinates is written as a mesh");
     };
-    if body.generators.len() > MOST_GENERATORS {
-        bail!("{name}: {} generators, at most {MOST_GENERATORS} are written as a mesh", body.generators.len());
+    if body.generators.len() > MESH_GENERATOR_LIMIT {
+        bail!("{name}: {} generators, at most {MESH_GENERATOR_LIMIT} are written as a mesh", body.generators.len());
     }
     let body = Zonotope::new(center, generators)?;
     match faces(&body).with_context(|| name.to_owned())? {

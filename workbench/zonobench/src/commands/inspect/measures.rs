@@ -6,7 +6,7 @@ use zonotope::zonotope::{Directions, Zonotope};
 use crate::input::Body;
 
 /// More generators than this have too many pairs for the surface area.
-const MOST_PAIRED: usize = 20_000;
+const PAIRED_GENERATOR_LIMIT: usize = 20_000;
 
 /// Sizes of a body, rounded.
 pub(super) struct Measures {
@@ -36,7 +36,7 @@ impl Measures {
         });
         let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
         let in_space: Option<Vec<[f64; 3]>> =
-            if generators.len() <= MOST_PAIRED { body.generators.iter().map(space).collect() } else { None };
+            if generators.len() <= PAIRED_GENERATOR_LIMIT { body.generators.iter().map(space).collect() } else { None };
         let surface_area = in_space
             .filter(|_| D == 3)
             .and_then(|generators| Zonotope::new([0.0; 3], generators).ok())

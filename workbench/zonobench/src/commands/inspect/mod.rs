@@ -26,8 +26,8 @@ use batch::json::rows_to_json;
 /// Options of `inspect`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is standard
-    /// input.
+    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
+    /// standard input.
     file: PathBuf,
     /// The format, where the extension does not tell it.
     #[arg(long)]

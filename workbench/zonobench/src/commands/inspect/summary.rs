@@ -11,7 +11,7 @@ use crate::input::Body;
 use batch::Verdict;
 
 /// Exact numbers longer than this are rounded.
-const LONGEST_EXACT: usize = 40;
+const EXACT_DIGIT_LIMIT: usize = 40;
 
 /// Counts and sizes in a few lines.
 pub(super) fn summary(
@@ -93,5 +93,5 @@ fn measure(exact: &str) -> String {
     };
     let (numerator, denominator) = number.into_parts();
     let rounded = figure(Dyadic::new(numerator, 0).ratio(&Dyadic::new(denominator.into(), 0)));
-    if exact.len() <= LONGEST_EXACT { format!("{exact} = {rounded}") } else { format!("{rounded}, rounded") }
+    if exact.len() <= EXACT_DIGIT_LIMIT { format!("{exact} = {rounded}") } else { format!("{rounded}, rounded") }
 }

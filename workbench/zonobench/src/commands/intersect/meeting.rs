@@ -17,7 +17,8 @@ pub(super) struct Meeting {
     pub(super) question: Value,
     pub(super) answer: Value,
     pub(super) status: String,
-    /// How many times both bodies must be taken about their centres to touch, unless they are too large for it to be found.
+    /// How many times both bodies must be taken about their centres to touch, unless they are too large for it to be
+    /// found.
     pub(super) gauge: Option<f64>,
     pub(super) proof: Proof,
 }

@@ -6,8 +6,8 @@ use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
 use batch::Verdict;
 
-/// So many terms of a point are written out.
-const MOST_TERMS: usize = 6;
+/// The number of terms of a point that are written out; further ones are counted.
+const WRITTEN_TERM_LIMIT: usize = 6;
 
 /// The answer with its proof in a few lines.
 pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -> String {
@@ -71,13 +71,13 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
 /// centre + Σ ± δ_i generator_i, the longest terms first to be left out.
 fn combination(name: &str, sign: f64, body: &Body, coefficients: &[f64]) -> String {
     let mut text = format!("centre of {name}");
-    for (index, delta) in (1..).zip(coefficients).take(MOST_TERMS) {
+    for (index, delta) in (1..).zip(coefficients).take(WRITTEN_TERM_LIMIT) {
         let delta = sign * delta;
         let written =
             if delta < 0.0 { format!(" − {}", figure(-delta)) } else { format!(" + {}", figure(delta + 0.0)) };
         text.push_str(&format!("{written} {name}{index}"));
     }
-    let left_out = body.generators.len().saturating_sub(MOST_TERMS);
+    let left_out = body.generators.len().saturating_sub(WRITTEN_TERM_LIMIT);
     if left_out > 0 {
         text.push_str(&format!(" + … ({left_out} more terms)"));
     }

@@ -1,8 +1,8 @@
 //! An answer about a data file: the question that it answers, and what can be said of it.
 //!
-//! The question is the one that the answer records. Options on the command line may repeat it; if they ask something else, or
-//! the answer records nothing, an answer that is wrong for the question at hand may be right for its own, so it is left
-//! unchecked. An answer that is right for the question at hand is right, wherever it comes from.
+//! The question is the one that the answer records. Options on the command line may repeat it; if they ask something
+//! else, or the answer records nothing, an answer that is wrong for the question at hand may be right for its own, so
+//! it is left unchecked. An answer that is right for the question at hand is right, wherever it comes from.
 
 use std::io::BufRead;
 use std::path::Path;
@@ -81,8 +81,8 @@ impl AboutData {
         self.question.as_ref().ok()
     }
 
-    /// What is to be said of an answer, and whether the command has done what it was asked to: it has not where nothing could
-    /// be judged.
+    /// What is to be said of an answer, and whether the command has done what it was asked to: it has not where
+    /// nothing could be judged.
     pub(super) fn judge(&self, answer: &Tree) -> (Verdict, Ending) {
         let question = match &self.question {
             Ok(question) => question,

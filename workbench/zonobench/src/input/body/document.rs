@@ -50,8 +50,9 @@ fn answer(file: &Path, document: &Tree) -> Option<Result<Body, InputError>> {
     }
 }
 
-/// The zonotope in the result of an answer, if there is one: `center` and `generators`, or `center` and `coefficients` of the
-/// directions that the answer's `request` names. Their products are rounded where no doubles equal them.
+/// The zonotope in the result of an answer, if there is one: `center` and `generators`, or `center` and
+/// `coefficients` of the directions that the answer's `request` names. Their products are rounded where no doubles
+/// equal them.
 pub fn body_of_answer(file: &Path, answer: &Tree) -> Result<Option<Body>, InputError> {
     let Some(result) = answer.field("result") else { return Ok(None) };
     let center = optional(file, result, "center", "result.center")?;
@@ -77,8 +78,8 @@ pub fn body_of_answer(file: &Path, answer: &Tree) -> Result<Option<Body>, InputE
     Ok(Some(Body { is_rounded, ..body }))
 }
 
-/// Whether the product of two numbers is a double. Where the product underflows, its rounding error may do so as well, and
-/// the answer is no.
+/// Whether the product of two numbers is a double. Where the product underflows, its rounding error may do so as
+/// well, and the answer is no.
 fn is_product(x: f64, y: f64) -> bool {
     let product = x * y;
     x == 0.0 || y == 0.0 || (product.abs() > f64::MIN_POSITIVE / f64::EPSILON && x.mul_add(y, -product) == 0.0)

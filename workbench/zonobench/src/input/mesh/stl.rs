@@ -93,7 +93,8 @@ impl Corners {
     }
 }
 
-/// Another beginning and the rest of a file; a text is handed out line by line, so that nobody reads ahead of the line that is looked at.
+/// Another beginning and the rest of a file; a text is handed out line by line, so that nobody reads ahead of the
+/// line that is looked at.
 struct Source<'a> {
     head: &'a [u8],
     body: &'a [u8],

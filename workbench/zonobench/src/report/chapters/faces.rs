@@ -6,19 +6,20 @@ pub(super) static CHAPTER: Chapter = Chapter {
     id: "faces",
     title: "Zonotopes and their faces",
     place: "Sections 1 and 3",
-    statement: "A zonotope is the set of all sums c + Σ δᵢ vᵢ with every δᵢ between −1 and 1: a centre and a list of generators \
-        stand for a polytope. Which vertices, edges and facets does it have?",
+    statement: "A zonotope is the set of all sums c + Σ δᵢ vᵢ with every δᵢ between −1 and 1: a centre and a list of \
+        generators stand for a polytope. Which vertices, edges and facets does it have?",
     method: &[
-        "Each generator vᵢ gives a great circle on the sphere of directions, the directions orthogonal to it. A direction off all \
-         circles has one farthest vertex, the one whose signs are those of u·vᵢ; where two circles cross lies the normal of a \
-         facet. So the faces of the zonotope are the cells of an arrangement of great circles.",
-        "Along one circle the crossings are sorted by angle. That order is the band of facets around the body that share the \
-         generator, its zone. Zones of all generators together are the face lattice.",
-        "Generators that are coplanar share one facet, with a side for each of them and its opposite. Parallel ones are merged, \
-         flat bodies have their faces within their own plane or line. Every comparison is exact.",
+        "Each generator vᵢ gives a great circle on the sphere of directions, the directions orthogonal to it. A \
+         direction off all circles has one farthest vertex, the one whose signs are those of u·vᵢ; where two circles \
+         cross lies the normal of a facet. So the faces of the zonotope are the cells of an arrangement of great \
+         circles.",
+        "Along one circle the crossings are sorted by angle. That order is the band of facets around the body that \
+         share the generator, its zone. Zones of all generators together are the face lattice.",
+        "Generators that are coplanar share one facet, with a side for each of them and its opposite. Parallel ones \
+         are merged, flat bodies have their faces within their own plane or line. Every comparison is exact.",
     ],
-    bound: "The paper: of order n² faces in space, n(n − 1) facets when no three generators are coplanar. Here: O(n² log n), and \
-        proportional to the output but for the sorting.",
+    bound: "The paper: of order n² faces in space, n(n − 1) facets when no three generators are coplanar. Here: O(n² \
+        log n), and proportional to the output but for the sorting.",
     claims: &[
         "affine-image-of-cube",
         "facets-are-parallelepipeds",

@@ -6,19 +6,19 @@ pub(super) static CHAPTER: Chapter = Chapter {
     id: "intersection",
     title: "Do two zonotopes meet?",
     place: "Section 5.1, Lemma 5.1 and Theorem 5.2",
-    statement: "Two bodies are given by their centres and generators. Do they have a point in common, do they only touch, and what \
-        proves it? The polytopes may have a million million faces; the lists are short.",
+    statement: "Two bodies are given by their centres and generators. Do they have a point in common, do they only \
+        touch, and what proves it? The polytopes may have a million million faces; the lists are short.",
     method: &[
-        "The bodies meet exactly when the difference of their centres lies in the zonotope of all generators together. So the \
-         question is whether a point p lies in one zonotope Z about the origin.",
-        "The paper's search locates p in the tiling of the upper hull: each step compares p with one separator, built by slope \
-         selection, and drops half of the tiles; then the one facet above p decides.",
-        "The default method looks for the direction u with u·p = 1 in which Z reaches least far. That is the kernel of section 4.1 \
-         again. A sample finds the neighbourhood of the best direction, one pass over the generators adds up all those whose sign \
-         is the same throughout the neighbourhood, and a handful remain to be decided exactly. If Z reaches less than 1, u \
-         separates; otherwise the signs of u·vᵢ give the coefficients of p.",
-        "Floating point only filters: wherever its error bound leaves a doubt, exact arithmetic decides, so bodies that touch are \
-         told from bodies that do not, at any scale.",
+        "The bodies meet exactly when the difference of their centres lies in the zonotope of all generators \
+         together. So the question is whether a point p lies in one zonotope Z about the origin.",
+        "The paper's search locates p in the tiling of the upper hull: each step compares p with one separator, \
+         built by slope selection, and drops half of the tiles; then the one facet above p decides.",
+        "The default method looks for the direction u with u·p = 1 in which Z reaches least far. That is the kernel \
+         of section 4.1 again. A sample finds the neighbourhood of the best direction, one pass over the generators \
+         adds up all those whose sign is the same throughout the neighbourhood, and a handful remain to be decided \
+         exactly. If Z reaches less than 1, u separates; otherwise the signs of u·vᵢ give the coefficients of p.",
+        "Floating point only filters: wherever its error bound leaves a doubt, exact arithmetic decides, so bodies \
+         that touch are told from bodies that do not, at any scale.",
     ],
     bound: "The paper: O(n log² n). Here: expected O(n), in about two readings of the generators when there are many.",
     claims: &[

@@ -9,14 +9,14 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Given lines aᵢ·x + bᵢ = 0 with weights wᵢ, find the point x of the plane that minimises \
         c·x + Σ wᵢ |aᵢ·x + bᵢ|. The same problem decides whether a point lies in a zonotope of space.",
     method: &[
-        "The paper's search keeps a vertical slab that holds the optimum. Slope selection finds the median crossing inside the \
-         slab; on the vertical line through it the minimum is a problem with one variable; the slopes there tell on which side \
-         the optimum lies, and half of the crossings are gone.",
-        "Line search walks downhill instead: along a line the minimum is a weighted median, found in linear time, and each \
-         such minimum suggests the next line.",
-        "Pruning solves the problem for a random sample, puts a small cell around the sample's optimum, and adds up all lines \
-         that miss the cell into one linear term. Few lines remain, and their optimum is the true one if it lies in the cell: \
-         a test, not a hope, so chance affects the time and never the answer.",
+        "The paper's search keeps a vertical slab that holds the optimum. Slope selection finds the median crossing \
+         inside the slab; on the vertical line through it the minimum is a problem with one variable; the slopes \
+         there tell on which side the optimum lies, and half of the crossings are gone.",
+        "Line search walks downhill instead: along a line the minimum is a weighted median, found in linear time, \
+         and each such minimum suggests the next line.",
+        "Pruning solves the problem for a random sample, puts a small cell around the sample's optimum, and adds up \
+         all lines that miss the cell into one linear term. Few lines remain, and their optimum is the true one if \
+         it lies in the cell: a test, not a hope, so chance affects the time and never the answer.",
     ],
     bound: "The paper's search: expected O(n log² n) with a randomised slope selection. Pruning: expected O(n).",
     claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "halving-search"],

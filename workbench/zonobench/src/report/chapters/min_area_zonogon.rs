@@ -6,18 +6,20 @@ pub(super) static CHAPTER: Chapter = Chapter {
     id: "min-area-zonogon",
     title: "The smallest zonogon around a set of points",
     place: "Section 4.1, Theorem 4.5",
-    statement: "A zonogon is a centrally symmetric convex polygon: the set of sums c + Σ δᵢ gᵢ with every δᵢ between −1 and 1, \
-        for a centre c and generators gᵢ. Given points of the plane, which zonogon of least area contains them all?",
+    statement: "A zonogon is a centrally symmetric convex polygon: the set of sums c + Σ δᵢ gᵢ with every δᵢ between \
+        −1 and 1, for a centre c and generators gᵢ. Given points of the plane, which zonogon of least area contains \
+        them all?",
     method: &[
-        "Once the centre O is chosen, the answer is plain: reflect the points through O and take the convex hull Z(O) of both \
-         sets. So the question is where to put O. Write P₁ … Pₙ for the corners of the hull of the points, and for each hull \
-         edge Pₜ Pₜ₊₁ let ℓₜ be the line halfway between the edge and the corner farthest from it. The edge lies on Z(O) \
-         exactly when O is on its side of ℓₜ.",
-        "The area of Z(O) is therefore a sum of hinges, one for each line: it is convex and piecewise linear, with creases on \
-         the lines ℓₜ, and its minimum lies at a crossing of two of them. Finding that crossing is the problem of the next chapter.",
-        "The answer carries a proof. Slopes δₜ between −1 and 1 that balance at the optimum bound the area of every enclosing \
-         zonogon from below; a separate verifier recomputes hull, containment, area and bound in whole-number arithmetic. The \
-         generators are rounded outward, so the zonogon contains every point exactly.",
+        "Once the centre O is chosen, the answer is plain: reflect the points through O and take the convex hull \
+         Z(O) of both sets. So the question is where to put O. Write P₁ … Pₙ for the corners of the hull of the \
+         points, and for each hull edge Pₜ Pₜ₊₁ let ℓₜ be the line halfway between the edge and the corner farthest \
+         from it. The edge lies on Z(O) exactly when O is on its side of ℓₜ.",
+        "The area of Z(O) is therefore a sum of hinges, one for each line: it is convex and piecewise linear, with \
+         creases on the lines ℓₜ, and its minimum lies at a crossing of two of them. Finding that crossing is the \
+         problem of the next chapter.",
+        "The answer carries a proof. Slopes δₜ between −1 and 1 that balance at the optimum bound the area of every \
+         enclosing zonogon from below; a separate verifier recomputes hull, containment, area and bound in \
+         whole-number arithmetic. The generators are rounded outward, so the zonogon contains every point exactly.",
     ],
     bound: "The paper: O(n log² n). Here: O(n log n) for the hull and expected O(n) for the rest.",
     claims: &[

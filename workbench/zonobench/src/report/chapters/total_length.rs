@@ -6,23 +6,26 @@ pub(super) static CHAPTER: Chapter = Chapter {
     id: "total-length",
     title: "The shortest zonotope around points of any dimension",
     place: "Sections 4.2 and 4.3, Theorems 4.6 and 4.7; section 7",
-    statement: "Given points in two, three, four or more dimensions, which zonotope around them has generators of the least total \
-        length: along given directions, or along any?",
+    statement: "Given points in two, three, four or more dimensions, which zonotope around them has generators of \
+        the least total length: along given directions, or along any?",
     method: &[
-        "Along k given directions it is a linear program. The paper's has a coefficient for every direction and every extreme point. \
-         The same zonotope has only normals that are orthogonal to d − 1 of the directions, so k lengths and a centre are enough, with \
-         one inequality for each normal; and of those normals only a few times k matter. They are found as they are needed: a point \
-         outside the present zonotope names the facet that it is beyond.",
-        "Floating point only proposes. Each answer is enlarged until every point is inside, exactly, and comes with forces: \
-         vectors λ at some of the points that add up to zero and pull along no direction by more than its weight. Whatever encloses the points \
-         costs at least Σ λ·p. So every answer tells, with a proof, how far from the best it may be.",
-        "Over all directions a net of them suffices for a ratio 1 + ε. The paper's net has of order 1/ε to the power d − 1 directions; \
-         half that exponent is enough, since a generator is a sum of segments along the corners of its cell of the net. Better than either is to add \
-         directions as they are needed: the forces span a zonotope of their own; where one of its vertices leaves the unit ball \
-         a direction is missing, and the farthest vertex says what the forces prove for all directions at once.",
+        "Along k given directions it is a linear program. The paper's has a coefficient for every direction and \
+         every extreme point. The same zonotope has only normals that are orthogonal to d − 1 of the directions, so \
+         k lengths and a centre are enough, with one inequality for each normal; and of those normals only a few \
+         times k matter. They are found as they are needed: a point outside the present zonotope names the facet \
+         that it is beyond.",
+        "Floating point only proposes. Each answer is enlarged until every point is inside, exactly, and comes with \
+         forces: vectors λ at some of the points that add up to zero and pull along no direction by more than its \
+         weight. Whatever encloses the points costs at least Σ λ·p. So every answer tells, with a proof, how far \
+         from the best it may be.",
+        "Over all directions a net of them suffices for a ratio 1 + ε. The paper's net has of order 1/ε to the power \
+         d − 1 directions; half that exponent is enough, since a generator is a sum of segments along the corners of \
+         its cell of the net. Better than either is to add directions as they are needed: the forces span a zonotope \
+         of their own; where one of its vertices leaves the unit ball a direction is missing, and the farthest \
+         vertex says what the forces prove for all directions at once.",
     ],
-    bound: "The paper: O(n k^(d−1) + k^O(d)) for k directions. Here: a few readings of the n points and programs of a few times k rows; over all directions \
-        some ten such programs.",
+    bound: "The paper: O(n k^(d−1) + k^O(d)) for k directions. Here: a few readings of the n points and programs of \
+        a few times k rows; over all directions some ten such programs.",
     claims: &[
         "structure-from-directions",
         "extreme-points-suffice",
