@@ -1,5 +1,7 @@
 //! The fields of an input, taken with their types checked.
 
+use zonotope::zonotope::Zonotope;
+
 use super::MAX_VECTORS;
 use super::place::Place;
 use super::refusal::{Code, Refusal};
@@ -90,6 +92,13 @@ impl<'a> Fields<'a> {
     pub(super) fn ranks(&self, name: &str) -> Result<Vec<u64>, Refusal> {
         let place = self.place.field(name);
         (0..).zip(self.limited(name)?).map(|(index, value)| whole(value, &place.element(index), 1)).collect()
+    }
+
+    /// The zonotope whose centre and generators are fields.
+    pub(super) fn zonotope<const D: usize>(&self) -> Result<Zonotope<D>, Refusal> {
+        let center = self.vector::<D>("center")?;
+        let generators = self.vectors::<D>("generators")?;
+        Ok(Zonotope::new(center, generators).expect("what is not finite was refused when the question was read"))
     }
 
     /// The list under `name`, if it is not too long.

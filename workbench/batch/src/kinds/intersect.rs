@@ -3,7 +3,6 @@
 use serde_json::json;
 use zonotope::collision::Query;
 
-use super::body::zonotope;
 use super::collision::{Task, certificate, locate};
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
@@ -31,7 +30,7 @@ fn in_space<const D: usize>(
     method: Option<&'static str>,
     seed: u64,
 ) -> Result<Solution, Refusal> {
-    let [a, b] = [zonotope::<D>(&bodies[0])?, zonotope::<D>(&bodies[1])?];
+    let [a, b] = [bodies[0].zonotope::<D>()?, bodies[1].zonotope::<D>()?];
     let question = Query::between(&a, &b);
     let method = Task::Locate.method::<D>(method, question.len())?;
     let (method, location) = locate(method, &question, seed)?;

@@ -3,7 +3,6 @@
 use serde_json::json;
 use zonotope::collision::Query;
 
-use super::body::zonotope;
 use super::collision::{Task, certificate, locate};
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
@@ -24,7 +23,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
 
 fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let point = fields.vector::<D>("point")?;
-    let body = zonotope::<D>(fields)?;
+    let body = fields.zonotope::<D>()?;
     let method = Task::Locate.method::<D>(method, body.generators().len())?;
     let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
     let (method, location) = locate(method, &question, seed)?;

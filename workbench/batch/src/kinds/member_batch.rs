@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 use zonotope::collision::{Gauge, Query, by_lad, by_lad_in_r4};
 use zonotope::tally::OperationCounts;
 
-use super::body::zonotope;
 use super::{Kind, Solution};
 use crate::dimension::refused;
 use crate::fields::Fields;
@@ -38,7 +37,7 @@ fn in_space<const D: usize>(
     fields: &Fields<'_>,
     gauge: impl Fn(&Query<'_, D>, &mut OperationCounts) -> Gauge<D>,
 ) -> Result<Solution, Refusal> {
-    let body = zonotope::<D>(fields)?;
+    let body = fields.zonotope::<D>()?;
     let points = fields.vectors::<D>("points")?;
     let generators = body.generators().len();
     if points.len().saturating_mul(generators) > PAIR_LIMIT {

@@ -1,6 +1,5 @@
 //! The kinds of question that are answered: one row of a table each.
 
-mod body;
 mod collision;
 mod combinatorics;
 mod gauge;

@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use super::body::zonotope;
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
@@ -26,6 +25,6 @@ fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Resu
 
 fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
     let direction = fields.vector::<D>("direction")?;
-    let support = zonotope::<D>(fields)?.support(direction);
+    let support = fields.zonotope::<D>()?.support(direction);
     Ok(json!({"value": to_json(support.value()), "point": vector_to_json(&support.point())}))
 }
