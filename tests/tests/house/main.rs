@@ -3,6 +3,7 @@
 mod code;
 mod columns;
 mod documentation;
+mod ground_floor;
 mod ids;
 mod imports;
 mod layout;

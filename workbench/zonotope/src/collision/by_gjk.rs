@@ -45,15 +45,13 @@ mod nearest;
 use nearest::Simplex;
 
 use crate::numeric::linear::dot;
+use crate::numeric::tolerance::NEAREST_POINT_ROUNDING;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::passes::extreme_sum;
 use crate::zonotope::query::Query;
 
 /// The most steps before giving up.
 pub const STEPS: u32 = 128;
-
-/// A nearest point this small against the simplex is taken for the origin: a few units in the last place.
-const NOTHING: f64 = 16.0 * f64::EPSILON;
 
 /// What the method believes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,7 +99,7 @@ pub fn locate_counted<const D: usize>(question: &Query<'_, D>, tally: &mut impl 
         if !distance.is_finite() {
             return GjkAnswer::GaveUp;
         }
-        if simplex.is_full() || distance <= NOTHING * NOTHING * simplex.largest_square() {
+        if simplex.is_full() || distance <= NEAREST_POINT_ROUNDING * NEAREST_POINT_ROUNDING * simplex.largest_square() {
             return GjkAnswer::Intersecting;
         }
         if distance >= last {

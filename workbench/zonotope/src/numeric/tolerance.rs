@@ -45,6 +45,12 @@ pub const DETERMINANT_3X3: f64 = 8.0 * UNIT;
 /// seven roundings: 16 u + 7 u, and products of these; 32 u exceeds that and the rounding of the bound.
 pub const PRODUCT_OF_ROUNDED_VECTORS: f64 = 32.0 * UNIT;
 
+/// What the nearest point of a simplex is taken to be off by rounding, beside the longest vertex: sixteen units in the last place.
+///
+/// Orthogonalising up to seven edges and subtracting from the last vertex takes each coordinate through some thirty roundings, of which about half
+/// cancel. It is an estimate and no bound, for a method in floating point whose answers are not proved.
+pub const NEAREST_POINT_ROUNDING: f64 = 32.0 * UNIT;
+
 /// Relative error of one operation on numbers of two doubles: 2^-98 = 256 u².
 ///
 /// The algorithms are good to 16 u²; the rest covers that operands are not perfectly normalised and that the bound is taken of a rounded result.

@@ -69,13 +69,13 @@ use interior::Interior;
 use ring::Candidates;
 
 /// Up to this number, points are sorted at once.
-const FEW_POINTS: usize = 64;
+const DIRECT_SORT_LIMIT: usize = 64;
 
 /// Up to this number, points left by the discarding are sorted at once.
-const FEW_CANDIDATES: usize = 512;
+const CANDIDATE_SORT_LIMIT: usize = 512;
 
 /// From this number on, more columns pay for their table.
-const MANY_POINTS: usize = 1 << 15;
+const FINER_COLUMNS_FROM: usize = 1 << 15;
 
 /// The convex hull.
 ///
@@ -97,9 +97,9 @@ pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Resul
         check_finite(points)?;
         return super::by_monotone_chain::convex_hull_counted(points, tally);
     };
-    let outside = if points.len() <= FEW_POINTS {
+    let outside = if points.len() <= DIRECT_SORT_LIMIT {
         None
-    } else if points.len() < MANY_POINTS {
+    } else if points.len() < FINER_COLUMNS_FROM {
         points_outside_sample::<256>(points, &bounds, tally)
     } else {
         points_outside_sample::<1024>(points, &bounds, tally)
@@ -142,7 +142,8 @@ fn hull_of<I: Iterator<Item = u32>>(
     tally: &mut impl Tally,
 ) -> ConvexHull {
     // about four candidates a bucket on either side; fewer make the sort cheaper but not the whole
-    let columns = if count > FEW_CANDIDATES { Columns::new(bounds, (count / 4).next_power_of_two()) } else { None };
+    let columns =
+        if count > CANDIDATE_SORT_LIMIT { Columns::new(bounds, (count / 4).next_power_of_two()) } else { None };
     match columns {
         Some(columns) => Candidates { points, count, positions }.hull(bounds, columns, tally),
         None => sites::hull_of_sorted(&sites::sorted(points, positions()), tally),

@@ -41,7 +41,7 @@ fn instance(shape: Shape, count: usize, seed: u64) -> Vec<[f64; 2]> {
 #[test]
 fn large_instances_agree_and_verify() {
     for (name, shape) in SHAPES {
-        for count in [1000, MANY_POINTS + 77] {
+        for count in [1000, FINER_COLUMNS_FROM + 77] {
             let points = instance(shape, count, 5);
             let hull = convex_hull(&points).expect("the points are finite");
             assert_eq!(verify(&points, &hull), Ok(()), "{name}, {count} points");

@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::circles::{Circles, Crossings};
 use super::position::{Position, Step};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::scaling::power_of_two;
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 use crate::zonotope::directions::{Directions, Member};
@@ -225,7 +226,7 @@ impl FaceLattice {
             body: body.clone(),
             directions,
             circles,
-            scale: if large { f64::from_bits((1023 + 64) << 52) } else { 1.0 },
+            scale: if large { power_of_two(64) } else { 1.0 },
             center: Position::of_exact(&body.center().map(|c| Dyadic::from_f64(c).scaled(-shift))),
             vertices: vec![[0.0; 3]; vertices],
             edge_ends: vec![[0; 2]; 2 * incidences],

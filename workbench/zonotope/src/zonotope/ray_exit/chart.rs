@@ -6,7 +6,7 @@ use super::descent::{dot, inverse};
 pub(crate) const NOWHERE: u32 = u32::MAX;
 
 /// A vector shorter than this, beside directions of ordinary size, is none.
-const NOTHING: f64 = 1e-12;
+const NEGLIGIBLE_LENGTH: f64 = 1e-12;
 
 /// A facet; the first `rank` − 1 entries of its basis count.
 pub(crate) struct Chart<const D: usize> {
@@ -42,7 +42,7 @@ impl<const D: usize> Chart<D> {
         // Those in the plane of the facet may have either sign; of the others the plane tells.
         for (sign, direction) in signs.iter_mut().zip(directions).filter(|(sign, _)| **sign != 0) {
             let height = dot(&normal, direction);
-            if height.abs() > NOTHING {
+            if height.abs() > NEGLIGIBLE_LENGTH {
                 *sign = if height < 0.0 { -1 } else { 1 };
             }
         }
@@ -69,7 +69,7 @@ impl<const D: usize> Chart<D> {
         for (j, (direction, &s)) in directions.iter().zip(&self.signs).enumerate().filter(|(_, (_, s))| **s != 0) {
             let height = f64::from(s) * dot(&self.normal, direction);
             let rate = f64::from(s * sign) * dot(&rows[leaving], direction);
-            if height.abs() + rate.abs() <= NOTHING {
+            if height.abs() + rate.abs() <= NEGLIGIBLE_LENGTH {
                 continue;
             }
             let turns = (rate >= 0.0, -height.max(0.0) / rate);

@@ -41,10 +41,10 @@ pub(crate) struct FacetDescent<const D: usize> {
 }
 
 /// Coefficients beyond 1 by less than this, or by what rounding the sum of all generators may do, are within their range.
-const BEYOND: f64 = 1e-13;
+const COEFFICIENT_TOLERANCE: f64 = 1e-13;
 
 /// What rounding does to coefficients of a good basis is less than this.
-const SURELY: f64 = 1e-10;
+const LARGEST_COEFFICIENT_ROUNDING: f64 = 1e-10;
 
 /// A search that takes more steps than this has lost its way in rounding errors or ties.
 const MOST_STEPS: usize = 400;
@@ -119,9 +119,9 @@ impl<const D: usize> FacetDescent<D> {
             }
             let deltas: [f64; D] = std::array::from_fn(|i| if i + 1 < rank { -dot(&rows[i], &sum) } else { 0.0 });
             // A basis that is nearly dependent says little of its coefficients: others are tried first.
-            let most = if step < MOST_STEPS / 4 { SURELY } else { f64::INFINITY };
+            let most = if step < MOST_STEPS / 4 { LARGEST_COEFFICIENT_ROUNDING } else { f64::INFINITY };
             let rounding = |i: usize| 2.0 * UNIT * self.total * dot(&rows[i], &rows[i]).sqrt();
-            let limits = std::array::from_fn(|i| 1.0 + rounding(i).clamp(BEYOND, most));
+            let limits = std::array::from_fn(|i| 1.0 + rounding(i).clamp(COEFFICIENT_TOLERANCE, most));
             let leaving = self.leaving(&deltas[..rank - 1], &limits, step);
             let Some(leaving) = leaving else {
                 let gauge = dot(&normal, &sum);

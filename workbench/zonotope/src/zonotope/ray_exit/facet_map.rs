@@ -51,7 +51,7 @@ const MOST_KEPT: usize = 1 << 24;
 const CELLS: usize = 1 << 13;
 
 /// A coefficient beyond its limit by less than this part is within it.
-const BEYOND: f64 = 1e-13;
+const COEFFICIENT_TOLERANCE: f64 = 1e-13;
 
 impl<const D: usize> FacetMap<D> {
     /// An empty map for directions that span the first `rank` coordinates.
@@ -120,7 +120,7 @@ impl<const D: usize> FacetMap<D> {
             let mut worst = (0.0, NOWHERE as usize);
             for (i, &b) in chart.basis[..last].iter().enumerate() {
                 let limit = self.coefficients[b] * a[last];
-                let beyond = a[i].abs() - limit * (1.0 + BEYOND);
+                let beyond = a[i].abs() - limit * (1.0 + COEFFICIENT_TOLERANCE);
                 if beyond > worst.0 {
                     let size: f64 = chart.rows[i].iter().zip(ray).map(|(r, q)| (r * q).abs()).sum();
                     if beyond > 8.0 * UNIT * size {
@@ -136,7 +136,7 @@ impl<const D: usize> FacetMap<D> {
                 });
                 let [normal, sum] = [chart.normal, sum].map(|v| v.map(|c| c * flip));
                 let basis = sorted(self.rank, chart.basis);
-                let most = a[last] * (1.0 + 2.0 * BEYOND);
+                let most = a[last] * (1.0 + 2.0 * COEFFICIENT_TOLERANCE);
                 return Some((place, Exit { gauge: 1.0 / a[last], normal, basis, sum, most }));
             }
             let side = usize::from(a[leaving] < 0.0);

@@ -1,0 +1,149 @@
+//! The ground floor (`numeric`) is written once: what it offers is not written again in the problems that stand on it.
+
+use std::collections::BTreeSet;
+
+use tests::sources::{LIBRARY, Source, files};
+
+/// Functions that `numeric` has for all numbers: a second one elsewhere is a copy.
+const ONE_OF_A_KIND: [&str; 8] = [
+    "dot",
+    "cross",
+    "determinant",
+    "inverse",
+    "dense_inverse",
+    "rounded_towards",
+    "binary_exponent",
+    "scale_by_power_of_two",
+];
+
+/// Folders and files of the library that hold copies still, to be converted; one without a copy is taken off the list.
+const WITH_COPIES: [&str; 2] = ["lad/", "enclosing/"];
+
+/// Folders and files of the library that hold constants of error bounds still, to be moved to `numeric/tolerance.rs`.
+const WITH_BOUNDS: [&str; 2] = ["collision/by_lad/", "lad/"];
+
+/// Words that say how much, and nothing of what: a constant made of these alone does not say what it bounds.
+const VAGUE_WORDS: [&str; 28] = [
+    "FEW", "FEWER", "MANY", "MUCH", "MORE", "MOST", "ENOUGH", "FAR", "FARTHER", "FARTHEST", "NEAR", "NEARER",
+    "NEAREST", "NEARLY", "SHORT", "SHORTER", "SHORTEST", "LONG", "LONGEST", "SURELY", "CLEAR", "BEYOND", "WIDER",
+    "DEAR", "OFTEN", "NOTHING", "TINY", "SLACK",
+];
+
+/// Folders and files with such constants still, to be renamed.
+const WITH_VAGUE_NAMES: [&str; 3] = ["collision/by_lad/", "enclosing/", "lad/"];
+
+/// Files that name a brute-force twin still.
+const WITH_A_TWIN: [&str; 1] = ["enclosing/min_area_zonogon/verify.rs"];
+
+fn library() -> Vec<Source> {
+    files(LIBRARY, &[".rs"]).into_iter().filter(|source| !source.is_test()).collect()
+}
+
+fn inner(source: &Source) -> &str {
+    source.path.trim_start_matches(LIBRARY).trim_start_matches('/')
+}
+
+/// Fails with the offences outside the places that are listed, and with the places that have none any more.
+fn only_where_listed(offences: impl Iterator<Item = (String, String)>, listed: &[&str], what: &str) {
+    let (mut found, mut needed) = (Vec::new(), BTreeSet::new());
+    for (path, offence) in offences {
+        match listed.iter().find(|place| path.starts_with(**place)) {
+            Some(place) => drop(needed.insert(*place)),
+            None => found.push(format!("{path}: {offence}")),
+        }
+    }
+    assert!(found.is_empty(), "{what}: {found:#?}");
+    for place in listed {
+        assert!(needed.contains(place), "{place} is free of {what}: take it off the list");
+    }
+}
+
+/// The offences that a rule finds in a file's code, outside its unit tests.
+fn offences<'a>(
+    sources: &'a [Source],
+    rule: impl Fn(&str) -> bool + 'a,
+) -> impl Iterator<Item = (String, String)> + 'a {
+    sources.iter().flat_map(move |source| {
+        let lines: Vec<String> = source.code_lines().map(|(_, line)| line.trim().to_owned()).collect();
+        lines.into_iter().filter(|line| rule(line)).map(|line| (inner(source).to_owned(), line)).collect::<Vec<_>>()
+    })
+}
+
+/// The name that a line declares with a keyword.
+fn declared<'a>(line: &'a str, keyword: &str) -> Option<&'a str> {
+    let (before, rest) = line.split_once(keyword)?;
+    let is_declaration = before.split_whitespace().all(|word| word.starts_with("pub") || word == "const");
+    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+    is_declaration.then(|| &rest[..end])
+}
+
+fn is_a_copy(line: &str) -> bool {
+    // a method is about its own type
+    let is_method = line.contains("self");
+    declared(line, "fn ").is_some_and(|name| ONE_OF_A_KIND.contains(&name) || name.ends_with("median")) && !is_method
+}
+
+/// Whether a line declares a constant that is a power of two by its bits, or a multiple of the unit of rounding.
+fn is_an_error_bound(line: &str) -> bool {
+    const MARKS: [&str; 5] = ["from_bits(", "EPSILON", "UNIT", "1_048_576.0", "power_of_two("];
+    let value = line.split_once(": f64 =").map(|(_, value)| value);
+    declared(line, "const ").is_some() && value.is_some_and(|value| MARKS.iter().any(|mark| value.contains(mark)))
+}
+
+fn is_vague(line: &str) -> bool {
+    declared(line, "const ")
+        .is_some_and(|name| !name.is_empty() && name.split('_').all(|word| VAGUE_WORDS.contains(&word)))
+}
+
+fn names_a_twin(line: &str) -> bool {
+    (line.starts_with("use ") || line.starts_with("pub use ")) && line.contains("brute_force")
+}
+
+#[test]
+fn products_determinants_and_medians_are_those_of_the_ground_floor() {
+    let sources: Vec<Source> = library().into_iter().filter(|s| !inner(s).starts_with("numeric/")).collect();
+    only_where_listed(offences(&sources, is_a_copy), &WITH_COPIES, "copies of the ground floor");
+}
+
+#[test]
+fn error_bounds_have_one_home() {
+    let sources: Vec<Source> = library().into_iter().filter(|s| !inner(s).starts_with("numeric/")).collect();
+    only_where_listed(offences(&sources, is_an_error_bound), &WITH_BOUNDS, "constants of error bounds");
+}
+
+#[test]
+fn constants_say_what_they_bound() {
+    only_where_listed(offences(&library(), is_vague), &WITH_VAGUE_NAMES, "constants that do not say what they bound");
+}
+
+/// Facades declare twins, and a registry of methods lists them; a method that rests on its own truth proves nothing.
+#[test]
+fn only_tests_rest_on_a_brute_force_twin() {
+    let is_facade = |source: &Source| ["mod.rs", "lib.rs", "method.rs"].contains(&source.name());
+    let sources: Vec<Source> = library().into_iter().filter(|source| !is_facade(source)).collect();
+    only_where_listed(offences(&sources, names_a_twin), &WITH_A_TWIN, "imports of a brute-force twin");
+}
+
+/// A twin that shares a method's code shares its errors.
+#[test]
+fn a_twin_rests_on_its_problem_and_on_numbers_alone() {
+    let twins: Vec<Source> = library().into_iter().filter(|source| source.name() == "brute_force.rs").collect();
+    assert!(twins.len() > 5, "twins are recognised by their name");
+    let rests_on_a_method = |line: &str| line.starts_with("use ") && line.contains("by_");
+    only_where_listed(offences(&twins, rests_on_a_method), &[], "methods in brute-force twins");
+}
+
+#[test]
+fn offences_are_told_from_what_is_allowed() {
+    for line in ["fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {", "pub(super) fn weighted_median<T>(items: &mut [T]) {"] {
+        assert!(is_a_copy(line), "{line}");
+    }
+    for line in ["pub fn determinant(&self) -> &Dyadic {", "fn crossing(a: f64) {", "let x = dot(a, b);"] {
+        assert!(!is_a_copy(line), "{line}");
+    }
+    assert!(is_an_error_bound("pub(super) const SLACK: f64 = 1.0 + 8.0 * UNIT;"));
+    assert!(!is_an_error_bound("const BLOCK: usize = 256;") && !is_an_error_bound("let unit: f64 = UNIT;"));
+    assert!(is_vague("const FEW: usize = 64;") && is_vague("pub const MUCH_NEARER: f64 = 10.0;"));
+    assert!(!is_vague("const MOST_ROUNDS: usize = 8;") && !is_vague("const EXACT_SOLVE_LIMIT: usize = 64;"));
+    assert!(names_a_twin("use super::brute_force::{Span, Vector};") && !names_a_twin("pub mod brute_force;"));
+}
