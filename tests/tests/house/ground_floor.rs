@@ -30,7 +30,7 @@ const VAGUE_WORDS: [&str; 28] = [
 ];
 
 /// Folders and files with such constants still, to be renamed.
-const WITH_VAGUE_NAMES: [&str; 3] = ["collision/by_lad/", "enclosing/", "lad/"];
+const WITH_VAGUE_NAMES: [&str; 1] = ["enclosing/"];
 
 /// Files that name a brute-force twin still.
 const WITH_A_TWIN: [&str; 1] = ["enclosing/min_area_zonogon/verify.rs"];
