@@ -65,7 +65,7 @@ pub fn least_area(points: &[[f64; 2]]) -> (Rational, Vec<Point>) {
 }
 
 /// The area of Z(O) around points.
-pub fn centered_area(points: &[Point], [ox, oy]: &Point) -> Rational {
+fn centered_area(points: &[Point], [ox, oy]: &Point) -> Rational {
     let reflected = points.iter().map(|[x, y]| [ox + ox - x, oy + oy - y]);
     let hull = convex_hull(points.iter().cloned().chain(reflected).collect());
     let next = hull.iter().cycle().skip(1);

@@ -1,16 +1,19 @@
 //! Checks an answer in exact arithmetic: that the zonogon contains the points, and that the bounds hold.
 //!
-//! The lower bound rests on three facts that anyone can recompute. (1) With e_t the edges of the hull, P_s the vertex farthest from edge t and
-//! v_t(O) = e_t × (2O − P_s − P_t), the area of the smallest zonogon centred at O is f(O) = C + ½ Σ |v_t(O)|. (2) For coefficients
-//! |δ_t| ≤ 1 with Σ δ_t e_t = 0 the sum Σ δ_t v_t(O) does not depend on O. (3) Hence f(O) ≥ f(c) − ½ Σ (|v_t(c)| − δ_t v_t(c)) for every O
-//! and any c; here c is the centre of the answer and f(c) the area of the hull of the points and their reflections in c.
+//! The lower bound rests on three facts that anyone can recompute. (1) With e_t the edges of the hull, P_s the vertex farthest from
+//! edge t and v_t(O) = e_t × (2O − P_s − P_t), the area of the smallest zonogon centred at O is f(O) = A + ½ Σ |v_t(O)|, A the area
+//! of the hull. (2) For coefficients |δ_t| ≤ 1 with Σ δ_t e_t = 0 the sum Σ δ_t v_t(O) does not depend on O. (3) Hence
+//! f(O) ≥ A + ½ Σ δ_t v_t(c) for every O and any c; here c is the centre of the answer.
+//!
+//! For (1): f grows by Σ max(0, v_t) from a constant, as [`bisectors`](crate::enclosing::bisectors) derives, and the constant is the
+//! mixed area of the hull and its reflection, ½ Σ e_t × P_s. With Σ e_t = 0 and Σ P_t × e_t = 2A the sum of all v_t is
+//! 2A − Σ e_t × P_s, so f = ½ Σ e_t × P_s + ½ Σ v_t + ½ Σ |v_t| = A + ½ Σ |v_t|.
 
 use std::cmp::Ordering;
 
 use thiserror::Error;
 
 use super::answer::MinAreaZonogon;
-use super::brute_force::centered_area;
 use crate::hull::{self, ConvexHull};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -110,7 +113,7 @@ fn contains_hull(answer: &MinAreaZonogon) -> Result<(), MinAreaDefect> {
     Ok(())
 }
 
-/// f(c) − ½ Σ (|v_t(c)| − δ_t v_t(c)) at the centre c of the answer.
+/// A + ½ Σ δ_t v_t(c) at the centre c of the answer, once the optimal centre has been found to be where δ_t v_t = |v_t| for all t.
 fn proven_lower_bound(answer: &MinAreaZonogon) -> Result<Rational, MinAreaDefect> {
     let hull: Vec<[Rational; 2]> =
         answer.hull.vertices().iter().map(|p| p.map(|v| Dyadic::from_f64(v).to_rational())).collect();
@@ -120,20 +123,34 @@ fn proven_lower_bound(answer: &MinAreaZonogon) -> Result<Rational, MinAreaDefect
     }
     let coefficients = coefficients(answer, &hull)?;
     let farthest = farthest(&answer.hull);
-    let loss_at = |center: &[Rational; 2]| {
-        coefficients.iter().enumerate().fold(Rational::ZERO, |loss, (t, coefficient)| {
+    let values_at = |center: &[Rational; 2]| -> Vec<Rational> {
+        let value = |t: usize| {
             let (from, edge, far) = (&hull[t], edge(&hull, t), &hull[farthest[t]]);
             let d = [0, 1].map(|i| &center[i] + &center[i] - &far[i] - &from[i]);
-            let value = &edge[0] * &d[1] - &edge[1] * &d[0];
-            let size = if value < Rational::ZERO { -value.clone() } else { value.clone() };
-            loss + size - coefficient * value
-        })
+            &edge[0] * &d[1] - &edge[1] * &d[0]
+        };
+        (0..hull.len()).map(value).collect()
     };
     let [x, y, w] = answer.optimal_center.each_ref().map(|v| v.to_rational());
-    if w == Rational::ZERO || loss_at(&[x / &w, y / w]) != Rational::ZERO {
+    if w == Rational::ZERO {
         return Err(MinAreaDefect::Center);
     }
-    Ok(centered_area(&hull, &center) - loss_at(&center) / Rational::from(2))
+    let is_attained = |(value, coefficient): (&Rational, &Rational)| {
+        let size = if *value < Rational::ZERO { -value.clone() } else { value.clone() };
+        coefficient * value == size
+    };
+    if !values_at(&[x / &w, y / w]).iter().zip(&coefficients).all(is_attained) {
+        return Err(MinAreaDefect::Center);
+    }
+    let terms = values_at(&center).into_iter().zip(&coefficients).map(|(value, coefficient)| coefficient * value);
+    let doubled = terms.fold(doubled_area(&hull), |sum, term| sum + term);
+    Ok(doubled / Rational::from(2))
+}
+
+/// Twice the area of a polygon.
+fn doubled_area(polygon: &[[Rational; 2]]) -> Rational {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(next).fold(Rational::ZERO, |sum, (a, b)| sum + &a[0] * &b[1] - &a[1] * &b[0])
 }
 
 /// The coefficients δ_t with those of the basis solved for.

@@ -115,12 +115,12 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
     }
 
     /// The zonotope contains all points when its generators are so much longer; infinite where none of its multiples does.
-    pub(super) fn reach(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
+    pub(super) fn stretch(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
         let all = 0..self.frame.points.len();
-        self.sights(center, generators, all).fold(1.0, |reach: f64, (_, sight)| match sight {
-            Sight::Facet { gauge, .. } => reach.max(1.0 / gauge),
+        self.sights(center, generators, all).fold(1.0, |stretch: f64, (_, sight)| match sight {
+            Sight::Facet { gauge, .. } => stretch.max(1.0 / gauge),
             Sight::OffSpan { .. } => f64::INFINITY,
-            Sight::Center => reach,
+            Sight::Center => stretch,
         })
     }
 }
@@ -164,9 +164,9 @@ mod tests {
         let frame = Frame::new(&points);
         let coordinates = BoxCoordinates::of(&frame);
         let boxed = coordinates.boxed();
-        assert!(coordinates.reach(boxed.center, &boxed.generators) < 1.0 + 1e-9);
+        assert!(coordinates.stretch(boxed.center, &boxed.generators) < 1.0 + 1e-9);
         let long = 0.5 * (frame.points[1][0] - frame.points[0][0]).abs();
         assert!((boxed.upper / long - 1.0).abs() < 1e-5);
-        assert_eq!(coordinates.reach(boxed.center, &boxed.generators[..1]), f64::INFINITY);
+        assert_eq!(coordinates.stretch(boxed.center, &boxed.generators[..1]), f64::INFINITY);
     }
 }

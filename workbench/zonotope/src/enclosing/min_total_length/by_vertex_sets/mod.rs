@@ -59,8 +59,11 @@
 //! ```
 
 mod interior;
+mod members;
 mod outer_points;
+mod point_set;
 mod set_generation;
+mod start;
 mod vertex_sets;
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
@@ -73,7 +76,7 @@ use crate::tally::Tally;
 use crate::zonotope::ray_exit::dot;
 use interior::scalar::Scalar;
 use outer_points::outer_points;
-use set_generation::least_by_sides;
+use set_generation::least_by_vertex_sets;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible.
 ///
@@ -146,8 +149,8 @@ fn around_hull<R: Scalar, const D: usize>(
     work: &mut f64,
     tally: &mut impl Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    let found = least_by_sides::<R, D>(frame, epsilon, best, work, tally);
-    conclude(points, frame, found.inner, best, found.progress, found.sides, epsilon)
+    let found = least_by_vertex_sets::<R, D>(frame, epsilon, best, work, tally);
+    conclude(points, frame, found.inner, best, found.progress, found.sets, epsilon)
 }
 
 /// Multipliers that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.

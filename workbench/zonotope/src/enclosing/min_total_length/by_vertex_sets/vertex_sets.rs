@@ -1,230 +1,233 @@
-//! Points with multipliers, and the sets of points that are on one side of the others.
+//! The points that have a multiplier, and the sets of them that bound the multipliers.
 //!
-//! Σ_j |λ_j · v| is the largest of 2 Σ_{j ∈ T} λ_j · v over all sets T of points, as Σ λ_j = 0. So the multipliers are within their limits for every unit vector v
-//! just when |w_T| ≤ 1 for every T, w_T = 2 Σ_{j ∈ T} λ_j. Each T is a generator of which T is at one end and the other points at the other; unlike a direction of
-//! a net it turns freely. Those T that part the points by a plane through the origin, on the side of a vertex of Σ [−1, 1] λ_j, are all that count.
+//! The multipliers λ_j with Σ λ_j = 0 must satisfy Σ_j |λ_j · v| ≤ 1 for every unit vector v. The left side is the largest of
+//! 2 Σ_{j ∈ T} λ_j · v over all sets T of points, so the condition says that |w_T| ≤ 1 for every T, with w_T = 2 Σ_{j ∈ T} λ_j: one
+//! second-order cone constraint for each set. The multiplier of the constraint is a generator g_T, of which the points of T are at
+//! one end and the others at the other; unlike a direction of a net it turns freely. Only the sets of vertices count: those that a
+//! plane through the origin cuts off from the multipliers as vectors, on the side of a vertex of Σ [−1, 1] λ_j.
 //!
-//! For each set a slack (τ_T, w_T) and a load (t_T, −g_T) lie in the cone of [`ConeVector`] vectors. At the optimum p_j − p_0 = Σ_{T ∋ j} 2 g_T for every point, τ_T = 1, and
-//! Σ t_T = Σ λ_j · p_j. Sets are kept in an order in which neighbours differ by few points: that of a reflected binary code.
+//! For each set the slack (τ_T, w_T) and the dual variable (t_T, −g_T) lie in the cone of [`ConeVector`]s. At the optimum
+//! p_j − p_0 = Σ_{T ∋ j} 2 g_T for every point, τ_T = 1, and Σ t_T = Σ λ_j · p_j. The sets are kept in the order of a reflected
+//! binary code, in which neighbours differ by few points.
 
 use std::collections::BTreeSet;
 
 use super::interior::cone::ConeVector;
 use super::interior::scalar::{Scalar, dot, plus, real, values, zero};
+use super::point_set::PointSet;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 
-/// A set of points, one bit each, with its slack and its load.
+/// A set of points with the slack of its constraint and the dual variable.
 #[derive(Debug, Clone)]
-pub(super) struct Side<R, const D: usize> {
-    pub(super) set: Vec<u64>,
+pub(super) struct VertexSet<R, const D: usize> {
+    pub(super) points: PointSet,
     pub(super) slack: ConeVector<R, D>,
-    pub(super) load: ConeVector<R, D>,
-    /// How long its generator may be expected to be.
-    expected: f64,
+    pub(super) dual: ConeVector<R, D>,
+    /// The length that its generator was expected to have when the set joined.
+    expected_length: f64,
 }
 
-impl<R, const D: usize> Side<R, D> {
-    pub(super) fn members(&self) -> impl Iterator<Item = usize> {
-        members(&self.set)
-    }
-}
-
-/// Points with their multipliers, and the sets of points seen so far.
-pub(super) struct Sides<'a, R, const D: usize> {
+/// Points with their multipliers, and the sets of them found so far.
+pub(super) struct VertexSets<'a, R, const D: usize> {
     coordinates: &'a BoxCoordinates<'a, D>,
     pub(super) rank: usize,
-    /// Relative to the first one, which lies in no set.
+    /// The points relative to the first one, which lies in no set.
     pub(super) points: Vec<[R; D]>,
-    /// And in box coordinates.
-    spread: Vec<[f64; D]>,
+    /// The same in box coordinates.
+    box_points: Vec<[f64; D]>,
     pub(super) multipliers: Vec<[R; D]>,
-    pub(super) sides: Vec<Side<R, D>>,
-    known: BTreeSet<Vec<u64>>,
-    /// What slack · load is to be for a new set.
+    pub(super) sets: Vec<VertexSet<R, D>>,
+    known: BTreeSet<PointSet>,
+    /// The central-path parameter: slack · dual of a new set.
     pub(super) mu: f64,
-    /// Roughly the least length of a zonotope around the points.
+    /// Roughly the least total length of a zonotope around the points.
     pub(super) length: f64,
-    /// Products and sums so far, roughly.
+    /// Roughly how many multiplications and additions were spent so far.
     pub(super) work: f64,
 }
 
-/// So many times as many sets as coordinates of multipliers are kept, and no fewer than so many.
-const MOST_SETS: usize = 4;
-const FEW_SETS: usize = 1000;
+/// At most this many sets are kept for each coordinate of a multiplier,
+const SETS_PER_COORDINATE: usize = 4;
 
-/// The generator of a new set begins shorter than what there is room for by this.
-const SHORTER: f64 = 15.0;
+/// and never fewer than this many.
+const SETS_ALWAYS_KEPT: usize = 1000;
 
-/// Points nearer to each other than this, in box coordinates, are so far apart: the rest is rounding.
-const NEAREST: f64 = 1e-14;
+/// The generator of a new set begins shorter by this factor than what there is room for: begun longer it has to shrink, which takes
+/// an interior-point method more steps than growing.
+const FIRST_LENGTH_DIVISOR: f64 = 15.0;
 
-/// A new point joins the sets of one that is nearer by this to it than the vertex along its pull.
-const MUCH_NEARER: f64 = 10.0;
+/// Two points nearer to each other than this, in box coordinates, count as this far apart: the rest is rounding.
+const LEAST_BOX_DISTANCE: f64 = 1e-14;
 
-/// The gap at the beginning, as a multiple of the length.
-const BEGIN: f64 = 0.5;
+/// A new point joins the sets of its nearest point instead of those along its normal where that puts it nearer by this factor.
+const NEIGHBOUR_PREFERENCE: f64 = 10.0;
 
-impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
-    /// The first point, with no multiplier at all; roughly the length to be expected.
+/// The duality gap at the beginning, as a multiple of the length.
+const FIRST_RELATIVE_GAP: f64 = 0.5;
+
+impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
+    /// The first point alone with the multiplier 0; `length` is roughly what is to be expected.
     pub(super) fn new(rank: usize, coordinates: &'a BoxCoordinates<'a, D>, length: f64) -> Self {
         Self {
             coordinates,
             rank,
             points: vec![zero()],
-            spread: vec![[0.0; D]],
+            box_points: vec![[0.0; D]],
             multipliers: vec![zero()],
-            sides: Vec::new(),
+            sets: Vec::new(),
             known: BTreeSet::new(),
-            mu: BEGIN * length / rank as f64,
+            mu: FIRST_RELATIVE_GAP * length / rank as f64,
             length,
             work: 0.0,
         }
     }
 
     /// Points with multipliers, and the sets on the positive side of some directions.
-    pub(super) fn begun(
+    pub(super) fn with_multipliers(
         rank: usize,
         coordinates: &'a BoxCoordinates<'a, D>,
         points: &[[f64; D]],
         multipliers: Vec<[f64; D]>,
         directions: &[[f64; D]],
     ) -> Self {
-        let points: Vec<[R; D]> = points.iter().map(|p| apart(p, &points[0])).collect();
+        let points: Vec<[R; D]> = points.iter().map(|p| difference(p, &points[0])).collect();
         let multipliers: Vec<[R; D]> = multipliers.iter().map(real).collect();
         let length = points.iter().zip(&multipliers).map(|(p, f)| dot(p, f).value()).sum();
-        let spread = points.iter().map(|p| coordinates.vector(&values(p))).collect();
-        let mut sides = Self { points, spread, multipliers, ..Self::new(rank, coordinates, length) };
-        sides.mu = BEGIN * length / (directions.len() + sides.points.len()) as f64;
-        for point in 1..sides.points.len() {
-            sides.add_own(point);
+        let box_points = points.iter().map(|p| coordinates.vector(&values(p))).collect();
+        let mut sets = Self { points, box_points, multipliers, ..Self::new(rank, coordinates, length) };
+        sets.mu = FIRST_RELATIVE_GAP * length / (directions.len() + sets.points.len()) as f64;
+        for point in 1..sets.points.len() {
+            sets.add_single(point);
         }
         for direction in directions {
-            sides.part(direction);
+            sets.add_set_along(direction);
         }
-        sides
+        sets
     }
 
-    /// Adds a point, where the first one is, and a direction in which it will be pulled; its own set keeps its multiplier within limits.
-    pub(super) fn add_point(&mut self, point: &[f64; D], first: &[f64; D], pull: &[f64; D]) {
+    /// Adds a point with the multiplier 0, given with the first point and the normal of the facet that it sees. Its own set is added,
+    /// which keeps its multiplier bounded.
+    pub(super) fn add_point(&mut self, point: &[f64; D], first: &[f64; D], normal: &[f64; D]) {
         let place = self.points.len();
-        let apart = apart(point, first);
-        let joined = self.joined(&apart, pull);
-        for (side, is_in) in self.sides.iter_mut().zip(joined) {
-            if place.is_multiple_of(64) {
-                side.set.push(0);
-            }
+        let relative = difference(point, first);
+        let joined = self.joined_sets(&relative, normal);
+        for (set, is_in) in self.sets.iter_mut().zip(joined) {
+            set.points.make_room(place);
             if is_in {
-                insert(&mut side.set, place);
+                set.points.insert(place);
             }
         }
-        self.points.push(apart);
-        self.spread.push(self.coordinates.vector(&values(&apart)));
+        self.points.push(relative);
+        self.box_points.push(self.coordinates.vector(&values(&relative)));
         self.multipliers.push(zero());
-        self.known = self.sides.iter().map(|side| side.set.clone()).collect();
-        self.add_own(place);
+        self.known = self.sets.iter().map(|set| set.points.clone()).collect();
+        self.add_single(place);
     }
 
-    /// The sets that a new point joins: those of the vertex along its pull, or of the point nearest to it where that is much nearer.
-    fn joined(&self, point: &[R; D], pull: &[f64; D]) -> Vec<bool> {
-        let pull = real(pull);
-        let along_pull: Vec<bool> = self.sides.iter().map(|side| dot(&side.slack.rest, &pull).value() > 0.0).collect();
+    /// Which sets a new point joins: those whose generators point along its normal, or those of the point nearest to it where that
+    /// puts it much nearer to its place.
+    fn joined_sets(&self, point: &[R; D], normal: &[f64; D]) -> Vec<bool> {
+        let normal = real(normal);
+        let along_normal: Vec<bool> = self.sets.iter().map(|set| dot(&set.slack.rest, &normal).value() > 0.0).collect();
         let size = |v: &[R; D]| self.coordinates.size(&values(v));
         let missed = |joined: &[bool]| {
-            let ends = self.sides.iter().zip(joined).filter(|(_, is_in)| **is_in);
-            size(&ends.fold(*point, |rest, (side, _)| plus(&rest, R::from(2.0), &side.load.rest)))
+            let ends = self.sets.iter().zip(joined).filter(|(_, is_in)| **is_in);
+            size(&ends.fold(*point, |rest, (set, _)| plus(&rest, R::from(2.0), &set.dual.rest)))
         };
         let distance = |other: &[R; D]| size(&plus(point, R::from(-1.0), other));
         let others = self.points.iter().map(distance).enumerate();
         let (nearest, _) = others.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there is a first point");
-        let of_nearest: Vec<bool> = self.sides.iter().map(|side| contains(&side.set, nearest)).collect();
-        if MUCH_NEARER * missed(&of_nearest) < missed(&along_pull) { of_nearest } else { along_pull }
+        let of_nearest: Vec<bool> = self.sets.iter().map(|set| set.points.contains(nearest)).collect();
+        if NEIGHBOUR_PREFERENCE * missed(&of_nearest) < missed(&along_normal) { of_nearest } else { along_normal }
     }
 
-    fn add_own(&mut self, point: usize) {
-        let mut own = vec![0; self.points.len().div_ceil(64)];
-        insert(&mut own, point);
+    fn add_single(&mut self, point: usize) {
+        let mut own = PointSet::with_room_for(self.points.len());
+        own.insert(point);
         self.add_set(own);
     }
 
-    /// Adds the set of points whose multipliers point to one side; whether it is new.
-    pub(super) fn part(&mut self, vertex: &[f64; D]) -> bool {
-        let vertex = real(vertex);
-        let of_first = dot(&self.multipliers[0], &vertex).value() > 0.0;
-        let mut set = vec![0; self.points.len().div_ceil(64)];
+    /// Adds the set of the points whose multipliers are on the same side of a direction; whether it is new. The direction is that of
+    /// a vertex of Σ [−1, 1] λ_j.
+    pub(super) fn add_set_along(&mut self, direction: &[f64; D]) -> bool {
+        let direction = real(direction);
+        let of_first = dot(&self.multipliers[0], &direction).value() > 0.0;
+        let mut set = PointSet::with_room_for(self.points.len());
         let mut is_empty = true;
         for (j, multiplier) in self.multipliers.iter().enumerate() {
-            if (dot(multiplier, &vertex).value() > 0.0) != of_first {
-                insert(&mut set, j);
+            if (dot(multiplier, &direction).value() > 0.0) != of_first {
+                set.insert(j);
                 is_empty = false;
             }
         }
         !is_empty && self.add_set(set)
     }
 
-    fn add_set(&mut self, set: Vec<u64>) -> bool {
-        if !self.known.insert(set.clone()) {
+    fn add_set(&mut self, points: PointSet) -> bool {
+        if !self.known.insert(points.clone()) {
             return false;
         }
-        let w = sum_over(&set, &self.multipliers);
+        let w = doubled_sum(&points, &self.multipliers);
         let square = dot(&w, &w);
         let along =
             if square.value() > 0.0 { self.coordinates.segment(&values(&w)) } else { self.length / self.rank as f64 };
-        let expected = along * self.parted(&set).min(1.0 / self.points.len() as f64) / SHORTER;
-        let square = square + R::from(self.mu / expected);
+        let expected_length =
+            along * self.separation(&points).min(1.0 / self.points.len() as f64) / FIRST_LENGTH_DIVISOR;
+        let square = square + R::from(self.mu / expected_length);
         let head = if square.value() < 1.0 { R::from(1.0) } else { square.sqrt() };
         let slack = ConeVector { head, rest: w };
-        self.sides.push(Side { set, slack, load: slack.load(R::from(self.mu)), expected });
+        self.sets.push(VertexSet { points, slack, dual: slack.dual_at(R::from(self.mu)), expected_length });
         true
     }
 
-    /// How near a point of a set comes to one that is not in it, in box coordinates.
-    fn parted(&self, set: &[u64]) -> f64 {
+    /// The least distance of a point of a set from one outside it, in box coordinates.
+    fn separation(&self, set: &PointSet) -> f64 {
         let mut least = f64::INFINITY;
-        for j in members(set) {
-            for (k, other) in self.spread.iter().enumerate() {
-                if !contains(set, k) {
-                    let apart = plus(&self.spread[j], -1.0, other);
+        for j in set.members() {
+            for (k, other) in self.box_points.iter().enumerate() {
+                if !set.contains(k) {
+                    let apart = plus(&self.box_points[j], -1.0, other);
                     least = least.min(dot(&apart, &apart));
                 }
             }
         }
-        least.sqrt().max(NEAREST)
+        least.sqrt().max(LEAST_BOX_DISTANCE)
     }
 
-    /// Brings the sets into their order, and forgets those that bear least if there are too many.
-    pub(super) fn tidy(&mut self) {
-        let most = (MOST_SETS * self.rank * self.points.len()).max(FEW_SETS);
-        if self.sides.len() > most {
-            let load = |side: &Side<R, D>| side.load.head.value() / side.expected;
-            let mut loads: Vec<f64> = self.sides.iter().map(load).collect();
-            let (_, least, _) = loads.select_nth_unstable_by(most, |a, b| b.total_cmp(a));
-            let is_single = |side: &Side<R, D>| side.set.iter().map(|word| word.count_ones()).sum::<u32>() == 1;
-            self.sides.retain(|side| load(side) > *least || is_single(side));
-            self.known = self.sides.iter().map(|side| side.set.clone()).collect();
+    /// Brings the sets into their order, and of too many drops those whose generators are shortest beside what was expected.
+    pub(super) fn prune(&mut self) {
+        let most = (SETS_PER_COORDINATE * self.rank * self.points.len()).max(SETS_ALWAYS_KEPT);
+        if self.sets.len() > most {
+            let relative_length = |set: &VertexSet<R, D>| set.dual.head.value() / set.expected_length;
+            let mut lengths: Vec<f64> = self.sets.iter().map(relative_length).collect();
+            let (_, least, _) = lengths.select_nth_unstable_by(most, |a, b| b.total_cmp(a));
+            self.sets.retain(|set| relative_length(set) > *least || set.points.is_single());
+            self.known = self.sets.iter().map(|set| set.points.clone()).collect();
         }
-        self.sides.sort_by_cached_key(|side| place_in_code(&side.set));
+        self.sets.sort_by_cached_key(|set| set.points.place_in_code());
     }
 
-    /// Moves slacks and loads inward until the gap is no less than this; multipliers and generators stay.
-    pub(super) fn widen(&mut self, gap: f64) {
-        let mu = gap / self.sides.len() as f64;
+    /// Moves slacks and dual variables towards the central path until the duality gap is no less than this. The multipliers and the
+    /// generators stay.
+    pub(super) fn recentre(&mut self, gap: f64) {
+        let mu = gap / self.sets.len() as f64;
         if mu <= self.mu {
             return;
         }
         self.mu = mu;
         let mu = R::from(mu);
         let larger = |a: R, b: R| if a < b { b } else { a };
-        for Side { slack, load, .. } in &mut self.sides {
+        for VertexSet { slack, dual, .. } in &mut self.sets {
             let square = dot(&slack.rest, &slack.rest);
-            slack.head = larger(slack.head, (square + mu / load.head).sqrt());
-            let square = dot(&load.rest, &load.rest);
-            load.head = larger(load.head, (square + mu * mu / slack.room()).sqrt());
+            slack.head = larger(slack.head, (square + mu / dual.head).sqrt());
+            let square = dot(&dual.rest, &dual.rest);
+            dual.head = larger(dual.head, (square + mu * mu / slack.determinant()).sqrt());
         }
     }
 
-    /// The multipliers, turned; the first one makes up for the others.
-    pub(super) fn turned(&self, factor: R, step: &[[R; D]]) -> Vec<[R; D]> {
-        let others = self.multipliers[1..].iter().zip(step).map(|(multiplier, step)| plus(multiplier, factor, step));
+    /// The multipliers after a part of a step; that of the first point makes their sum zero.
+    pub(super) fn stepped_multipliers(&self, part: R, step: &[[R; D]]) -> Vec<[R; D]> {
+        let others = self.multipliers[1..].iter().zip(step).map(|(multiplier, step)| plus(multiplier, part, step));
         let mut multipliers: Vec<[R; D]> = std::iter::once(zero()).chain(others).collect();
         multipliers[0] = multipliers.iter().fold(zero(), |sum, multiplier| plus(&sum, R::from(-1.0), multiplier));
         multipliers
@@ -232,68 +235,16 @@ impl<'a, R: Scalar, const D: usize> Sides<'a, R, D> {
 }
 
 /// 2 Σ over a set.
-pub(super) fn sum_over<R: Scalar, const D: usize>(set: &[u64], vectors: &[[R; D]]) -> [R; D] {
-    members(set).fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j]))
+pub(super) fn doubled_sum<R: Scalar, const D: usize>(set: &PointSet, vectors: &[[R; D]]) -> [R; D] {
+    set.members().fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j]))
 }
 
-pub(super) fn members(set: &[u64]) -> impl Iterator<Item = usize> {
-    set.iter().enumerate().flat_map(|(word, &bits)| {
-        let next = |&left: &u64| (left & (left - 1) != 0).then_some(left & left.wrapping_sub(1));
-        let first = (bits != 0).then_some(bits);
-        std::iter::successors(first, next).map(move |left| 64 * word + left.trailing_zeros() as usize)
-    })
-}
-
-fn contains(set: &[u64], point: usize) -> bool {
-    set[point / 64] >> (point % 64) & 1 == 1
-}
-
-fn insert(set: &mut [u64], point: usize) {
-    set[point / 64] |= 1 << (point % 64);
-}
-
-/// Where a set comes in the reflected binary code, in which neighbours differ by one point.
-fn place_in_code(set: &[u64]) -> Vec<u64> {
-    let mut is_reflected = false;
-    let decoded = set.iter().map(|&word| {
-        let mut place = word;
-        for shift in [1, 2, 4, 8, 16, 32] {
-            place ^= place >> shift;
-        }
-        if is_reflected {
-            place = !place;
-        }
-        is_reflected = place & 1 == 1;
-        place
-    });
-    decoded.collect()
+/// 2 Σ over a set, of vectors that begin with that of the second point.
+pub(super) fn doubled_sum_after_first<R: Scalar, const D: usize>(set: &PointSet, vectors: &[[R; D]]) -> [R; D] {
+    set.members().fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j - 1]))
 }
 
 /// p − first.
-fn apart<R: Scalar, const D: usize>(p: &[f64; D], first: &[f64; D]) -> [R; D] {
+fn difference<R: Scalar, const D: usize>(p: &[f64; D], first: &[f64; D]) -> [R; D] {
     plus(&real(p), R::from(-1.0), &real(first))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_code_passes_all_sets_one_point_at_a_time() {
-        // of points 0, 63 and 64: the highest bit of the first word counts most
-        let points = [0, 63, 64];
-        let mut sets: Vec<Vec<u64>> = (0..8)
-            .map(|choice| {
-                let mut set = vec![0; 2];
-                points.iter().enumerate().filter(|(i, _)| choice >> i & 1 == 1).for_each(|(_, &p)| insert(&mut set, p));
-                set
-            })
-            .collect();
-        sets.sort_by_cached_key(|set| place_in_code(set));
-        for pair in sets.windows(2) {
-            let changed: u32 = pair[0].iter().zip(&pair[1]).map(|(a, b)| (a ^ b).count_ones()).sum();
-            assert_eq!(changed, 1);
-        }
-        assert_eq!(members(&[1 << 63 | 1, 1]).collect::<Vec<_>>(), points);
-    }
 }

@@ -1,9 +1,12 @@
-//! Symmetric positive definite systems of equations, dense.
+//! Dense symmetric positive semidefinite systems of equations, by a blocked Cholesky factorisation.
+//!
+//! An unknown that depends on those before it stays zero, which a plain factorisation refuses; and the scalar may be a pair of doubles.
+//! For these two reasons no library is used.
 
 use super::scalar::{BLOCK, Scalar};
 
-/// Where a pivot is nothing beside its entry its unknown depends on the others: this pivot keeps it at zero.
-const IMMOVABLE: f64 = 1e100;
+/// The pivot of an unknown that depends on those before it: so large that the unknown stays zero.
+const DEPENDENT_PIVOT: f64 = 1e100;
 
 /// Rows that are worked on together: each earlier row is read once for all of them.
 const PANEL: usize = 16;
@@ -83,8 +86,8 @@ impl<R: Scalar> Cholesky<R> {
         if square.value().is_nan() || diagonal.value() <= 0.0 {
             return None;
         }
-        let least = R::from(R::NOTHING) * diagonal;
-        self.set(row, row, if square > least { square.sqrt() } else { R::from(IMMOVABLE) });
+        let least = R::from(R::PIVOT_TOLERANCE) * diagonal;
+        self.set(row, row, if square > least { square.sqrt() } else { R::from(DEPENDENT_PIVOT) });
         Some(())
     }
 }

@@ -1,4 +1,4 @@
-//! Numbers that the steps are taken in: doubles, or pairs of doubles where rounding ends those.
+//! The scalar of the interior-point method: doubles, or pairs of doubles where doubles are not precise enough.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,10 +6,10 @@ use wide::f64x2;
 
 use crate::numeric::double_double::DoubleDouble;
 
-/// Rows whose products with two others are summed side by side.
+/// This many rows are multiplied with two others at once.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) const BLOCK: usize = 4;
 
-/// A number with rounding.
+/// A floating-point number.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
     Copy
     + PartialOrd
@@ -20,31 +20,31 @@ pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
     + Mul<Output = Self>
     + Div<Output = Self>
 {
-    /// What is left of a number by rounding alone, beside it.
-    const NOTHING: f64;
+    /// A pivot below this, relative to its diagonal entry, is what rounding left of zero.
+    const PIVOT_TOLERANCE: f64;
 
-    /// How dear a product and a sum are, beside those of doubles.
-    const WORK: f64;
+    /// The cost of a product and a sum, relative to those of doubles.
+    const RELATIVE_COST: f64;
 
     fn sqrt(self) -> Self;
 
     /// The nearest double.
     fn value(self) -> f64;
 
-    /// The sums of products of some rows with two others, of even length.
+    /// The products of some rows with two others, all of the same even length.
     fn products(rows: [&[Self]; BLOCK], others: [&[Self]; 2]) -> [[Self; 2]; BLOCK] {
         rows.map(|row| others.map(|other| Self::product(row, other)))
     }
 
-    /// The sum of products.
+    /// The dot product of two rows of equal length.
     fn product(a: &[Self], b: &[Self]) -> Self {
         a.iter().zip(b).fold(Self::from(0.0), |sum, (a, b)| sum + *a * *b)
     }
 }
 
 impl Scalar for DoubleDouble {
-    const NOTHING: f64 = 1e-30;
-    const WORK: f64 = 50.0;
+    const PIVOT_TOLERANCE: f64 = 1e-30;
+    const RELATIVE_COST: f64 = 50.0;
 
     fn sqrt(self) -> Self {
         self.sqrt()
@@ -56,8 +56,8 @@ impl Scalar for DoubleDouble {
 }
 
 impl Scalar for f64 {
-    const NOTHING: f64 = 1e-15;
-    const WORK: f64 = 1.0;
+    const PIVOT_TOLERANCE: f64 = 1e-15;
+    const RELATIVE_COST: f64 = 1.0;
 
     fn sqrt(self) -> Self {
         self.sqrt()
@@ -81,7 +81,7 @@ impl Scalar for f64 {
         sums.map(|pair| pair.map(|sum| sum.to_array().iter().sum()))
     }
 
-    /// In eight partial sums.
+    /// The dot product, in eight partial sums.
     fn product(a: &[f64], b: &[f64]) -> f64 {
         let (mut a, mut b) = (a.chunks_exact(8), b.chunks_exact(8));
         let mut sums = [0.0; 8];

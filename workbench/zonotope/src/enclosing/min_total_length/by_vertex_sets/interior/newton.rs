@@ -1,0 +1,96 @@
+//! The linear equations of a Newton step and their solution.
+//!
+//! A step (Δλ, Δs, Δz) closes the residuals Σ_{T ∋ j} 2 g_T = p_j − p_0, brings every τ_T to 1, and obeys Δz + W⁻² Δs = aim, the
+//! linearised centrality in coordinates of z. Δs and Δz follow from Δλ, which solves H Δλ = right side.
+
+use super::cholesky::Factor;
+use super::cone::ConeVector;
+use super::scalar::{Scalar, plus, zero};
+use super::scaling::Scaling;
+use crate::enclosing::min_total_length::by_vertex_sets::vertex_sets::{VertexSets, doubled_sum_after_first};
+
+/// The equations of a step: the sets, their scalings, and the factored Schur complement.
+pub(super) struct Equations<'a, R, const D: usize> {
+    pub(super) sets: &'a VertexSets<'a, R, D>,
+    pub(super) scalings: Vec<Scaling<R, D>>,
+    pub(super) factor: Factor<R>,
+}
+
+/// A Newton step: the change of the multiplier of each point after the first, and of the variables of each set.
+pub(super) struct Step<R, const D: usize> {
+    pub(super) multipliers: Vec<[R; D]>,
+    /// The change of the slack and of the dual variable of each set.
+    pub(super) variables: Vec<(ConeVector<R, D>, ConeVector<R, D>)>,
+}
+
+impl<R: Scalar, const D: usize> Equations<'_, R, D> {
+    /// The step that closes a residual, brings every τ_T to 1, and changes each dual variable by its aim less W⁻² times the change of
+    /// the slack.
+    pub(super) fn solve(&self, residual: &[[R; D]], aims: &[ConeVector<R, D>]) -> Option<Step<R, D>> {
+        let aims: Vec<ConeVector<R, D>> = self
+            .sets
+            .sets
+            .iter()
+            .zip(aims)
+            .zip(&self.scalings)
+            .map(|((set, aim), scaling)| {
+                let stretch = ConeVector { head: R::from(1.0) - set.slack.head, rest: zero() };
+                aim.minus(&scaling.undo_twice(&stretch))
+            })
+            .collect();
+        let mut right = residual.to_vec();
+        self.add_to_members(&mut right, aims.iter().map(|aim| aim.rest));
+        let multipliers = self.solve_schur(&right)?;
+        let variables = self.sets.sets.iter().zip(&aims).zip(&self.scalings).map(|((set, aim), scaling)| {
+            let rest = doubled_sum_after_first(&set.points, &multipliers);
+            let slack = ConeVector { head: R::from(1.0) - set.slack.head, rest };
+            (slack, aim.minus(&scaling.undo_twice(&headless(rest))))
+        });
+        let variables = variables.collect();
+        Some(Step { multipliers, variables })
+    }
+
+    /// H⁻¹ times a right side, refined once; `None` where it is not finite.
+    fn solve_schur(&self, right: &[[R; D]]) -> Option<Vec<[R; D]>> {
+        let rank = self.sets.rank;
+        let solved = |right: &[[R; D]]| -> Vec<[R; D]> {
+            let flat: Vec<R> = right.iter().flat_map(|r| r[..rank].to_vec()).collect();
+            let x = self.factor.solve(&flat);
+            x.chunks_exact(rank).map(|x| std::array::from_fn(|c| x.get(c).copied().unwrap_or(R::from(0.0)))).collect()
+        };
+        let first = solved(right);
+        let mut left = right.to_vec();
+        let answered = self.sets.sets.iter().zip(&self.scalings).map(|(set, scaling)| {
+            let rest = doubled_sum_after_first(&set.points, &first);
+            scaling.undo_twice(&headless(rest)).rest.map(|c| -c)
+        });
+        self.add_to_members(&mut left, answered);
+        let second = solved(&left);
+        let sum: Vec<[R; D]> = first.iter().zip(&second).map(|(a, b)| plus(a, R::from(1.0), b)).collect();
+        sum.iter().flatten().all(|c| c.value().is_finite()).then_some(sum)
+    }
+
+    /// Adds 2 v_T to the sum of each point of T.
+    fn add_to_members(&self, sums: &mut [[R; D]], vectors: impl Iterator<Item = [R; D]>) {
+        for (set, vector) in self.sets.sets.iter().zip(vectors) {
+            for j in set.points.members() {
+                sums[j - 1] = plus(&sums[j - 1], R::from(2.0), &vector);
+            }
+        }
+    }
+
+    /// The generators of dual variables, changed as little as the scaling allows so that they close a residual.
+    pub(super) fn corrected(&self, residual: &[[R; D]], duals: &[ConeVector<R, D>]) -> Option<Vec<[R; D]>> {
+        let multipliers = self.solve_schur(residual)?;
+        let sets = self.sets.sets.iter().zip(&self.scalings).zip(duals);
+        let generators = sets.map(|((set, scaling), dual)| {
+            let rest = doubled_sum_after_first(&set.points, &multipliers);
+            plus(&scaling.undo_twice(&headless(rest)).rest, R::from(-1.0), &dual.rest)
+        });
+        Some(generators.collect())
+    }
+}
+
+fn headless<R: Scalar, const D: usize>(rest: [R; D]) -> ConeVector<R, D> {
+    ConeVector { head: R::from(0.0), rest }
+}

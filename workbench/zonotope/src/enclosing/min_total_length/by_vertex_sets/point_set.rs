@@ -1,0 +1,92 @@
+//! Sets of points as bits, and an order of them in which neighbours differ by few points.
+
+/// A set of points given by their places, one bit each.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct PointSet(Vec<u64>);
+
+impl PointSet {
+    /// The empty set, with room for points at places below a count.
+    pub(super) fn with_room_for(count: usize) -> Self {
+        Self(vec![0; count.div_ceil(64)])
+    }
+
+    /// Makes room for one more point, at the place `count`.
+    pub(super) fn make_room(&mut self, count: usize) {
+        if count.is_multiple_of(64) {
+            self.0.push(0);
+        }
+    }
+
+    pub(super) fn insert(&mut self, point: usize) {
+        self.0[point / 64] |= 1 << (point % 64);
+    }
+
+    pub(super) fn contains(&self, point: usize) -> bool {
+        self.0[point / 64] >> (point % 64) & 1 == 1
+    }
+
+    pub(super) fn is_single(&self) -> bool {
+        self.0.iter().map(|word| word.count_ones()).sum::<u32>() == 1
+    }
+
+    /// The points of the set in increasing order.
+    pub(super) fn members(&self) -> impl Iterator<Item = usize> {
+        places_of_bits(self.0.iter().copied())
+    }
+
+    /// The points by which this set and another differ, in increasing order, each with whether it belongs to this one.
+    pub(super) fn changes_since(&self, before: &Self) -> impl Iterator<Item = (usize, bool)> {
+        let changed = self.0.iter().zip(&before.0).map(|(a, b)| a ^ b);
+        places_of_bits(changed).map(|point| (point, self.contains(point)))
+    }
+
+    /// The place of the set in the reflected binary code, in which neighbours differ by one point.
+    pub(super) fn place_in_code(&self) -> Vec<u64> {
+        let mut is_reflected = false;
+        let decoded = self.0.iter().map(|&word| {
+            let mut place = word;
+            for shift in [1, 2, 4, 8, 16, 32] {
+                place ^= place >> shift;
+            }
+            if is_reflected {
+                place = !place;
+            }
+            is_reflected = place & 1 == 1;
+            place
+        });
+        decoded.collect()
+    }
+}
+
+/// The places of the bits of a row of words that are set.
+fn places_of_bits(words: impl Iterator<Item = u64>) -> impl Iterator<Item = usize> {
+    words.enumerate().flat_map(|(word, bits)| {
+        let next = |&left: &u64| (left & (left - 1) != 0).then_some(left & left.wrapping_sub(1));
+        let first = (bits != 0).then_some(bits);
+        std::iter::successors(first, next).map(move |left| 64 * word + left.trailing_zeros() as usize)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_code_passes_all_sets_one_point_at_a_time() {
+        // of points 0, 63 and 64: the highest bit of the first word counts most
+        let points = [0, 63, 64];
+        let mut sets: Vec<PointSet> = (0..8)
+            .map(|choice| {
+                let mut set = PointSet::with_room_for(65);
+                points.iter().enumerate().filter(|(i, _)| choice >> i & 1 == 1).for_each(|(_, &p)| set.insert(p));
+                set
+            })
+            .collect();
+        sets.sort_by_cached_key(PointSet::place_in_code);
+        for pair in sets.windows(2) {
+            assert_eq!(pair[1].changes_since(&pair[0]).count(), 1);
+        }
+        assert_eq!(PointSet(vec![1 << 63 | 1, 1]).members().collect::<Vec<_>>(), points);
+        assert_eq!(PointSet(vec![6]).changes_since(&PointSet(vec![3])).collect::<Vec<_>>(), [(0, false), (2, true)]);
+    }
+}

@@ -1,0 +1,84 @@
+//! The points and sets that a set generation begins with.
+
+use super::interior::scalar::Scalar;
+use super::members::Members;
+use super::vertex_sets::VertexSets;
+use crate::enclosing::fixed_directions::{Generation, balanced};
+use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
+use crate::enclosing::min_total_length::direction_net::{Net, cell_corners};
+use crate::enclosing::min_total_length::frame::Frame;
+use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
+use crate::enclosing::min_total_length::lower_bound::Best;
+
+/// The ε of the direction net whose optimum the generation begins with.
+const COARSE_NET_EPSILON: f64 = 0.1;
+
+/// The relative precision of that optimum.
+const COARSE_NET_PRECISION: f64 = 1e-6;
+
+/// The beginning: in space the optimum along a coarse net, elsewhere or where that fails the farthest points along the axes.
+pub(super) fn start<'a, R: Scalar, const D: usize>(
+    frame: &'a Frame<D>,
+    coordinates: &'a BoxCoordinates<'a, D>,
+    best: &mut Best<D>,
+    inner: &mut FrameZonotope<D>,
+) -> Members<'a, R, D> {
+    let rank = frame.rank();
+    if rank == 3
+        && let Some(members) = from_net(frame, coordinates, best, inner)
+    {
+        return members;
+    }
+    let mut members = Members::new(frame, coordinates, VertexSets::new(rank, coordinates, best.lower), Vec::new());
+    for axis in 0..rank {
+        for sign in [1.0, -1.0] {
+            let u: [f64; D] = std::array::from_fn(|c| if c == axis { sign } else { 0.0 });
+            members.add(members.farthest(&u), &u);
+        }
+    }
+    members
+}
+
+/// The points that the least zonotope along a coarse net touches, with their multipliers and the sets that bound these: those of
+/// far vertices, and those along about four times as many directions as there are points.
+fn from_net<'a, R: Scalar, const D: usize>(
+    frame: &'a Frame<D>,
+    coordinates: &'a BoxCoordinates<'a, D>,
+    best: &mut Best<D>,
+    inner: &mut FrameZonotope<D>,
+) -> Option<Members<'a, R, D>> {
+    let rank = frame.rank();
+    let net = Net::Cells.directions(rank, COARSE_NET_EPSILON);
+    let weights = vec![1.0; net.len()];
+    let mut generation = Generation::new(rank, &frame.points, net, weights, &mut ());
+    generation.set_precision(COARSE_NET_PRECISION);
+    generation.run(&mut ()).ok()?;
+    let program = &generation.program;
+    let unbalanced: Vec<(usize, [f64; D])> =
+        program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
+    let multipliers = balanced(&unbalanced);
+    if multipliers.len() < 2 {
+        return None;
+    }
+    let along_net = stretched(FrameZonotope::along(&generation), coordinates);
+    if along_net.upper < inner.upper {
+        *inner = along_net;
+    }
+    let far = best.improve(rank, &frame.points, multipliers.clone(), 1.0);
+    let multipliers: Vec<(usize, [f64; D])> =
+        multipliers.into_iter().map(|(j, f)| (j, f.map(|c| c / far.radius))).collect();
+    let places: Vec<usize> = multipliers.iter().map(|(j, _)| *j).collect();
+    let points: Vec<[f64; D]> = places.iter().map(|&j| frame.points[j]).collect();
+    let cells = (2.0 * (places.len() as f64).sqrt()).ceil() as usize;
+    let directions: Vec<[f64; D]> = far.peaks.into_iter().chain(cell_corners(cells)).collect();
+    let multipliers = multipliers.into_iter().map(|(_, f)| f).collect();
+    let sets = VertexSets::with_multipliers(rank, coordinates, &points, multipliers, &directions);
+    Some(Members::new(frame, coordinates, sets, places))
+}
+
+/// A zonotope with its generators lengthened until it contains all points.
+fn stretched<const D: usize>(inner: FrameZonotope<D>, coordinates: &BoxCoordinates<'_, D>) -> FrameZonotope<D> {
+    let stretch = coordinates.stretch(inner.center, &inner.generators);
+    let generators = inner.generators.iter().map(|g| g.map(|c| c * stretch)).collect();
+    FrameZonotope { upper: inner.upper * stretch, center: inner.center, generators, witnesses: Vec::new() }
+}
