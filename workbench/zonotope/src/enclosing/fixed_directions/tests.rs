@@ -24,6 +24,8 @@ fn check<const D: usize>(
 ) -> Result<(), TestCaseError> {
     let problem = FixedDirections::new(points, directions, weights).expect("valid");
     let truth = brute_force::least_length(&problem);
+    let in_rationals = rational::min_length_in_rationals(&problem).map(|optimum| optimum.value);
+    prop_assert_eq!(&in_rationals, &truth.as_ref().map(|truth| truth.value.clone()));
     let answer = match min_length_along(&problem) {
         Err(error) => {
             prop_assert_eq!(error, FixedDirectionsError::OutOfRange);

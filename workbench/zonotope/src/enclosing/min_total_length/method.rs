@@ -1,0 +1,79 @@
+//! The methods by name.
+
+use super::answer::{MinLengthError, MinLengthZonotope};
+use super::by_direction_net::min_length_by_net;
+use super::by_vertex_sets::min_length_enclosing_counted;
+use super::direction_net::Net;
+use crate::tally::Tally;
+
+/// A method whose answers contain the points exactly and prove their lower bounds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum Method {
+    /// [`by_vertex_sets`](super::by_vertex_sets), the default.
+    #[default]
+    VertexSets,
+    /// [`by_direction_net`](super::by_direction_net) with [`Net::Cells`].
+    DirectionNet,
+    /// [`by_direction_net`](super::by_direction_net) with [`Net::Paper`].
+    PapersNet,
+}
+
+impl Method {
+    /// Every method, the default first.
+    pub const ALL: [Self; 3] = [Self::VertexSets, Self::DirectionNet, Self::PapersNet];
+
+    /// The name of the method where questions name one.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::VertexSets => "by_column_generation",
+            Self::DirectionNet => "by_direction_net",
+            Self::PapersNet => "by_papers_net",
+        }
+    }
+
+    /// The method of an id.
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.id() == id)
+    }
+
+    /// The method in a few words.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::VertexSets => "Directions as they are needed",
+            Self::DirectionNet => "A net of cells",
+            Self::PapersNet => "The paper's net",
+        }
+    }
+
+    /// The cost for m points that have a multiplier, or for a precision ε, in d dimensions.
+    pub fn cost(self) -> &'static str {
+        match self {
+            Self::VertexSets => "some ten to hundred steps of O((d m)³); in a plane some fifty convex hulls",
+            Self::DirectionNet => "O(ε^(−(d−1)/2)) directions",
+            Self::PapersNet => "d (d/ε)^(d−1) directions",
+        }
+    }
+
+    /// Whether the method works in a dimension: all of them do from the line on.
+    pub fn works_in(self, dimension: usize) -> bool {
+        dimension >= 1
+    }
+
+    /// A zonotope around the points whose total length is within 1 + ε of the least, counting operations where the method does.
+    ///
+    /// # Errors
+    /// When the points or ε are refused, or the net is too large.
+    pub fn solve<const D: usize>(
+        self,
+        points: &[[f64; D]],
+        epsilon: f64,
+        tally: &mut impl Tally,
+    ) -> Result<MinLengthZonotope<D>, MinLengthError> {
+        match self {
+            Self::VertexSets => min_length_enclosing_counted(points, epsilon, tally),
+            Self::DirectionNet => min_length_by_net(points, epsilon, Net::Cells),
+            Self::PapersNet => min_length_by_net(points, epsilon, Net::Paper),
+        }
+    }
+}
