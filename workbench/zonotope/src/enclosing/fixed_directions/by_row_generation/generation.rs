@@ -32,17 +32,17 @@ struct Outside<const D: usize> {
     key: ([usize; D], bool),
 }
 
-/// Rounds after which rounding errors must be what keeps the search from ending.
-const MOST_ROUNDS: usize = 2000;
+/// After this many rounds rounding errors must be what keeps the search from ending.
+const ROUND_LIMIT: usize = 2000;
 
-/// A point whose ray leaves the zonotope beyond this multiple is inside for sure.
-const SURELY: f64 = 1.0 + 1e-9;
+/// A point whose ray leaves the zonotope beyond this multiple is inside whatever rounding did.
+const CERTAINLY_INSIDE_GAUGE: f64 = 1.0 + 1e-9;
 
-/// Of many points about so many are looked at first.
-const SAMPLE: usize = 2048;
+/// Of many points about this many are looked at first.
+const SAMPLE_SIZE: usize = 2048;
 
-/// A length that counts as nothing beside the longest generator: it makes generators that are not used yet span the space.
-const NOTHING: f64 = 1e-12;
+/// The length, beside the longest generator, that directions with the coefficient 0 get, so that all of them span the space.
+const LEAST_RELATIVE_LENGTH: f64 = 1e-12;
 
 impl<'a, const D: usize> Generation<'a, D> {
     /// Begins with the coordinate axes as normals, both ways.
@@ -82,7 +82,7 @@ impl<'a, const D: usize> Generation<'a, D> {
             generation.program.add_row(row);
         }
         // Of many points some are looked at first, so that few passes over all of them are needed.
-        let stride = points.len() / SAMPLE;
+        let stride = points.len() / SAMPLE_SIZE;
         if stride >= 4 {
             (0..points.len()).step_by(stride).for_each(|point| generation.work_on(point));
         }
@@ -120,7 +120,7 @@ impl<'a, const D: usize> Generation<'a, D> {
 
     /// Solves until no point is outside by more than rounding.
     pub(crate) fn run(&mut self, tally: &mut impl Tally) -> Result<(), Stuck> {
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..ROUND_LIMIT {
             self.rounds += 1;
             tally.add(Operation::SearchStep, 1);
             self.program.optimize()?;
@@ -130,7 +130,7 @@ impl<'a, const D: usize> Generation<'a, D> {
                 self.passes += 1;
                 outside = self.outside(true, tally);
             }
-            if !self.add_facets(outside, over_all, tally) && !self.program.settle_weights() {
+            if !self.add_facets(outside, over_all, tally) && !self.program.restore_weights() {
                 return Ok(());
             }
         }
@@ -141,7 +141,7 @@ impl<'a, const D: usize> Generation<'a, D> {
     fn outside(&mut self, others: bool, tally: &mut impl Tally) -> Vec<Outside<D>> {
         let (center, coefficients) = (self.program.center(), self.program.coefficients());
         let longest = coefficients.iter().fold(0.0, |max: f64, c| max.max(*c));
-        let least = if longest > 0.0 { NOTHING * longest } else { NOTHING };
+        let least = if longest > 0.0 { LEAST_RELATIVE_LENGTH * longest } else { LEAST_RELATIVE_LENGTH };
         let coefficients: Vec<f64> = coefficients.iter().map(|c| c.max(least)).collect();
         let lengths = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, v).sqrt() * c);
         let rounding = self.precision * (1.0 + lengths.sum::<f64>());
@@ -154,7 +154,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let mut deepest: BTreeMap<([usize; D], bool), Outside<D>> = BTreeMap::new();
         for j in unseen.chain(seen) {
             let ray: [f64; D] = std::array::from_fn(|c| points[j][c] - center[c]);
-            let Some(exit) = self.map.exit(&ray).filter(|exit| exit.gauge < SURELY) else { continue };
+            let Some(exit) = self.map.exit(&ray).filter(|exit| exit.gauge < CERTAINLY_INSIDE_GAUGE) else { continue };
             let normal = exit.normal;
             let height: f64 = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, &normal).abs() * c).sum();
             let depth = dot(&normal, &ray) - height;

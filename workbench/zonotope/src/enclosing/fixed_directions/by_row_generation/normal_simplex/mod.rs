@@ -1,9 +1,18 @@
-//! The program over normals in floating point: a revised simplex method on its dual, to which normals may be added.
+//! The linear program over normals in doubles: a revised simplex method on its dual, to which normals may be added.
 //!
-//! Minimise Σ w_i c_i with Σ c_i |u · v_i| + u · p ≥ h(u) for the normals u seen so far. The dual, maximise Σ y_u h(u) with Σ y_u u = 0 and
-//! Σ y_u |u · v_i| ≤ w_i, has as many rows as there are coordinates and directions, however many normals there are; its prices are p and c. A new
-//! normal is a new column that may enter the basis. The weights are nudged apart
-//! until the last rounds, so that ties do not stall the method. All of it is a guess: its users prove or repair what it says.
+//! Minimise Σ w_i c_i with Σ c_i |u · v_i| + u · p ≥ h(u) for the normals u found so far. The dual, maximise Σ y_u h(u) with
+//! Σ y_u u = 0 and Σ y_u |u · v_i| ≤ w_i, has as many rows as there are coordinates and directions, however many normals there are;
+//! its prices are p and c. A new normal is a new column that may enter the basis, so the basis of the round before is kept. The
+//! weights are perturbed until the last rounds, so that ties do not stall the method. What it finds is a guess that its users prove.
+//!
+//! | file | what it does |
+//! |---|---|
+//! | `mod` | the program, its pivots, and the turns of dual and primal steps |
+//! | `pricing` | which variable enters and which leaves |
+//! | `refactor` | the inverse of the basis, computed anew |
+
+mod pricing;
+mod refactor;
 
 use crate::zonotope::ray_exit::dot;
 
@@ -31,7 +40,7 @@ pub(crate) struct NormalProgram<const D: usize> {
     rank: usize,
     directions: Vec<[f64; D]>,
     weights: Vec<f64>,
-    nudged: bool,
+    perturbed: bool,
     rows: Vec<NormalRow<D>>,
     /// For each normal its coordinates, then |u · v_i| for each direction.
     entries: Vec<Vec<f64>>,
@@ -43,6 +52,7 @@ pub(crate) struct NormalProgram<const D: usize> {
     values: Vec<f64>,
     /// The centre p, then the coefficients c.
     prices: Vec<f64>,
+    /// Pivots since the inverse was computed anew.
     fresh: usize,
     /// Pivots so far.
     pivots: u64,
@@ -50,23 +60,17 @@ pub(crate) struct NormalProgram<const D: usize> {
     pub(crate) precision: f64,
 }
 
-/// The least precision that makes sense.
-const FINEST: f64 = 1e-14;
+/// The finest relative precision that doubles allow.
+const FINEST_PRECISION: f64 = 1e-14;
 
-/// Pivots after which the inverse is computed anew.
-const STALE: usize = 120;
+/// The inverse is computed anew after this many pivots.
+const PIVOTS_PER_INVERSE: usize = 120;
 
-/// Steps of refinement after the inverse is computed anew.
-const REFINEMENTS: usize = 2;
+/// Dual and primal pivots take turns, each time with a new inverse, at most this often.
+const TURN_LIMIT: usize = 12;
 
-/// Turns of dual and primal pivots with a new inverse.
-const MOST_TURNS: usize = 12;
-
-/// Columns that are priced between two looks at all of them.
-const CANDIDATES: usize = 24;
-
-/// How far a weight is nudged at most, relatively.
-const NUDGE: f64 = 1e-7;
+/// A weight is perturbed by less than this, relatively.
+const WEIGHT_PERTURBATION: f64 = 1e-7;
 
 impl<const D: usize> NormalProgram<D> {
     /// The program of some directions, begun with the axes as normals: y = 0 and all slacks make the first basis.
@@ -82,12 +86,12 @@ impl<const D: usize> NormalProgram<D> {
             prices: vec![0.0; size],
             directions,
             weights,
-            nudged: true,
+            perturbed: true,
             rows: Vec::new(),
             entries: Vec::new(),
             fresh: 0,
             pivots: 0,
-            precision: FINEST,
+            precision: FINEST_PRECISION,
         };
         for axis in axes {
             program.add_row(axis);
@@ -129,21 +133,21 @@ impl<const D: usize> NormalProgram<D> {
         self.normal_is_basic.push(false);
     }
 
-    /// The true weights from now on; whether they had been nudged.
-    pub(crate) fn settle_weights(&mut self) -> bool {
-        let nudged = std::mem::replace(&mut self.nudged, false);
+    /// Takes the true weights from now on; whether they had been perturbed.
+    pub(crate) fn restore_weights(&mut self) -> bool {
+        let perturbed = std::mem::replace(&mut self.perturbed, false);
         if self.refactor().is_err() {
             self.values = self.solve_values();
         }
-        nudged
+        perturbed
     }
 
     fn bound(&self, constraint: usize) -> f64 {
         let Some(i) = constraint.checked_sub(self.rank) else { return 0.0 };
         // Multiples of the golden ratio are spread evenly over [0, 1).
         let spread = (i as f64 + 1.0) * 0.618_033_988_749_894_9;
-        let nudge = if self.nudged { NUDGE * (spread - spread.floor()) } else { 0.0 };
-        self.weights[i] * (1.0 + nudge)
+        let perturbation = if self.perturbed { WEIGHT_PERTURBATION * (spread - spread.floor()) } else { 0.0 };
+        self.weights[i] * (1.0 + perturbation)
     }
 
     fn solve_values(&self) -> Vec<f64> {
@@ -155,11 +159,11 @@ impl<const D: usize> NormalProgram<D> {
     pub(crate) fn optimize(&mut self) -> Result<(), Stuck> {
         let most = 12 * (self.size() + self.rows.len()) as u64 + 2000;
         let end = self.pivots + most;
-        if self.fresh >= STALE {
+        if self.fresh >= PIVOTS_PER_INVERSE {
             self.refactor()?;
         }
         // Rounding may undo one step with the other: what is left after some turns is within it.
-        for _ in 0..MOST_TURNS {
+        for _ in 0..TURN_LIMIT {
             self.make_feasible(end)?;
             self.improve(end)?;
             if self.fresh == 0 {
@@ -190,7 +194,7 @@ impl<const D: usize> NormalProgram<D> {
             if self.pivots > end {
                 return Err(Stuck);
             }
-            if self.fresh >= STALE {
+            if self.fresh >= PIVOTS_PER_INVERSE {
                 self.refactor()?;
             }
         }
@@ -229,71 +233,10 @@ impl<const D: usize> NormalProgram<D> {
             if self.pivots > end {
                 return Err(Stuck);
             }
-            if self.fresh >= STALE {
+            if self.fresh >= PIVOTS_PER_INVERSE {
                 self.refactor()?;
             }
         }
-    }
-
-    /// The reduced gain, if it is more than rounding.
-    fn reduced_gain(&self, basic: Basic) -> Option<f64> {
-        let (gain, doubt) = match basic {
-            Basic::Slack(i) => {
-                let price = self.prices[self.rank + i];
-                (-price, 0.1 * self.precision)
-            }
-            Basic::Normal(j) => {
-                let entries = &self.entries[j];
-                let gain = self.rows[j].height - product(entries, &self.prices);
-                if gain <= 0.01 * self.precision {
-                    return None;
-                }
-                let size = entries.iter().zip(&self.prices).map(|(e, p)| (e * p).abs()).sum::<f64>();
-                (gain, self.precision * (size + 0.01))
-            }
-        };
-        (gain > doubt).then_some(gain)
-    }
-
-    fn is_basic(&self, basic: Basic) -> bool {
-        match basic {
-            Basic::Normal(j) => self.normal_is_basic[j],
-            Basic::Slack(i) => self.slack_is_basic[i],
-        }
-    }
-
-    fn best_of(&self, candidates: &[Basic]) -> Option<(Basic, f64)> {
-        let gains = candidates.iter().filter(|b| !self.is_basic(**b)).filter_map(|&b| Some((b, self.reduced_gain(b)?)));
-        gains.max_by(|a, b| a.1.total_cmp(&b.1))
-    }
-
-    fn promising(&self) -> Vec<Basic> {
-        let all = (0..self.rows.len()).map(Basic::Normal).chain((0..self.directions.len()).map(Basic::Slack));
-        let mut gains: Vec<(Basic, f64)> =
-            all.filter(|b| !self.is_basic(*b)).filter_map(|b| Some((b, self.reduced_gain(b)?))).collect();
-        gains.sort_by(|a, b| b.1.total_cmp(&a.1));
-        gains.truncate(CANDIDATES);
-        gains.into_iter().map(|(b, _)| b).collect()
-    }
-
-    /// The inverse times the column of a variable.
-    fn column(&self, entering: Basic) -> Vec<f64> {
-        match entering {
-            Basic::Slack(i) => self.inverse.iter().map(|row| row[self.rank + i]).collect(),
-            Basic::Normal(j) => self.inverse.iter().map(|row| product(row, &self.entries[j])).collect(),
-        }
-    }
-
-    /// The ratio test in two passes: of the rows that are nearly the first to reach zero, the one with the largest pivot.
-    fn leaving(&self, column: &[f64]) -> Option<usize> {
-        let largest = column.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
-        let scale = self.values.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
-        let rising = || (0..column.len()).filter(|&i| column[i] > 1e-10 * largest);
-        let bound =
-            rising().map(|i| (self.values[i].max(0.0) + 1e-13 * scale) / column[i]).fold(f64::INFINITY, f64::min);
-        rising()
-            .filter(|&i| self.values[i].max(0.0) / column[i] <= bound)
-            .max_by(|&a, &b| column[a].total_cmp(&column[b]))
     }
 
     fn pivot(&mut self, leaving: usize, entering: Basic, column: &[f64]) {
@@ -324,71 +267,6 @@ impl<const D: usize> NormalProgram<D> {
         self.fresh += 1;
         self.pivots += 1;
     }
-
-    /// Computes the inverse anew: only the block of basic normals and tight directions is dense.
-    fn refactor(&mut self) -> Result<(), Stuck> {
-        let size = self.size();
-        let normals: Vec<(usize, usize)> = self
-            .basis
-            .iter()
-            .enumerate()
-            .filter_map(|(at, b)| if let Basic::Normal(j) = b { Some((at, *j)) } else { None })
-            .collect();
-        let tight: Vec<usize> =
-            (0..size).filter(|&i| i.checked_sub(self.rank).is_none_or(|i| !self.slack_is_basic[i])).collect();
-        if tight.len() != normals.len() {
-            return Err(Stuck);
-        }
-        // Row t: constraint t over the basic normals.
-        let block: Vec<Vec<f64>> =
-            tight.iter().map(|&t| normals.iter().map(|&(_, j)| self.entries[j][t]).collect()).collect();
-        let block = dense_inverse(block).ok_or(Stuck)?;
-        let mut inverse = vec![vec![0.0; size]; size];
-        for (&(at, _), row) in normals.iter().zip(&block) {
-            for (&t, &v) in tight.iter().zip(row) {
-                inverse[at][t] = v;
-            }
-        }
-        for (at, basic) in self.basis.iter().enumerate() {
-            let Basic::Slack(i) = basic else { continue };
-            let constraint = self.rank + i;
-            let mut row = vec![0.0; tight.len()];
-            for (&(_, j), inverse_row) in normals.iter().zip(&block) {
-                let entry = self.entries[j][constraint];
-                for (sum, v) in row.iter_mut().zip(inverse_row) {
-                    *sum -= entry * v;
-                }
-            }
-            for (&t, v) in tight.iter().zip(row) {
-                inverse[at][t] = v;
-            }
-            inverse[at][constraint] = 1.0;
-        }
-        self.inverse = inverse;
-        self.values = self.solve_values();
-        let mut prices = vec![0.0; size];
-        for &(at, j) in &normals {
-            add_multiple(&mut prices, self.rows[j].height, &self.inverse[at]);
-        }
-        // What the tight directions and the tight normals still miss.
-        for _ in 0..REFINEMENTS {
-            let missing = |&t: &usize| {
-                self.bound(t) - normals.iter().map(|&(at, j)| self.values[at] * self.entries[j][t]).sum::<f64>()
-            };
-            let missing: Vec<f64> = tight.iter().map(missing).collect();
-            for (&(at, _), row) in normals.iter().zip(&block) {
-                self.values[at] += product(row, &missing);
-            }
-            let missing = |&(_, j): &(usize, usize)| self.rows[j].height - product(&self.entries[j], &prices);
-            let missing: Vec<f64> = normals.iter().map(missing).collect();
-            for (&(at, _), miss) in normals.iter().zip(missing) {
-                add_multiple(&mut prices, miss, &self.inverse[at]);
-            }
-        }
-        self.prices = prices;
-        self.fresh = 0;
-        if self.prices.iter().chain(&self.values).all(|v| v.is_finite()) { Ok(()) } else { Err(Stuck) }
-    }
 }
 
 fn add_multiple(sum: &mut [f64], factor: f64, vector: &[f64]) {
@@ -408,35 +286,4 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     }
     let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(x, y)| x * y).sum();
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
-}
-
-/// Gauss–Jordan elimination with row pivoting; `None` for a singular matrix.
-fn dense_inverse(mut left: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
-    let size = left.len();
-    let mut right: Vec<Vec<f64>> =
-        (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
-    for column in 0..size {
-        let pivot = (column..size).max_by(|&a, &b| left[a][column].abs().total_cmp(&left[b][column].abs()))?;
-        let head = left[pivot][column];
-        if head == 0.0 || !head.is_finite() {
-            return None;
-        }
-        left.swap(column, pivot);
-        right.swap(column, pivot);
-        let mut pivot_left = std::mem::take(&mut left[column]);
-        let mut pivot_right = std::mem::take(&mut right[column]);
-        for v in pivot_left.iter_mut().chain(&mut pivot_right) {
-            *v /= head;
-        }
-        for row in (0..size).filter(|&row| row != column) {
-            let factor = left[row][column];
-            if factor != 0.0 {
-                add_multiple(&mut left[row][column..], -factor, &pivot_left[column..]);
-                add_multiple(&mut right[row], -factor, &pivot_right);
-            }
-        }
-        left[column] = pivot_left;
-        right[column] = pivot_right;
-    }
-    Some(right)
 }

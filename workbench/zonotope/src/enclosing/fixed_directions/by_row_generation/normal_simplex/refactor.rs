@@ -1,0 +1,104 @@
+//! The inverse of the basis, computed anew with values and prices: only the block of basic normals and tight directions is dense.
+
+use super::{Basic, NormalProgram, Stuck, add_multiple, product};
+
+/// Values and prices are refined this often by what they leave of their equations.
+const REFINEMENTS: usize = 2;
+
+impl<const D: usize> NormalProgram<D> {
+    /// Computes inverse, values and prices anew.
+    pub(super) fn refactor(&mut self) -> Result<(), Stuck> {
+        let size = self.size();
+        let normals: Vec<(usize, usize)> = self
+            .basis
+            .iter()
+            .enumerate()
+            .filter_map(|(at, b)| if let Basic::Normal(j) = b { Some((at, *j)) } else { None })
+            .collect();
+        let tight: Vec<usize> =
+            (0..size).filter(|&i| i.checked_sub(self.rank).is_none_or(|i| !self.slack_is_basic[i])).collect();
+        if tight.len() != normals.len() {
+            return Err(Stuck);
+        }
+        // Row t: constraint t over the basic normals.
+        let block: Vec<Vec<f64>> =
+            tight.iter().map(|&t| normals.iter().map(|&(_, j)| self.entries[j][t]).collect()).collect();
+        let block = dense_inverse(block).ok_or(Stuck)?;
+        let mut inverse = vec![vec![0.0; size]; size];
+        for (&(at, _), row) in normals.iter().zip(&block) {
+            for (&t, &v) in tight.iter().zip(row) {
+                inverse[at][t] = v;
+            }
+        }
+        for (at, basic) in self.basis.iter().enumerate() {
+            let Basic::Slack(i) = basic else { continue };
+            let constraint = self.rank + i;
+            let mut row = vec![0.0; tight.len()];
+            for (&(_, j), inverse_row) in normals.iter().zip(&block) {
+                let entry = self.entries[j][constraint];
+                for (sum, v) in row.iter_mut().zip(inverse_row) {
+                    *sum -= entry * v;
+                }
+            }
+            for (&t, v) in tight.iter().zip(row) {
+                inverse[at][t] = v;
+            }
+            inverse[at][constraint] = 1.0;
+        }
+        self.inverse = inverse;
+        self.values = self.solve_values();
+        let mut prices = vec![0.0; size];
+        for &(at, j) in &normals {
+            add_multiple(&mut prices, self.rows[j].height, &self.inverse[at]);
+        }
+        // What the tight directions and the tight normals still miss.
+        for _ in 0..REFINEMENTS {
+            let missing = |&t: &usize| {
+                self.bound(t) - normals.iter().map(|&(at, j)| self.values[at] * self.entries[j][t]).sum::<f64>()
+            };
+            let missing: Vec<f64> = tight.iter().map(missing).collect();
+            for (&(at, _), row) in normals.iter().zip(&block) {
+                self.values[at] += product(row, &missing);
+            }
+            let missing = |&(_, j): &(usize, usize)| self.rows[j].height - product(&self.entries[j], &prices);
+            let missing: Vec<f64> = normals.iter().map(missing).collect();
+            for (&(at, _), miss) in normals.iter().zip(missing) {
+                add_multiple(&mut prices, miss, &self.inverse[at]);
+            }
+        }
+        self.prices = prices;
+        self.fresh = 0;
+        if self.prices.iter().chain(&self.values).all(|v| v.is_finite()) { Ok(()) } else { Err(Stuck) }
+    }
+}
+
+/// Gauss–Jordan elimination with row pivoting; `None` for a singular matrix.
+fn dense_inverse(mut left: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
+    let size = left.len();
+    let mut right: Vec<Vec<f64>> =
+        (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
+    for column in 0..size {
+        let pivot = (column..size).max_by(|&a, &b| left[a][column].abs().total_cmp(&left[b][column].abs()))?;
+        let head = left[pivot][column];
+        if head == 0.0 || !head.is_finite() {
+            return None;
+        }
+        left.swap(column, pivot);
+        right.swap(column, pivot);
+        let mut pivot_left = std::mem::take(&mut left[column]);
+        let mut pivot_right = std::mem::take(&mut right[column]);
+        for v in pivot_left.iter_mut().chain(&mut pivot_right) {
+            *v /= head;
+        }
+        for row in (0..size).filter(|&row| row != column) {
+            let factor = left[row][column];
+            if factor != 0.0 {
+                add_multiple(&mut left[row][column..], -factor, &pivot_left[column..]);
+                add_multiple(&mut right[row], -factor, &pivot_right);
+            }
+        }
+        left[column] = pivot_left;
+        right[column] = pivot_right;
+    }
+    Some(right)
+}
