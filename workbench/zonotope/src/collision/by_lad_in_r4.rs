@@ -50,9 +50,10 @@ use super::gauge::Gauge;
 use super::location::{Location, Separation, Witness};
 use super::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
-use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend, dot4};
+use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::dot;
 use crate::tally::Tally;
 use crate::zonotope::query::Query;
 
@@ -85,8 +86,8 @@ pub fn gauge_counted(question: &Query<'_, 4>, tally: &mut impl Tally) -> Gauge<4
     let instance = Instance::new(p.clone(), zero(), Source::Doubles(question.runs()));
     match descend(&instance, &p, tally) {
         Descent::Optimal { point, gradient, certificate } => {
-            let reach = dot4(&gradient, &point);
-            let along = dot4(&p, &point);
+            let reach = dot(&gradient, &point);
+            let along = dot(&p, &point);
             Exit { question, instance: &instance, p, direction: point, certificate, reach, along }.gauge()
         }
         Descent::Unbounded { .. } => unreachable!("a sum of absolute values is bounded below"),

@@ -42,6 +42,7 @@
 use super::problem::SpaceLadProblem;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{cross, dot};
 
 type Vector = [Rational; 3];
 
@@ -88,14 +89,6 @@ pub fn minimum(problem: &SpaceLadProblem) -> Option<Rational> {
         }
     }
     best
-}
-
-fn dot(a: &Vector, b: &Vector) -> Rational {
-    a.iter().zip(b).fold(Rational::ZERO, |sum, (a, b)| sum + a * b)
-}
-
-fn cross([a, b, c]: &Vector, [d, e, f]: &Vector) -> Vector {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
 }
 
 fn absolute(value: Rational) -> Rational {

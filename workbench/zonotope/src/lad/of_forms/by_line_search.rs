@@ -58,9 +58,10 @@ use super::instance::{Instance, Source};
 use super::line_search::lowest;
 use super::outcome::{SpaceCertificate, SpaceOptimum, SpaceOutcome};
 use super::problem::SpaceLadProblem;
-use super::vector4::{Vector4, dot4, negated4, plus_multiple};
+use super::vector4::{Vector4, negated4, plus_multiple};
 use super::vertex::{Plane, Vertex};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::dot;
 use crate::tally::Tally;
 
 /// Number of planes from which on the search starts at the optimum of a sample.
@@ -86,7 +87,7 @@ pub fn minimize_counted(problem: &SpaceLadProblem, tally: &mut impl Tally) -> Sp
             SpaceOutcome::Unbounded { direction: [x, y, z] }
         }
         Descent::Optimal { point, gradient, certificate } => {
-            let value = dot4(&gradient, &point).to_rational();
+            let value = dot(&gradient, &point).to_rational();
             let [x, y, z, w] = point.map(|v| v.to_rational());
             SpaceOutcome::Optimal(SpaceOptimum { point: [x / &w, y / &w, z / &w], value: value / &w, certificate })
         }
@@ -147,7 +148,7 @@ impl<T: Tally> Search<'_, T> {
             Descent::Optimal { point, .. } => {
                 let largest = point.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
                 let rounded = point.map(|v| Dyadic::from_f64(v.scaled(-largest).to_f64()));
-                if dot4(&instance.chart, &rounded).sign().is_gt() { rounded } else { given.clone() }
+                if dot(&instance.chart, &rounded).sign().is_gt() { rounded } else { given.clone() }
             }
             Descent::Unbounded { .. } => given.clone(),
         }

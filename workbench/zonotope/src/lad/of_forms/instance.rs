@@ -5,8 +5,9 @@
 //! The problem of planes has the chart (0, 0, 0, 1); the gauge of a point p in R^4 has the chart p and the generators
 //! for forms.
 
-use super::vector4::{Vector4, cross4, dot4, is_zero4};
+use super::vector4::{Vector4, cross4, is_zero4};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::dot;
 use crate::numeric::exact_sum::ExactSum;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::PRODUCT_OF_ROUNDED_VECTORS;
@@ -147,7 +148,7 @@ impl<'a> Instance<'a> {
         let sign = if value.abs() > bound {
             if value > 0.0 { 1 } else { -1 }
         } else {
-            dot4(&self.form(i), &probe.exact).sign() as i8
+            dot(&self.form(i), &probe.exact).sign() as i8
         };
         Product { value, bound, sign }
     }

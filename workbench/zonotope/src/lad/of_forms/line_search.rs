@@ -5,6 +5,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::instance::{Instance, Probe, Product};
 use super::vertex::{Plane, Vertex};
+use crate::numeric::weighted_median::weighted_median;
 use crate::tally::{Operation, Tally};
 
 /// Number of wrong proposals of floating point after which proposals are drawn at random, so that half of the planes
@@ -42,7 +43,10 @@ pub(super) fn lowest(
             return None;
         }
         let chosen = match proposal < TRUSTED_PROPOSALS {
-            true => weighted_median(&mut ahead, slope),
+            true => {
+                let order = |a: &Crossing, b: &Crossing| a.place.total_cmp(&b.place).then(a.plane.cmp(&b.plane));
+                *weighted_median(&mut ahead, -slope, order, |crossing| 2.0 * crossing.rate)?
+            }
             false => ahead[random.random_range(0..ahead.len())],
         };
         let plane = Plane { index: Some(chosen.plane), form: instance.form(chosen.plane as usize) };
@@ -77,22 +81,4 @@ fn crossings(instance: &Instance, start: &Vertex, direction: &Probe, tally: &mut
         }
     }
     ahead
-}
-
-/// The first crossing after which the slope is no longer negative, the last if there is none. Expected O(n); reorders.
-fn weighted_median(ahead: &mut [Crossing], mut slope: f64) -> Crossing {
-    let (mut from, mut to) = (0, ahead.len());
-    while to - from > 1 {
-        let middle = (to - from) / 2;
-        let part = &mut ahead[from..to];
-        part.select_nth_unstable_by(middle, |a, b| a.place.total_cmp(&b.place).then(a.plane.cmp(&b.plane)));
-        let before: f64 = part[..middle].iter().map(|crossing| 2.0 * crossing.rate).sum();
-        if slope + before >= 0.0 {
-            to = from + middle;
-        } else {
-            slope += before;
-            from += middle;
-        }
-    }
-    ahead[from]
 }

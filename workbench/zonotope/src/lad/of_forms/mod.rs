@@ -35,7 +35,7 @@ pub use problem::{SpaceLadError, SpaceLadProblem, WeightedPlane};
 pub(crate) mod homogeneous {
     pub(crate) use super::by_line_search::{Descent, descend};
     pub(crate) use super::instance::{Instance, Source};
-    pub(crate) use super::vector4::{Vector4, dot4};
+    pub(crate) use super::vector4::Vector4;
 }
 
 #[cfg(test)]

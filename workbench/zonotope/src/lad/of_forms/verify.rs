@@ -6,6 +6,7 @@ use super::outcome::{SpaceOptimum, SpaceOutcome};
 use super::problem::SpaceLadProblem;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{determinant, dot};
 
 /// Why an outcome is not proved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -104,22 +105,6 @@ fn term(problem: &SpaceLadProblem, plane: usize) -> (Vector, Rational) {
     let plane = problem.planes()[plane];
     let weight = rational(plane.weight);
     (plane.normal.map(|v| &weight * rational(v)), &weight * rational(plane.offset))
-}
-
-fn determinant(matrix: &[Vec<Rational>]) -> Rational {
-    match matrix {
-        [] => Rational::ONE,
-        [a] => a[0].clone(),
-        [a, b] => &a[0] * &b[1] - &a[1] * &b[0],
-        [a, b, ..] => (0..3).fold(Rational::ZERO, |sum, k| {
-            let [i, j] = [(k + 1) % 3, (k + 2) % 3];
-            sum + &matrix[2][k] * (&a[i] * &b[j] - &a[j] * &b[i])
-        }),
-    }
-}
-
-fn dot(a: &Vector, b: &Vector) -> Rational {
-    a.iter().zip(b).fold(Rational::ZERO, |sum, (a, b)| sum + a * b)
 }
 
 fn absolute(value: Rational) -> Rational {

@@ -4,8 +4,9 @@ use std::cell::OnceCell;
 use std::cmp::Ordering;
 
 use super::instance::{Gradient, Instance, Probe, Product};
-use super::vector4::{Vector4, cross4, dot4, negated4, plus_multiple, primitive};
+use super::vector4::{Vector4, cross4, negated4, plus_multiple, primitive};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::dot;
 use crate::tally::{Operation, Tally};
 
 /// A plane through a vertex: one of the problem's, or one without weight that only serves to define the vertex.
@@ -34,7 +35,7 @@ impl Vertex {
     pub(super) fn new(instance: &Instance, basis: [Plane; 3], tally: &mut impl Tally) -> Self {
         let [a, b, c] = [0, 1, 2].map(|k| &basis[k].form);
         let point = primitive(cross4(a, b, c));
-        let is_behind = dot4(&instance.chart, &point).sign() == Ordering::Less;
+        let is_behind = dot(&instance.chart, &point).sign() == Ordering::Less;
         let point = instance.probe(if is_behind { negated4(point) } else { point });
         tally.add(Operation::LineEvaluation, instance.len() as u64);
         let signs: Vec<i8> = (0..instance.len()).map(|i| instance.product(i, &point).sign).collect();
@@ -46,7 +47,7 @@ impl Vertex {
 
     /// The vertex at a point, defined by planes without weight.
     pub(super) fn at(instance: &Instance, point: &Vector4, tally: &mut impl Tally) -> Self {
-        let height = dot4(&instance.chart, point);
+        let height = dot(&instance.chart, point);
         let pivot = instance.chart.iter().position(|v| !v.is_zero()).expect("a chart is not zero");
         let mut axes = (0..4).filter(|&axis| axis != pivot).map(|axis| {
             let mut form = instance.chart.clone().map(|v| -(&v * &point[axis]));
@@ -84,8 +85,8 @@ impl Vertex {
             return slopes.map(|slope| (slope, slope < 0.0));
         }
         tally.add(Operation::ExactFallback, 1);
-        let along = dot4(self.exact_gradient(instance), &direction.exact);
-        let kink = |i: &u32| dot4(&instance.form(*i as usize), &direction.exact).abs();
+        let along = dot(self.exact_gradient(instance), &direction.exact);
+        let kink = |i: &u32| dot(&instance.form(*i as usize), &direction.exact).abs();
         let kinks = self.through.iter().map(kink).fold(Dyadic::zero(), |sum, v| sum + v);
         [&kinks + &along, &kinks - &along].map(|slope| (direction.in_scale(&slope), slope.sign() == Ordering::Less))
     }
@@ -96,9 +97,9 @@ impl Vertex {
         let gradient = self.exact_gradient(instance);
         (0..3).all(|k| {
             let edge = self.edge(instance, k);
-            let along = dot4(gradient, &edge).abs();
+            let along = dot(gradient, &edge).abs();
             match self.basis[k].index {
-                Some(_) => along <= dot4(&self.basis[k].form, &edge).abs(),
+                Some(_) => along <= dot(&self.basis[k].form, &edge).abs(),
                 None => along.is_zero(),
             }
         })
@@ -106,11 +107,11 @@ impl Vertex {
 
     /// A plane parallel to a given one through the vertex.
     pub(super) fn parallel(&self, instance: &Instance, plane: &Plane) -> Plane {
-        let at = dot4(&plane.form, &self.point.exact);
+        let at = dot(&plane.form, &self.point.exact);
         if at.is_zero() {
             return plane.clone();
         }
-        let height = dot4(&instance.chart, &self.point.exact);
+        let height = dot(&instance.chart, &self.point.exact);
         let scaled = plane.form.clone().map(|v| v * height.clone());
         Plane { index: None, form: primitive(plus_multiple(&scaled, &-at, &instance.chart)) }
     }

@@ -58,6 +58,7 @@ use super::optimum::{LadOptimum, LadOutcome, Minimizer};
 use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{determinant, dot};
 
 type Vector = [Rational; 2];
 
@@ -127,7 +128,7 @@ impl Line {
     }
 
     fn meet(&self, other: &Self) -> Option<Vector> {
-        let determinant = cross(&self.normal, &other.normal);
+        let determinant = determinant(&[&self.normal[..], &other.normal[..]]);
         let ([a, b], [c, d]) = (&self.normal, &other.normal);
         (determinant != Rational::ZERO).then(|| {
             [
@@ -266,14 +267,6 @@ fn is_zero(v: &Vector) -> bool {
     v.iter().all(|v| *v == Rational::ZERO)
 }
 
-fn dot([a, b]: &Vector, [c, d]: &Vector) -> Rational {
-    a * c + b * d
-}
-
-fn cross([a, b]: &Vector, [c, d]: &Vector) -> Rational {
-    a * d - b * c
-}
-
 fn absolute(value: Rational) -> Rational {
     if value < Rational::ZERO { -value } else { value }
 }
@@ -282,7 +275,7 @@ fn rank(vectors: &[Vector]) -> u8 {
     let zero = [Rational::ZERO, Rational::ZERO];
     match vectors.iter().find(|v| **v != zero) {
         None => 0,
-        Some(first) if vectors.iter().any(|v| cross(first, v) != Rational::ZERO) => 2,
+        Some(first) if vectors.iter().any(|v| determinant(&[&first[..], &v[..]]) != Rational::ZERO) => 2,
         Some(_) => 1,
     }
 }

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::dot;
 
 type Direction = [Dyadic; 2];
 
@@ -58,10 +59,6 @@ impl Cone {
             Self::Point => 0,
         }
     }
-}
-
-fn dot(a: &Direction, b: &Direction) -> Dyadic {
-    &a[0] * &b[0] + &a[1] * &b[1]
 }
 
 fn opposite([x, y]: &Direction) -> Direction {
