@@ -17,7 +17,7 @@ const ONE_OF_A_KIND: [&str; 8] = [
 ];
 
 /// Folders and files of the library that hold copies still, to be converted; one without a copy is taken off the list.
-const WITH_COPIES: [&str; 2] = ["lad/", "enclosing/"];
+const WITH_COPIES: [&str; 1] = ["enclosing/"];
 
 /// Folders and files of the library that hold constants of error bounds still, to be moved to `numeric/tolerance.rs`.
 const WITH_BOUNDS: [&str; 2] = ["collision/by_lad/", "lad/"];
