@@ -23,6 +23,8 @@ mod matrices;
 pub mod named;
 mod operations;
 pub mod passes;
+pub mod pose;
+pub mod posed_query;
 pub mod query;
 pub(crate) mod ray_exit;
 pub mod zonogon;

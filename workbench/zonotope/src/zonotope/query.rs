@@ -133,6 +133,6 @@ impl<'a, const D: usize> Query<'a, D> {
     }
 }
 
-fn non_finite<const D: usize>(vector: &[f64; D]) -> Option<usize> {
+pub(super) fn non_finite<const D: usize>(vector: &[f64; D]) -> Option<usize> {
     vector.iter().position(|c| !c.is_finite())
 }

@@ -1,7 +1,8 @@
 //! The answer in constant size: the facet in which the ray along the displacement leaves the body.
 
 use super::proof;
-use crate::collision::{Gauge, Location, Query};
+use crate::collision::{Gauge, Location};
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::optimum::Optimum;
 use crate::lad::of_generators::problem::Goal;
 use crate::lad::of_generators::solve;
@@ -10,13 +11,13 @@ use crate::tally::Tally;
 /// Where the ray along a displacement leaves the zonotope: the gauge and the status at once, the full proof on demand.
 #[derive(Debug)]
 pub struct Facet<'q> {
-    query: &'q Query<'q, 3>,
+    query: &'q dyn KernelQuery,
     optimum: Optimum,
 }
 
 impl<'q> Facet<'q> {
     /// Finds the facet, or a separating direction if the goal allows that and one is found first.
-    pub(super) fn find(query: &'q Query<'q, 3>, goal: Goal, tally: &mut impl Tally) -> Self {
+    pub(super) fn find(query: &'q dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> Self {
         Self { query, optimum: solve(query, goal, tally) }
     }
 

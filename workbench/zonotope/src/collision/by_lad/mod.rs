@@ -65,12 +65,16 @@ pub(crate) mod proof;
 pub use facet::Facet;
 
 #[cfg(test)]
+mod posed_tests;
+#[cfg(test)]
 mod tests;
 
 use super::{Gauge, Location, Query, by_lad_in_r4};
+use crate::lad::of_generators::generators::Posed;
 use crate::lad::of_generators::problem::Goal;
 use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
+use crate::zonotope::posed_query::PosedQuery;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.
 pub fn locate<const D: usize>(query: &Query<'_, D>) -> Location<D> {
@@ -112,6 +116,28 @@ pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tall
         None => Facet::find(&Prism::over(query).query(), Goal::Gauge, tally).gauge_counted(tally),
     };
     Gauge { value, error, location: lowered(location, query.len()) }
+}
+
+/// Where the displacement of a query about posed bodies lies, with a proof whose coefficients are those of the generators as they are stored.
+///
+/// The proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M g_i|.
+pub fn locate_posed(query: &PosedQuery<'_>) -> Location<3> {
+    locate_posed_counted(query, &mut ())
+}
+
+/// [`locate_posed`], counting its operations.
+pub fn locate_posed_counted(query: &PosedQuery<'_>, tally: &mut impl Tally) -> Location<3> {
+    Facet::find(&Posed::new(query), Goal::Location, tally).location_counted(tally)
+}
+
+/// The gauge of the displacement of a query about posed bodies, and where it lies.
+pub fn gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
+    gauge_posed_counted(query, &mut ())
+}
+
+/// [`gauge_posed`], counting its operations.
+pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut impl Tally) -> Gauge<3> {
+    Facet::find(&Posed::new(query), Goal::Gauge, tally).gauge_counted(tally)
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n) proof.

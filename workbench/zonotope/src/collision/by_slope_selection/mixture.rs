@@ -129,7 +129,7 @@ fn spanning(question: &Query<'_, 3>, loose: &[&Class]) -> Basis {
         let best = members().max_by(|&a, &b| key(a).total_cmp(&key(b)).then(b.1.cmp(&a.1)));
         let best = best.map(|(_, member)| member).filter(is_missed);
         let Some(next) = best.or_else(|| members().map(|(_, member)| member).find(is_missed)) else { break };
-        basis = basis.with(next, |member| question.generator(member));
+        basis = basis.with(next, |member| exact(question.generator(member)));
     }
     basis
 }

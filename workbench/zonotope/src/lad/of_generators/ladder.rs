@@ -31,7 +31,7 @@ use super::guess::huber_newton::{Aim, Guess};
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
-use super::problem::{Goal, MODERATE, Problem, rounded_displacement};
+use super::problem::{Goal, MODERATE, Problem};
 use super::search::Searched;
 use super::search::class_meetings::{ClassesFound, search_meetings};
 use super::search::corrected_sample::{CorrectedSample, NotCertified};
@@ -39,10 +39,10 @@ use super::search::narrowing::{Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
 use super::support::separates;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
-use crate::zonotope::query::Query;
 
 /// At most this many generators are searched all at once, without a sample.
 const WHOLE_LIMIT: usize = 128;
@@ -53,6 +53,9 @@ const CELL_LINES_LIMIT: usize = 1200;
 /// A direction is tried as a separating one where the sample's gauge exceeds 1 by more than this part.
 const CLEAR_OF_ONE: f64 = 0.02;
 
+/// Generators in doubles that may be farther off than this part of their length are left to exact arithmetic.
+const GENERATOR_ERROR_LIMIT: f64 = 1e-9;
+
 /// The second cell, in terms of the first, where the optimum seemed to be outside of that.
 const STRETCH_AROUND: f64 = 8.0;
 
@@ -60,15 +63,16 @@ const STRETCH_AROUND: f64 = 8.0;
 const STRETCH_OF_EMPTY: f64 = 8.0;
 
 /// The optimum of a query, and the rung that answered.
-pub(crate) fn climb(query: &Query<'_, 3>, goal: Goal, tally: &mut impl Tally) -> (Optimum, Rung) {
-    let p = rounded_displacement(query);
+pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> (Optimum, Rung) {
+    let p = query.rounded_displacement();
     if p.iter().all(|c| c.value == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
     }
     let problem = Problem::new(query, goal);
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
-    let mut rung = match MODERATE.contains(&size) {
+    // where the generators are not known to many digits, doubles have nothing to say of them
+    let mut rung = match MODERATE.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
         true if query.len() <= WHOLE_LIMIT => Rung::AllInDoubles,
         true => Rung::ParallelClasses,
         false => Rung::FlatBody,
@@ -97,7 +101,7 @@ pub(crate) fn climb(query: &Query<'_, 3>, goal: Goal, tally: &mut impl Tally) ->
 
 /// The exact optimum after a search that left cells, and the rung that answered: the second half of the ladder.
 pub(crate) fn exact_near(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
     p: &ExactVector,
     cells: &NestedCells,
     tally: &mut impl Tally,
@@ -226,8 +230,9 @@ impl<T: Tally> Climb<'_, '_, T> {
 
     fn flat_body(&mut self) -> Attempt {
         let Problem { query, goal, .. } = *self.problem;
-        let axis = spare_axis(query, &query.exact()).ok_or(Rung::ExactInCells)?;
-        let prism = Prism::without(axis, query);
+        let query = query.as_query().ok_or(Rung::ExactInCells)?;
+        let axis = spare_axis(&query, &query.exact()).ok_or(Rung::ExactInCells)?;
+        let prism = Prism::without(axis, &query);
         let (optimum, _) = climb(&prism.query(), goal, self.tally);
         Ok(Optimum::Flat(Box::new(FlatOptimum { axis, prism, optimum })))
     }

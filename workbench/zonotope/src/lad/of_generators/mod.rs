@@ -24,6 +24,8 @@
 pub(crate) mod cells;
 pub(crate) mod certify;
 pub(crate) mod exact;
+pub(crate) mod frame;
+pub(crate) mod generators;
 pub(crate) mod guess;
 pub(crate) mod ladder;
 pub(crate) mod optimum;
@@ -35,11 +37,11 @@ pub(crate) mod support;
 
 use self::optimum::Optimum;
 use self::problem::Goal;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::tally::Tally;
-use crate::zonotope::query::Query;
 
 /// The optimum of a query, counted under the rung that answered. Expected O(n).
-pub(crate) fn solve(query: &Query<'_, 3>, goal: Goal, tally: &mut impl Tally) -> Optimum {
+pub(crate) fn solve(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> Optimum {
     let (optimum, rung) = ladder::climb(query, goal, tally);
     tally.answered_by(rung);
     optimum

@@ -5,10 +5,10 @@ use std::ops::Range;
 use super::certify::gauge_interval::compare;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::query::Query;
 
 /// The sizes between which nothing overflows in the searches and underflow is below the floor of every error bound.
 pub(crate) const MODERATE: Range<f64> = f64::from_bits((1023 - 200) << 52)..f64::from_bits((1023 + 200) << 52);
@@ -23,9 +23,8 @@ pub(crate) enum Goal {
 }
 
 /// A query with what every stage needs of it: the rounded displacement and coordinates of the plane of directions.
-#[derive(Debug)]
 pub(crate) struct Problem<'q> {
-    pub(crate) query: &'q Query<'q, 3>,
+    pub(crate) query: &'q dyn KernelQuery,
     /// The displacement, rounded, with a bound of each coordinate's error.
     pub(crate) p: BoundedVector,
     pub(crate) chart: RoundedChart,
@@ -34,8 +33,8 @@ pub(crate) struct Problem<'q> {
 
 impl<'q> Problem<'q> {
     /// The problem of a query whose displacement is not zero.
-    pub(crate) fn new(query: &'q Query<'q, 3>, goal: Goal) -> Self {
-        let p = rounded_displacement(query);
+    pub(crate) fn new(query: &'q dyn KernelQuery, goal: Goal) -> Self {
+        let p = query.rounded_displacement();
         Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal }
     }
 
@@ -45,9 +44,8 @@ impl<'q> Problem<'q> {
     }
 }
 
-/// The displacement `to` − `from` in doubles, each coordinate with a bound of its error.
-pub(crate) fn rounded_displacement(query: &Query<'_, 3>) -> BoundedVector {
-    let (from, to) = (query.from(), query.to());
+/// The difference `to` − `from` in doubles, each coordinate with a bound of its error.
+pub(crate) fn rounded_difference(from: [f64; 3], to: [f64; 3]) -> BoundedVector {
     [0, 1, 2].map(|i| {
         let (value, rest) = exact_sum(to[i], -from[i]);
         Bounded { value, error: if rest == 0.0 { 0.0 } else { UNIT * value.abs() } }

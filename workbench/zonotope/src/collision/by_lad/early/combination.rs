@@ -7,6 +7,7 @@ use wide::f64x2;
 
 use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH_EXCESS, WELL_WITHIN, length};
 use crate::collision::{Query, Witness};
+use crate::lad::of_generators::generators::Generators;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::{Columns, clipped, columns, product, size, totals};
@@ -260,7 +261,7 @@ fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest:
 }
 
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
-pub(crate) fn well_spread(query: &Query<'_, 3>) -> Option<[usize; 3]> {
+pub(crate) fn well_spread<G: Generators + ?Sized>(query: &G) -> Option<[usize; 3]> {
     let step = query.len().div_ceil(BASIS_SAMPLE).max(1);
     let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
         let keyed = (0..query.len()).step_by(step).map(|i| (key(&query.generator(i)), i));

@@ -19,10 +19,10 @@ use crate::collision::by_lad::early::huber_dual::{Lengths, Moments};
 use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
 use crate::collision::{Location, Query, Separation, Witness};
-use crate::lad::of_generators::problem::rounded_displacement;
+use crate::lad::of_generators::generators::Generators;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
-use crate::lad::of_generators::support::reach;
 use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
@@ -63,7 +63,7 @@ impl Clear {
 /// The status of p with its proof, if that is clear.
 #[inline]
 pub(crate) fn locate(query: &Query<'_, 3>, tally: &mut impl Tally) -> Option<Clear> {
-    let p = rounded_displacement(query);
+    let p = query.rounded_displacement();
     let n = query.len();
     if n > WHOLE_LIMIT {
         return locate_by_sample(query, &p, tally);
@@ -104,7 +104,7 @@ fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) 
     let steps = State::new(&plane.projected(&open.y), open.gauge);
     match steps.prove(
         &body,
-        &rounded_displacement(&body),
+        &body.rounded_displacement(),
         Lengths::Own,
         &first[..first.len().min(WHOLE_LIMIT)],
         tally,
@@ -140,7 +140,7 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     tally.add(Operation::GeneratorRead, query.len() as u64);
     let own = p.map(|c| c.value);
     let (y, is_thick) = Moments::at_zero(query.runs(), Lengths::Own).solve(&own);
-    let reach = reach(query, &y);
+    let reach = query.support(&y);
     let along = dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
         tally.answered_by(Rung::LeastSquares);

@@ -1,6 +1,6 @@
 //! Linearly independent generators, and exact coordinates in terms of them.
 
-use crate::collision::Query;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero, rounded_direction};
 
@@ -19,9 +19,8 @@ pub(crate) struct Basis {
 
 impl Basis {
     /// Independent generators, at most three, by index and value.
-    pub(crate) fn new(members: Vec<(usize, [f64; 3])>) -> Self {
-        let generators = members.iter().map(|(index, _)| *index).collect();
-        let mut vectors: Vec<ExactVector> = members.iter().map(|(_, v)| exact(*v)).collect();
+    pub(crate) fn new(members: Vec<(usize, ExactVector)>) -> Self {
+        let (generators, mut vectors): (Vec<usize>, Vec<ExactVector>) = members.into_iter().unzip();
         while vectors.len() < 3 {
             let next = orthogonal(&vectors);
             vectors.push(next);
@@ -37,11 +36,11 @@ impl Basis {
     }
 
     /// A basis extended until it spans all generators, and other generators that might have come last.
-    pub(crate) fn spanning(query: &Query<'_, 3>, start: Self) -> (Self, Vec<usize>) {
-        let of = |index| query.generator(index);
+    pub(crate) fn spanning(query: &dyn KernelQuery, start: Self) -> (Self, Vec<usize>) {
+        let of = |index| query.exact_generator(index);
         let (mut basis, mut others) = (start, Vec::new());
         while basis.rank() < 3 {
-            let is_missed = |&i: &usize| basis.misses(&exact(of(i)));
+            let is_missed = |&i: &usize| basis.misses(&of(i));
             let mut missed = most_independent(query, &basis).into_iter().filter(is_missed);
             // where floating point proposes none: is there one at all?
             let Some(first) = missed.next().or_else(|| (0..query.len()).find(is_missed)) else { break };
@@ -75,7 +74,7 @@ impl Basis {
     }
 
     /// With one more generator, one that the span misses.
-    pub(crate) fn with(&self, generator: usize, of: impl Fn(usize) -> [f64; 3]) -> Self {
+    pub(crate) fn with(&self, generator: usize, of: impl Fn(usize) -> ExactVector) -> Self {
         let mut generators = self.generators.clone();
         generators.push(generator);
         generators.sort_unstable();
@@ -98,7 +97,7 @@ fn orthogonal(vectors: &[ExactVector]) -> ExactVector {
 }
 
 /// Generators that seem to be farthest from the span of a basis, best first.
-fn most_independent(query: &Query<'_, 3>, basis: &Basis) -> Vec<usize> {
+fn most_independent(query: &dyn KernelQuery, basis: &Basis) -> Vec<usize> {
     let normals = basis.rounded_normals();
     let key = |v: &[f64; 3]| {
         let sum = normals.iter().map(|n| (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]).abs()).sum::<f64>();
@@ -106,7 +105,7 @@ fn most_independent(query: &Query<'_, 3>, basis: &Basis) -> Vec<usize> {
     };
     let mut best: Vec<(f64, usize)> = Vec::new();
     for (index, v) in query.generators().enumerate() {
-        let key = key(v);
+        let key = key(&v);
         if key > 0.0 && (best.len() < PROPOSAL_LIMIT || key > best[best.len() - 1].0) {
             best.truncate(PROPOSAL_LIMIT - 1);
             best.push((key, index));

@@ -7,17 +7,18 @@
 //! groups from 1 / λ to c, and where that would take a basis coefficient out of [−1, 1], the one that moves first to ±1 stays
 //! there and a generator of the group takes its place.
 
+use crate::collision::Witness;
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::pivot_to_doubles::walk;
-use crate::collision::{Query, Witness};
 use crate::lad::of_generators::exact::solve::ExactOptimum;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, difference, exact, multiple, sum};
+use crate::numeric::exact_linear::{ExactVector, difference, multiple, negated, sum};
 use crate::tally::Rung;
 
 /// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.
 pub(crate) struct Combination<'a> {
-    pub(crate) query: &'a Query<'a, 3>,
+    pub(crate) query: &'a dyn KernelQuery,
     pub(crate) exit: &'a ExactOptimum,
     pub(crate) p: &'a ExactVector,
     pub(crate) basis: Basis,
@@ -26,15 +27,15 @@ pub(crate) struct Combination<'a> {
 }
 
 impl<'a> Combination<'a> {
-    pub(crate) fn new(query: &'a Query<'a, 3>, exit: &'a ExactOptimum, p: &'a ExactVector) -> Self {
-        let plane = Basis::new(exit.basis.iter().map(|&b| (b, query.generator(b))).collect());
+    pub(crate) fn new(query: &'a dyn KernelQuery, exit: &'a ExactOptimum, p: &'a ExactVector) -> Self {
+        let plane = Basis::new(exit.basis.iter().map(|&b| (b, query.exact_generator(b))).collect());
         let (basis, others) = Basis::spanning(query, plane);
         Self { query, exit, p, basis, others }
     }
 
     /// The generators of the exit's basis alone.
     fn plane(&self) -> Basis {
-        Basis::new(self.exit.basis.iter().map(|&b| (b, self.query.generator(b))).collect())
+        Basis::new(self.exit.basis.iter().map(|&b| (b, self.query.exact_generator(b))).collect())
     }
 
     /// Whether the generators span space.
@@ -50,7 +51,7 @@ impl<'a> Combination<'a> {
             return (witness, Rung::ScaledSigns);
         }
         let inverse = along.ratio(reach).min(1.0);
-        let of = |index| self.query.generator(index);
+        let of = |index| self.query.exact_generator(index);
         let others = self.others.iter().filter(|_| self.exit.basis.len() == 2).map(|&i| self.plane().with(i, of));
         std::iter::once(self.basis.clone())
             .chain(others)
@@ -66,7 +67,8 @@ impl<'a> Combination<'a> {
         let in_basis = basis.generators.iter().fold(None, |total: Option<ExactVector>, &b| match signs[b] {
             0 => total,
             sign => {
-                let v = exact(self.query.generator(b).map(|c| f64::from(sign) * c));
+                let own = self.query.exact_generator(b);
+                let v = if sign < 0 { negated(own) } else { own };
                 Some(total.map_or_else(|| v.clone(), |total| sum(&total, &v)))
             }
         });

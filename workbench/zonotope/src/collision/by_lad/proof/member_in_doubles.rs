@@ -4,11 +4,12 @@
 //! point is at an edge of its facet, the two are at the ends of their range; then the third is one that moves both inwards as it
 //! leaves its own end, which it may as far as c can grow towards 1.
 
+use crate::collision::Witness;
 use crate::collision::by_lad::early::combination::well_spread;
-use crate::collision::{Query, Witness};
 use crate::lad::of_generators::cells::nested::NestedCells;
-use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
-use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, approximate};
+use crate::lad::of_generators::generators::KernelQuery;
+use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
@@ -34,7 +35,7 @@ struct Attempt {
 
 /// The proof of a member whose gauge is less than 1.
 pub(crate) fn witness(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
     certain: &RoundedOptimum,
     cells: &NestedCells,
     p: &BoundedVector,
@@ -76,15 +77,15 @@ pub(crate) fn witness(
 
 /// The proof by an attempt, if rounding leaves no doubt of it.
 fn prove(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
     certain: &RoundedOptimum,
     cells: &NestedCells,
     p: &BoundedVector,
     attempt: Attempt,
 ) -> Option<Witness> {
     let Attempt { third, sign, factor, .. } = attempt;
-    let [a, b] = certain.vectors.map(bounded::exact);
-    let c = bounded::exact(query.generator(third));
+    let [a, b] = certain.bounded_vectors();
+    let c = approximate(query.generator(third), query.relative_error());
     let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
     // the coefficients of those that share are rounded
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
@@ -104,7 +105,7 @@ fn prove(
 
 /// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
 fn prove_by_others(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
     certain: &RoundedOptimum,
     cells: &NestedCells,
     p: &BoundedVector,
@@ -114,8 +115,8 @@ fn prove_by_others(
     let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
     basis.iter().all(is_other).then_some(())?;
     let signs = basis.map(|i| cells.sign(query, &certain.cell(), i));
-    let vectors = basis.map(|i| bounded::exact(query.generator(i)));
-    let pair = certain.vectors.map(bounded::exact);
+    let vectors = basis.map(|i| approximate(query.generator(i), query.relative_error()));
+    let pair = certain.bounded_vectors();
     let parts = certain.rest.coefficients;
     // the coefficients of those that share, and of the two of the vertex, are rounded
     let size = certain.shared + certain.vectors.as_flattened().iter().map(|c| c.abs()).sum::<f64>();
@@ -153,7 +154,7 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
 }
 
 /// The attempt with its margin.
-fn attempt(query: &Query<'_, 3>, certain: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
+fn attempt(query: &dyn KernelQuery, certain: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
     let [a, b] = &certain.vectors;
     let c = &query.generator(attempt.third);
     let normals = [cross(b, c), cross(c, a), cross(a, b)];
@@ -170,11 +171,12 @@ mod tests {
     use crate::collision::Location;
     use crate::collision::verify::verify;
     use crate::lad::of_generators::cells::reduced::Reduced;
+    use crate::zonotope::query::Query;
 
     /// The proof from the vertex of the first two generators, checked exactly.
     fn prove(generators: &[[f64; 3]], p: [f64; 3]) -> Option<Witness> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
-        let p = bounded::exact(p);
+        let p = crate::numeric::bounded::exact(p);
         let certain = RoundedOptimum::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
         let (witness, _) = witness(&query, &certain, &NestedCells::default(), &p)?;
         assert_eq!(verify(&query, &Location::Inside(witness.clone())), Ok(()));

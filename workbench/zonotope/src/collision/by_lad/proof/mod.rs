@@ -21,18 +21,18 @@ use std::cmp::Ordering;
 use self::basis::Basis;
 use self::member_from_exact::Combination;
 use self::member_in_doubles::witness;
-use crate::collision::{Location, Query, Separation, Witness};
+use crate::collision::{Location, Separation, Witness};
 use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::ladder;
 use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
-use crate::lad::of_generators::problem::rounded_displacement;
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
 
 /// Where the displacement of a query lies, with its proof, from the query's optimum.
-pub(super) fn location(query: &Query<'_, 3>, optimum: &Optimum, tally: &mut impl Tally) -> Location<3> {
+pub(super) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut impl Tally) -> Location<3> {
     match optimum {
         Optimum::Centre => of_center(query),
         Optimum::Separated(direction) => {
@@ -46,7 +46,7 @@ pub(super) fn location(query: &Query<'_, 3>, optimum: &Optimum, tally: &mut impl
 }
 
 /// The centre is a member with all coefficients 0, inside just when the generators span space.
-fn of_center(query: &Query<'_, 3>) -> Location<3> {
+fn of_center(query: &dyn KernelQuery) -> Location<3> {
     let witness = Witness { coefficients: vec![0.0; query.len()], basis: Vec::new() };
     if Basis::spanning(query, Basis::new(Vec::new())).0.rank() == 3 {
         Location::Inside(witness)
@@ -56,8 +56,8 @@ fn of_center(query: &Query<'_, 3>) -> Location<3> {
 }
 
 /// The proof in doubles, or that of the exact optimum where rounding leaves no room for it.
-fn of_decided(query: &Query<'_, 3>, decided: &DecidedOptimum, tally: &mut impl Tally) -> Location<3> {
-    let p = rounded_displacement(query);
+fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut impl Tally) -> Location<3> {
+    let p = query.rounded_displacement();
     let found = match decided.order {
         Ordering::Greater => separation::in_doubles(&decided.optimum, &p)
             .map(|direction| (Location::Outside(direction), Rung::RoundedDirection)),
@@ -78,7 +78,7 @@ fn of_decided(query: &Query<'_, 3>, decided: &DecidedOptimum, tally: &mut impl T
 }
 
 /// The exact proof. O(n).
-fn of_exact(query: &Query<'_, 3>, optimum: &ExactOptimum, p: &ExactVector, tally: &mut impl Tally) -> Location<3> {
+fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector, tally: &mut impl Tally) -> Location<3> {
     match optimum.along.cmp(&optimum.reach) {
         Ordering::Greater => {
             let separation = separation::separation(query, p, &optimum.direction, &optimum.basis);

@@ -11,8 +11,7 @@ use crate::collision::Witness;
 use crate::collision::by_lad::proof::basis::Basis;
 use crate::collision::by_lad::proof::member_from_exact::{Combination, rounded};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, difference, exact, multiple};
-use crate::numeric::signed_sum::signed_sum;
+use crate::numeric::exact_linear::{ExactVector, difference, multiple};
 
 struct Walk<'a> {
     combination: &'a Combination<'a>,
@@ -42,7 +41,7 @@ pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
 }
 
 fn sum_of(combination: &Combination<'_>, group: &[usize]) -> ExactVector {
-    signed_sum(group.iter().map(|&i| (combination.query.generator(i), combination.exit.signs[i])))
+    combination.query.signed_sum_of(&mut group.iter().map(|&i| (i, combination.exit.signs[i])))
 }
 
 impl Walk<'_> {
@@ -105,11 +104,11 @@ impl Walk<'_> {
         let leaving = self.basis.generators[member];
         let query = self.combination.query;
         self.coefficients[leaving] = side;
-        self.rest = difference(&self.rest, &exact(query.generator(leaving).map(|c| side * c)));
+        self.rest = difference(&self.rest, &multiple(&Dyadic::from_f64(side), &query.exact_generator(leaving)));
         self.waiting = waiting;
         let mut members = self.basis.generators.clone();
         members[member] = generator;
         members.sort_unstable();
-        self.basis = Basis::new(members.into_iter().map(|i| (i, query.generator(i))).collect());
+        self.basis = Basis::new(members.into_iter().map(|i| (i, query.exact_generator(i))).collect());
     }
 }

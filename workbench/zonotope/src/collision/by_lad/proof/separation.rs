@@ -1,7 +1,9 @@
 //! Separating directions: from a rounded optimum where it leaves room for every rounding error, else doubles near an exact one.
 
-use crate::collision::{Query, Separation};
+use crate::collision::Separation;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
@@ -23,14 +25,14 @@ pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<
 
 /// The proof from an exact direction u with u · p > h(u); `basis` are the generators that u is known to be orthogonal to.
 pub(crate) fn separation(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
     p: &ExactVector,
     direction: &ExactVector,
     basis: &[usize],
 ) -> Separation<3> {
     let normal = match *basis {
         [first, second] => {
-            let [first, second] = [first, second].map(|b| exact(query.generator(b)));
+            let [first, second] = [first, second].map(|b| query.exact_generator(b));
             let normal = cross(&first, &second);
             // the same direction in smaller numbers: of integers, perhaps, that are doubles
             if dot(&normal, p).sign().is_lt() { negated(normal) } else { normal }
@@ -61,11 +63,15 @@ fn neighbours(u: [f64; 3]) -> impl Iterator<Item = [f64; 3]> {
 }
 
 /// Whether u · p > h(u), exactly. O(n).
-pub(crate) fn separates(query: &Query<'_, 3>, p: &ExactVector, u: [f64; 3]) -> bool {
+pub(crate) fn separates(query: &dyn KernelQuery, p: &ExactVector, u: [f64; 3]) -> bool {
     if !u.iter().all(|c| c.is_finite()) {
         return false;
     }
     let direction = exact(u);
+    let Some(query) = query.as_query() else {
+        let sum = query.signed_sum(&DirectionSigns::new(query, &direction).all(&direction));
+        return dot(&difference(p, &sum), &direction).sign().is_gt();
+    };
     let signed = query.generators().map(|&v| (v, side(v, u, &direction)));
     dot(&difference(p, &signed_sum(signed)), &direction).sign().is_gt()
 }

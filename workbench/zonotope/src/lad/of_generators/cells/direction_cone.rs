@@ -82,6 +82,15 @@ impl DirectionCone {
         self.center.map(|c| (c + far) - far)
     }
 
+    /// A cell in which the sign of a vector that is off by this part of its length is that of the exact vector in the cell itself.
+    pub(crate) fn widened(&self, relative_error: f64) -> Self {
+        if relative_error == 0.0 {
+            return *self;
+        }
+        let size = length(&self.center) + self.axes.iter().flatten().map(length).sum::<f64>() + self.ball;
+        Self { ball: self.ball + 2.0 * relative_error * size, ..*self }
+    }
+
     /// A ball around another direction, in terms of its size wider than the cell.
     pub(crate) fn around_other(&self, center: [f64; 3]) -> Self {
         let ball = BALL_STRETCH * self.size() * (length(&center) / length(&self.center));

@@ -4,7 +4,7 @@
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::zonotope::query::Query;
+use crate::lad::of_generators::generators::KernelQuery;
 
 /// Cells one after the other, and which generators cross each and all before it.
 #[derive(Debug, Clone, Default)]
@@ -34,17 +34,17 @@ impl NestedCells {
     }
 
     /// The sign of one generator, 1 or −1. O(log n).
-    pub(crate) fn sign(&self, query: &Query<'_, 3>, last: &DirectionCone, index: usize) -> f64 {
+    pub(crate) fn sign(&self, query: &dyn KernelQuery, last: &DirectionCone, index: usize) -> f64 {
         let misses = |(_, crossing): &&(DirectionCone, Vec<u32>)| crossing.binary_search(&(index as u32)).is_err();
         let cell = self.steps.iter().find(misses).map_or(last, |(cell, _)| cell);
         if cell.value(&query.generator(index)) < 0.0 { -1.0 } else { 1.0 }
     }
 
     /// The signs of all generators; 0 for those that cross all cells.
-    pub(crate) fn signs(&self, query: &Query<'_, 3>) -> Vec<i8> {
+    pub(crate) fn signs(&self, query: &dyn KernelQuery) -> Vec<i8> {
         let side = |cell: &DirectionCone, v: &[f64; 3]| if cell.value(v) < 0.0 { -1 } else { 1 };
         let Some(((first, _), _)) = self.steps.split_first() else { return vec![0; query.len()] };
-        let mut signs: Vec<i8> = query.generators().map(|v| side(first, v)).collect();
+        let mut signs: Vec<i8> = query.generators().map(|v| side(first, &v)).collect();
         for (step, (_, crossing)) in self.steps.iter().enumerate() {
             let next = self.steps.get(step + 1).map(|(cell, _)| cell);
             for &index in crossing {
@@ -55,12 +55,12 @@ impl NestedCells {
     }
 
     /// A factor with the sign of each generator: that of a last direction for those that cross all cells.
-    pub(crate) fn coefficients(&self, query: &Query<'_, 3>, last: &DirectionCone, factor: f64) -> Vec<f64> {
+    pub(crate) fn coefficients(&self, query: &dyn KernelQuery, last: &DirectionCone, factor: f64) -> Vec<f64> {
         let of = |cell: &DirectionCone, v: &[f64; 3]| factor.copysign(cell.value(v));
         let first = self.steps.first().map_or(last, |(cell, _)| cell);
         let mut coefficients = Vec::with_capacity(query.len());
-        for run in query.runs() {
-            coefficients.extend(run.iter().map(|v| of(first, v)));
+        for part in query.parts() {
+            coefficients.extend(part.images().map(|v| of(first, &v)));
         }
         for (step, (_, crossing)) in self.steps.iter().enumerate() {
             let next = self.steps.get(step + 1).map_or(last, |(cell, _)| cell);
@@ -75,6 +75,7 @@ impl NestedCells {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::zonotope::query::Query;
 
     #[test]
     fn the_first_cell_that_a_generator_misses_decides_its_sign() {

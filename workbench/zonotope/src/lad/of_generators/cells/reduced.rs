@@ -4,10 +4,10 @@
 //! signs are right. So an optimum of the reduced problem in the cell is an optimum of the whole, by convexity.
 
 use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::MODERATE;
-use crate::zonotope::query::Query;
 
 /// Some generators, and the sum of all others.
 #[derive(Debug)]
@@ -18,44 +18,48 @@ pub(crate) struct Reduced {
     pub(crate) fixed: FixedSum,
     /// The signs of those that were summed up last hold in this cell; none if all generators are left.
     pub(crate) cell: Option<DirectionCone>,
+    /// How far each of the vectors may be off, in terms of its length.
+    pub(crate) relative_error: f64,
 }
 
 impl Reduced {
     /// All generators, none summed up.
-    pub(crate) fn whole(query: &Query<'_, 3>) -> Self {
+    pub(crate) fn whole(query: &dyn KernelQuery) -> Self {
         Self {
-            vectors: query.generators().copied().collect(),
+            vectors: query.generators().collect(),
             indices: (0..query.len() as u32).collect(),
             fixed: FixedSum::default(),
             cell: None,
+            relative_error: query.relative_error(),
         }
     }
 
     /// One pass over the query; `expected` generators are likely to cross the cell.
-    pub(crate) fn of_query(query: &Query<'_, 3>, cell: DirectionCone, expected: usize) -> Self {
-        let [first, second] = query.runs();
+    pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone, expected: usize) -> Self {
         let (mut vectors, mut indices) = (Vec::with_capacity(expected), Vec::with_capacity(expected));
-        let mut fixed = FixedSum::default();
-        for (run, offset) in [(first, 0), (second, first.len())] {
-            if !run.is_empty() {
-                fixed = fixed.plus(&cell.split(run, |i| {
-                    vectors.push(run[i]);
-                    indices.push((offset + i) as u32);
-                }));
-            }
-        }
-        Self { vectors, indices, fixed, cell: Some(cell) }
+        let fixed = query.split(&cell, &mut |i, v| {
+            vectors.push(v);
+            indices.push(i as u32);
+        });
+        Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
     }
 
     /// The same problem with those summed up that miss a cell.
     pub(crate) fn split(&self, cell: DirectionCone) -> Self {
         let room = self.vectors.len() / 4 + 16;
         let (mut vectors, mut indices) = (Vec::with_capacity(room), Vec::with_capacity(room));
-        let fixed = self.fixed.plus(&cell.split(&self.vectors, |i| {
+        let fixed = self.plus_fixed_in(&cell, |i| {
             vectors.push(self.vectors[i]);
             indices.push(self.indices[i]);
-        }));
-        Self { vectors, indices, fixed, cell: Some(cell) }
+        });
+        Self { vectors, indices, fixed, cell: Some(cell), relative_error: self.relative_error }
+    }
+
+    /// The sum of all generators whose sign is fixed in a cell, those of before and those of this problem; the others are reported.
+    pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, report: impl FnMut(usize)) -> FixedSum {
+        let mut own = cell.widened(self.relative_error).split(&self.vectors, report);
+        own.error += self.relative_error * own.magnitude;
+        self.fixed.plus(&own)
     }
 
     /// Whether no sum overflowed, or will.

@@ -9,9 +9,9 @@ use std::cmp::Ordering;
 use super::rounded_optimum::RoundedOptimum;
 use super::unit_gauge_bound::unit_gauge_bound;
 use crate::lad::of_generators::cells::nested::NestedCells;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::problem::Goal;
 use crate::numeric::bounded::Bounded;
-use crate::zonotope::query::Query;
 
 /// The thickness of the body is bounded from one generator in so many, then from one in so many.
 const THICKNESS_SHARES: [usize; 2] = [16, 1];
@@ -34,7 +34,7 @@ pub(crate) struct DecidedOptimum {
 impl DecidedOptimum {
     /// The decision, or the optimum and its cells back where doubles leave a doubt.
     pub(crate) fn new(
-        query: &Query<'_, 3>,
+        query: &dyn KernelQuery,
         optimum: Box<RoundedOptimum>,
         cells: NestedCells,
         goal: Goal,
@@ -52,7 +52,7 @@ impl DecidedOptimum {
 }
 
 /// How the gauge compares to 1, with the slack that decides it; none where doubles leave a doubt, or where the gauge is wanted and not accurate.
-pub(crate) fn compare(query: &Query<'_, 3>, optimum: &RoundedOptimum, goal: Goal) -> Option<(Ordering, f64)> {
+pub(crate) fn compare(query: &dyn KernelQuery, optimum: &RoundedOptimum, goal: Goal) -> Option<(Ordering, f64)> {
     let mut slack = optimum.slack(f64::INFINITY);
     let mut order = order(optimum, slack, goal);
     for share in THICKNESS_SHARES {

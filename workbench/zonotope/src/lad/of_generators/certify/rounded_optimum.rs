@@ -46,6 +46,8 @@ pub(crate) struct RoundedOptimum {
     pub(crate) rest: Rest,
     /// At least Σ |v|.
     pub(crate) magnitude: f64,
+    /// How far each generator in doubles may be off, in terms of its length.
+    pub(crate) relative_error: f64,
 }
 
 /// More error in the direction of a vertex than this part of it makes it a point near a vertex.
@@ -78,7 +80,8 @@ impl RoundedOptimum {
     pub(crate) fn at(levels: &[Reduced], p: &BoundedVector, [first, second]: [usize; 2]) -> Result<Self, Unproved> {
         let level = levels.last().ok_or(Unproved::Doubt)?;
         let vectors = [level.vectors[first], level.vectors[second]];
-        let [a, b] = vectors.map(exact);
+        let error = level.relative_error;
+        let [a, b] = vectors.map(|v| approximate(v, error));
         let product = cross(&a, &b);
         let reversed = dot(&product, p).sign().ok_or(Unproved::Doubt)? < 0;
         let vertex = if reversed { product.map(Bounded::negated) } else { product };
@@ -94,7 +97,7 @@ impl RoundedOptimum {
         let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
         let cell = DirectionCone::around(&direction);
         let mut near = Vec::new();
-        let fixed = level.fixed.plus(&cell.split(&level.vectors, |i| near.push(i)));
+        let fixed = level.plus_fixed_in(&cell, |i| near.push(i));
         near.retain(|&i| i != first && i != second);
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
@@ -132,12 +135,18 @@ impl RoundedOptimum {
             excess,
             rest,
             magnitude,
+            relative_error: error,
         })
     }
 
     /// Whether the vertex is the optimum for sure, not only nearly.
     pub(crate) fn is_vertex(&self) -> bool {
         self.missing == 0.0 && self.excess == [0.0; 2]
+    }
+
+    /// The two generators of the vertex in doubles, with a bound of each coordinate's error.
+    pub(crate) fn bounded_vectors(&self) -> [BoundedVector; 2] {
+        self.vectors.map(|v| approximate(v, self.relative_error))
     }
 
     /// The cell that is the direction but for rounding.
@@ -152,7 +161,8 @@ impl RoundedOptimum {
 
     /// What the gauge times λ exceeds 1 by at most, where |x|_1 times `size` bounds the gauge of a vector x.
     pub(crate) fn slack(&self, size: f64) -> f64 {
-        let gauge = |v: &[f64; 3]| (size * v.iter().map(|c| c.abs()).sum::<f64>()).min(1.0);
+        let longer = 1.0 + 2.0 * self.relative_error;
+        let gauge = |v: &[f64; 3]| (size * longer * v.iter().map(|c| c.abs()).sum::<f64>()).min(1.0);
         let terms = self.excess.iter().zip(&self.vectors).map(|(excess, v)| excess * gauge(v));
         let by_ends = terms.sum::<f64>() * (1.0 + 8.0 * UNIT);
         let by_rest = (size * self.rest.size + (1.0 + size * self.rest.size) * self.rest.stretch) * (1.0 + 8.0 * UNIT);
@@ -188,6 +198,15 @@ impl Rest {
         let off = reach.error / reach.value + along.error / along.value + 8.0 * UNIT;
         Self { coefficients, size, stretch: if off < 0.25 { 2.0 * off } else { f64::INFINITY } }
     }
+}
+
+/// A vector that is known but for a part of its length.
+pub(crate) fn approximate(v: [f64; 3], relative_error: f64) -> BoundedVector {
+    if relative_error == 0.0 {
+        return exact(v);
+    }
+    let error = 2.0 * relative_error * v.iter().map(|c| c.abs()).sum::<f64>();
+    v.map(|value| Bounded { value, error })
 }
 
 /// A direction near one that is orthogonal to two vectors but for rounding, more nearly so.
@@ -234,11 +253,12 @@ impl Near {
                 *total += part * c;
             }
             shared += v.iter().map(|c| c.abs()).sum::<f64>();
-            missing += 2.0 * dot(&exact(v), direction).magnitude();
+            missing += 2.0 * dot(&approximate(v, level.relative_error), direction).magnitude();
         }
         let slack = 1.0 + (near.len() + 8) as f64 * 4.0 * UNIT;
         // a rounding for each product, which may underflow, and one for each addition
-        let error = (near.len() + 1) as f64 * (UNIT * shared * slack + f64::MIN_POSITIVE);
+        let error = (near.len() + 1) as f64 * (UNIT * shared * slack + f64::MIN_POSITIVE)
+            + level.relative_error * shared * slack;
         let sum = [0, 1, 2].map(|k| fixed.bounded()[k] + Bounded { value: total[k], error });
         let shares = near.iter().zip(&parts).map(|(&i, &part)| (level.indices[i] as usize, part)).collect();
         Ok(Self { sum, shares, shared: shared * slack, missing: missing * slack })

@@ -4,9 +4,9 @@
 //! gauge of x is at most |y|_1 for x = W y. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞ ≤ ρ < 1/3, and let s be the largest gauge of
 //! the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3 ρ), and the gauge of any x is at most s |x|_1.
 
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::query::Query;
 
 /// Generators read side by side.
 const LANES: usize = 8;
@@ -16,14 +16,14 @@ const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
 const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
 
 /// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
-pub(crate) fn unit_gauge_bound(query: &Query<'_, 3>, share: usize) -> f64 {
+pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
     let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
     let mut count = 0;
-    for run in query.runs() {
+    for source in query.parts() {
         // the last ones are always read: they may be the only ones that lead out of a plane
-        for part in run.chunks(LANES).rev().step_by(share) {
+        for part in source.rows.chunks(LANES).rev().step_by(share) {
             count += part.len();
-            for &[x, y, z] in part {
+            for [x, y, z] in part.iter().map(|v| source.image(v)) {
                 let weight = 1.0 / x.abs().max(y.abs()).max(z.abs()).max(f64::MIN_POSITIVE);
                 let [wx, wy, wz] = [weight * x, weight * y, weight * z];
                 (xx, xy, xz) = (xx + wx * x, xy + wx * y, xz + wx * z);
@@ -38,7 +38,8 @@ pub(crate) fn unit_gauge_bound(query: &Query<'_, 3>, share: usize) -> f64 {
     let length = |row: [f64; 3]| row.iter().map(|c| c.abs()).sum::<f64>();
     let size = inverse.map(length).iter().fold(0.0f64, |m, v| m.max(*v));
     // each entry of the sum is off by a rounding for each term and a few more, at most so much of its magnitude, which the diagonal bounds
-    let off = (count as f64 + 16.0) * 2.0 * UNIT * (xx + yy + zz);
+    // where the vectors themselves are off by a part of their length, each product is by less than four times that
+    let off = ((count as f64 + 16.0) * 2.0 * UNIT + 16.0 * query.relative_error()) * (xx + yy + zz);
     let mut rest = 0.0f64;
     for (k, column) in inverse.iter().enumerate() {
         for (i, row) in rows.iter().enumerate() {
@@ -55,6 +56,7 @@ pub(crate) fn unit_gauge_bound(query: &Query<'_, 3>, share: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::zonotope::query::Query;
 
     fn of(generators: &[[f64; 3]], share: usize) -> f64 {
         unit_gauge_bound(&Query::new([0.0; 3], [0.0; 3], generators).expect("finite"), share)

@@ -3,9 +3,10 @@
 //! Each coordinate of u is rounded once, to about 98 bits, with an exponent of its own, and so is each product. So it does not matter how far the
 //! sizes of coordinates and generators are apart.
 
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::exact_linear::{ExactVector, dot};
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 
 /// Between 2 to the power of this and of its opposite, products of two doubles and their rounding errors are normal numbers.
@@ -50,6 +51,35 @@ impl PairDirection {
             .flatten()
             .fold(BoundedDoubleDouble::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
         sum.sign()
+    }
+}
+
+/// The signs of the generators of a query for an exact direction.
+pub(crate) struct DirectionSigns<'a> {
+    query: &'a dyn KernelQuery,
+    /// The direction in the frame of each part, the products with whose rows are wanted.
+    pairs: Vec<PairDirection>,
+}
+
+impl<'a> DirectionSigns<'a> {
+    pub(crate) fn new(query: &'a dyn KernelQuery, direction: &ExactVector) -> Self {
+        let pairs = query.parts().iter().map(|part| PairDirection::new(&part.exact_pulled(direction))).collect();
+        Self { query, pairs }
+    }
+
+    /// The sign of one generator if pairs tell and it is not zero.
+    pub(crate) fn certain(&self, index: usize) -> Option<i8> {
+        let [first, second] = self.query.parts();
+        match index.checked_sub(first.rows.len()) {
+            None => self.pairs[0].certain_sign(&first.rows[index]),
+            Some(index) => self.pairs[1].certain_sign(&second.rows[index]),
+        }
+    }
+
+    /// The signs of all generators, exactly; `direction` is the one that this was made for.
+    pub(crate) fn all(&self, direction: &ExactVector) -> Vec<i8> {
+        let exact = |index: usize| dot(&self.query.exact_generator(index), direction).sign() as i8;
+        (0..self.query.len()).map(|index| self.certain(index).unwrap_or_else(|| exact(index))).collect()
     }
 }
 

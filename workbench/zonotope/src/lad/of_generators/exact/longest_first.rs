@@ -4,13 +4,13 @@
 //! coefficients in [−1, 1], then u is the optimum of all: the check does not ask why the longest were enough.
 
 use crate::lad::by_pruning;
-use crate::lad::of_generators::exact::direction_signs::PairDirection;
+use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::exact::solve::{ExactOptimum, SEED};
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
 use crate::tally::{Operation, Tally};
-use crate::zonotope::query::Query;
 
 /// What is shorter than this part of the longest is left out: some digits more than rounding the displacement takes off.
 const NEGLIGIBLE_LENGTH: f64 = f64::from_bits((1023 - 64) << 52);
@@ -29,7 +29,7 @@ pub(crate) const LEAST_COUNT: usize = 128;
 
 /// The optimum of the longest generators if it is that of all; else a direction to which most generators are nearly orthogonal, if it is one.
 pub(crate) fn optimum(
-    query: &Query<'_, 3>,
+    query: &dyn KernelQuery,
     p: &ExactVector,
     tally: &mut impl Tally,
 ) -> Result<ExactOptimum, Option<[f64; 3]>> {
@@ -38,16 +38,12 @@ pub(crate) fn optimum(
     }
     tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
     let indices = longest(query);
-    let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| query.generator(index)).collect();
     let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
-    let plane = ChartProblem::new(Vectors::Few(&vectors), &none, ExactChart::new(p.clone(), None));
+    let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &none, ExactChart::new(p.clone(), None));
     let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
     let optimum = outcome.optimum().ok_or(None)?;
     let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
-    let pairs = PairDirection::new(&direction);
-    let exact_sign = |v: &[f64; 3]| dot(&exact(*v), &direction).sign() as i8;
-    let sign = |v: &[f64; 3]| pairs.certain_sign(v).unwrap_or_else(|| exact_sign(v));
-    let mut signs: Vec<i8> = query.generators().map(sign).collect();
+    let mut signs = DirectionSigns::new(query, &direction).all(&direction);
     for (&index, &sign) in indices.iter().zip(&optimum.certificate.signs) {
         signs[index] = sign;
     }
@@ -61,9 +57,9 @@ pub(crate) fn optimum(
 }
 
 /// Whether two generators of the basis make up for what all others leave, with coefficients in [−1, 1].
-fn is_optimal(optimum: &ExactOptimum, query: &Query<'_, 3>, p: &ExactVector) -> bool {
+fn is_optimal(optimum: &ExactOptimum, query: &dyn KernelQuery, p: &ExactVector) -> bool {
     let [first, second] = optimum.basis[..] else { return false };
-    let [a, b] = [first, second].map(|index| exact(query.generator(index)));
+    let [a, b] = [first, second].map(|index| query.exact_generator(index));
     let is_within = |own: &ExactVector, other: &ExactVector| {
         let dual = cross(other, p);
         dot(&optimum.sum, &dual).abs() <= dot(own, &dual).abs()
@@ -72,8 +68,8 @@ fn is_optimal(optimum: &ExactOptimum, query: &Query<'_, 3>, p: &ExactVector) -> 
 }
 
 /// Whether most generators are nearly orthogonal to a direction of size 1: what doubles tell of their signs elsewhere they do not tell there.
-fn is_meeting(query: &Query<'_, 3>, center: &[f64; 3]) -> bool {
-    let is_near = |v: &&[f64; 3]| {
+fn is_meeting(query: &dyn KernelQuery, center: &[f64; 3]) -> bool {
+    let is_near = |v: &[f64; 3]| {
         let [x, y, z] = [0, 1, 2].map(|k| v[k] * center[k]);
         (x + y + z).abs() <= NEARLY_ORTHOGONAL * size(v)
     };
@@ -85,8 +81,8 @@ fn size(v: &[f64; 3]) -> f64 {
 }
 
 /// The longest generators; some from everywhere if they are not few.
-fn longest(query: &Query<'_, 3>) -> Vec<usize> {
-    let least = NEGLIGIBLE_LENGTH * query.generators().map(size).fold(0.0, f64::max);
+fn longest(query: &dyn KernelQuery) -> Vec<usize> {
+    let least = NEGLIGIBLE_LENGTH * query.generators().map(|v| size(&v)).fold(0.0, f64::max);
     let long: Vec<usize> = query.generators().zip(0..).filter(|(v, _)| size(v) > least).map(|(_, i)| i).collect();
     if LONGEST_SHARE * long.len() <= query.len() { long } else { (0..query.len()).step_by(EVEN_SHARE).collect() }
 }
@@ -94,6 +90,8 @@ fn longest(query: &Query<'_, 3>) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::exact_linear::exact;
+    use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 

@@ -5,12 +5,11 @@ use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, rounded_direction, sum};
-use crate::numeric::signed_sum::signed_sum;
+use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction, sum};
 use crate::tally::{Operation, Tally};
-use crate::zonotope::query::Query;
 
 /// The seed of the kernel: it decides the time, never the answer.
 pub(super) const SEED: u64 = 0x5a;
@@ -39,14 +38,14 @@ pub(crate) struct ExactOptimum {
 impl ExactOptimum {
     /// The optimum of all generators at once, in coordinates around a direction if one is given. Exact arithmetic for every generator.
     pub(crate) fn of_whole(
-        query: &Query<'_, 3>,
+        query: &dyn KernelQuery,
         p: &ExactVector,
         center: Option<[f64; 3]>,
         tally: &mut impl Tally,
     ) -> Self {
         tally.add(Operation::GeneratorRead, query.len() as u64);
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
-        let plane = ChartProblem::new(Vectors::All(query), &none, ExactChart::new(p.clone(), center));
+        let plane = ChartProblem::new(Vectors::all(query), &none, ExactChart::new(p.clone(), center));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
@@ -57,7 +56,7 @@ impl ExactOptimum {
     /// The optimum of the generators that cross a ball around an optimum that is outside its cells: where the minimiser is not unique, another one of
     /// the same problem may be outside. None where that is hardly smaller than the whole, or where this optimum is outside the ball, too.
     pub(crate) fn in_ball(
-        query: &Query<'_, 3>,
+        query: &dyn KernelQuery,
         p: &ExactVector,
         ball: DirectionCone,
         tally: &mut impl Tally,
@@ -70,7 +69,7 @@ impl ExactOptimum {
 
     /// Solves the problem of the generators that cross the cells of a cells; a cell around its optimum if that is not proved to be in the cells.
     pub(crate) fn in_cells(
-        query: &Query<'_, 3>,
+        query: &dyn KernelQuery,
         p: &ExactVector,
         cells: &NestedCells,
         tally: &mut impl Tally,
@@ -84,11 +83,13 @@ impl ExactOptimum {
         let (cell, indices) = steps[..count].last().ok_or(None)?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, query.len() as u64);
-        let vectors: Vec<[f64; 3]> = indices.iter().map(|&index| query.generator(index as usize)).collect();
         let mut signs = cells.up_to(count).signs(query);
-        let rest = signed_sum(query.generators().copied().zip(signs.iter().copied()));
-        let plane =
-            ChartProblem::new(Vectors::Few(&vectors), &rest, ExactChart::new(p.clone(), Some(cell.coarse_center())));
+        let rest = query.signed_sum(&signs);
+        let plane = ChartProblem::new(
+            Vectors::some(query, indices.iter().map(|&index| index as usize).collect()),
+            &rest,
+            ExactChart::new(p.clone(), Some(cell.coarse_center())),
+        );
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().ok_or(None)?;
         let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
@@ -100,19 +101,20 @@ impl ExactOptimum {
         for (&index, &sign) in indices.iter().zip(own) {
             signs[index as usize] = sign;
         }
-        let total = sum(&rest, &signed_sum(vectors.iter().copied().zip(own.iter().copied())));
+        let mut few = indices.iter().map(|&index| index as usize).zip(own.iter().copied());
+        let total = sum(&rest, &query.signed_sum_of(&mut few));
         let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()] as usize);
         Ok(Self::with_sum(p, direction, signs, basis.collect(), total))
     }
 
     /// An optimum that doubles proved.
     pub(crate) fn at_vertex(
-        query: &Query<'_, 3>,
+        query: &dyn KernelQuery,
         p: &ExactVector,
         vertex: &RoundedOptimum,
         cells: &NestedCells,
     ) -> Self {
-        let [a, b] = vertex.vectors.map(exact);
+        let [a, b] = vertex.basis.map(|index| query.exact_generator(index));
         let direction = if vertex.reversed { cross(&b, &a) } else { cross(&a, &b) };
         let signs = cells.coefficients(query, &vertex.cell(), 1.0);
         let mut signs: Vec<i8> = signs.into_iter().map(|sign| sign as i8).collect();
@@ -123,13 +125,13 @@ impl ExactOptimum {
     }
 
     pub(crate) fn new(
-        query: &Query<'_, 3>,
+        query: &dyn KernelQuery,
         p: &ExactVector,
         direction: ExactVector,
         signs: Vec<i8>,
         basis: Vec<usize>,
     ) -> Self {
-        let sum = signed_sum(query.generators().copied().zip(signs.iter().copied()));
+        let sum = query.signed_sum(&signs);
         Self::with_sum(p, direction, signs, basis, sum)
     }
 

@@ -3,8 +3,8 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::query::Query;
 
 /// So many of the last generators are always in the sample: they may be the only ones that lead out of a plane, those of a prism.
 const ALWAYS_TAKEN: usize = 2;
@@ -27,7 +27,7 @@ pub(crate) struct Sample {
 
 impl Sample {
     /// Of more than a few generators, one from each of many equal stretches; where lengths are very uneven, one from each of many stretches of the same length in all.
-    pub(crate) fn of(query: &Query<'_, 3>, tally: &mut impl Tally) -> Self {
+    pub(crate) fn of(query: &dyn KernelQuery, tally: &mut impl Tally) -> Self {
         let n = query.len();
         let size = (6 * n.isqrt() + n / 128).min(n);
         tally.add(Operation::GeneratorRead, size as u64);
@@ -60,20 +60,20 @@ impl Sample {
     }
 
     /// What part of all generators the sample is.
-    pub(crate) fn part_of(&self, query: &Query<'_, 3>) -> f64 {
+    pub(crate) fn part_of(&self, query: &dyn KernelQuery) -> f64 {
         self.vectors.len() as f64 / query.len() as f64
     }
 
     /// One generator for each `stretch` of length, made as long as that; those that are longer all the same.
-    fn by_length(query: &Query<'_, 3>, stretch: f64, expected: usize) -> Self {
+    fn by_length(query: &dyn KernelQuery, stretch: f64, expected: usize) -> Self {
         let mut vectors = Vec::with_capacity(2 * expected);
         let mut missing = stretch / 2.0;
         for v in query.generators().take(query.len() - ALWAYS_TAKEN) {
-            let length = length(v);
+            let length = length(&v);
             missing -= length;
             if missing <= 0.0 {
                 let factor = stretch / length;
-                vectors.push(if factor > 1.0 { v.map(|c| factor * c) } else { *v });
+                vectors.push(if factor > 1.0 { v.map(|c| factor * c) } else { v });
                 missing = if missing > -stretch { missing + stretch } else { missing.rem_euclid(stretch) };
             }
         }
@@ -89,6 +89,7 @@ fn length([x, y, z]: &[f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::zonotope::query::Query;
 
     #[test]
     fn even_lengths_are_sampled_by_place() {

@@ -11,13 +11,12 @@
 
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
-use crate::lad::of_generators::exact::direction_signs::PairDirection;
+use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, exact, multiple};
 use crate::numeric::scaling::scale_by_power_of_two;
-use crate::numeric::signed_sum::signed_sum;
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::query::Query;
 
 /// The coordinates of the plane for a displacement that is not zero.
 #[derive(Debug, Clone)]
@@ -28,13 +27,12 @@ pub(crate) struct ExactChart {
     center: ExactVector,
 }
 
-/// The vectors of a kernel problem.
+/// The generators of a kernel problem: all of a query, or some.
 #[derive(Debug)]
-pub(crate) enum Vectors<'a> {
-    /// The generators of a query.
-    All(&'a Query<'a, 3>),
-    /// Some generators.
-    Few(&'a [[f64; 3]]),
+pub(crate) struct Vectors<'a> {
+    query: &'a dyn KernelQuery,
+    /// The indices of those that the problem has; all if there are none.
+    chosen: Option<Vec<usize>>,
 }
 
 /// Vectors as lines, normals and offsets each scaled by a power of two.
@@ -46,19 +44,25 @@ struct GeneratorLines<'a> {
     offset_scale: i64,
 }
 
-impl Vectors<'_> {
-    fn len(&self) -> usize {
-        match self {
-            Self::All(query) => query.len(),
-            Self::Few(vectors) => vectors.len(),
-        }
+impl<'a> Vectors<'a> {
+    pub(crate) fn all(query: &'a dyn KernelQuery) -> Self {
+        Self { query, chosen: None }
     }
 
-    fn get(&self, position: usize) -> [f64; 3] {
-        match self {
-            Self::All(query) => query.generator(position),
-            Self::Few(vectors) => vectors[position],
-        }
+    pub(crate) fn some(query: &'a dyn KernelQuery, chosen: Vec<usize>) -> Self {
+        Self { query, chosen: Some(chosen) }
+    }
+
+    fn len(&self) -> usize {
+        self.chosen.as_ref().map_or_else(|| self.query.len(), Vec::len)
+    }
+
+    fn index(&self, position: usize) -> usize {
+        self.chosen.as_ref().map_or(position, |chosen| chosen[position])
+    }
+
+    fn get(&self, position: usize) -> ExactVector {
+        self.query.exact_generator(self.index(position))
     }
 }
 
@@ -87,9 +91,8 @@ impl ExactChart {
         [i, j].map(|axis| &v[axis] * &self.p[k] - &v[k] * &self.p[axis])
     }
 
-    fn line(&self, v: [f64; 3]) -> ExactLine {
-        let v = exact(v);
-        ExactLine { normal: self.normal(&v), offset: dot(&v, &self.center) }
+    fn line(&self, v: &ExactVector) -> ExactLine {
+        ExactLine { normal: self.normal(v), offset: dot(v, &self.center) }
     }
 
     /// A positive multiple of the u with coordinates (x / w, y / w).
@@ -108,7 +111,7 @@ impl<'a> ChartProblem<'a> {
     /// The kernel problem of some vectors and the sum of all others with their signs, for a plane. O(n) exact operations.
     pub(crate) fn new(vectors: Vectors<'a>, others: &ExactVector, plane: ExactChart) -> Self {
         let leading = |position: usize| {
-            let ExactLine { normal: [x, y], offset } = plane.line(vectors.get(position));
+            let ExactLine { normal: [x, y], offset } = plane.line(&vectors.get(position));
             [x, y, offset].map(|value| value.leading())
         };
         let lines: Vec<[(f64, i64); 3]> = (0..vectors.len()).map(leading).collect();
@@ -138,7 +141,7 @@ impl<'a> ChartProblem<'a> {
 
 impl ExactLines for GeneratorLines<'_> {
     fn line(&self, position: usize) -> ExactLine {
-        let ExactLine { normal, offset } = self.plane.line(self.vectors.get(position));
+        let ExactLine { normal, offset } = self.plane.line(&self.vectors.get(position));
         ExactLine { normal: normal.map(|v| v.scaled(-self.normal_scale)), offset: offset.scaled(-self.offset_scale) }
     }
 
@@ -146,13 +149,14 @@ impl ExactLines for GeneratorLines<'_> {
     fn certain_signs(&self, [x, y, w]: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
         let scale = self.offset_scale - self.normal_scale;
         let direction = self.plane.direction([x.clone().scaled(scale), y.clone().scaled(scale), w.clone()]);
-        let pairs = PairDirection::new(&direction);
-        Box::new(move |position| pairs.certain_sign(&self.vectors.get(position)))
+        let signs = DirectionSigns::new(self.vectors.query, &direction);
+        Box::new(move |position| signs.certain(self.vectors.index(position)))
     }
 
     /// By linearity in the generator: one line, that of the exact sum.
     fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
-        let sum = signed_sum(terms.map(|(position, sign)| (self.vectors.get(position), sign)));
+        let sum =
+            self.vectors.query.signed_sum_of(&mut terms.map(|(position, sign)| (self.vectors.index(position), sign)));
         self.plane.normal(&sum).map(|v| v.scaled(-self.normal_scale))
     }
 }

@@ -116,8 +116,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
             let is_last = round + 1 == CORRECTIONS && depth == 0;
             if is_last {
                 self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
-                let all =
-                    self.problem.chart.lines(self.problem.query.generators().copied().collect::<Vec<_>>().into_iter());
+                let all = self.problem.chart.lines(self.problem.query.generators().collect::<Vec<_>>().into_iter());
                 point = all.optimum([0.0; 2], point).unwrap_or(point);
             }
             let cell = match part.lines.guess_at(point, before, part.aim) {

@@ -1,0 +1,202 @@
+//! Queries about posed bodies against exact arithmetic on the images of their generators.
+
+use super::{gauge_posed, locate, locate_posed};
+use crate::collision::{Location, Query, Separation};
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero};
+use crate::zonotope::Zonotope;
+use crate::zonotope::pose::Pose;
+use crate::zonotope::posed_query::PosedQuery;
+use proptest::prelude::*;
+
+/// The images of all generators, exactly.
+fn images(query: &PosedQuery<'_>) -> Vec<ExactVector> {
+    let [first, second] = query.runs();
+    let [from, to] = query.poses();
+    let of = |pose: Pose, rows: &[[f64; 3]]| rows.iter().map(|v| pose.exact_image(&exact(*v))).collect::<Vec<_>>();
+    [of(from, first), of(to, second)].concat()
+}
+
+/// h(u), exactly.
+fn support(images: &[ExactVector], u: &ExactVector) -> Dyadic {
+    images.iter().fold(Dyadic::zero(), |sum, v| sum + dot(v, u).abs())
+}
+
+/// The status by every facet normal, for images that span space.
+fn truth(images: &[ExactVector], p: &ExactVector) -> Option<&'static str> {
+    let mut spans = false;
+    let mut status = "inside";
+    for (i, a) in images.iter().enumerate() {
+        for b in &images[..i] {
+            let normal = cross(a, b);
+            if is_zero(&normal) {
+                continue;
+            }
+            let reach = support(images, &normal);
+            spans |= !reach.is_zero();
+            match dot(p, &normal).abs().cmp(&reach) {
+                std::cmp::Ordering::Greater => status = "outside",
+                std::cmp::Ordering::Equal if status == "inside" => status = "boundary",
+                _ => {}
+            }
+        }
+    }
+    spans.then_some(status)
+}
+
+/// Whether the proof holds, in exact rationals.
+fn check_proof(query: &PosedQuery<'_>, location: &Location<3>) {
+    let (images, p) = (images(query), query.displacement());
+    match location {
+        Location::Outside(separation) => {
+            let u: [Rational; 3] = match separation {
+                Separation::Rounded(u) => u.map(|c| Rational::try_from(c).expect("finite")),
+                Separation::Exact(u) => u.clone(),
+            };
+            let along = |v: &ExactVector| (0..3).fold(Rational::ZERO, |sum, k| sum + v[k].to_rational() * &u[k]);
+            let reach = images.iter().fold(Rational::ZERO, |sum, v| {
+                let own = along(v);
+                sum + if own < Rational::ZERO { -own } else { own }
+            });
+            assert!(along(p) > reach, "{u:?} does not separate");
+        }
+        Location::Inside(witness) | Location::Boundary(witness) => {
+            assert!(witness.coefficients.iter().all(|c| c.abs() <= 1.0));
+            assert_eq!(witness.coefficients.len(), images.len());
+            let off = |i: &usize| !witness.basis.contains(i);
+            let rest = (0..images.len()).filter(off).fold(p.clone(), |rest, i| {
+                let c = Dyadic::from_f64(witness.coefficients[i]);
+                [0, 1, 2].map(|k| &rest[k] - &(&c * &images[i][k]))
+            });
+            let solved = match witness.basis[..] {
+                [] => is_zero(&rest),
+                [a, b, c] => {
+                    let normals =
+                        [cross(&images[b], &images[c]), cross(&images[c], &images[a]), cross(&images[a], &images[b])];
+                    let determinant = dot(&images[a], &normals[0]).abs();
+                    !determinant.is_zero() && normals.iter().all(|normal| dot(&rest, normal).abs() <= determinant)
+                }
+                [a, b] => {
+                    let normal = cross(&images[a], &images[b]);
+                    let [first, second] = [cross(&images[b], &normal), cross(&normal, &images[a])];
+                    let determinant = dot(&normal, &normal);
+                    dot(&rest, &normal).is_zero()
+                        && [first, second].iter().all(|dual| dot(&rest, dual).abs() <= determinant)
+                }
+                [a] => {
+                    let square = dot(&images[a], &images[a]);
+                    is_zero(&cross(&rest, &images[a])) && dot(&rest, &images[a]).abs() <= square
+                }
+                _ => panic!("a basis of {} generators", witness.basis.len()),
+            };
+            assert!(solved, "the coefficients do not combine to the displacement");
+        }
+    }
+}
+
+fn check(query: &PosedQuery<'_>) {
+    let (images, p) = (images(query), query.displacement());
+    let location = locate_posed(query);
+    let gauge = gauge_posed(query);
+    if let Some(status) = truth(&images, p) {
+        assert_eq!(location.status(), status);
+        let scale = Dyadic::from_f64(gauge.value);
+        // p is outside of a body a little smaller than gauge times this one, and inside of one a little larger
+        if gauge.value.is_finite() && gauge.value > 0.0 && gauge.error < 1e-6 * gauge.value {
+            let times = |factor: f64| {
+                let factor = &scale * &Dyadic::from_f64(factor);
+                images.iter().map(|v| v.each_ref().map(|c| c * &factor)).collect::<Vec<_>>()
+            };
+            assert_eq!(truth(&times(1.0 + 1e-9), p), Some("inside"));
+            assert_eq!(truth(&times(1.0 - 1e-9), p), Some("outside"));
+        }
+    }
+    assert_eq!(gauge.location.status(), location.status());
+    check_proof(query, &location);
+    check_proof(query, &gauge.location);
+}
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => -1.0..1.0f64, 2 => (-2i32..3).prop_map(f64::from), 1 => Just(1e-9), 1 => Just(1e9)]
+}
+
+fn vector() -> impl Strategy<Value = [f64; 3]> {
+    proptest::array::uniform3(coordinate())
+}
+
+fn body() -> impl Strategy<Value = Zonotope<3>> {
+    (vector(), proptest::collection::vec(vector(), 0..5))
+        .prop_map(|(center, generators)| Zonotope::new(center, generators).expect("finite"))
+}
+
+/// Rotations, quarter turns, mirrors, shears and matrices that flatten.
+fn pose() -> impl Strategy<Value = Pose> {
+    let rotation = (proptest::array::uniform4(-1.0..1.0f64), vector())
+        .prop_map(|(q, t)| Pose::from_quaternion(q, t).unwrap_or_default());
+    let quarters = (0usize..6, vector()).prop_map(|(i, t)| {
+        let rows = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
+        Pose::new([rows[i % 3], rows[(i + 1) % 3], rows[(i + 2) % 3]], t).expect("finite")
+    });
+    let any = (proptest::array::uniform3(vector()), vector()).prop_map(|(m, t)| Pose::new(m, t).expect("finite"));
+    prop_oneof![4 => rotation, 2 => quarters, 1 => any, 1 => Just(Pose::IDENTITY)]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn posed_bodies_meet_as_exact_arithmetic_has_it(a in body(), b in body(), from in pose(), to in pose()) {
+        check(&PosedQuery::between((&a, &from), (&b, &to)));
+    }
+
+    #[test]
+    fn a_point_is_where_it_is_in_a_posed_body(a in body(), from in pose(), point in vector(), share in vector()) {
+        check(&PosedQuery::of_point(point, &a, &from).expect("finite"));
+        // and near the image of a combination of the generators
+        let near = a.generators().iter().zip(share.iter().cycle()).fold(from.exact_point(a.center()), |sum, (v, s)| {
+            let image = from.exact_image(&exact(*v));
+            let factor = Dyadic::from_f64(s.clamp(-1.0, 1.0));
+            [0, 1, 2].map(|k| &sum[k] + &(&factor * &image[k]))
+        });
+        check(&PosedQuery::of_point(near.map(|c| c.to_f64()), &a, &from).expect("finite"));
+    }
+}
+
+#[test]
+fn many_generators_under_rotations() {
+    use rand::{RngExt, SeedableRng};
+    let random = &mut rand_pcg::Pcg64Mcg::seed_from_u64(3);
+    for n in [40, 200, 700] {
+        let mut body = || {
+            let generators = (0..n).map(|_| [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64))).collect();
+            Zonotope::new([0.0; 3], generators).expect("finite")
+        };
+        let (a, b) = (body(), body());
+        for i in 0..12 {
+            let angle = f64::from(i);
+            let from = Pose::from_axis_angle([1.0, 2.0, angle], angle, [0.0; 3]).expect("an axis");
+            // from far inside, through near contact, to far outside
+            let at = [0.1, 0.5, 1.0, 1.0 + 1e-9, 1.5, 4.0][i as usize % 6];
+            let turned = Pose::from_axis_angle([0.0, 1.0, 0.3], 2.0 * angle, [0.0; 3]).expect("an axis");
+            let unit =
+                PosedQuery::between((&a, &from), (&b, &Pose::from_translation([1.0, 0.5, -0.3]).expect("finite")));
+            let gauge = gauge_posed(&unit).value;
+            let distance = [1.0, 0.5, -0.3].map(|c| c * at / gauge);
+            let to = Pose::new(turned.matrix(), distance).expect("finite");
+            let query = PosedQuery::between((&a, &from), (&b, &to));
+            check_proof(&query, &locate_posed(&query));
+            check_proof(&query, &gauge_posed(&query).location);
+        }
+    }
+}
+
+#[test]
+fn the_identity_answers_as_no_pose_does() {
+    let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).expect("finite");
+    for at in [0.5, 2.0, 2.0 + f64::EPSILON * 2.0] {
+        let other = Zonotope::new([at, 0.0, 0.0], cube.generators().to_vec()).expect("finite");
+        let posed = PosedQuery::between((&cube, &Pose::IDENTITY), (&other, &Pose::IDENTITY));
+        assert_eq!(locate_posed(&posed).status(), locate(&Query::between(&cube, &other)).status());
+    }
+}

@@ -1,0 +1,100 @@
+//! Generators under a matrix, without a copy of them: directions and cells are pulled back into the generators' own frame, sums are pushed forward.
+//!
+//! Since u · M v = (Mᵀ u) · v, a pass over the images M v is a pass over the v with Mᵀ u in the place of u. The pass is the one that bodies without
+//! a pose have; what is new is a few roundings before and after it, which widen the cell and the error of the sum.
+
+use super::cells::direction_cone::{DirectionCone, FixedSum};
+use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::tolerance::UNIT;
+use crate::zonotope::pose::Pose;
+
+/// A matrix that distorts more than this leaves doubles no digits that are worth a search.
+const DISTORTION_LIMIT: f64 = 1e6;
+
+/// The matrix of a pose with the bounds that its passes need.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Frame {
+    pose: Pose,
+    /// The matrix is the identity, so that images are the generators themselves.
+    is_identity: bool,
+    /// At least ‖M‖, the largest factor by which a length grows.
+    norm: f64,
+    /// At least the root of the sum of all squares of entries.
+    size: f64,
+    /// The rounded image of any v is off by less than this part of |M v|; infinite where the matrix is, nearly, singular.
+    relative_error: f64,
+}
+
+impl Frame {
+    pub(crate) fn new(pose: &Pose) -> Self {
+        let m = pose.matrix();
+        let square = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();
+        let slack = 1.0 + 32.0 * UNIT;
+        let trace = square(0, 0) + square(1, 1) + square(2, 2);
+        let size = trace.sqrt() * slack;
+        // ‖M‖² is at most the largest sum of magnitudes in a row of Mᵀ M, each of which is off by less than 4 u times the trace
+        let row = |i: usize| (0..3).map(|j| square(i, j).abs()).sum::<f64>();
+        let norm = (row(0).max(row(1)).max(row(2)) + 16.0 * UNIT * trace).sqrt() * slack;
+        let [a, b, c] = m;
+        let determinant = a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        let certain = determinant.abs() - 16.0 * UNIT * size * size * size;
+        // the least factor of a length is the determinant over the two others; an image is off by less than 4 u ‖M‖ |v|
+        let least = certain / (norm * norm) * (1.0 - 8.0 * UNIT);
+        let is_sound = certain > 0.0 && size < DISTORTION_LIMIT * least && (1e-60..1e60).contains(&size);
+        let relative_error = if is_sound { 8.0 * UNIT * size / least } else { f64::INFINITY };
+        let is_identity = m == Pose::IDENTITY.matrix();
+        Self { pose: *pose, is_identity, norm, size, relative_error: if is_identity { 0.0 } else { relative_error } }
+    }
+
+    /// Whether images are the generators themselves.
+    pub(crate) fn is_identity(&self) -> bool {
+        self.is_identity
+    }
+
+    /// The rounded image of any v is off by less than this part of |M v|.
+    pub(crate) fn relative_error(&self) -> f64 {
+        self.relative_error
+    }
+
+    /// M v, rounded.
+    pub(crate) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
+        self.pose.matrix().map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    }
+
+    /// M v, exactly.
+    pub(crate) fn exact_image(&self, v: &ExactVector) -> ExactVector {
+        self.pose.exact_image(v)
+    }
+
+    /// Mᵀ u, exactly.
+    pub(crate) fn exact_pulled(&self, u: &ExactVector) -> ExactVector {
+        self.pose.exact_transposed_image(u)
+    }
+
+    /// Mᵀ u, rounded.
+    fn pulled(&self, u: &[f64; 3]) -> [f64; 3] {
+        let m = self.pose.matrix();
+        [0, 1, 2].map(|k| m[0][k] * u[0] + m[1][k] * u[1] + m[2][k] * u[2])
+    }
+
+    /// A cell that holds Mᵀ u for all directions u of a cell.
+    pub(crate) fn pulled_cell(&self, cell: &DirectionCone) -> DirectionCone {
+        let length = |u: &[f64; 3]| u.iter().map(|c| c.abs()).sum::<f64>();
+        let total = length(&cell.center) + cell.axes.iter().flatten().map(length).sum::<f64>();
+        // each coordinate of a product is off by less than 4 u ‖M‖ times the other factor
+        let ball = (self.norm * cell.ball + 16.0 * UNIT * self.size * total) * (1.0 + 8.0 * UNIT);
+        let axes = cell.axes.map(|axes| axes.map(|axis| self.pulled(&axis)));
+        DirectionCone { center: self.pulled(&cell.center), axes, ball }
+    }
+
+    /// The sum of the images of generators whose own sum is given.
+    pub(crate) fn pushed_sum(&self, fixed: &FixedSum) -> FixedSum {
+        let largest = fixed.sum.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+        // a row's magnitudes sum up to less than twice ‖M‖
+        let error = 2.0 * self.size * (fixed.error + 4.0 * UNIT * largest) * (1.0 + 8.0 * UNIT);
+        let magnitude = self.norm * fixed.magnitude * (1.0 + 4.0 * UNIT);
+        FixedSum { sum: self.image(&fixed.sum), magnitude, error }
+    }
+}

@@ -1,0 +1,240 @@
+//! The seam: what the kernel needs of "the generators", whoever holds them.
+//!
+//! | implementor | what it is |
+//! |---|---|
+//! | `[[f64; 3]]` | rows of a body, or a sample of them |
+//! | [`Query`] | one or two bodies, in the rows that they are stored in |
+//! | [`Posed`] | one or two bodies under poses, whose generators are never copied |
+//!
+//! Every implementor consists of at most two parts, each a slice of rows with or without a matrix; a pass over them is written once, for a slice,
+//! and a matrix is applied to what goes into the pass and to what comes out of it ([`Frame`]).
+
+use std::fmt;
+
+use super::cells::direction_cone::{DirectionCone, FixedSum};
+use super::frame::Frame;
+use super::problem::rounded_difference;
+use crate::numeric::bounded::{Bounded, BoundedVector, exact as bounded_exact};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{self, ExactVector, exact};
+use crate::numeric::linear::dot;
+use crate::numeric::signed_sum::signed_sum;
+use crate::zonotope::passes::bounded_sum;
+use crate::zonotope::pose::Pose;
+use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::query::Query;
+
+/// Rows, and the matrix that they are to be taken under.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Part<'a> {
+    pub(crate) rows: &'a [[f64; 3]],
+    pub(crate) frame: Option<&'a Frame>,
+}
+
+/// Generators of space, in the order of their indices: those of the first part, then those of the second.
+pub(crate) trait Generators: fmt::Debug + Sync {
+    /// The generators, in two parts.
+    fn parts(&self) -> [Part<'_>; 2];
+
+    /// How many generators there are.
+    fn len(&self) -> usize {
+        let [first, second] = self.parts();
+        first.rows.len() + second.rows.len()
+    }
+
+    /// A generator in doubles, off by at most [`relative_error`](Self::relative_error) times its length.
+    fn generator(&self, index: usize) -> [f64; 3] {
+        let [first, second] = self.parts();
+        match index.checked_sub(first.rows.len()) {
+            None => first.image(&first.rows[index]),
+            Some(index) => second.image(&second.rows[index]),
+        }
+    }
+
+    /// A generator, exactly.
+    fn exact_generator(&self, index: usize) -> ExactVector {
+        let [first, second] = self.parts();
+        match index.checked_sub(first.rows.len()) {
+            None => first.exact_image(&first.rows[index]),
+            Some(index) => second.exact_image(&second.rows[index]),
+        }
+    }
+
+    /// How far a generator in doubles is off, in terms of its length; 0 where doubles hold the generators exactly.
+    fn relative_error(&self) -> f64 {
+        self.parts().iter().filter_map(|part| part.frame).map(Frame::relative_error).fold(0.0, f64::max)
+    }
+
+    /// Σ |v · u| with a bound of its error. One pass.
+    fn support(&self, u: &[f64; 3]) -> Bounded {
+        let [first, second] = self.parts();
+        if second.rows.is_empty() { first.support(u) } else { first.support(u) + second.support(u) }
+    }
+
+    /// One pass: the sum of the generators whose sign is fixed in a cell, with their signs, and a report of the others.
+    fn split(&self, cell: &DirectionCone, report: &mut dyn FnMut(usize, [f64; 3])) -> FixedSum {
+        let mut fixed = FixedSum::default();
+        let mut offset = 0;
+        for part in self.parts() {
+            if !part.rows.is_empty() {
+                fixed = fixed.plus(&part.split(cell, |i| report(offset + i, part.image(&part.rows[i]))));
+            }
+            offset += part.rows.len();
+        }
+        fixed
+    }
+
+    /// Σ sign · v, exactly; one sign for each generator.
+    fn signed_sum(&self, signs: &[i8]) -> ExactVector {
+        let [first, second] = self.parts();
+        let (own, others) = signs.split_at(first.rows.len());
+        let of = |part: &Part<'_>, signs: &[i8]| {
+            let sum = signed_sum(part.rows.iter().copied().zip(signs.iter().copied()));
+            part.frame.map_or_else(|| sum.clone(), |frame| frame.exact_image(&sum))
+        };
+        if second.rows.is_empty() { of(&first, own) } else { exact_linear::sum(&of(&first, own), &of(&second, others)) }
+    }
+
+    /// The same of some generators alone, by index and sign.
+    fn signed_sum_of(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> ExactVector {
+        if self.parts().iter().all(|part| part.frame.is_none()) {
+            return signed_sum(terms.map(|(index, sign)| (self.generator(index), sign)));
+        }
+        let mut signs = vec![0; self.len()];
+        terms.for_each(|(index, sign)| signs[index] = sign);
+        self.signed_sum(&signs)
+    }
+}
+
+/// Generators and the displacement that is asked about.
+pub(crate) trait KernelQuery: Generators {
+    /// The displacement p, exactly.
+    fn exact(&self) -> ExactVector;
+
+    /// The displacement p in doubles, with a bound of each coordinate's error.
+    fn rounded_displacement(&self) -> BoundedVector;
+
+    /// The query as it was put, if doubles hold its generators exactly.
+    fn as_query(&self) -> Option<Query<'_, 3>>;
+}
+
+impl dyn KernelQuery + '_ {
+    /// All generators in doubles, in the order of their indices.
+    pub(crate) fn generators(&self) -> impl Iterator<Item = [f64; 3]> {
+        self.parts().into_iter().flat_map(|part| part.images())
+    }
+}
+
+impl<'a> Part<'a> {
+    /// The generators in doubles.
+    #[inline]
+    pub(crate) fn images(self) -> impl Iterator<Item = [f64; 3]> + 'a {
+        self.rows.iter().map(move |v| self.image(v))
+    }
+
+    #[inline]
+    pub(crate) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
+        self.frame.map_or(*v, |frame| frame.image(v))
+    }
+
+    fn exact_image(&self, v: &[f64; 3]) -> ExactVector {
+        let v = exact(*v);
+        self.frame.map_or_else(|| v.clone(), |frame| frame.exact_image(&v))
+    }
+
+    /// A direction whose products with the rows are those of a direction with their images, exactly.
+    pub(crate) fn exact_pulled(&self, u: &ExactVector) -> ExactVector {
+        self.frame.map_or_else(|| u.clone(), |frame| frame.exact_pulled(u))
+    }
+
+    fn split(&self, cell: &DirectionCone, report: impl FnMut(usize)) -> FixedSum {
+        match self.frame {
+            None => cell.split(self.rows, report),
+            Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(self.rows, report)),
+        }
+    }
+
+    fn support(&self, u: &[f64; 3]) -> Bounded {
+        let Some(frame) = self.frame else { return bounded_sum(self.rows, u) };
+        // the signs of all but a few generators are certain, so the sum of the others is known with its error
+        let direction = bounded_exact(*u);
+        let mut crossing = Bounded::exact(0.0);
+        let fixed = self.split(&DirectionCone::around(&direction), |i| {
+            let image = bounded_exact(frame.image(&self.rows[i]));
+            let off = frame.relative_error() * image.iter().map(|c| c.magnitude()).sum::<f64>();
+            let own = dot(&image.map(|c| Bounded { error: off, ..c }), &direction).magnitude();
+            crossing = crossing + Bounded { value: own / 2.0, error: own };
+        });
+        dot(&fixed.bounded(), &direction) + crossing
+    }
+}
+
+impl Generators for [[f64; 3]] {
+    fn parts(&self) -> [Part<'_>; 2] {
+        [Part { rows: self, frame: None }, Part { rows: &[], frame: None }]
+    }
+}
+
+impl Generators for Query<'_, 3> {
+    fn parts(&self) -> [Part<'_>; 2] {
+        self.runs().map(|rows| Part { rows, frame: None })
+    }
+}
+
+impl KernelQuery for Query<'_, 3> {
+    fn exact(&self) -> ExactVector {
+        Query::exact(self)
+    }
+
+    fn rounded_displacement(&self) -> BoundedVector {
+        rounded_difference(self.from(), self.to())
+    }
+
+    fn as_query(&self) -> Option<Query<'_, 3>> {
+        Some(*self)
+    }
+}
+
+/// A query about posed bodies with the bounds that passes under its matrices need.
+#[derive(Debug)]
+pub(crate) struct Posed<'a> {
+    query: &'a PosedQuery<'a>,
+    /// The matrix of each run; none for the identity.
+    frames: [Option<Frame>; 2],
+}
+
+impl<'a> Posed<'a> {
+    pub(crate) fn new(query: &'a PosedQuery<'a>) -> Self {
+        let frame = |pose: Pose| Some(Frame::new(&pose)).filter(|frame| !frame.is_identity());
+        Self { query, frames: query.poses().map(frame) }
+    }
+}
+
+impl Generators for Posed<'_> {
+    fn parts(&self) -> [Part<'_>; 2] {
+        let [first, second] = self.frames.each_ref().map(Option::as_ref);
+        let [rows, others] = self.query.runs();
+        [Part { rows, frame: first }, Part { rows: others, frame: second }]
+    }
+}
+
+impl KernelQuery for Posed<'_> {
+    fn exact(&self) -> ExactVector {
+        self.query.displacement().clone()
+    }
+
+    fn rounded_displacement(&self) -> BoundedVector {
+        self.query.displacement().each_ref().map(rounded)
+    }
+
+    fn as_query(&self) -> Option<Query<'_, 3>> {
+        None
+    }
+}
+
+/// An exact number in doubles.
+fn rounded(exact: &Dyadic) -> Bounded {
+    let value = exact.to_f64();
+    let is_exact = Dyadic::from_f64(value) == *exact;
+    Bounded { value, error: if is_exact { 0.0 } else { value.abs() * f64::EPSILON + f64::from_bits(1) } }
+}

@@ -1,0 +1,206 @@
+//! Poses: where a body of space stands, as a matrix and a translation that are taken as the exact numbers that they are.
+//!
+//! A pose maps x to M x + t. Decisions about posed bodies are exact for the pose as it is given, so a matrix of doubles that is a rotation but for
+//! rounding makes a body that is congruent to the original one but for rounding, and [`Pose::distance_from_rotation`] says how nearly.
+
+use thiserror::Error;
+
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, dot, exact};
+
+/// A pose of space: x ↦ M x + t.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    matrix: [[f64; 3]; 3],
+    translation: [f64; 3],
+}
+
+/// Why numbers are no pose.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PoseError {
+    /// An entry of the matrix is NaN or infinite.
+    #[error("the matrix's entry in row {row}, column {column} is {value}, not a finite number")]
+    NonFiniteMatrix {
+        /// The row, from 0.
+        row: usize,
+        /// The column, from 0.
+        column: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A coordinate of the translation is NaN or infinite.
+    #[error("the translation's coordinate {coordinate} is {value}, not a finite number")]
+    NonFiniteTranslation {
+        /// The coordinate, from 0.
+        coordinate: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// An axis or a quaternion has no direction: it is zero or not finite, or an angle is not finite.
+    #[error("the rotation has no axis or angle: {value:?} cannot be scaled to length 1")]
+    NoRotation {
+        /// The numbers that were given: an axis with its angle, or a quaternion.
+        value: [f64; 4],
+    },
+}
+
+impl Pose {
+    /// The pose that moves nothing.
+    pub const IDENTITY: Self =
+        Self { matrix: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], translation: [0.0; 3] };
+
+    /// The pose x ↦ M x + t, the matrix by rows. Any matrix is a pose: one that mirrors, scales or flattens as well.
+    ///
+    /// # Errors
+    /// [`PoseError`] names the first entry that is not finite.
+    pub fn new(matrix: [[f64; 3]; 3], translation: [f64; 3]) -> Result<Self, PoseError> {
+        for (row, entries) in matrix.iter().enumerate() {
+            if let Some(column) = entries.iter().position(|c| !c.is_finite()) {
+                return Err(PoseError::NonFiniteMatrix { row, column, value: entries[column] });
+            }
+        }
+        if let Some(coordinate) = translation.iter().position(|c| !c.is_finite()) {
+            return Err(PoseError::NonFiniteTranslation { coordinate, value: translation[coordinate] });
+        }
+        Ok(Self { matrix, translation })
+    }
+
+    /// The pose that only translates.
+    ///
+    /// # Errors
+    /// [`PoseError::NonFiniteTranslation`] if a coordinate is not finite.
+    pub fn from_translation(translation: [f64; 3]) -> Result<Self, PoseError> {
+        Self::new(Self::IDENTITY.matrix, translation)
+    }
+
+    /// The rotation about an axis through the origin by an angle in radians, then a translation. The axis may have any length but zero.
+    ///
+    /// The matrix is a rotation within 2^-50 in every entry; it is the exact pose of the body all the same.
+    ///
+    /// # Errors
+    /// [`PoseError`] if the axis has no direction, or a number is not finite.
+    pub fn from_axis_angle(axis: [f64; 3], radians: f64, translation: [f64; 3]) -> Result<Self, PoseError> {
+        let [x, y, z] = axis;
+        let (sin, cos) = (libm::sin(radians / 2.0), libm::cos(radians / 2.0));
+        let none = PoseError::NoRotation { value: [x, y, z, radians] };
+        let [x, y, z] = normalized(axis).ok_or(none)?;
+        if !radians.is_finite() {
+            return Err(none);
+        }
+        Self::from_quaternion([cos, sin * x, sin * y, sin * z], translation)
+    }
+
+    /// The rotation of a quaternion w + x i + y j + z k of any length but zero, given as [w, x, y, z], then a translation.
+    ///
+    /// The matrix is a rotation within 2^-50 in every entry; it is the exact pose of the body all the same.
+    ///
+    /// # Errors
+    /// [`PoseError`] if the quaternion is zero, or a number is not finite.
+    pub fn from_quaternion(quaternion: [f64; 4], translation: [f64; 3]) -> Result<Self, PoseError> {
+        let [w, x, y, z] = normalized(quaternion).ok_or(PoseError::NoRotation { value: quaternion })?;
+        // of a quaternion of any length s the entries are these over s; the length differs from 1 by rounding
+        let scale = 2.0 / (w * w + x * x + y * y + z * z);
+        let [ww, xx, yy, zz] = [w * w, x * x, y * y, z * z].map(|c| scale * c);
+        let [xy, xz, yz] = [x * y, x * z, y * z].map(|c| scale * c);
+        let [wx, wy, wz] = [w * x, w * y, w * z].map(|c| scale * c);
+        let matrix = [
+            [(ww + xx) - 1.0, xy - wz, xz + wy],
+            [xy + wz, (ww + yy) - 1.0, yz - wx],
+            [xz - wy, yz + wx, (ww + zz) - 1.0],
+        ];
+        Self::new(matrix, translation)
+    }
+
+    /// The matrix, by rows.
+    pub fn matrix(&self) -> [[f64; 3]; 3] {
+        self.matrix
+    }
+
+    /// The translation.
+    pub fn translation(&self) -> [f64; 3] {
+        self.translation
+    }
+
+    /// The largest entry of Mᵀ M − I in magnitude, within a few roundings: 0 for a rotation or a reflection, and about how far lengths and
+    /// angles of a posed body are off those of the body itself.
+    pub fn distance_from_rotation(&self) -> f64 {
+        let m = &self.matrix;
+        let product = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();
+        let off = |i: usize, j: usize| (product(i, j) - if i == j { 1.0 } else { 0.0 }).abs();
+        (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).map(|(i, j)| off(i, j)).fold(0.0, f64::max)
+    }
+
+    /// M v, exactly.
+    pub(crate) fn exact_image(&self, v: &ExactVector) -> ExactVector {
+        self.matrix.map(|row| dot(&exact(row), v))
+    }
+
+    /// Mᵀ u, exactly.
+    pub(crate) fn exact_transposed_image(&self, u: &ExactVector) -> ExactVector {
+        [0, 1, 2].map(|k| dot(&exact(self.matrix.map(|row| row[k])), u))
+    }
+
+    /// M x + t, exactly.
+    pub(crate) fn exact_point(&self, x: [f64; 3]) -> ExactVector {
+        let [a, b, c] = self.exact_image(&exact(x));
+        let [x, y, z] = self.translation.map(Dyadic::from_f64);
+        [a + x, b + y, c + z]
+    }
+}
+
+impl Default for Pose {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}
+
+/// The numbers over the root of the sum of their squares, whatever their size; none if that is zero or not finite.
+fn normalized<const N: usize>(numbers: [f64; N]) -> Option<[f64; N]> {
+    let largest = numbers.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+    if !(largest > 0.0 && numbers.iter().all(|c| c.is_finite())) {
+        return None;
+    }
+    // twice: the first quotient of the least doubles loses digits, the second one has them all
+    let scaled = numbers.map(|c| c / largest);
+    let length = scaled.iter().map(|c| c * c).sum::<f64>().sqrt();
+    Some(scaled.map(|c| c / length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quarter_turn_worked_out_by_hand() {
+        let pose =
+            Pose::from_axis_angle([0.0, 0.0, 3.0], std::f64::consts::FRAC_PI_2, [1.0, 0.0, 0.0]).expect("an axis");
+        let image = pose.exact_point([2.0, 0.0, 5.0]).map(|c| c.to_f64());
+        let expected = [1.0, 2.0, 5.0];
+        assert!(image.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15), "{image:?}");
+        assert!(pose.distance_from_rotation() < 1e-15);
+    }
+
+    #[test]
+    fn rotations_are_rotations_within_the_stated_distance() {
+        for quaternion in
+            [[1.0, 2.0, 3.0, 4.0], [1e-300, 0.0, -1e-300, 0.0], [1e300, 1e300, 1e300, -1e300], [0.0, 0.0, 0.0, 5e-324]]
+        {
+            let pose = Pose::from_quaternion(quaternion, [0.0; 3]).expect("a quaternion");
+            assert!(pose.distance_from_rotation() < 4.0 * f64::EPSILON, "{quaternion:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_pose_is_refused_by_name() {
+        let nan = f64::NAN;
+        let mut matrix = Pose::IDENTITY.matrix();
+        matrix[1][2] = nan;
+        assert!(matches!(Pose::new(matrix, [0.0; 3]), Err(PoseError::NonFiniteMatrix { row: 1, column: 2, .. })));
+        let refused = Pose::from_translation([0.0, f64::INFINITY, 0.0]);
+        assert_eq!(refused, Err(PoseError::NonFiniteTranslation { coordinate: 1, value: f64::INFINITY }));
+        assert!(matches!(Pose::from_quaternion([0.0; 4], [0.0; 3]), Err(PoseError::NoRotation { .. })));
+        assert!(matches!(Pose::from_axis_angle([1.0, 0.0, 0.0], nan, [0.0; 3]), Err(PoseError::NoRotation { .. })));
+        assert!(matches!(Pose::from_axis_angle([0.0; 3], 1.0, [0.0; 3]), Err(PoseError::NoRotation { .. })));
+    }
+}
