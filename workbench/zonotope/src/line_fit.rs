@@ -47,7 +47,7 @@
 use thiserror::Error;
 
 use crate::arrangement::{ExactLine, LineIndex};
-use crate::lad::of_generators::{self, problem::Goal};
+use crate::lad::of_generators::{self, goal::Goal};
 use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_pruning};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;

@@ -6,6 +6,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use super::exact_sum::exact_sum;
 use super::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
 
 /// An exact value within `error` of `value`.
@@ -88,6 +89,23 @@ impl Mul for Bounded {
 #[inline]
 pub(crate) fn exact(v: [f64; 3]) -> BoundedVector {
     v.map(Bounded::exact)
+}
+
+/// A vector that is known but for a part of its length.
+pub(crate) fn approximate(v: [f64; 3], relative_error: f64) -> BoundedVector {
+    if relative_error == 0.0 {
+        return exact(v);
+    }
+    let error = 2.0 * relative_error * v.iter().map(|c| c.abs()).sum::<f64>();
+    v.map(|value| Bounded { value, error })
+}
+
+/// The difference `to` − `from` of two vectors of doubles.
+pub(crate) fn difference(from: [f64; 3], to: [f64; 3]) -> BoundedVector {
+    [0, 1, 2].map(|i| {
+        let (value, rest) = exact_sum(to[i], -from[i]);
+        Bounded { value, error: if rest == 0.0 { 0.0 } else { UNIT * value.abs() } }
+    })
 }
 
 #[cfg(test)]

@@ -62,3 +62,7 @@ pub const DOUBLE_DOUBLE_BOUND: f64 = 1.0 + power_of_two(-40);
 /// Relative error of a difference of two numbers that are each known to a relative 2^-50 ([`Dyadic::to_f64`](super::dyadic::Dyadic::to_f64)),
 /// beside the sum of their magnitudes: 2^-50 and one rounding, which 2^-48 exceeds.
 pub const DIFFERENCE_OF_LEADING_DOUBLES: f64 = power_of_two(-48);
+
+/// Sizes of vectors between which the products of a few of them do not overflow, and their underflow is below the floor of every error bound: 2^-200 and
+/// 2^200.
+pub const MODERATE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(200);

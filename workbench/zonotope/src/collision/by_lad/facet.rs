@@ -3,8 +3,8 @@
 use super::proof;
 use crate::collision::{Gauge, Location};
 use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::problem::Goal;
 use crate::lad::of_generators::solve;
 use crate::tally::Tally;
 

@@ -71,7 +71,7 @@ mod tests;
 
 use super::{Gauge, Location, Query, by_lad_in_r4};
 use crate::lad::of_generators::generators::Posed;
-use crate::lad::of_generators::problem::Goal;
+use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::span::prism::{Prism, lowered};
 use crate::tally::Tally;
 use crate::zonotope::posed_query::PosedQuery;

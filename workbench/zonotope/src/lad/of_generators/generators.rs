@@ -13,8 +13,7 @@ use std::fmt;
 
 use super::cells::direction_cone::{DirectionCone, FixedSum};
 use super::frame::Frame;
-use super::problem::rounded_difference;
-use crate::numeric::bounded::{Bounded, BoundedVector, exact as bounded_exact};
+use crate::numeric::bounded::{self, Bounded, BoundedVector, approximate};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::linear::dot;
@@ -44,11 +43,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
 
     /// A generator in doubles, off by at most [`relative_error`](Self::relative_error) times its length.
     fn generator(&self, index: usize) -> [f64; 3] {
-        let [first, second] = self.parts();
-        match index.checked_sub(first.rows.len()) {
-            None => first.image(&first.rows[index]),
-            Some(index) => second.image(&second.rows[index]),
-        }
+        generator_of(&self.parts(), index)
     }
 
     /// A generator, exactly.
@@ -71,13 +66,13 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         if second.rows.is_empty() { first.support(u) } else { first.support(u) + second.support(u) }
     }
 
-    /// One pass: the sum of the generators whose sign is fixed in a cell, with their signs, and a report of the others.
-    fn split(&self, cell: &DirectionCone, report: &mut dyn FnMut(usize, [f64; 3])) -> FixedSum {
+    /// One pass: the sum of the generators whose sign is fixed in a cell, with their signs; the others are added to a list, with their indices.
+    fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Vec<u32>) -> FixedSum {
         let mut fixed = FixedSum::default();
         let mut offset = 0;
         for part in self.parts() {
             if !part.rows.is_empty() {
-                fixed = fixed.plus(&part.split(cell, |i| report(offset + i, part.image(&part.rows[i]))));
+                fixed = fixed.plus(&part.split(cell, offset, crossing, indices));
             }
             offset += part.rows.len();
         }
@@ -125,11 +120,29 @@ impl dyn KernelQuery + '_ {
     }
 }
 
+/// A generator in doubles, for callers that read many and ask for the parts once.
+#[inline]
+pub(crate) fn generator_of([first, second]: &[Part<'_>; 2], index: usize) -> [f64; 3] {
+    match index.checked_sub(first.rows.len()) {
+        None => first.image(&first.rows[index]),
+        Some(index) => second.image(&second.rows[index]),
+    }
+}
+
 impl<'a> Part<'a> {
     /// The generators in doubles.
     #[inline]
     pub(crate) fn images(self) -> impl Iterator<Item = [f64; 3]> + 'a {
         self.rows.iter().map(move |v| self.image(v))
+    }
+
+    /// A number for each generator in doubles, at the end of a list.
+    #[inline]
+    pub(crate) fn map_into<T>(&self, list: &mut Vec<T>, of: impl Fn(&[f64; 3]) -> T) {
+        match self.frame {
+            None => list.extend(self.rows.iter().map(of)),
+            Some(frame) => list.extend(self.rows.iter().map(|v| of(&frame.image(v)))),
+        }
     }
 
     #[inline]
@@ -147,25 +160,38 @@ impl<'a> Part<'a> {
         self.frame.map_or_else(|| u.clone(), |frame| frame.exact_pulled(u))
     }
 
-    fn split(&self, cell: &DirectionCone, report: impl FnMut(usize)) -> FixedSum {
+    fn split(
+        &self,
+        cell: &DirectionCone,
+        offset: usize,
+        crossing: &mut Vec<[f64; 3]>,
+        indices: &mut Vec<u32>,
+    ) -> FixedSum {
+        let rows = self.rows;
         match self.frame {
-            None => cell.split(self.rows, report),
-            Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(self.rows, report)),
+            None => cell.split(rows, |i| {
+                crossing.push(rows[i]);
+                indices.push((offset + i) as u32);
+            }),
+            Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(rows, |i| {
+                crossing.push(frame.image(&rows[i]));
+                indices.push((offset + i) as u32);
+            })),
         }
     }
 
     fn support(&self, u: &[f64; 3]) -> Bounded {
         let Some(frame) = self.frame else { return bounded_sum(self.rows, u) };
         // the signs of all but a few generators are certain, so the sum of the others is known with its error
-        let direction = bounded_exact(*u);
-        let mut crossing = Bounded::exact(0.0);
-        let fixed = self.split(&DirectionCone::around(&direction), |i| {
-            let image = bounded_exact(frame.image(&self.rows[i]));
-            let off = frame.relative_error() * image.iter().map(|c| c.magnitude()).sum::<f64>();
-            let own = dot(&image.map(|c| Bounded { error: off, ..c }), &direction).magnitude();
-            crossing = crossing + Bounded { value: own / 2.0, error: own };
+        let direction = bounded::exact(*u);
+        let (mut crossing, mut indices) = (Vec::new(), Vec::new());
+        let fixed = self.split(&DirectionCone::around(&direction), 0, &mut crossing, &mut indices);
+        let reach = |v: &[f64; 3]| dot(&approximate(*v, frame.relative_error()), &direction).magnitude();
+        let rest = crossing.iter().map(reach).fold(Bounded::exact(0.0), |sum, reach| {
+            // between 0 and its bound
+            sum + Bounded { value: reach / 2.0, error: reach }
         });
-        dot(&fixed.bounded(), &direction) + crossing
+        dot(&fixed.bounded(), &direction) + rest
     }
 }
 
@@ -187,7 +213,7 @@ impl KernelQuery for Query<'_, 3> {
     }
 
     fn rounded_displacement(&self) -> BoundedVector {
-        rounded_difference(self.from(), self.to())
+        bounded::difference(self.from(), self.to())
     }
 
     fn as_query(&self) -> Option<Query<'_, 3>> {

@@ -19,7 +19,7 @@
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
 //!
-//! Displacements beyond the [`MODERATE`] sizes, for which products of doubles leave their range, begin at `FlatBody`.
+//! Displacements beyond the [`MODERATE_SIZES`] sizes, for which products of doubles leave their range, begin at `FlatBody`.
 
 use super::cells::nested::NestedCells;
 use super::cells::reduced::Reduced;
@@ -27,11 +27,12 @@ use super::certify::gauge_interval::DecidedOptimum;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::exact::longest_first;
 use super::exact::solve::ExactOptimum;
+use super::goal::Goal;
 use super::guess::huber_newton::{Aim, Guess};
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
-use super::problem::{Goal, MODERATE, Problem};
+use super::problem::Problem;
 use super::search::Searched;
 use super::search::class_meetings::{ClassesFound, search_meetings};
 use super::search::corrected_sample::{CorrectedSample, NotCertified};
@@ -41,6 +42,7 @@ use super::span::prism::Prism;
 use super::support::separates;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
 
@@ -72,7 +74,7 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally)
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are not known to many digits, doubles have nothing to say of them
-    let mut rung = match MODERATE.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
+    let mut rung = match MODERATE_SIZES.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
         true if query.len() <= WHOLE_LIMIT => Rung::AllInDoubles,
         true => Rung::ParallelClasses,
         false => Rung::FlatBody,

@@ -26,6 +26,7 @@ pub(crate) mod certify;
 pub(crate) mod exact;
 pub(crate) mod frame;
 pub(crate) mod generators;
+pub(crate) mod goal;
 pub(crate) mod guess;
 pub(crate) mod ladder;
 pub(crate) mod optimum;
@@ -35,8 +36,8 @@ pub(crate) mod search;
 pub(crate) mod span;
 pub(crate) mod support;
 
+use self::goal::Goal;
 use self::optimum::Optimum;
-use self::problem::Goal;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::tally::Tally;
 

@@ -5,7 +5,7 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::huber_dual::{Lengths, ROUGH_EXCESS, WELL_WITHIN, length};
+use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN, length};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::generators::Generators;
 use crate::lad::of_generators::span::flat::SimplePlane;
@@ -76,6 +76,26 @@ impl Written {
         let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
         let basis = correcting_basis(query, &coefficients, rest, self.magnitude)?;
         Some(Witness { coefficients, basis })
+    }
+}
+
+impl Moments {
+    /// Coefficients that make up p, if these are well within (−1, 1), or, where they need not be `exact`, if few of them are not.
+    pub(crate) fn combination(
+        &self,
+        lengths: Lengths,
+        y: &[f64; 3],
+        p: &[f64; 3],
+        among: &[[f64; 3]],
+        exact: bool,
+    ) -> Option<Combination> {
+        let factor = dot(p, y) / dot(&self.sum, y);
+        if !(factor > 0.0 && factor < WELL_WITHIN) {
+            return None;
+        }
+        let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
+        let room = if exact { WELL_WITHIN - factor } else { ROUGH_EXCESS };
+        (lengths.largest(among, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
     }
 }
 

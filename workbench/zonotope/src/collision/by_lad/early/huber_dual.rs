@@ -10,7 +10,6 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::combination::Combination;
 use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
 use crate::numeric::linear::{cross, dot};
 
@@ -210,24 +209,6 @@ impl Moments {
     /// The slope of the smooth problem along a step.
     pub(crate) fn slope(&self, step: &[f64; 3], target: &[f64; 3]) -> f64 {
         dot(&self.sum, step) - dot(target, step)
-    }
-
-    /// Coefficients that make up p, if these are well within (−1, 1), or, where they need not be `exact`, if few of them are not.
-    pub(crate) fn combination(
-        &self,
-        lengths: Lengths,
-        y: &[f64; 3],
-        p: &[f64; 3],
-        among: &[[f64; 3]],
-        exact: bool,
-    ) -> Option<Combination> {
-        let factor = dot(p, y) / dot(&self.sum, y);
-        if !(factor > 0.0 && factor < WELL_WITHIN) {
-            return None;
-        }
-        let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
-        let room = if exact { WELL_WITHIN - factor } else { ROUGH_EXCESS };
-        (lengths.largest(among, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
     }
 
     /// The Newton step towards a target.

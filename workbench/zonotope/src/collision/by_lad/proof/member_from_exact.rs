@@ -9,12 +9,10 @@
 
 use crate::collision::Witness;
 use crate::collision::by_lad::proof::basis::Basis;
-use crate::collision::by_lad::proof::pivot_to_doubles::walk;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference, multiple, negated, sum};
-use crate::tally::Rung;
 
 /// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.
 pub(crate) struct Combination<'a> {
@@ -43,21 +41,24 @@ impl<'a> Combination<'a> {
         self.basis.rank() == 3
     }
 
-    /// The proof in doubles.
-    pub(crate) fn witness(&self) -> (Witness, Rung) {
+    /// The proof with one factor for all generators off a basis, if a factor of doubles leaves the basis room.
+    pub(crate) fn witness(&self) -> Option<Witness> {
         let ExactOptimum { reach, along, .. } = self.exit;
         if reach == along {
-            let witness = self.scaled(&self.plane(), 1.0).expect("the exit is p itself");
-            return (witness, Rung::ScaledSigns);
+            return self.scaled(&self.plane(), 1.0);
         }
-        let inverse = along.ratio(reach).min(1.0);
+        let inverse = self.factor();
         let of = |index| self.query.exact_generator(index);
         let others = self.others.iter().filter(|_| self.exit.basis.len() == 2).map(|&i| self.plane().with(i, of));
         std::iter::once(self.basis.clone())
             .chain(others)
             .flat_map(|basis| [(basis.clone(), inverse), (basis, 1.0)])
             .find_map(|(basis, factor)| self.scaled(&basis, factor))
-            .map_or_else(|| (walk(self, inverse), Rung::PivotedCoefficients), |witness| (witness, Rung::ScaledSigns))
+    }
+
+    /// 1 / λ in doubles, at most 1.
+    pub(crate) fn factor(&self) -> f64 {
+        self.exit.along.ratio(&self.exit.reach).min(1.0)
     }
 
     /// The proof with the coefficient ±`factor` off the basis, if it is one.

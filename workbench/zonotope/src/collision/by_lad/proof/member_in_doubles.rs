@@ -7,9 +7,9 @@
 use crate::collision::Witness;
 use crate::collision::by_lad::early::combination::well_spread;
 use crate::lad::of_generators::cells::nested::NestedCells;
-use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, approximate};
+use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
 use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;

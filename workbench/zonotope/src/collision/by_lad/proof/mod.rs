@@ -21,6 +21,7 @@ use std::cmp::Ordering;
 use self::basis::Basis;
 use self::member_from_exact::Combination;
 use self::member_in_doubles::witness;
+use self::pivot_to_doubles::walk;
 use crate::collision::{Location, Separation, Witness};
 use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
@@ -91,8 +92,9 @@ fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector, ta
         order => {
             let combination = Combination::new(query, optimum, p);
             let interior = order == Ordering::Less && combination.spans_space();
-            let (witness, rung) = combination.witness();
-            tally.answered_by(rung);
+            let scaled = combination.witness();
+            tally.answered_by(if scaled.is_some() { Rung::ScaledSigns } else { Rung::PivotedCoefficients });
+            let witness = scaled.unwrap_or_else(|| walk(&combination, combination.factor()));
             if interior { Location::Inside(witness) } else { Location::Boundary(witness) }
         }
     }

@@ -44,7 +44,10 @@ impl NestedCells {
     pub(crate) fn signs(&self, query: &dyn KernelQuery) -> Vec<i8> {
         let side = |cell: &DirectionCone, v: &[f64; 3]| if cell.value(v) < 0.0 { -1 } else { 1 };
         let Some(((first, _), _)) = self.steps.split_first() else { return vec![0; query.len()] };
-        let mut signs: Vec<i8> = query.generators().map(|v| side(first, &v)).collect();
+        let mut signs = Vec::with_capacity(query.len());
+        for part in query.parts() {
+            part.map_into(&mut signs, |v| side(first, v));
+        }
         for (step, (_, crossing)) in self.steps.iter().enumerate() {
             let next = self.steps.get(step + 1).map(|(cell, _)| cell);
             for &index in crossing {
@@ -60,7 +63,7 @@ impl NestedCells {
         let first = self.steps.first().map_or(last, |(cell, _)| cell);
         let mut coefficients = Vec::with_capacity(query.len());
         for part in query.parts() {
-            coefficients.extend(part.images().map(|v| of(first, &v)));
+            part.map_into(&mut coefficients, |v| of(first, v));
         }
         for (step, (_, crossing)) in self.steps.iter().enumerate() {
             let next = self.steps.get(step + 1).map_or(last, |(cell, _)| cell);

@@ -7,7 +7,7 @@ use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
-use crate::lad::of_generators::problem::MODERATE;
+use crate::numeric::tolerance::MODERATE_SIZES;
 
 /// Some generators, and the sum of all others.
 #[derive(Debug)]
@@ -25,8 +25,12 @@ pub(crate) struct Reduced {
 impl Reduced {
     /// All generators, none summed up.
     pub(crate) fn whole(query: &dyn KernelQuery) -> Self {
+        let mut vectors = Vec::with_capacity(query.len());
+        for part in query.parts() {
+            part.map_into(&mut vectors, |v| *v);
+        }
         Self {
-            vectors: query.generators().collect(),
+            vectors,
             indices: (0..query.len() as u32).collect(),
             fixed: FixedSum::default(),
             cell: None,
@@ -37,10 +41,7 @@ impl Reduced {
     /// One pass over the query; `expected` generators are likely to cross the cell.
     pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone, expected: usize) -> Self {
         let (mut vectors, mut indices) = (Vec::with_capacity(expected), Vec::with_capacity(expected));
-        let fixed = query.split(&cell, &mut |i, v| {
-            vectors.push(v);
-            indices.push(i as u32);
-        });
+        let fixed = query.split(&cell, &mut vectors, &mut indices);
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
     }
 
@@ -65,7 +66,7 @@ impl Reduced {
     /// Whether no sum overflowed, or will.
     pub(crate) fn is_moderate(&self) -> bool {
         // false for NaN as well
-        self.fixed.magnitude <= MODERATE.end
+        self.fixed.magnitude <= MODERATE_SIZES.end
     }
 
     pub(crate) fn lines(&self, chart: &RoundedChart) -> RoundedLines {

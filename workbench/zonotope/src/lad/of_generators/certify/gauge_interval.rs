@@ -10,7 +10,7 @@ use super::rounded_optimum::RoundedOptimum;
 use super::unit_gauge_bound::unit_gauge_bound;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::lad::of_generators::problem::Goal;
+use crate::lad::of_generators::goal::Goal;
 use crate::numeric::bounded::Bounded;
 
 /// The thickness of the body is bounded from one generator in so many, then from one in so many.

@@ -15,7 +15,7 @@
 use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::facet_coefficients::facet_coefficients;
-use crate::numeric::bounded::{Bounded, BoundedVector, exact};
+use crate::numeric::bounded::{Bounded, BoundedVector, approximate, exact};
 use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::UNIT;
 
@@ -198,15 +198,6 @@ impl Rest {
         let off = reach.error / reach.value + along.error / along.value + 8.0 * UNIT;
         Self { coefficients, size, stretch: if off < 0.25 { 2.0 * off } else { f64::INFINITY } }
     }
-}
-
-/// A vector that is known but for a part of its length.
-pub(crate) fn approximate(v: [f64; 3], relative_error: f64) -> BoundedVector {
-    if relative_error == 0.0 {
-        return exact(v);
-    }
-    let error = 2.0 * relative_error * v.iter().map(|c| c.abs()).sum::<f64>();
-    v.map(|value| Bounded { value, error })
 }
 
 /// A direction near one that is orthogonal to two vectors but for rounding, more nearly so.

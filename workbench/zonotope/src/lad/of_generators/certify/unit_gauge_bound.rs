@@ -6,14 +6,10 @@
 
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::linear::{cross, dot};
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::tolerance::{MODERATE_SIZES, UNIT};
 
 /// Generators read side by side.
 const LANES: usize = 8;
-
-/// Between these the sum of the generators' lengths is not touched by overflow and underflow.
-const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
-const SMALLEST: f64 = f64::from_bits((1023 - 200) << 52);
 
 /// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
 pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
@@ -49,7 +45,7 @@ pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
         }
     }
     let bound = size / (1.0 - 3.0 * rest) * (1.0 + 16.0 * UNIT);
-    let is_sound = rest < 0.25 && (SMALLEST..LARGEST).contains(&(xx + yy + zz)) && bound > 0.0;
+    let is_sound = rest < 0.25 && MODERATE_SIZES.contains(&(xx + yy + zz)) && bound > 0.0;
     if is_sound { bound } else { f64::INFINITY }
 }
 

@@ -3,7 +3,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 use crate::tally::{Operation, Tally};
 
 /// So many of the last generators are always in the sample: they may be the only ones that lead out of a plane, those of a prism.
@@ -34,10 +34,11 @@ impl Sample {
         let mut random = Pcg64Mcg::seed_from_u64(SEED);
         // places in units of 2^-32, so that one division does for all
         let step = ((n as u64) << 32) / size as u64;
+        let parts = query.parts();
         let picks = (0..size).map(|i| {
             let within = (u64::from(random.random::<u32>() >> 16) * step) >> 16;
             let place = ((i as u64 * step + within) >> 32) as usize;
-            query.generator(if i + ALWAYS_TAKEN >= size { n - size + i } else { place })
+            generator_of(&parts, if i + ALWAYS_TAKEN >= size { n - size + i } else { place })
         });
         let vectors: Vec<[f64; 3]> = picks.collect();
         let (mut sum, mut squares) = (0.0, 0.0);

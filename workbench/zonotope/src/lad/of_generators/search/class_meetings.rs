@@ -5,8 +5,9 @@ use super::narrowing::narrow;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::guess::parallel_classes::ParallelClasses;
-use crate::lad::of_generators::problem::{Goal, Problem};
+use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::support::separates;
 use crate::tally::{Operation, Tally};
 

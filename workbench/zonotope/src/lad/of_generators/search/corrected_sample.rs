@@ -163,7 +163,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
 mod tests {
     use super::*;
     use crate::lad::of_generators::certify::unit_gauge_bound::unit_gauge_bound;
-    use crate::lad::of_generators::problem::Goal;
+    use crate::lad::of_generators::goal::Goal;
     use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
