@@ -4,7 +4,7 @@
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 
 /// Cells one after the other, and which generators cross each and all before it.
 #[derive(Debug, Clone, Default)]
@@ -60,15 +60,16 @@ impl NestedCells {
     /// A factor with the sign of each generator: that of a last direction for those that cross all cells.
     pub(crate) fn coefficients(&self, query: &dyn KernelQuery, last: &DirectionCone, factor: f64) -> Vec<f64> {
         let of = |cell: &DirectionCone, v: &[f64; 3]| factor.copysign(cell.value(v));
-        let first = self.steps.first().map_or(last, |(cell, _)| cell);
+        let first = *self.steps.first().map_or(last, |(cell, _)| cell);
+        let parts = query.parts();
         let mut coefficients = Vec::with_capacity(query.len());
-        for part in query.parts() {
-            part.map_into(&mut coefficients, |v| of(first, v));
+        for part in &parts {
+            part.map_into(&mut coefficients, move |v| factor.copysign(first.value(v)));
         }
         for (step, (_, crossing)) in self.steps.iter().enumerate() {
             let next = self.steps.get(step + 1).map_or(last, |(cell, _)| cell);
             for &index in crossing {
-                coefficients[index as usize] = of(next, &query.generator(index as usize));
+                coefficients[index as usize] = of(next, &generator_of(&parts, index as usize));
             }
         }
         coefficients
