@@ -1,0 +1,102 @@
+//! Errors planted in right answers: whatever makes an answer false is noticed by the verifier.
+//!
+//! Every number, name, flag and list of an answer is changed in several ways. A change may leave an answer true:
+//! another vertex that is as far away, a figure within the accepted rounding. So whenever the verifier still calls the
+//! answer right, a judge decides whether it is, from the definition and in rationals, by code that shares nothing with
+//! the verifier.
+
+mod errors;
+mod judges;
+mod rationals;
+
+use batch::json::{MAX_VALUES, Tree, read};
+use batch::{Line, Verdict, answer_line, check};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+fn tree(value: &Value) -> Tree {
+    read(value.to_string().as_bytes(), MAX_VALUES).expect("an answer is JSON")
+}
+
+/// Asks, and holds every false answer that one error makes against the verifier; how many errors it called right with
+/// reason.
+fn errors_are_noticed(kind: &str, input: &Value) -> Result<usize, TestCaseError> {
+    let question = json!({"id": "q", "kind": kind, "input": input});
+    let right = answer_line(1, &Line::Content(question.to_string().into_bytes()), 0).content;
+    let asked = tree(&question);
+    // Refusals are not judged, nor is what would take too long to prove.
+    if right.get("error").is_some() || !check(&asked, &tree(&right)).is_right() {
+        return Ok(0);
+    }
+    let mut harmless = 0;
+    for (place, result) in errors::planted(&right["result"]) {
+        let wrong = json!({"id": "q", "kind": kind, "result": result});
+        if matches!(check(&asked, &tree(&wrong)), Verdict::Right(_)) {
+            let verdict = judges::is_true(kind, input, &right["result"], &result);
+            prop_assert!(verdict, "{}: {} is no answer to {}", place, wrong, question);
+            harmless += 1;
+        }
+    }
+    Ok(harmless)
+}
+
+/// Small whole numbers, so that ties and flat bodies occur, and a few with all their places.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![4 => (-3i32..4).prop_map(f64::from), 1 => -2.0..2.0f64]
+}
+
+fn vectors(dimension: usize, counts: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Vec<f64>>> {
+    prop::collection::vec(prop::collection::vec(number(), dimension), counts)
+}
+
+fn vector(dimension: usize) -> impl Strategy<Value = Vec<f64>> {
+    prop::collection::vec(number(), dimension)
+}
+
+/// In two or three dimensions: some generators and three vectors.
+fn bodies() -> impl Strategy<Value = (Vec<Vec<f64>>, [Vec<f64>; 3])> {
+    (2usize..4).prop_flat_map(|d| (vectors(d, 0..6), [vector(d), vector(d), vector(d)]))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn in_places_of_points_and_bodies((generators, [p, q, r]) in bodies()) {
+        let (first, second) = generators.split_at(generators.len() / 2);
+        errors_are_noticed("member", &json!({"point": q, "center": p, "generators": generators}))?;
+        let [a, b] = [(&p, first), (&q, second)].map(|(center, own)| json!({"center": center, "generators": own}));
+        errors_are_noticed("intersect", &json!({"a": a, "b": b}))?;
+        errors_are_noticed("gauge", &json!({"p": p, "q": q, "generators": generators}))?;
+        errors_are_noticed("member_batch", &json!({"center": p, "generators": generators, "points": [p, q, r]}))?;
+    }
+
+    #[test]
+    fn in_what_bodies_are_like((generators, [p, u, _]) in bodies()) {
+        errors_are_noticed("support", &json!({"direction": u, "center": p, "generators": generators}))?;
+        errors_are_noticed("combinatorics", &json!({"generators": generators}))?;
+    }
+
+    #[test]
+    fn in_arrangements(generators in vectors(3, 2..6), k in 1usize..4, p0 in vector(2)) {
+        errors_are_noticed("slope_selection", &json!({"generators": generators, "k": [k]}))?;
+        errors_are_noticed("separator", &json!({"generators": generators, "k": k}))?;
+        errors_are_noticed("upper_hull", &json!({"generators": generators, "p0": p0}))?;
+    }
+
+    #[test]
+    fn in_bodies_around_points(points in vectors(2, 1..6), directions in vectors(2, 1..5)) {
+        errors_are_noticed("min_area", &json!({"points": points}))?;
+        let weights: Vec<f64> = (1..=directions.len()).map(|weight| weight as f64).collect();
+        let along = json!({"points": points, "directions": directions, "weights": weights});
+        errors_are_noticed("min_length_dirs", &along)?;
+        errors_are_noticed("min_length_all", &json!({"points": points, "epsilon": 0.25}))?;
+    }
+}
+
+/// Points of a face are as far as any other, so an answer may be changed to another right one.
+#[test]
+fn another_right_answer_is_right() {
+    let input = json!({"direction": [1, 0], "center": [0, 0], "generators": [[1, 0], [0, 1]]});
+    assert!(errors_are_noticed("support", &input).expect("no error is overlooked") > 0);
+}
