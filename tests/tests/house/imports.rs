@@ -1,6 +1,7 @@
 //! No circle of imports between files: what a file rests on can be read without it.
 //!
-//! Facades apart (`mod.rs`, `lib.rs`, `main.rs`): they declare and re-export, and every file may name what its folder offers.
+//! Facades apart (`mod.rs`, `lib.rs`, `main.rs`): they declare and re-export, and every file may name what its folder
+//! offers.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -168,7 +169,8 @@ fn a_circle_is_found_through_nested_imports_and_not_through_facades() {
         file("a/one.rs", "use std::fmt;\n\nuse super::two::{\n    Deep, Two,\n};\n"),
         file(
             "a/two.rs",
-            "//! use nothing.\nuse crate::{a::{one::One as First, three}, b};\n#[cfg(test)]\nmod tests {\n    use crate::b::B;\n}\n",
+            "//! use nothing.\nuse crate::{a::{one::One as First, three}, b};\n\
+             #[cfg(test)]\nmod tests {\n    use crate::b::B;\n}\n",
         ),
         file("b.rs", "use crate::a::One;\nuse crate::a::two::Two;\n\nmod inner;\n"),
         file("b/inner.rs", "fn f() {}\n"),

@@ -138,8 +138,8 @@ fn farthest(input: &Value, value: &Value, changed: &Value) -> Option<bool> {
     Some(y.len() == u.len() && is_value && contains(&center, &generators, &y))
 }
 
-/// Whether all points of a question in the plane lie in the zonotope of an answer: each is held against every edge, and, for
-/// bodies without area, against their ends.
+/// Whether all points of a question in the plane lie in the zonotope of an answer: each is held against every edge,
+/// and, for bodies without area, against their ends.
 fn encloses(input: &Value, center: &Value, generators: &[Vec<RBig>]) -> Option<bool> {
     let (points, center) = (vectors(&input["points"])?, vector(center)?);
     let is_planar = |v: &Vec<RBig>| v.len() == 2;
