@@ -3,14 +3,15 @@
 use std::collections::BTreeSet;
 
 use experiments::families::bodies::{BODY_FAMILIES, SPACE_TIME_FAMILIES};
+use tests::runner;
 use zonotope::zonotope::faces::SignVector;
 use zonotope::zonotope::faces::brute_force::faces_by_dimension;
 use zonotope::zonotope::faces::by_recursion::vertices_and_facets;
 use zonotope::zonotope::faces::{Edge, FaceLattice, Faces, Facet, Vertex, faces};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
-/// The number of seeds for each random family and each number of generators up to [`GENERATOR_LIMIT`].
-const SEEDS: u64 = 265;
+/// The number of seeds of a long run for each random family and each number of generators up to [`GENERATOR_LIMIT`].
+const SEEDS: u32 = 265;
 
 /// The largest number of generators whose faces the twin lists.
 const GENERATOR_LIMIT: usize = 7;
@@ -54,10 +55,11 @@ fn check_counts<const D: usize>(generators: &[[f64; D]], truth: &[BTreeSet<SignV
 
 #[test]
 fn faces_in_space_are_those_of_the_twin() {
+    let seeds = u64::from(runner::cases(SEEDS));
     let mut cases = 0;
     for family in BODY_FAMILIES {
         for count in 1..=GENERATOR_LIMIT {
-            for seed in 0..if family.is_random { SEEDS } else { 1 } {
+            for seed in 0..if family.is_random { seeds } else { 1 } {
                 let generators = family.generate(count, seed);
                 let truth = faces_by_dimension(&generators);
                 let body = Zonotope::new([0.0; 3], generators.clone()).expect("families are finite");
@@ -73,7 +75,7 @@ fn faces_in_space_are_those_of_the_twin() {
             }
         }
     }
-    assert!(cases > 16_000, "{cases} cases are few");
+    assert!(cases > 60 * seeds, "{cases} cases of {seeds} seeds are few");
 }
 
 #[test]

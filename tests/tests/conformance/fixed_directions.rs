@@ -1,6 +1,7 @@
 //! Section 4.2 against the rational twin: all methods, by both engines, on every family in one to four dimensions.
 //!
-//! Eleven families of 24 cases in four dimensions: 1,056 cases, each decided and measured by five methods.
+//! Eleven families of 24 cases in four dimensions are 1,056 cases of a long run, each decided and measured by five
+//! methods.
 
 use dashu_ratio::RBig;
 use proptest::prelude::*;
