@@ -1,0 +1,124 @@
+//! Every rung of the ladder is reached by a named family of generators: one that nothing reaches would be dead code.
+
+use super::{gauge_counted, locate_counted};
+use crate::collision::{Location, Query};
+use crate::numeric::linear::{cross, dot};
+use crate::tally::{OperationCounts, Rung};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+/// The family, and the number of generators, that reaches a rung.
+const REACHED_BY: [(Rung, &str, usize); Rung::ALL.len()] = [
+    (Rung::LeastSquares, "random", 12),
+    (Rung::LeastSquaresInPlane, "in a plane", 12),
+    (Rung::SampledDirection, "random", 1200),
+    (Rung::StratifiedPass, "random", 1200),
+    (Rung::ClippedCoefficients, "random", 12),
+    (Rung::ZeroDisplacement, "random", 12),
+    (Rung::AllInDoubles, "random", 12),
+    (Rung::ParallelClasses, "noisy directions", 300),
+    (Rung::SeparatingGuess, "wide scales", 300),
+    (Rung::SampledCell, "random", 300),
+    (Rung::WiderCell, "near a plane", 300),
+    (Rung::CorrectedSample, "noisy directions", 300),
+    (Rung::ExactVertex, "random", 12),
+    (Rung::FlatBody, "in a plane", 300),
+    (Rung::ExactInCells, "lattice", 300),
+    (Rung::ExactInBall, "lattice", 1000),
+    (Rung::LongestFirst, "wide scales", 300),
+    (Rung::ExactWhole, "concurrent", 12),
+    (Rung::RoundedDirection, "random", 12),
+    (Rung::DirectionOfDoubles, "random", 12),
+    (Rung::RationalDirection, "concurrent", 12),
+    (Rung::RoundedCoefficients, "random", 12),
+    (Rung::WellSpreadBasis, "small beside a lattice", 40),
+    (Rung::ScaledSigns, "random", 12),
+    (Rung::PivotedCoefficients, "lattice", 1200),
+];
+
+/// At most this many questions are asked before a rung counts as unreached.
+const QUESTION_LIMIT: usize = 3000;
+
+fn body(family: &str, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
+    let directions: Vec<[f64; 3]> = (0..8).map(|_| [0, 1, 2].map(|_| random.random_range(-1.0..1.0))).collect();
+    let mut generator = |i: usize| {
+        let v = [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+        let mut digit = |most: i32| f64::from(random.random_range(-most..=most));
+        match family {
+            "random" => v,
+            "lattice" => [digit(3), digit(3), digit(3)],
+            "noisy directions" => [0, 1, 2].map(|k| directions[i % 8][k] + 1e-9 * v[k]),
+            "near a plane" if i.is_multiple_of(10) => v,
+            "near a plane" => [v[0], v[1], v[0] + 1e-6 * v[2]],
+            "in a plane" => [v[0], v[1], 0.0].map(|c| (1024.0 * c).round()),
+            "wide scales" => v.map(|c| c * libm::exp2(digit(200))),
+            "concurrent" => [v[0], v[1], v[0] + v[1] + 1e-14 * v[2]],
+            "small beside a lattice" if i.is_multiple_of(2) => [digit(1), digit(1), digit(1)],
+            "small beside a lattice" => v.map(|c| 1e-12 * c),
+            _ => panic!("no family is called {family}"),
+        }
+    };
+    (0..n).map(&mut generator).collect()
+}
+
+/// A point of the boundary: a vertex, a point of a facet, or where the ray along a random direction leaves.
+fn boundary_point(body: &[[f64; 3]], number: usize, random: &mut Pcg64Mcg) -> [f64; 3] {
+    let direction = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
+    let pair = [0, 1].map(|_| body[random.random_range(0..body.len())]);
+    let sum = |u: [f64; 3], share_of_pair: Option<f64>| {
+        body.iter().fold([0.0; 3], |sum, v| {
+            let sign = f64::copysign(1.0, dot(v, &u));
+            let part = share_of_pair.filter(|_| pair.contains(v)).unwrap_or(sign);
+            [0, 1, 2].map(|k| sum[k] + part * v[k])
+        })
+    };
+    match number % 3 {
+        0 => sum(direction, None),
+        1 => sum(cross(&pair[0], &pair[1]), Some(0.25)),
+        _ => {
+            let query = Query::new([0.0; 3], direction, body).expect("finite");
+            let gauge = super::gauge(&query).value;
+            if gauge > 0.0 && gauge < f64::MAX { direction.map(|c| c / gauge) } else { direction }
+        }
+    }
+}
+
+/// How far along the ray to a point of the boundary a question's point lies.
+const REACHES: [f64; 12] = [
+    1.0,
+    1.0 + 1e-9,
+    1.0 - 1e-9,
+    1.0 + 4.0 * f64::EPSILON,
+    1.0 - 4.0 * f64::EPSILON,
+    0.3,
+    3.0,
+    1.0 + 1e-3,
+    0.97,
+    0.85,
+    0.0,
+    1.0 - 1e-12,
+];
+
+#[test]
+fn each_rung_is_reached_by_its_family() {
+    assert_eq!(REACHED_BY.map(|(rung, ..)| rung), Rung::ALL);
+    let mut unreached = Vec::new();
+    for (rung, family, n) in REACHED_BY {
+        let random = &mut Pcg64Mcg::seed_from_u64(n as u64);
+        let is_reached = (0..QUESTION_LIMIT).any(|number| {
+            let body = body(family, n, random);
+            let reach = REACHES[number / 3 % REACHES.len()];
+            let p = boundary_point(&body, number, random).map(|c| reach * c);
+            let query = Query::new([0.0; 3], p, &body).expect("finite");
+            let mut counts = OperationCounts::default();
+            let location: Location<3> = locate_counted(&query, &mut counts);
+            let gauge = gauge_counted(&query, &mut counts);
+            assert_eq!(location.status(), gauge.location.status(), "{family}, {n} generators, {number}");
+            counts.answers_of(rung) > 0
+        });
+        if !is_reached {
+            unreached.push((rung, family, n));
+        }
+    }
+    assert!(unreached.is_empty(), "{unreached:?}");
+}
