@@ -20,7 +20,7 @@ const ONE_OF_A_KIND: [&str; 8] = [
 const WITH_COPIES: [&str; 1] = ["enclosing/"];
 
 /// Folders and files of the library that hold constants of error bounds still, to be moved to `numeric/tolerance.rs`.
-const WITH_BOUNDS: [&str; 2] = ["collision/by_lad/", "lad/"];
+const WITH_BOUNDS: [&str; 0] = [];
 
 /// Words that say how much, and nothing of what: a constant made of these alone does not say what it bounds.
 const VAGUE_WORDS: [&str; 28] = [

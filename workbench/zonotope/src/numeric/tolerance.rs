@@ -66,3 +66,36 @@ pub const DIFFERENCE_OF_LEADING_DOUBLES: f64 = power_of_two(-48);
 /// Sizes of vectors between which the products of a few of them do not overflow, and their underflow is below the floor of every error bound: 2^-200 and
 /// 2^200.
 pub const MODERATE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(200);
+
+/// Lengths between which no square leaves the range of doubles: 2^-500 and 2^500.
+pub const SQUARABLE_SIZES: std::ops::Range<f64> = power_of_two(-500)..power_of_two(500);
+
+/// Sums of lengths between which no product of three lengths leaves the range of doubles: 2^-200 and 2^300.
+///
+/// A determinant of three vectors is compared with the cube of the lower end, 2^-600, so its underflow never counts.
+pub const CUBABLE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(300);
+
+/// Coordinates between which the product of two, and the rounding error of that product, are normal doubles: 2^-300 and
+/// 2^300, with [`PAIRABLE_EXPONENT`] for the exponent.
+pub const PAIRABLE_SIZES: std::ops::Range<f64> =
+    power_of_two(-(PAIRABLE_EXPONENT as i32))..power_of_two(PAIRABLE_EXPONENT as i32);
+
+/// The exponent of [`PAIRABLE_SIZES`].
+pub const PAIRABLE_EXPONENT: i64 = 300;
+
+/// By how much the computed products of a vector with a cone of directions may be off, in terms of the vector's length
+/// and the sum of the lengths that describe the cone.
+///
+/// A product of two vectors of space goes through three roundings, each within u of |v| times the other factor's length;
+/// the rest covers that the lengths are rounded themselves.
+pub const CONE_ROUNDING: f64 = 8.0 * UNIT;
+
+/// The gauge counts as known when its error is at most this part of it.
+///
+/// A gauge that is certified in doubles is usually known to 2^-45 or better. A larger error means that terms of the
+/// support function cancelled, and then the exact optimum costs little more than the digits that it gives back.
+pub const GAUGE_ACCURACY: f64 = power_of_two(-36);
+
+/// A vector that is shorter than this part of the longest one contributes less to a sum than rounding that sum to
+/// doubles takes off: 2^-64, some digits below the last place of the longest vector.
+pub const NEGLIGIBLE_LENGTH: f64 = power_of_two(-64);

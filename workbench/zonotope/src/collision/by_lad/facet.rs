@@ -1,4 +1,53 @@
-//! The answer in constant size: the facet in which the ray along the displacement leaves the body.
+//! Membership and gauge, by the facet in which the ray along the displacement leaves the body: the answer in constant
+//! size.
+//!
+//! # Statement
+//! Input: a query p and the generators of a zonotope Z in space. Output: a [`Facet`] with the gauge min { t ≥ 0 : p ∈
+//! t Z } within a bound of its error, the status of p, and at most two generators that span the facet; on demand the
+//! [`Location`] with a proof of O(n) numbers. Touching counts as membership. A flat Z has a facet as well, that of
+//! the prism over it; p = 0 has none, and the basis is empty.
+//!
+//! # Source
+//! Beyond the paper, as all of [`by_lad`](super): a proof lists a coefficient for every generator, and a caller who
+//! asks many questions about one body often wants the gauge alone.
+//!
+//! # Method
+//! 1. The kernel finds the optimum of h(u) over the directions u with u · p = 1 (`lad::of_generators`).
+//! 2. The optimum is kept in the form in which it was proved; gauge, status and basis are read off it.
+//! 3. A location is made from the optimum when it is asked for (`proof`).
+//!
+//! # Complexity
+//! n generators: expected O(n) time to find the facet, O(1) for gauge, status and basis, O(n) for the proof of a
+//! member, nearly always O(1) for a separating direction. Space O(n) for the signs of the optimum.
+//!
+//! # Shapes
+//! `query`: n × 3 generators in two runs, any order, duplicates allowed.
+//!
+//! # Numerics
+//! The status is exact. The gauge is within the bound that comes with it. The basis is exact where
+//! [`Facet::is_sharp`] says so; else the ray leaves so near to an edge that doubles know the gauge and not the facet.
+//!
+//! # Errors
+//! None: the query was validated when it was made.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! The rational twin, by way of the gauge and the locations that are made from facets; an independent check of every
+//! proof.
+//!
+//! # Example
+//! ```
+//! use zonotope::collision::{Query, by_lad};
+//! // the ray along (2, 0, 0) leaves the cube [−1, 1]³ through the side x = 1, half way
+//! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let query = Query::new([0.0; 3], [2.0, 0.0, 0.0], &cube).unwrap();
+//! let facet = by_lad::facet(&query);
+//! assert_eq!(facet.value().0, 2.0);
+//! assert!(!facet.is_member());
+//! assert_eq!(facet.location().status(), "outside");
+//! ```
 
 use super::proof;
 use crate::collision::{Gauge, Location};
@@ -26,12 +75,14 @@ impl<'q> Facet<'q> {
         self.optimum.gauge()
     }
 
-    /// The generators, at most two, that span the facet where the ray leaves; near an edge of it, perhaps the neighbour. O(1).
+    /// The generators, at most two, that span the facet in which the ray leaves the body; where the ray leaves near
+    /// an edge, perhaps those of the facet beside it. O(1).
     pub fn basis(&self) -> &[usize] {
         self.optimum.basis()
     }
 
-    /// Whether [`basis`](Self::basis) is that of the facet for sure, not only nearly. O(1).
+    /// Whether [`basis`](Self::basis) certainly spans the facet in which the ray leaves, and not only one near it.
+    /// O(1).
     pub fn is_sharp(&self) -> bool {
         self.optimum.is_sharp()
     }

@@ -1,14 +1,19 @@
-//! Generators under a matrix, without a copy of them: directions and cells are pulled back into the generators' own frame, sums are pushed forward.
+//! Generators under a matrix, without a copy of them: directions and cells are pulled back into the frame in which
+//! the generators are stored, and sums are pushed forward.
 //!
-//! Since u · M v = (Mᵀ u) · v, a pass over the images M v is a pass over the v with Mᵀ u in the place of u. The pass is the one that bodies without
-//! a pose have; what is new is a few roundings before and after it, which widen the cell and the error of the sum.
+//! Since u · M v = (Mᵀ u) · v, a pass over the images M v is a pass over the generators v with Mᵀ u in the place of
+//! u. It is the same pass that bodies without a pose have. What the pose adds is a few roundings before and after the
+//! pass, which widen the cell and the error bound of the sum.
 
-use super::cells::direction_cone::{DirectionCone, FixedSum};
+use super::cells::direction_cone::DirectionCone;
+use super::cells::sign_pass::FixedSum;
 use crate::numeric::exact_linear::ExactVector;
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::linear::{max_norm, sum_norm};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, THIRTY_ROUNDINGS, UNIT};
 use crate::zonotope::pose::Pose;
 
-/// A matrix that distorts more than this leaves doubles no digits that are worth a search.
+/// The condition number, as size over least factor of a length, above which doubles have too few digits left for a
+/// search.
 const DISTORTION_LIMIT: f64 = 1e6;
 
 /// The matrix of a pose with the bounds that its passes need.
@@ -21,7 +26,8 @@ pub(crate) struct Frame {
     norm: f64,
     /// At least the root of the sum of all squares of entries.
     size: f64,
-    /// The rounded image of any v is off by less than this part of |M v|; infinite where the matrix is, nearly, singular.
+    /// The rounded image of any v is off by less than this part of |M v|; infinite where the matrix is singular or
+    /// too nearly so.
     relative_error: f64,
 }
 
@@ -29,7 +35,7 @@ impl Frame {
     pub(crate) fn new(pose: &Pose) -> Self {
         let m = pose.matrix();
         let square = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();
-        let slack = 1.0 + 32.0 * UNIT;
+        let slack = THIRTY_ROUNDINGS;
         let trace = square(0, 0) + square(1, 1) + square(2, 2);
         let size = trace.sqrt() * slack;
         // ‖M‖² is at most the largest sum of magnitudes in a row of Mᵀ M, each of which is off by less than 4 u times the trace
@@ -81,19 +87,18 @@ impl Frame {
 
     /// A cell that holds Mᵀ u for all directions u of a cell.
     pub(crate) fn pulled_cell(&self, cell: &DirectionCone) -> DirectionCone {
-        let length = |u: &[f64; 3]| u.iter().map(|c| c.abs()).sum::<f64>();
-        let total = length(&cell.center) + cell.axes.iter().flatten().map(length).sum::<f64>();
+        let total = sum_norm(&cell.center) + cell.axes.iter().flatten().map(sum_norm).sum::<f64>();
         // each coordinate of a product is off by less than 4 u ‖M‖ times the other factor
-        let ball = (self.norm * cell.ball + 16.0 * UNIT * self.size * total) * (1.0 + 8.0 * UNIT);
+        let ball = (self.norm * cell.ball + 16.0 * UNIT * self.size * total) * FIVE_ROUNDINGS;
         let axes = cell.axes.map(|axes| axes.map(|axis| self.pulled(&axis)));
         DirectionCone { center: self.pulled(&cell.center), axes, ball }
     }
 
     /// The sum of the images of generators whose own sum is given.
     pub(crate) fn pushed_sum(&self, fixed: &FixedSum) -> FixedSum {
-        let largest = fixed.sum.iter().fold(0.0f64, |m, c| m.max(c.abs()));
+        let largest = max_norm(&fixed.sum);
         // a row's magnitudes sum up to less than twice ‖M‖
-        let error = 2.0 * self.size * (fixed.error + 4.0 * UNIT * largest) * (1.0 + 8.0 * UNIT);
+        let error = 2.0 * self.size * (fixed.error + 4.0 * UNIT * largest) * FIVE_ROUNDINGS;
         let magnitude = self.norm * fixed.magnitude * (1.0 + 4.0 * UNIT);
         FixedSum { sum: self.image(&fixed.sum), magnitude, error }
     }

@@ -6,12 +6,14 @@
 //! | [`Query`] | one or two bodies, in the rows that they are stored in |
 //! | [`Posed`] | one or two bodies under poses, whose generators are never copied |
 //!
-//! Every implementor consists of at most two parts, each a slice of rows with or without a matrix; a pass over them is written once, for a slice,
-//! and a matrix is applied to what goes into the pass and to what comes out of it ([`Frame`]).
+//! Every implementor consists of at most two parts, each a slice of rows with or without a matrix. A pass is written
+//! once, for a slice; where a part has a matrix, its [`Frame`] pulls the cell back before the pass and pushes the sum
+//! forward after it. Transforming the generators instead would cost memory and a rounding of each of them.
 
 use std::fmt;
 
-use super::cells::direction_cone::{DirectionCone, FixedSum};
+use super::cells::direction_cone::DirectionCone;
+use super::cells::sign_pass::FixedSum;
 use super::frame::Frame;
 use crate::numeric::bounded::{self, Bounded, BoundedVector, approximate};
 use crate::numeric::dyadic::Dyadic;
@@ -66,7 +68,8 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         if second.rows.is_empty() { first.support(u) } else { first.support(u) + second.support(u) }
     }
 
-    /// One pass: the sum of the generators whose sign is fixed in a cell, with their signs; the others are added to a list, with their indices.
+    /// The sum of the generators whose sign is fixed in a cell, with these signs, by one pass; the other generators
+    /// are added to a list, and their indices to a second one.
     fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Vec<u32>) -> FixedSum {
         let mut fixed = FixedSum::default();
         let mut offset = 0;
@@ -90,7 +93,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         if second.rows.is_empty() { of(&first, own) } else { exact_linear::sum(&of(&first, own), &of(&second, others)) }
     }
 
-    /// The same of some generators alone, by index and sign.
+    /// Σ sign · v over some generators alone, exactly; `terms` gives the index and the sign of each.
     fn signed_sum_of(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> ExactVector {
         if self.parts().iter().all(|part| part.frame.is_none()) {
             return signed_sum(terms.map(|(index, sign)| (self.generator(index), sign)));
@@ -136,7 +139,7 @@ impl<'a> Part<'a> {
         self.rows.iter().map(move |v| self.image(v))
     }
 
-    /// A number for each generator in doubles, at the end of a list.
+    /// Adds a number for each generator in doubles to the end of a list.
     #[inline]
     pub(crate) fn map_into<T>(&self, list: &mut Vec<T>, of: impl Fn(&[f64; 3]) -> T) {
         match self.frame {
@@ -155,7 +158,7 @@ impl<'a> Part<'a> {
         self.frame.map_or_else(|| v.clone(), |frame| frame.exact_image(&v))
     }
 
-    /// A direction whose products with the rows are those of a direction with their images, exactly.
+    /// Mᵀ u, exactly: its products with the rows are those of u with the images of the rows.
     pub(crate) fn exact_pulled(&self, u: &ExactVector) -> ExactVector {
         self.frame.map_or_else(|| u.clone(), |frame| frame.exact_pulled(u))
     }
@@ -188,7 +191,7 @@ impl<'a> Part<'a> {
         let fixed = self.split(&DirectionCone::around(&direction), 0, &mut crossing, &mut indices);
         let reach = |v: &[f64; 3]| dot(&approximate(*v, frame.relative_error()), &direction).magnitude();
         let rest = crossing.iter().map(reach).fold(Bounded::exact(0.0), |sum, reach| {
-            // between 0 and its bound
+            // the term is between 0 and its bound
             sum + Bounded { value: reach / 2.0, error: reach }
         });
         dot(&fixed.bounded(), &direction) + rest

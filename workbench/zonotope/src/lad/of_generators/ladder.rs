@@ -1,7 +1,8 @@
 //! The ladder: which method answers a query, and which one is tried where it does not. The only file with fallbacks.
 //!
-//! Each rung is exact where it answers; where it does not, the ladder goes on with the rung that the table names. Doubles come first because
-//! they nearly always suffice; what they found out, cells that probably hold the optimum, makes the problem of the exact rungs small.
+//! Each rung is exact where it answers; where it does not, the ladder goes on with the rung that the table names.
+//! Doubles come first because they nearly always suffice. Where they do not, the cells that they have found, which
+//! probably hold the optimum, make the problem of the exact rungs small.
 //!
 //! | rung | tried | where it has no answer |
 //! |---|---|---|
@@ -19,7 +20,8 @@
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
 //!
-//! Displacements beyond the [`MODERATE_SIZES`] sizes, for which products of doubles leave their range, begin at `FlatBody`.
+//! Displacements of a size outside [`MODERATE_SIZES`], for which products of doubles leave their range, begin at
+//! `FlatBody`.
 
 use super::cells::nested::NestedCells;
 use super::cells::reduced::Reduced;
@@ -28,7 +30,7 @@ use super::certify::rounded_optimum::RoundedOptimum;
 use super::exact::longest_first;
 use super::exact::solve::ExactOptimum;
 use super::goal::Goal;
-use super::guess::huber_newton::{Aim, Guess};
+use super::guess::aim::{Aim, Guess};
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
@@ -49,19 +51,21 @@ use crate::zonotope::passes::bounded_sum;
 /// At most this many generators are searched all at once, without a sample.
 const WHOLE_LIMIT: usize = 128;
 
-/// The descent is left with at most this many lines of a cell.
+/// The vertex descent at the end of a search is given at most this many lines.
 const CELL_LINES_LIMIT: usize = 1200;
 
-/// A direction is tried as a separating one where the sample's gauge exceeds 1 by more than this part.
+/// A direction is tried as a separating one where the gauge of the sample exceeds 1 by more than this relative
+/// amount.
 const CLEAR_OF_ONE: f64 = 0.02;
 
-/// Generators in doubles that may be farther off than this part of their length are left to exact arithmetic.
+/// Generators whose images in doubles may be farther off than this part of their length are left to exact arithmetic.
 const GENERATOR_ERROR_LIMIT: f64 = 1e-9;
 
-/// The second cell, in terms of the first, where the optimum seemed to be outside of that.
+/// The size of the second cell in terms of the first where the optimum seemed to be outside of the first cell.
 const STRETCH_AROUND: f64 = 8.0;
 
-/// The second cell, in terms of the first, where few lines crossed that, and not those of the optimum.
+/// The size of the second cell in terms of the first where few lines crossed the first cell, and the lines of the
+/// optimum were not among them.
 const STRETCH_OF_EMPTY: f64 = 8.0;
 
 /// The optimum of a query, and the rung that answered.
@@ -73,7 +77,7 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally)
     let problem = Problem::new(query, goal);
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
-    // where the generators are not known to many digits, doubles have nothing to say of them
+    // where the generators are known to few digits, doubles have nothing to say of them
     let mut rung = match MODERATE_SIZES.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
         true if query.len() <= WHOLE_LIMIT => Rung::AllInDoubles,
         true => Rung::ParallelClasses,
@@ -127,7 +131,7 @@ struct Climb<'a, 'q, T> {
     problem: &'a Problem<'q>,
     tally: &'a mut T,
     sample: Option<Sample>,
-    /// The next cell: a guess, and how many times as large as that says.
+    /// The guess around which the next cell is taken, and the factor by which the cell is larger than the guess says.
     guess: Option<(Guess, f64)>,
     known: Known,
 }
@@ -137,7 +141,7 @@ struct Climb<'a, 'q, T> {
 struct Known {
     /// Cells that probably hold the optimum.
     cells: NestedCells,
-    /// A vertex that is certified as the optimum while its gauge is not told from 1.
+    /// A vertex that is certified as the optimum, whose gauge doubles cannot tell from 1.
     vertex: Option<Box<RoundedOptimum>>,
 }
 
@@ -179,7 +183,8 @@ impl<T: Tally> Climb<'_, '_, T> {
     fn separating_guess(&mut self) -> Attempt {
         let (query, sample) = (self.problem.query, self.sample());
         let direction = self.problem.chart.point(self.guess().0.point);
-        // the pass is spared where the sample says that it would be for nothing; a sample by length says nothing of that
+        // the pass over all generators is made only where the sample says that the direction is likely to separate; a
+        // sample by length says nothing of that
         let is_likely = sample.longest < f64::INFINITY
             || bounded_sum(&sample.vectors, &direction).value < sample.part_of(query) * (1.0 - CLEAR_OF_ONE);
         if is_likely {
@@ -239,7 +244,7 @@ impl<T: Tally> Climb<'_, '_, T> {
         Ok(Optimum::Flat(Box::new(FlatOptimum { axis, prism, optimum })))
     }
 
-    /// The answer that a search in doubles gives, if it does.
+    /// The answer of a search in doubles, or the rung that takes over what the search found out.
     fn decide(&mut self, searched: Searched) -> Attempt {
         let (optimum, cells) = match searched {
             Searched::Doubtful(cells) => {

@@ -1,25 +1,32 @@
 //! The kernel in homogeneous form: the minimum of h(u) = Σ |v_i · u| over the plane of directions u with u · p = 1.
 //!
-//! The line of a generator v is v · u = 0; a vertex of the arrangement is the direction v × w of two generators; nothing is rotated and no line
-//! is computed before it is needed, so that every decision is the sign of a determinant of input vectors. The minimum is 1 / the gauge of p.
-//! It rests on one fact. For any signs fixed on a part of the generators,
+//! The line of a generator v is v · u = 0, and a vertex of the arrangement of these lines is the direction v × w of a
+//! pair of generators. That is why vertices are pairs of generators and not points with coordinates: nothing is
+//! rotated, no line is computed before it is needed, and every decision is the sign of a determinant of input
+//! vectors, which exact arithmetic can take. The minimum is 1 / the gauge of p.
+//!
+//! The kernel rests on one fact. For any signs fixed on a part of the generators,
 //!
 //! (Σ sign v) · u + Σ_rest |v · u| ≤ h(u),
 //!
-//! with equality where the signs are right: so nearly all generators are summed up, and an optimum of the few that are left, if it lies in the
-//! cell of directions in which the signs are right, is the optimum of all, by convexity.
+//! with equality where the signs are those of v · u. So nearly all generators are summed up with their signs, and an
+//! optimum of the few others with that sum, if it lies in the cell of directions in which the signs are right, is the
+//! optimum of all generators, by convexity. That is why the kernel sums generators up with signs where a search by
+//! pruning would throw lines away: the sum keeps the objective, and its signs are the proof.
 //!
 //! | stage | passes on | promises | has no answer by |
 //! |---|---|---|---|
 //! | [`guess`] | a point of the plane and a cell around it | nothing but speed | `None` |
 //! | [`cells`] | a reduced problem, nested cells | the signs of the generators that were summed up are exact | too many lines |
 //! | [`certify`] | a rounded optimum | the gauge is in an interval, every rounding error bounded | `Unproved` |
-//! | [`search`] | guess, cells and certificate in turn | as above | `Missed`, `NotCertified` |
-//! | [`exact`] | an exact optimum | always answers | never |
-//! | [`ladder`] | the optimum and the rung that answered | always answers; the only file with fallbacks | never |
+//! | [`search`] | guess, cells and certificate in turn | what `certify` promises | `Missed`, `NotCertified` |
+//! | [`exact`] | an exact optimum | an answer | never |
+//! | [`ladder`] | the optimum and the rung that answered | an answer; the only file with fallbacks | never |
 //!
-//! Beside the stages: [`plane`] has the coordinates of the plane of directions, [`span`] makes bodies that do not span space into prisms that do,
-//! [`support`] evaluates h(u) in one pass, [`problem`] and [`optimum`] are what goes in and what comes out.
+//! Beside the stages: [`generators`] is the seam, what the kernel asks of whoever holds the generators, and [`frame`]
+//! puts a pose in between; [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do
+//! not span space into prisms that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`optimum`] are what
+//! goes in and what comes out.
 
 pub(crate) mod cells;
 pub(crate) mod certify;

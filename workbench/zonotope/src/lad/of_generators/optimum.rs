@@ -1,4 +1,5 @@
-//! What the kernel answers: the facet in which the ray along the displacement leaves the body, in the form in which it was proved.
+//! What the kernel answers: the facet in which the ray along the displacement leaves the body, in the form in which
+//! the facet was proved.
 
 use super::certify::gauge_interval::DecidedOptimum;
 use super::exact::solve::ExactOptimum;
@@ -9,13 +10,13 @@ use super::span::prism::Prism;
 pub(crate) enum Optimum {
     /// The displacement is zero.
     Centre,
-    /// A direction that separates was found before the optimum, and no more was asked.
+    /// A direction that separates was found before the optimum, and the location was all that was asked.
     Separated([f64; 3]),
-    /// Proved in doubles.
+    /// An optimum that is proved in doubles.
     Rounded(DecidedOptimum),
-    /// Solved in exact arithmetic.
+    /// An optimum that was solved for in exact arithmetic.
     Exact(Box<ExactOptimum>),
-    /// Of the prism over a flat body without a coordinate.
+    /// The optimum of the prism over a flat body from which a coordinate was dropped.
     Flat(Box<FlatOptimum>),
 }
 
@@ -40,7 +41,8 @@ impl Optimum {
         }
     }
 
-    /// The generators, at most two, that span the facet where the ray leaves; near an edge of it, perhaps the neighbour. O(1).
+    /// The generators, at most two, that span the facet in which the ray leaves the body; where the ray leaves near
+    /// an edge, perhaps those of the facet beside it. O(1).
     pub(crate) fn basis(&self) -> &[usize] {
         match self {
             Self::Centre | Self::Separated(_) => &[],

@@ -5,30 +5,20 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN, length};
+use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::generators::Generators;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::{Columns, clipped, columns, product, size, totals};
-use crate::numeric::linear::{cross, dot};
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::linear::{cross, dot, sum_norm};
+use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
 /// Generators whose sums are taken together, so that a term goes through few additions.
 const BLOCK: usize = 512;
 
 /// How many generators the basis is chosen from.
 const BASIS_SAMPLE: usize = 16;
-
-/// Sums of lengths between which no product of three leaves the range of doubles.
-const LARGEST_MAGNITUDE: f64 = f64::from_bits((1023 + 300) << 52);
-const SMALLEST_MAGNITUDE: f64 = f64::from_bits((1023 - 200) << 52);
-
-/// Covers the underflow of a product.
-pub(crate) const UNDERFLOW_FLOOR: f64 = f64::from_bits((1023 - 1000) << 52);
-
-/// Covers products of rounding errors.
-pub(crate) const PRODUCT_SLACK: f64 = 1.0 + 1.0 / 1_048_576.0;
 
 /// Memory for fewer coefficients is cleared when it is taken, for more when it is first touched.
 const CLEARED_WHEN_TAKEN: usize = 1 << 14;
@@ -206,7 +196,7 @@ fn additions(count: usize) -> usize {
 pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitude: f64, count: usize) -> f64 {
     let off = |k: usize| (p[k].value - sum[k]).abs() + p[k].error;
     // a sum and not a maximum: NaN stays NaN
-    (off(0) + off(1) + off(2) + UNIT * additions as f64 * magnitude + count as f64 * UNDERFLOW_FLOOR) * PRODUCT_SLACK
+    (off(0) + off(1) + off(2) + UNIT * additions as f64 * magnitude + count as f64 * PRODUCT_UNDERFLOW) * LONG_SUM
 }
 
 /// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is larger than `rest`.
@@ -221,7 +211,7 @@ pub(crate) fn correcting_basis(
     magnitude: f64,
 ) -> Option<Vec<usize>> {
     let n = query.len();
-    if n < 3 || !(SMALLEST_MAGNITUDE..LARGEST_MAGNITUDE).contains(&magnitude) {
+    if n < 3 || !CUBABLE_SIZES.contains(&magnitude) {
         return None;
     }
     let any = [0, n / 2, n - 1];
@@ -246,12 +236,11 @@ pub(crate) fn correcting_pair(
     magnitude: f64,
 ) -> Option<Vec<usize>> {
     let [a, b] = plane.pair.map(|i| query.generator(i));
-    let volume = length(&a) * length(&b) * length(&plane.normal);
-    let determinant = dot(&a, &cross(&b, &plane.normal)).abs() - 8.0 * UNIT * volume - UNDERFLOW_FLOOR;
-    let longest = length(&a).max(length(&b)) * length(&plane.normal);
-    let is_moderate = (SMALLEST_MAGNITUDE..LARGEST_MAGNITUDE).contains(&magnitude)
-        && determinant > SMALLEST_MAGNITUDE * SMALLEST_MAGNITUDE;
-    let corrects = rest * longest * PRODUCT_SLACK < (1.0 - WELL_WITHIN) * determinant;
+    let volume = sum_norm(&a) * sum_norm(&b) * sum_norm(&plane.normal);
+    let determinant = dot(&a, &cross(&b, &plane.normal)).abs() - 8.0 * UNIT * volume - PRODUCT_UNDERFLOW;
+    let longest = sum_norm(&a).max(sum_norm(&b)) * sum_norm(&plane.normal);
+    let is_moderate = CUBABLE_SIZES.contains(&magnitude) && determinant > CUBABLE_SIZES.start * CUBABLE_SIZES.start;
+    let corrects = rest * longest * LONG_SUM < (1.0 - WELL_WITHIN) * determinant;
     (is_moderate && corrects).then(|| plane.pair.to_vec())
 }
 
@@ -260,23 +249,23 @@ pub(crate) fn correcting_pair(
 fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
     let [a, b, c] = [query.generator(basis[0]), query.generator(basis[1]), query.generator(basis[2])];
     let normal = cross(&b, &c);
-    let lengths = [length(&a), length(&b), length(&c)];
+    let lengths = [sum_norm(&a), sum_norm(&b), sum_norm(&c)];
     let volume = lengths[0] * lengths[1] * lengths[2];
-    let determinant = dot(&a, &normal).abs() - 8.0 * UNIT * volume - UNDERFLOW_FLOOR;
+    let determinant = dot(&a, &normal).abs() - 8.0 * UNIT * volume - PRODUCT_UNDERFLOW;
     // false for NaN as well
-    let is_spanning = determinant > SMALLEST_MAGNITUDE * SMALLEST_MAGNITUDE * SMALLEST_MAGNITUDE;
+    let is_spanning = determinant > CUBABLE_SIZES.start * CUBABLE_SIZES.start * CUBABLE_SIZES.start;
     if !is_spanning {
         return false;
     }
     // |b × c|_1 is at most |b|_1 |c|_1, and no coefficient is nearer to an end than WELL_WITHIN is
     let longest = lengths[0].max(lengths[1]).max(lengths[2]);
-    if rest * longest * longest * PRODUCT_SLACK < (1.0 - WELL_WITHIN) * determinant {
+    if rest * longest * longest * LONG_SUM < (1.0 - WELL_WITHIN) * determinant {
         return true;
     }
     let normals = [normal, cross(&c, &a), cross(&a, &b)];
     (0..3).all(|k| {
-        let across = length(&normals[k]) + 8.0 * UNIT * volume / lengths[k] + UNDERFLOW_FLOOR;
-        coefficients[basis[k]].abs() + rest * across / determinant * PRODUCT_SLACK < 1.0
+        let across = sum_norm(&normals[k]) + 8.0 * UNIT * volume / lengths[k] + PRODUCT_UNDERFLOW;
+        coefficients[basis[k]].abs() + rest * across / determinant * LONG_SUM < 1.0
     })
 }
 

@@ -11,7 +11,7 @@
 use wide::f64x2;
 
 use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cross, dot, sum_norm};
 
 /// No coefficient is nearer to ±1 than this leaves room for.
 pub(crate) const WELL_WITHIN: f64 = 0.9999;
@@ -71,7 +71,7 @@ impl Lengths {
 
     /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
     pub(crate) fn largest(self, among: &[[f64; 3]], z: &[f64; 3]) -> f64 {
-        let Self::Even(longest) = self else { return length(z).min((3.0 * dot(z, z)).sqrt()) };
+        let Self::Even(longest) = self else { return sum_norm(z).min((3.0 * dot(z, z)).sqrt()) };
         let wide = z.map(f64x2::splat);
         let mut largest = f64x2::default();
         for_pairs(among, |v| largest = largest.fast_max(product(&v, &wide).abs()));
@@ -215,10 +215,4 @@ impl Moments {
     pub(crate) fn step(&self, target: &[f64; 3]) -> [f64; 3] {
         self.solve(&[0, 1, 2].map(|k| target[k] - self.sum[k])).0
     }
-}
-
-/// |a|_1.
-#[inline(always)]
-pub(crate) fn length(a: &[f64; 3]) -> f64 {
-    a[0].abs() + a[1].abs() + a[2].abs()
 }

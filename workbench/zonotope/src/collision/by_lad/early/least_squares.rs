@@ -6,9 +6,7 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::combination::{
-    PRODUCT_SLACK, UNDERFLOW_FLOOR, correcting_basis, correcting_pair, rest,
-};
+use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
 use crate::collision::by_lad::early::huber_dual::{Moments, Runs, WELL_WITHIN};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE};
 use crate::collision::{Query, Witness};
@@ -16,7 +14,7 @@ use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
 use crate::numeric::linear::dot;
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
 /// Of so many pairs it is seen that coefficients will be too large.
 const PAIR_SAMPLE: usize = 16;
@@ -125,8 +123,8 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &Bo
     if along > reach {
         let longest = y.iter().fold(0.0f64, |m, c| m.max(c.abs()));
         // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
-        let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * longest) * PRODUCT_SLACK
-            + n as f64 * UNDERFLOW_FLOOR;
+        let error =
+            UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * longest) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
         if (dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
             return Ok(Clear::Outside(y));
         }
@@ -155,7 +153,7 @@ pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimpleP
 /// At least Σ |v|: of v · v / |v| each is, and of v · v the mean is at least the square of that of |v|.
 fn magnitude<const OWN: bool>(moments: &Moments, count: usize) -> f64 {
     let trace = moments.trace();
-    if OWN { trace * PRODUCT_SLACK } else { (count as f64 * trace).sqrt() * PRODUCT_SLACK }
+    if OWN { trace * LONG_SUM } else { (count as f64 * trace).sqrt() * LONG_SUM }
 }
 
 #[cfg(test)]

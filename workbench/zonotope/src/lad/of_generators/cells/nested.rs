@@ -1,12 +1,14 @@
 //! The signs of all generators, as the cells that fixed them.
 //!
-//! A search narrows cells: the sign of a generator is that of its dot product with the centre of the first cell that it misses.
+//! A search narrows cells. The sign of a generator is that of its dot product with the centre of the first cell that
+//! the generator misses. So the cells and the short lists of generators that cross them hold all signs: no list of n
+//! signs is written before a proof asks for one.
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 
-/// Cells one after the other, and which generators cross each and all before it.
+/// Cells, each within the one before, and for each the generators that cross it and all cells before it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct NestedCells {
     steps: Vec<(DirectionCone, Vec<u32>)>,
@@ -57,7 +59,8 @@ impl NestedCells {
         signs
     }
 
-    /// A factor with the sign of each generator: that of a last direction for those that cross all cells.
+    /// A list of ±`factor` with the sign of each generator; a generator that crosses all cells has its sign at a last
+    /// direction.
     pub(crate) fn coefficients(&self, query: &dyn KernelQuery, last: &DirectionCone, factor: f64) -> Vec<f64> {
         let of = |cell: &DirectionCone, v: &[f64; 3]| factor.copysign(cell.value(v));
         let first = *self.steps.first().map_or(last, |(cell, _)| cell);

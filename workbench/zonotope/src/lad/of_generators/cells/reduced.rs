@@ -1,22 +1,25 @@
 //! The problem with most generators summed up: their sign is fixed throughout a cell.
 //!
-//! For any signs fixed on a part of the generators, (Σ sign v) · u + Σ_rest |v · u| ≤ h(u), with equality in the cell where those
-//! signs are right. So an optimum of the reduced problem in the cell is an optimum of the whole, by convexity.
+//! For any signs fixed on a part of the generators, (Σ sign v) · u + Σ_rest |v · u| ≤ h(u), with equality in the cell
+//! where those signs are right. So an optimum of the reduced problem that lies in the cell is an optimum of the
+//! whole, by convexity.
 
-use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
+use crate::lad::of_generators::cells::sign_pass::FixedSum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::tolerance::MODERATE_SIZES;
 
-/// Some generators, and the sum of all others.
+/// The generators that cross a cell, and the sum of all others with their signs.
 #[derive(Debug)]
 pub(crate) struct Reduced {
     pub(crate) vectors: Vec<[f64; 3]>,
     /// The index of each in the query.
     pub(crate) indices: Vec<u32>,
     pub(crate) fixed: FixedSum,
-    /// The signs of those that were summed up last hold in this cell; none if all generators are left.
+    /// The cell in which the signs of the generators that were summed up last are right; `None` while no generator is
+    /// summed up.
     pub(crate) cell: Option<DirectionCone>,
     /// How far each of the vectors may be off, in terms of its length.
     pub(crate) relative_error: f64,
@@ -45,7 +48,7 @@ impl Reduced {
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
     }
 
-    /// The same problem with those summed up that miss a cell.
+    /// The problem from which the generators that miss a smaller cell are summed up, too.
     pub(crate) fn split(&self, cell: DirectionCone) -> Self {
         let room = self.vectors.len() / 4 + 16;
         let (mut vectors, mut indices) = (Vec::with_capacity(room), Vec::with_capacity(room));
@@ -56,14 +59,15 @@ impl Reduced {
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: self.relative_error }
     }
 
-    /// The sum of all generators whose sign is fixed in a cell, those of before and those of this problem; the others are reported.
+    /// The sum of all generators whose sign is fixed in a cell: those that were summed up before and those of this
+    /// problem. The positions of this problem's other generators are reported.
     pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, report: impl FnMut(usize)) -> FixedSum {
         let mut own = cell.widened(self.relative_error).split(&self.vectors, report);
         own.error += self.relative_error * own.magnitude;
         self.fixed.plus(&own)
     }
 
-    /// Whether no sum overflowed, or will.
+    /// Whether no sum overflowed or is about to.
     pub(crate) fn is_moderate(&self) -> bool {
         // false for NaN as well
         self.fixed.magnitude <= MODERATE_SIZES.end
@@ -73,7 +77,7 @@ impl Reduced {
         chart.lines(self.vectors.iter().copied())
     }
 
-    /// The gradient of the whole at a point of the cell.
+    /// The gradient of the whole objective at a point of the cell.
     pub(crate) fn gradient(&self, chart: &RoundedChart, [x, y]: [f64; 2]) -> [f64; 2] {
         let mut sum = self.fixed.sum;
         for v in &self.vectors {
@@ -85,7 +89,7 @@ impl Reduced {
         [x, y]
     }
 
-    /// The gradient of the summed-up part.
+    /// The gradient of the sum of the generators that were summed up.
     pub(crate) fn linear(&self, chart: &RoundedChart) -> [f64; 2] {
         let [x, y, _] = chart.line(&self.fixed.sum);
         [x, y]

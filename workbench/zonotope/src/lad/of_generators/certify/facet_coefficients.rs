@@ -1,19 +1,23 @@
-//! What each of many generators of one facet contributes to a point of it: a zonogon's gauge in the plane, by one weighted median.
+//! The coefficients of many generators of one facet that combine to a vector of its plane: a zonogon's gauge, by one
+//! weighted median.
 //!
-//! Let v_i be the coordinates of the generators in the plane of the facet and t ≠ 0 a vector of that plane. The gauge of t is 1 / s, where s is the
-//! least of Σ |v_i · w| over all w with w · t = 1: with w = (t + τ t⊥) / (t · t) it is a weighted median of the τ at which one v_i · w vanishes.
-//! There Σ σ_i v_i = s t, with σ_i the sign of v_i · w for all but the median one, whose σ is what makes the sum parallel to t.
+//! Let v_i be the coordinates of the generators in the plane of the facet and t ≠ 0 a vector of that plane. The gauge
+//! of t is 1 / s, where s is the least of Σ |v_i · w| over all w with w · t = 1. With w = (t + τ t⊥) / (t · t), the
+//! least is at a weighted median of those τ at which one v_i · w vanishes. There Σ σ_i v_i = s t, where σ_i is the
+//! sign of v_i · w for every generator but the median one, whose σ makes the sum parallel to t.
 
 use crate::lad::of_generators::guess::crossings::{Crossing, select};
 
-/// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if there are none, the generator that t lies beyond the edges of.
+/// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if t is outside the zonogon, the generator that
+/// is parallel to the edge beyond which t lies.
 pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Vec<f64>, usize> {
     let square = x * x + y * y;
     if square == 0.0 {
         return Ok(vec![0.0; vectors.len()]);
     }
     let (mut crossings, mut total) = (Vec::with_capacity(vectors.len()), 0.0);
-    // the signs of those that are parallel to t, and where the others vanish
+    // the product of each generator with t, and with t⊥: the first is the sign of a generator parallel to t, their
+    // ratio tells where the others vanish
     let parts: Vec<[f64; 2]> = vectors.iter().map(|[a, b]| [a * x + b * y, b * x - a * y]).collect();
     for (i, &[along, across]) in parts.iter().enumerate() {
         let position = -along / across;
@@ -49,7 +53,7 @@ pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Resu
     let scale = square / reach;
     match median {
         Some(median) if scale > 1.0 + GAUGE_TOLERANCE => Err(median.line),
-        // shares too large by rounding are the caller's to make up for
+        // a sum that is too long by rounding is scaled down, and the caller bounds what is missing
         _ => Ok(signs.into_iter().map(|sign| sign * scale.min(1.0)).collect()),
     }
 }

@@ -1,8 +1,9 @@
 //! The interval in which a rounded optimum puts the gauge, and so on which side of the boundary the displacement ends.
 //!
-//! With λ = h(u) / u · p at an optimal u the gauge is 1 / λ. At a u that is only nearly optimal the gauge is at least u · p / h(u), and at most
-//! 1 + `slack` times that, where the slack depends on how thick the body is in its thinnest direction. That thickness costs a pass over the
-//! generators, so it is bounded from a part of them first and from all only where that leaves a doubt.
+//! With λ = h(u) / u · p at an optimal u, the gauge is 1 / λ. At a u that is only nearly optimal the gauge is at
+//! least u · p / h(u), and at most 1 + `slack` times that, where the slack depends on how thick the body is in its
+//! thinnest direction. The thickness costs a pass over the generators, so it is bounded from a part of them first,
+//! and from all generators only where the part leaves a doubt.
 
 use std::cmp::Ordering;
 
@@ -12,12 +13,10 @@ use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
 use crate::numeric::bounded::Bounded;
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, GAUGE_ACCURACY};
 
-/// The thickness of the body is bounded from one generator in so many, then from one in so many.
+/// The thickness of the body is bounded from one generator in 16 first, then from all.
 const THICKNESS_SHARES: [usize; 2] = [16, 1];
-
-/// The gauge counts as known when its error is at most this part of it: 2^-36. Where terms of h(u) cancel, the exact optimum is taken instead.
-const GAUGE_ACCURACY: f64 = 65536.0 * f64::EPSILON;
 
 /// An optimum in doubles of which it is certain on which side of the boundary the displacement ends.
 #[derive(Debug)]
@@ -51,7 +50,8 @@ impl DecidedOptimum {
     }
 }
 
-/// How the gauge compares to 1, with the slack that decides it; none where doubles leave a doubt, or where the gauge is wanted and not accurate.
+/// How the gauge compares to 1, with the slack that decides it; `None` where doubles leave a doubt, or where the goal
+/// is the gauge and its error is above [`GAUGE_ACCURACY`].
 pub(crate) fn compare(query: &dyn KernelQuery, optimum: &RoundedOptimum, goal: Goal) -> Option<(Ordering, f64)> {
     let mut slack = optimum.slack(f64::INFINITY);
     let mut order = order(optimum, slack, goal);
@@ -80,7 +80,7 @@ fn order(optimum: &RoundedOptimum, slack: f64, goal: Goal) -> Option<Ordering> {
 /// `along` / `reach` with a bound for its distance from the gauge.
 fn gauge(optimum: &RoundedOptimum, slack: f64) -> (f64, f64) {
     let (value, error) = quotient(optimum.along, optimum.support());
-    (value, error + (value + error) * slack * (1.0 + 4.0 * f64::EPSILON))
+    (value, error + (value + error) * slack * FIVE_ROUNDINGS)
 }
 
 /// a / b for a and b positive, with a bound for its error; infinite where b may be zero.

@@ -1,6 +1,17 @@
 //! A vertex proved to be the optimum, or near it, by bounds on every rounding error.
+//!
+//! | file | what it proves |
+//! |---|---|
+//! | [`rounded_optimum`] | a vertex is the optimum, or so near to it that the gauge is between two bounds |
+//! | [`residual`] | what the vertex leaves of λ p, for coefficients in [−1, 1] |
+//! | [`near_generators`] | the sum of the generators whose sign at the vertex is not certain |
+//! | [`facet_coefficients`] | the coefficients of many generators of one facet, by a weighted median |
+//! | [`unit_gauge_bound`] | how thick the body is at least |
+//! | [`gauge_interval`] | on which side of the boundary the displacement ends |
 
 pub(crate) mod facet_coefficients;
 pub(crate) mod gauge_interval;
+mod near_generators;
+mod residual;
 pub(crate) mod rounded_optimum;
 pub(crate) mod unit_gauge_bound;

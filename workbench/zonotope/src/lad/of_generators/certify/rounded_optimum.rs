@@ -1,25 +1,32 @@
-//! A vertex of a reduced problem, proved to be the optimum, or so near to it that the gauge is known, by bounds on every rounding error.
+//! A vertex of a reduced problem, proved to be the optimum, or so near to it that the gauge is known, by bounds on
+//! every rounding error.
 //!
-//! Let u = ± v_a × v_b with u · p > 0, and g the sum of all other generators with the signs of v · u. Then
-//! g + δ_a v_a + δ_b v_b = λ p with λ = g · u / p · u, δ_a = −g · (v_b × p) / p · (v_a × v_b), δ_b = −g · (p × v_a) / p · (v_a × v_b).
+//! Let u = ± v_a × v_b with u · p > 0, and g the sum of all other generators with the signs of v · u. Then g + δ_a
+//! v_a + δ_b v_b = λ p with λ = g · u / p · u, δ_a = −g · (v_b × p) / p · (v_a × v_b), δ_b = −g · (p × v_a) / p ·
+//! (v_a × v_b).
 //!
-//! - h(u) = g · u, or less than 2 Σ |v · u| more where the signs of some v · u are not certain: the gauge is at least u · p / h(u).
-//! - If δ_a and δ_b are within [−1, 1], λ p is in the body: the gauge is at most 1 / λ, and u is optimal. If they leave it by ε_a and ε_b,
-//!   λ p less ε_a v_a + ε_b v_b is in the body, and the gauge is at most (1 + ε_a ‖v_a‖ + ε_b ‖v_b‖) / λ, ‖v‖ ≤ 1 the gauge of v.
-//! - For any δ_a and δ_b in [−1, 1] and any μ, μ p differs by a vector r from a point of the body, and the gauge is at most (1 + ‖r‖) / μ. Where v_a and v_b
-//!   are nearly parallel their coefficients are not known well, and r is small all the same.
+//! - h(u) = g · u, or less than 2 Σ |v · u| more, summed over the generators v whose sign is not certain: the gauge
+//!   is at least u · p / h(u).
+//! - If δ_a and δ_b are within [−1, 1], λ p is in the body: the gauge is at most 1 / λ, and u is optimal. If they
+//!   leave [−1, 1] by ε_a and ε_b, λ p less ε_a v_a + ε_b v_b is in the body, and the gauge is at most (1 + ε_a ‖v_a‖
+//!   + ε_b ‖v_b‖) / λ, where ‖v‖ ≤ 1 is the gauge of v.
+//! - For any δ_a and δ_b in [−1, 1] and any μ, μ p differs by a vector r from a point of the body, and the gauge is
+//!   at most (1 + ‖r‖) / μ. Where v_a and v_b are nearly parallel, their coefficients are not known well, and r is
+//!   small all the same.
 //!
-//! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices is the optimum. Where many
-//! generators are parallel to the facet, or nearly so, what each contributes is chosen such that δ_a and δ_b have room (`shares`).
+//! So where p is at an edge of a facet, or lines meet nearly in one point, it need not be known which of the vertices
+//! is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is chosen
+//! such that δ_a and δ_b have room (`shares`).
 
-use crate::lad::of_generators::cells::direction_cone::{DirectionCone, FixedSum};
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::certify::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::certify::near_generators::Near;
+use crate::lad::of_generators::certify::residual::Rest;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, exact};
 use crate::numeric::linear::{cross, dot};
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
 
-/// The optimum and what is known of it.
+/// A vertex that is the optimum or near it, with the quantities of its proof.
 #[derive(Debug)]
 pub(crate) struct RoundedOptimum {
     /// a and b, by their index in the query.
@@ -30,9 +37,10 @@ pub(crate) struct RoundedOptimum {
     pub(crate) direction: BoundedVector,
     /// g, without a and b.
     pub(crate) sum: BoundedVector,
-    /// The other generators whose sign is not certain, by their index in the query, and what each contributes to g, in [−1, 1]; in order.
+    /// The other generators whose sign is not certain, by their index in the query in increasing order, each with its
+    /// contribution to g, in [−1, 1].
     pub(crate) shares: Vec<(usize, f64)>,
-    /// At least Σ |v|_1 over those.
+    /// At least Σ |v|_1 over the generators of `shares`.
     pub(crate) shared: f64,
     /// g · u.
     pub(crate) reach: Bounded,
@@ -42,41 +50,31 @@ pub(crate) struct RoundedOptimum {
     pub(crate) missing: f64,
     /// By how much δ_a and δ_b may leave [−1, 1]; infinite where u is only near the vertex.
     pub(crate) excess: [f64; 2],
-    /// What is left of λ p where they do not.
+    /// The vector that is left of λ p when δ_a and δ_b are kept within [−1, 1].
     pub(crate) rest: Rest,
     /// At least Σ |v|.
     pub(crate) magnitude: f64,
-    /// How far each generator in doubles may be off, in terms of its length.
+    /// A bound of the error of each generator in doubles, in terms of its length.
     pub(crate) relative_error: f64,
 }
 
-/// More error in the direction of a vertex than this part of it makes it a point near a vertex.
+/// A direction with a larger relative error than this is not taken for a vertex but for a point near one.
 const BLURRED_VERTEX: f64 = 1e-12;
-
-/// The vector g + δ_a v_a + δ_b v_b − μ p for δ_a and δ_b in [−1, 1] and μ near λ.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Rest {
-    /// δ_a and δ_b.
-    pub(crate) coefficients: [f64; 2],
-    /// At least |·|_1 of it.
-    size: f64,
-    /// At least λ / μ − 1.
-    stretch: f64,
-}
 
 /// Why a vertex is not proved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unproved {
-    /// Too near to other lines, or to a change of the basis, for doubles.
+    /// The vertex is too near to other lines, or to a change of the basis, for doubles.
     Doubt,
-    /// Perhaps outside the cell of this problem, and of none before it.
+    /// The vertex may be outside the cell of this problem; it is in the cells of all problems before it.
     Astray(usize),
-    /// Many lines meet in the vertex, and the objective falls along this one of the level.
+    /// Many lines meet in the vertex, and the objective falls along this line of the level.
     Falls(usize),
 }
 
 impl RoundedOptimum {
-    /// Checks a vertex, given by the positions of two generators in the last of some problems, each reduced from the one before.
+    /// Checks a vertex that is given by the positions of two generators in the last of some problems, each of which
+    /// was reduced from the one before.
     pub(crate) fn at(levels: &[Reduced], p: &BoundedVector, [first, second]: [usize; 2]) -> Result<Self, Unproved> {
         let level = levels.last().ok_or(Unproved::Doubt)?;
         let vectors = [level.vectors[first], level.vectors[second]];
@@ -86,7 +84,7 @@ impl RoundedOptimum {
         let reversed = dot(&product, p).sign().ok_or(Unproved::Doubt)? < 0;
         let vertex = if reversed { product.map(Bounded::negated) } else { product };
         let largest = |of: fn(&Bounded) -> f64| vertex.iter().map(of).fold(0.0f64, f64::max);
-        // two lines that are nearly parallel: of their vertex less is known than of a point near it
+        // of the vertex of two lines that are nearly parallel less is known than of a point near it
         let is_rounded = largest(|c| c.error) > BLURRED_VERTEX * largest(|c| c.value.abs());
         let direction = if is_rounded { exact(between(&vectors, vertex.map(|c| c.value))) } else { vertex };
         let is_missed = |level: &Reduced| level.cell.is_some_and(|cell| !cell.contains(&direction, p));
@@ -101,12 +99,12 @@ impl RoundedOptimum {
         near.retain(|&i| i != first && i != second);
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
-            Near::new(level, [first, second], near, &direction, &duals, &fixed)?;
+            Near::new(level, [first, second], near, &direction, &duals, &fixed).map_err(Unproved::Falls)?;
         let across = duals.map(|dual| dot(&sum, &dual));
         let sizes = across.map(|value| value.magnitude() / least * (1.0 + 4.0 * UNIT));
         let excess = if is_rounded { [f64::INFINITY; 2] } else { sizes.map(|size| (size - 1.0).max(0.0)) };
         let off = |v: &BoundedVector| dot(v, &direction).magnitude();
-        let missing = if is_rounded { (missing + off(&a) + off(&b)) * (1.0 + 8.0 * UNIT) } else { missing };
+        let missing = if is_rounded { (missing + off(&a) + off(&b)) * FIVE_ROUNDINGS } else { missing };
         let reach = dot(&sum, &direction);
         // NaN is doubt as well
         let is_useful = least > 0.0
@@ -149,7 +147,7 @@ impl RoundedOptimum {
         self.vectors.map(|v| approximate(v, self.relative_error))
     }
 
-    /// The cell that is the direction but for rounding.
+    /// The cell of all directions within the rounding error of the vertex.
     pub(crate) fn cell(&self) -> DirectionCone {
         DirectionCone::around(&self.direction)
     }
@@ -159,101 +157,24 @@ impl RoundedOptimum {
         Bounded { value: self.reach.value, error: self.reach.error + self.missing }
     }
 
-    /// What the gauge times λ exceeds 1 by at most, where |x|_1 times `size` bounds the gauge of a vector x.
+    /// A bound of the gauge times λ less 1, where |x|_1 times `size` bounds the gauge of a vector x.
     pub(crate) fn slack(&self, size: f64) -> f64 {
         let longer = 1.0 + 2.0 * self.relative_error;
         let gauge = |v: &[f64; 3]| (size * longer * v.iter().map(|c| c.abs()).sum::<f64>()).min(1.0);
         let terms = self.excess.iter().zip(&self.vectors).map(|(excess, v)| excess * gauge(v));
-        let by_ends = terms.sum::<f64>() * (1.0 + 8.0 * UNIT);
-        let by_rest = (size * self.rest.size + (1.0 + size * self.rest.size) * self.rest.stretch) * (1.0 + 8.0 * UNIT);
-        // where one is NaN it is the other
+        let by_ends = terms.sum::<f64>() * FIVE_ROUNDINGS;
+        let by_rest = (size * self.rest.size + (1.0 + size * self.rest.size) * self.rest.stretch) * FIVE_ROUNDINGS;
+        // the minimum with a NaN is the other bound
         by_ends.min(by_rest)
     }
 }
 
-impl Rest {
-    /// From g, the two vectors, their coefficients, g · u and p · u.
-    fn new(
-        sum: &BoundedVector,
-        vectors: &[BoundedVector; 2],
-        coefficients: [f64; 2],
-        [reach, along]: [Bounded; 2],
-        p: &BoundedVector,
-    ) -> Self {
-        let factor = reach.value / along.value;
-        let mut coefficients = coefficients.map(|c| c.clamp(-1.0, 1.0));
-        // one after the other, so that what either is off by is the other's to make up for
-        for (i, own) in vectors.iter().enumerate() {
-            let value = |k: usize| vectors.iter().zip(coefficients).map(|(v, c)| v[k].value * c).sum::<f64>();
-            let rest = [0, 1, 2].map(|k| sum[k].value + value(k) - p[k].value * factor);
-            let own = own.map(|c| c.value);
-            let [part, square] = [&rest, &own].map(|v| (0..3).map(|k| v[k] * own[k]).sum::<f64>());
-            coefficients[i] = (coefficients[i] - part / square).clamp(-1.0, 1.0);
-        }
-        let [first, second] = coefficients.map(Bounded::exact);
-        let rest =
-            [0, 1, 2].map(|k| sum[k] + vectors[0][k] * first + vectors[1][k] * second - p[k] * Bounded::exact(factor));
-        let size = rest.iter().map(|c| c.magnitude()).sum::<f64>() * (1.0 + 8.0 * UNIT);
-        // twice what it is to first order, which is more than enough while that is small
-        let off = reach.error / reach.value + along.error / along.value + 8.0 * UNIT;
-        Self { coefficients, size, stretch: if off < 0.25 { 2.0 * off } else { f64::INFINITY } }
-    }
-}
-
-/// A direction near one that is orthogonal to two vectors but for rounding, more nearly so.
+/// A direction nearly orthogonal to two vectors, made more nearly so by subtracting what it has along each.
 fn between(vectors: &[[f64; 3]; 2], direction: [f64; 3]) -> [f64; 3] {
-    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     vectors.iter().fold(direction, |u, v| {
         let part = dot(v, &u) / dot(v, v);
         [0, 1, 2].map(|k| u[k] - part * v[k])
     })
-}
-
-/// The generators whose sign at a vertex is not certain, with their part of the sum g.
-struct Near {
-    sum: BoundedVector,
-    shares: Vec<(usize, f64)>,
-    shared: f64,
-    missing: f64,
-}
-
-impl Near {
-    /// From the positions of the generators in a level; `duals` are b × p and p × a, so that their products with x give x in terms of a and b.
-    fn new(
-        level: &Reduced,
-        [first, second]: [usize; 2],
-        near: Vec<usize>,
-        direction: &BoundedVector,
-        duals: &[BoundedVector; 2],
-        fixed: &FixedSum,
-    ) -> Result<Self, Unproved> {
-        if near.is_empty() {
-            return Ok(Self { sum: fixed.bounded(), shares: Vec::new(), shared: 0.0, missing: 0.0 });
-        }
-        let product = |v: &[f64; 3], dual: &BoundedVector| (0..3).map(|k| v[k] * dual[k].value).sum::<f64>();
-        let own = [product(&level.vectors[first], &duals[0]), product(&level.vectors[second], &duals[1])];
-        let plane = |v: &[f64; 3]| [0, 1].map(|k| product(v, &duals[k]) / own[k]);
-        let members: Vec<usize> = near.iter().copied().chain([first, second]).collect();
-        let vectors: Vec<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
-        let target = plane(&fixed.sum).map(|c| -c);
-        let parts = facet_coefficients(&vectors, target).map_err(|place| Unproved::Falls(members[place]))?;
-        let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);
-        for (&i, part) in near.iter().zip(&parts) {
-            let v = level.vectors[i];
-            for (total, c) in total.iter_mut().zip(v) {
-                *total += part * c;
-            }
-            shared += v.iter().map(|c| c.abs()).sum::<f64>();
-            missing += 2.0 * dot(&approximate(v, level.relative_error), direction).magnitude();
-        }
-        let slack = 1.0 + (near.len() + 8) as f64 * 4.0 * UNIT;
-        // a rounding for each product, which may underflow, and one for each addition
-        let error = (near.len() + 1) as f64 * (UNIT * shared * slack + f64::MIN_POSITIVE)
-            + level.relative_error * shared * slack;
-        let sum = [0, 1, 2].map(|k| fixed.bounded()[k] + Bounded { value: total[k], error });
-        let shares = near.iter().zip(&parts).map(|(&i, &part)| (level.indices[i] as usize, part)).collect();
-        Ok(Self { sum, shares, shared: shared * slack, missing: missing * slack })
-    }
 }
 
 #[cfg(test)]

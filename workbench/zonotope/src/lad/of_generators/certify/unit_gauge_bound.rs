@@ -1,11 +1,12 @@
 //! How thick a body is at least, from a part of its generators.
 //!
-//! With W = Σ v vᵀ / |v|_∞ over any of the generators and x = W y, the coefficients (v · y) / |v|_∞ combine to x and are at most |y|_1. So the
-//! gauge of x is at most |y|_1 for x = W y. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞ ≤ ρ < 1/3, and let s be the largest gauge of
-//! the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3 ρ), and the gauge of any x is at most s |x|_1.
+//! With W = Σ v vᵀ / |v|_∞ over any of the generators and x = W y, the coefficients (v · y) / |v|_∞ combine to x and
+//! are at most |y|_1. So the gauge of x = W y is at most |y|_1. Let y_k solve W y_k = e_k but for a rest r_k, |r_k|_∞
+//! ≤ ρ < 1/3, and let s be the largest gauge of the e_k. Then s ≤ max |y_k|_1 + 3 ρ s, hence s ≤ max |y_k|_1 / (1 − 3
+//! ρ), and the gauge of any x is at most s |x|_1.
 
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{MODERATE_SIZES, UNIT};
 
 /// Generators read side by side.
@@ -31,10 +32,10 @@ pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
     let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
     let determinant = dot(&rows[0], &minors[0]);
     let inverse = minors.map(|row| row.map(|c| c / determinant));
-    let length = |row: [f64; 3]| row.iter().map(|c| c.abs()).sum::<f64>();
-    let size = inverse.map(length).iter().fold(0.0f64, |m, v| m.max(*v));
-    // each entry of the sum is off by a rounding for each term and a few more, at most so much of its magnitude, which the diagonal bounds
-    // where the vectors themselves are off by a part of their length, each product is by less than four times that
+    let size = inverse.each_ref().map(sum_norm).iter().fold(0.0f64, |m, v| m.max(*v));
+    // each entry of the sum is off by a rounding for each term and a few more, in terms of a magnitude that the
+    // diagonal bounds; where the vectors themselves are off by a part of their length, each product is off by less
+    // than four times that part
     let off = ((count as f64 + 16.0) * 2.0 * UNIT + 16.0 * query.relative_error()) * (xx + yy + zz);
     let mut rest = 0.0f64;
     for (k, column) in inverse.iter().enumerate() {

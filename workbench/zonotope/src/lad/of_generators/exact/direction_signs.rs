@@ -1,20 +1,19 @@
-//! The sign of v · u for an exact direction u, by pairs of doubles: told for nearly every generator that is not orthogonal to u.
+//! The sign of v · u for an exact direction u, by pairs of doubles, which tell it for nearly every generator that is
+//! not orthogonal to u.
 //!
-//! Each coordinate of u is rounded once, to about 98 bits, with an exponent of its own, and so is each product. So it does not matter how far the
-//! sizes of coordinates and generators are apart.
+//! Each coordinate of u is rounded once, to about 98 bits with an exponent of its own, and so is each product. So the
+//! sizes of coordinates and generators may be any distance apart.
 
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot};
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
-
-/// Between 2 to the power of this and of its opposite, products of two doubles and their rounding errors are normal numbers.
-const MODERATE_EXPONENT: i64 = 300;
+use crate::numeric::tolerance::{PAIRABLE_EXPONENT, PAIRABLE_SIZES};
 
 /// A direction as pairs of doubles.
 pub(crate) struct PairDirection {
-    /// Each coordinate divided by the power of two below it; none for zero.
+    /// Each coordinate divided by the power of two below it, and the exponent of that power; `None` for a zero.
     terms: [Option<(BoundedDoubleDouble, i64)>; 3],
     /// The coordinates themselves, scaled by the same power of two, if they are of moderate size.
     moderate: Option<[BoundedDoubleDouble; 3]>,
@@ -27,16 +26,14 @@ impl PairDirection {
             Some((BoundedDoubleDouble::of(&c.clone().scaled(-exponent)), exponent))
         });
         let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max().unwrap_or(0);
-        let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < MODERATE_EXPONENT);
+        let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < PAIRABLE_EXPONENT);
         let scaled = |c: &Dyadic| BoundedDoubleDouble::of(&c.clone().scaled(-largest));
         Self { terms, moderate: is_moderate.then(|| direction.each_ref().map(scaled)) }
     }
 
-    /// The sign of v · u if pairs tell and it is not zero.
+    /// The sign of v · u, if pairs of doubles tell it and it is not zero.
     pub(crate) fn certain_sign(&self, v: &[f64; 3]) -> Option<i8> {
-        const SMALL: f64 = f64::from_bits(((1023 - MODERATE_EXPONENT) as u64) << 52);
-        const LARGE: f64 = f64::from_bits(((1023 + MODERATE_EXPONENT) as u64) << 52);
-        let is_moderate = |c: &f64| *c == 0.0 || (SMALL..LARGE).contains(&c.abs());
+        let is_moderate = |c: &f64| *c == 0.0 || PAIRABLE_SIZES.contains(&c.abs());
         if let Some(direction) = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate)) {
             let [x, y, z] = [0, 1, 2].map(|k| direction[k] * BoundedDoubleDouble::exact(v[k]));
             return (x + y + z).sign();
@@ -57,7 +54,7 @@ impl PairDirection {
 /// The signs of the generators of a query for an exact direction.
 pub(crate) struct DirectionSigns<'a> {
     query: &'a dyn KernelQuery,
-    /// The direction in the frame of each part, the products with whose rows are wanted.
+    /// The direction pulled back into the frame of each part, for products with the part's rows.
     pairs: Vec<PairDirection>,
 }
 
@@ -67,7 +64,7 @@ impl<'a> DirectionSigns<'a> {
         Self { query, pairs }
     }
 
-    /// The sign of one generator if pairs tell and it is not zero.
+    /// The sign of one generator, if pairs of doubles tell it and it is not zero.
     pub(crate) fn certain(&self, index: usize) -> Option<i8> {
         let [first, second] = self.query.parts();
         match index.checked_sub(first.rows.len()) {
@@ -76,7 +73,7 @@ impl<'a> DirectionSigns<'a> {
         }
     }
 
-    /// The signs of all generators, exactly; `direction` is the one that this was made for.
+    /// The signs of all generators, exactly; `direction` is the one from which this value was made.
     pub(crate) fn all(&self, direction: &ExactVector) -> Vec<i8> {
         let exact = |index: usize| dot(&self.query.exact_generator(index), direction).sign() as i8;
         (0..self.query.len()).map(|index| self.certain(index).unwrap_or_else(|| exact(index))).collect()

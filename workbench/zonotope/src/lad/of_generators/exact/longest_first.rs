@@ -1,7 +1,8 @@
 //! The optimum of all generators as that of the longest: where lengths are very uneven, the others decide nothing.
 //!
-//! Let u be the optimum of some generators, and δ = sign(v · u) for all others. If the two generators of u's basis make up for the rest with
-//! coefficients in [−1, 1], then u is the optimum of all: the check does not ask why the longest were enough.
+//! Let u be the optimum of some generators, and δ = sign(v · u) for all others. If the two generators of u's basis
+//! balance the sum of the others with coefficients in [−1, 1], then u is the optimum of all generators: the check
+//! does not ask why the longest generators were enough.
 
 use crate::lad::by_pruning;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
@@ -10,24 +11,26 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
+use crate::numeric::linear::max_norm;
+use crate::numeric::tolerance::NEGLIGIBLE_LENGTH;
 use crate::tally::{Operation, Tally};
 
-/// What is shorter than this part of the longest is left out: some digits more than rounding the displacement takes off.
-const NEGLIGIBLE_LENGTH: f64 = f64::from_bits((1023 - 64) << 52);
-
-/// At most one generator in so many is among the longest.
+/// At most one generator in this number is among the longest.
 const LONGEST_SHARE: usize = 4;
 
-/// Where lengths are even, one generator in so many is taken instead: their optimum is near that of all.
+/// Where lengths are even, one generator in this number is taken instead: the optimum of this part is near that of
+/// all.
 const EVEN_SHARE: usize = 16;
 
-/// The product with a direction of what is nearly orthogonal to it, in terms of the sizes of both.
+/// A generator is nearly orthogonal to a direction of size 1 if their product is at most this part of the generator's
+/// size.
 const NEARLY_ORTHOGONAL: f64 = 1e-9;
 
 /// Fewer generators are all solved for at once.
 pub(crate) const LEAST_COUNT: usize = 128;
 
-/// The optimum of the longest generators if it is that of all; else a direction to which most generators are nearly orthogonal, if it is one.
+/// The optimum of the longest generators, if it is that of all; else a direction to which most generators are nearly
+/// orthogonal, if the optimum found is such a direction.
 pub(crate) fn optimum(
     query: &dyn KernelQuery,
     p: &ExactVector,
@@ -56,7 +59,7 @@ pub(crate) fn optimum(
     Err(Some(center).filter(|center| is_meeting(query, center)))
 }
 
-/// Whether two generators of the basis make up for what all others leave, with coefficients in [−1, 1].
+/// Whether the two generators of the basis balance the sum of all others with coefficients in [−1, 1].
 fn is_optimal(optimum: &ExactOptimum, query: &dyn KernelQuery, p: &ExactVector) -> bool {
     let [first, second] = optimum.basis[..] else { return false };
     let [a, b] = [first, second].map(|index| query.exact_generator(index));
@@ -67,23 +70,20 @@ fn is_optimal(optimum: &ExactOptimum, query: &dyn KernelQuery, p: &ExactVector) 
     is_within(&a, &b) && is_within(&b, &a)
 }
 
-/// Whether most generators are nearly orthogonal to a direction of size 1: what doubles tell of their signs elsewhere they do not tell there.
+/// Whether most generators are nearly orthogonal to a direction of size 1. Around such a direction doubles tell signs
+/// that they do not tell in other coordinates.
 fn is_meeting(query: &dyn KernelQuery, center: &[f64; 3]) -> bool {
     let is_near = |v: &[f64; 3]| {
         let [x, y, z] = [0, 1, 2].map(|k| v[k] * center[k]);
-        (x + y + z).abs() <= NEARLY_ORTHOGONAL * size(v)
+        (x + y + z).abs() <= NEARLY_ORTHOGONAL * max_norm(v)
     };
     2 * query.generators().filter(is_near).count() > query.len()
 }
 
-fn size(v: &[f64; 3]) -> f64 {
-    v.iter().fold(0.0f64, |m, c| m.max(c.abs()))
-}
-
-/// The longest generators; some from everywhere if they are not few.
+/// The longest generators; where these are not few, a part from all over the list.
 fn longest(query: &dyn KernelQuery) -> Vec<usize> {
-    let least = NEGLIGIBLE_LENGTH * query.generators().map(|v| size(&v)).fold(0.0, f64::max);
-    let long: Vec<usize> = query.generators().zip(0..).filter(|(v, _)| size(v) > least).map(|(_, i)| i).collect();
+    let least = NEGLIGIBLE_LENGTH * query.generators().map(|v| max_norm(&v)).fold(0.0, f64::max);
+    let long: Vec<usize> = query.generators().zip(0..).filter(|(v, _)| max_norm(v) > least).map(|(_, i)| i).collect();
     if LONGEST_SHARE * long.len() <= query.len() { long } else { (0..query.len()).step_by(EVEN_SHARE).collect() }
 }
 

@@ -1,4 +1,4 @@
-//! Where the ray along p leaves Z, exactly: a supporting direction and the face of Z on it.
+//! The exact optimum: where the ray along p leaves Z, as a supporting direction and the face of Z on it.
 
 use crate::lad::by_pruning;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
@@ -14,7 +14,7 @@ use crate::tally::{Operation, Tally};
 /// The seed of the kernel: it decides the time, never the answer.
 pub(super) const SEED: u64 = 0x5a;
 
-/// At most this many lines are solved exactly rather than fewer.
+/// A cell with at most this many lines is solved exactly; a smaller one that search found within it is not needed.
 const EXACT_SOLVE_LIMIT: usize = 300;
 
 /// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in [−1, 1] on it, and
@@ -53,8 +53,9 @@ impl ExactOptimum {
         Self::new(query, p, direction, optimum.certificate.signs.clone(), basis)
     }
 
-    /// The optimum of the generators that cross a ball around an optimum that is outside its cells: where the minimiser is not unique, another one of
-    /// the same problem may be outside. None where that is hardly smaller than the whole, or where this optimum is outside the ball, too.
+    /// The optimum of the generators that cross a ball around an optimum that was outside its cells: where the
+    /// minimiser is not unique, another minimiser of the problem may be outside. `None` where the ball holds hardly
+    /// less than the whole, or where the ball's optimum is outside the ball, too.
     pub(crate) fn in_ball(
         query: &dyn KernelQuery,
         p: &ExactVector,
@@ -67,14 +68,16 @@ impl ExactOptimum {
         Self::in_cells(query, p, &cells, tally).ok()
     }
 
-    /// Solves the problem of the generators that cross the cells of a cells; a cell around its optimum if that is not proved to be in the cells.
+    /// Solves the problem of the generators that cross the given cells; an error is a ball around the optimum found,
+    /// where that optimum is not proved to be in the cells.
     pub(crate) fn in_cells(
         query: &dyn KernelQuery,
         p: &ExactVector,
         cells: &NestedCells,
         tally: &mut impl Tally,
     ) -> Result<Self, Option<DirectionCone>> {
-        // the widest problem that is still small for exact arithmetic has the surest cell
+        // of the problems that are small enough for exact arithmetic, the widest has the cell that most likely holds
+        // the optimum
         let steps = cells.steps();
         let count = steps
             .iter()
@@ -107,7 +110,7 @@ impl ExactOptimum {
         Ok(Self::with_sum(p, direction, signs, basis.collect(), total))
     }
 
-    /// An optimum that doubles proved.
+    /// The exact form of an optimum that was proved in doubles.
     pub(crate) fn at_vertex(
         query: &dyn KernelQuery,
         p: &ExactVector,

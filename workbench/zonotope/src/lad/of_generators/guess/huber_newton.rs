@@ -1,76 +1,19 @@
-//! Where the optimum is, nearly: Newton steps on the objective with rounded-off kinks.
+//! A guess of the optimum by Newton steps on the objective with rounded-off kinks.
 //!
-//! Each |t| is replaced by t² / (2 e) + e / 2 where |t| < e (Huber's function), e in proportion to the length of the generator. The band of the
-//! lines nearer than e shrinks as the steps get shorter, until it is a few lines thick. Nothing here is exact
-//! and nothing rests on it but speed.
+//! Each |t| is replaced by t² / (2 e) + e / 2 where |t| < e (Huber's function), with e in proportion to the length of
+//! the generator. The lines nearer than e are the band. The band shrinks as the steps get shorter, until it holds a
+//! few lines. Nothing here is exact, and nothing rests on it but speed.
+//!
+//! Newton steps come before descent because a descent from vertex to vertex among n lines takes many line searches of
+//! O(n) each, each of which may stop at the next vertex but one. The smooth objective sees the lines of a whole band
+//! at once: a few steps of one pass each come so near that the cell around them is crossed by a few dozen lines, and
+//! only among these the descent begins.
 
-use wide::f64x2;
-
-use crate::lad::of_generators::guess::sample::Sample;
+use super::aim::{Aim, Guess};
+use super::huber_sums::{Moments, factor, solve};
 use crate::lad::of_generators::guess::vertex_descent::descend;
-use crate::lad::of_generators::plane::rounded_lines::{Pair, RoundedLines};
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
-
-/// A point near the optimum, the band in which the lines were rounded off, and the sides of a parallelogram around the point that
-/// the optimum is likely to be in.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Guess {
-    pub(crate) point: [f64; 2],
-    pub(crate) band: f64,
-    pub(crate) sides: [[f64; 2]; 2],
-}
-
-impl Guess {
-    /// Whether a point is no farther away than so many times the sides.
-    pub(crate) fn is_near(&self, point: [f64; 2], times: f64) -> bool {
-        let square = |[x, y]: [f64; 2]| x * x + y * y;
-        let off = [point[0] - self.point[0], point[1] - self.point[1]];
-        square(off) <= times * times * (square(self.sides[0]) + square(self.sides[1]))
-    }
-}
-
-/// What a guess is to allow for.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Aim {
-    /// RoundedLines in a band that is thin enough if the minimum hardly moved when it became so thin, and in the thinnest.
-    pub(crate) thickness: f64,
-    pub(crate) thinnest: f64,
-    /// How many lines the columns stand for.
-    pub(crate) population: usize,
-    /// Those of longer generators stand for themselves alone.
-    pub(crate) longest: f64,
-    /// Standard deviations of the gradient that lines of the band and those that are missing may contribute.
-    pub(crate) deviations: f64,
-}
-
-/// Lines in the thinnest band.
-const THINNEST_BAND_LINES: f64 = 10.0;
-
-/// Lines in a band that is thin enough, in terms of all lines.
-const BAND_SHARE: f64 = 0.16;
-
-/// The cell of a sample, in standard deviations of the gradient of the lines that are not in the sample.
-pub(crate) const SAMPLE_DEVIATIONS: f64 = 2.7;
-
-impl Aim {
-    /// What a guess from some lines is to allow for.
-    pub(crate) fn new(len: usize, population: usize, deviations: f64) -> Self {
-        let thinnest = THINNEST_BAND_LINES.max((len as f64).sqrt());
-        let thickness = thinnest.max(BAND_SHARE * len as f64);
-        Self { thickness, thinnest, population, longest: f64::INFINITY, deviations }
-    }
-
-    /// The same for a sample of a population of generators, with a thin band if its lengths are uneven.
-    pub(crate) fn of_sample(sample: &Sample, population: usize) -> Self {
-        let aim = Self { longest: sample.longest, ..Self::new(sample.vectors.len(), population, SAMPLE_DEVIATIONS) };
-        if sample.longest < f64::INFINITY { aim.thin() } else { aim }
-    }
-
-    /// The same with a band as thin as can be: where generators are uneven, a wide band hides what is in it.
-    pub(crate) fn thin(self) -> Self {
-        Self { thickness: self.thinnest, ..self }
-    }
-}
 
 /// The most Newton steps.
 const NEWTON_STEP_LIMIT: usize = 20;
@@ -78,92 +21,30 @@ const NEWTON_STEP_LIMIT: usize = 20;
 /// The thinnest band, in terms of the first.
 const THINNEST_BAND: f64 = 1e-13;
 
-/// After so many steps that went too far the objective is not smooth enough for this.
+/// The number of steps that went too far after which the objective counts as not smooth enough.
 const SHORTENED_STEP_LIMIT: usize = 3;
 
-/// Of more lines than twice this, descent takes a part.
+/// From twice this number of lines on, descent begins with a part of them.
 const DESCENT_PART_LINES: usize = 200;
 
-/// The band is thin enough with so many times the lines it must have.
+/// A band is thin enough with fewer than this many times the lines that it must have.
 const THIN_ENOUGH: f64 = 3.0;
 
-/// A step is the last one for its band if it changes the lines' distances, in terms of the band, by no more than this in the mean square.
+/// The mean square of the change of the lines' distances, in terms of the band, below which a step counts as the last
+/// one for its band where the minimum of the band itself is wanted.
 const STRICT_CHANGE: f64 = 1e-4;
 
-/// The minimum hardly moves if its last step is no longer than this, in terms of what the guess allows for.
+/// The minimum hardly moves if its last step is no longer than this, in terms of the deviation that the guess allows
+/// for.
 const SETTLED_CHANGE: f64 = 0.5;
 
-/// A symmetric matrix [[xx, xy], [xy, yy]].
-type Symmetric = [f64; 3];
-
-/// Sums over the lines at a point for one band.
-#[derive(Debug, Clone, Copy, Default)]
-struct Moments {
-    gradient: [f64; 2],
-    hessian: Symmetric,
-    /// Σ weight / band over the band.
-    weight: f64,
-    count: f64,
-}
-
 impl RoundedLines {
-    /// The minimum of Σ weight · (a x + b y + c)² and the root of the mean square.
-    pub(crate) fn least_squares(&self) -> Option<([f64; 2], f64)> {
-        let mut sums = [f64x2::splat(0.0); 6];
-        for [a, b, c, w] in self.pairs() {
-            // the line that is no line has no weight here
-            let w = w & w.simd_lt(f64x2::splat(f64::MAX));
-            let (wa, wb) = (w * a, w * b);
-            let terms = [wa * a, wa * b, wb * b, wa * c, wb * c, w * c * c];
-            for (sum, term) in sums.iter_mut().zip(terms) {
-                *sum += term;
-            }
-        }
-        let [xx, xy, yy, x, y, constant] = sums.map(f64x2::reduce_add);
-        let point = solve(&[xx, xy, yy], [x, y])?.map(|v| -v);
-        let rest = constant + x * point[0] + y * point[1];
-        Some((point, (rest.max(0.0) / self.length).sqrt()))
-    }
-
-    /// Σ normal · normalᵀ over the lines of a band, plus `share` of all others but those of generators longer than `longest`; where there is a point
-    /// before, of those only that lie between.
-    fn spread(&self, point: [f64; 2], before: Option<[f64; 2]>, band: f64, share: f64, longest: f64) -> Symmetric {
-        let mut sums = [f64x2::splat(0.0); 3];
-        let [x, y] = point.map(f64x2::splat);
-        let [other_x, other_y] = before.unwrap_or_default().map(f64x2::splat);
-        let is_any = f64x2::splat(if before.is_some() { 0.0 } else { f64::from_bits(u64::MAX) });
-        let [band, share, one] = [band, share, 1.0].map(f64x2::splat);
-        // a little less than the longest's inverse length, which was rounded
-        let least = f64x2::splat(0.999 / longest);
-        for [a, b, c, w] in self.pairs() {
-            let value = a * x + b * y + c;
-            let within = (value.abs() * w).simd_lt(band);
-            let is_between = (value * (a * other_x + b * other_y + c)).simd_lt(f64x2::default());
-            let share = share & w.simd_gt(least) & (is_any | is_between);
-            let part = share + ((one - share) & within);
-            let (pa, pb) = (part * a, part * b);
-            for (sum, term) in sums.iter_mut().zip([pa * a, pa * b, pb * b]) {
-                *sum += term;
-            }
-        }
-        sums.map(f64x2::reduce_add)
-    }
-
-    fn moments(&self, point: [f64; 2], band: f64) -> Moments {
-        let mut sums = Sums::default();
-        let [x, y] = point.map(f64x2::splat);
-        let scale = f64x2::splat(1.0 / band);
-        for pair in self.pairs() {
-            sums.read(pair, [x, y], scale);
-        }
-        sums.total()
-    }
-
-    /// A point near the minimum of linear · x + Σ |a x + b y + c|; searched from another guess, if there is one.
+    /// A point near the minimum of linear · x + Σ |a x + b y + c|; the search begins at another guess, if there is
+    /// one.
     ///
-    /// Where a step ends far beyond the minimum along its way, it is shortened. The band gets thinner when the steps are shorter than
-    /// it; where it gets too thin the search goes back and thins it less, and where it follows the minimum steadily the
-    /// next one is extrapolated.
+    /// Where a step ends far beyond the minimum along its way, it is shortened. The band gets thinner when the steps
+    /// are shorter than the band. Where the band gets too thin, the search goes back to the last minimum and thins
+    /// the band less; where the minimum moves steadily from band to band, the next one is extrapolated.
     pub(crate) fn guess(&self, linear: [f64; 2], start: Option<&Guess>, aim: Aim) -> Option<Guess> {
         // where all lines are parallel there is no guess at all
         let (point, band) = match start {
@@ -173,7 +54,8 @@ impl RoundedLines {
         self.by_newton(linear, point, band, aim)
     }
 
-    /// The optimal vertex from vertex to vertex: of a part of many lines first, then of all.
+    /// The optimal vertex by descent from vertex to vertex: of a part of the lines first where they are many, then of
+    /// all.
     pub(crate) fn optimum(&self, linear: [f64; 2], start: [f64; 2]) -> Option<[f64; 2]> {
         let share = self.len() / DESCENT_PART_LINES;
         let start = match share {
@@ -185,13 +67,15 @@ impl RoundedLines {
         point.iter().all(|c| c.is_finite()).then_some(point)
     }
 
-    /// The guess at an optimal vertex of lines whose gradient was right at a point before; none where all lines near it are parallel.
+    /// The guess around an optimal vertex of lines whose gradient was corrected at a point `before`; `None` where all
+    /// lines near the vertex are parallel.
     pub(crate) fn guess_at(&self, point: [f64; 2], before: Option<[f64; 2]>, aim: Aim) -> Option<Guess> {
         let band = self.band(point, aim)?;
         self.around(&self.moments(point, band), band, point, before, aim)
     }
 
-    /// Twice the distance of the farthest line of a band that is as thick as it must be, in terms of the length of its generator.
+    /// Twice the distance, in terms of the length of its generator, of the farthest line of a band with as many lines
+    /// as `aim` asks for.
     fn band(&self, point: [f64; 2], aim: Aim) -> Option<f64> {
         let distance = |[a, b, c, w]: [f64; 4]| (a * point[0] + b * point[1] + c).abs() * w;
         let mut distances: Vec<f64> = self.iter().map(distance).collect();
@@ -253,7 +137,8 @@ impl RoundedLines {
             if change >= limit {
                 continue;
             }
-            // the gradient's deviation in the same terms, each normal as long as its generator is wide on average
+            // the gradient's deviation in terms of the band, each normal taken as long as its generator is wide on
+            // average
             let deviation = aim.deviations * (self.len() as f64 / 3.0).sqrt() / moments.count;
             let is_settled =
                 change < (SETTLED_CHANGE * deviation).powi(2) || moments.count < THIN_ENOUGH * aim.thinnest;
@@ -313,42 +198,4 @@ impl Step {
         let part = (self.slope / (self.slope - slope)).max(0.05);
         (slope > -0.3 * self.slope).then(|| [0, 1].map(|i| self.origin[i] + part * self.vector[i]))
     }
-}
-
-/// Sums side by side: the gradient, the Hessian, weight and count of the band.
-#[derive(Default)]
-struct Sums([f64x2; 7]);
-
-impl Sums {
-    #[inline(always)]
-    fn read(&mut self, &[a, b, c, w]: &Pair, [x, y]: [f64x2; 2], scale: f64x2) {
-        let one = f64x2::splat(1.0);
-        let weight = w * scale;
-        let t = (a * x + b * y + c) * weight;
-        let inside = t.abs().simd_lt(one);
-        let slope = t.fast_min(one).fast_max(-one);
-        let stiff = weight & inside;
-        let (sa, sb) = (stiff * a, stiff * b);
-        let terms = [slope * a, slope * b, sa * a, sa * b, sb * b, stiff, one & inside];
-        for (sum, term) in self.0.iter_mut().zip(terms) {
-            *sum += term;
-        }
-    }
-
-    fn total(&self) -> Moments {
-        let [gx, gy, xx, xy, yy, weight, count] = self.0.map(f64x2::reduce_add);
-        Moments { gradient: [gx, gy], hessian: [xx, xy, yy], weight, count }
-    }
-}
-
-fn solve([xx, xy, yy]: &Symmetric, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
-    let determinant = xx * yy - xy * xy;
-    (determinant > 1e-14 * (xx * yy)).then(|| [(yy * x - xy * y) / determinant, (xx * y - xy * x) / determinant])
-}
-
-/// The columns of the lower triangular L with L Lᵀ = the matrix.
-fn factor([xx, xy, yy]: &Symmetric) -> Option<[[f64; 2]; 2]> {
-    let first = xx.sqrt();
-    let rest = yy - xy * xy / xx;
-    (*xx > 0.0 && rest > 0.0).then(|| [[first, xy / first], [0.0, rest.sqrt()]])
 }

@@ -1,15 +1,20 @@
-//! Guesses: a point of the plane near the optimum, and how far around it the optimum is likely to be. Nothing rests on them but speed.
+//! Guesses: a point of the plane near the optimum, and how far around it the optimum is likely to be. Nothing rests
+//! on them but speed.
 //!
 //! | file | what it guesses from |
 //! |---|---|
+//! | [`aim`] | the guess itself, and what a guess is to allow for |
 //! | [`sample`] | a part of the generators that stands for all of them |
-//! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks; the guess itself |
+//! | [`huber_sums`] | sums over the lines for the objective with rounded-off kinks, and for a least-squares start |
+//! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks |
 //! | [`parallel_classes`] | the sums of the generators of each of few directions |
 //! | [`vertex_descent`] | the vertex at which descent along lines ends, in doubles |
 //! | [`crossings`] | the weighted median of the places at which lines are crossed |
 
+pub(crate) mod aim;
 pub(crate) mod crossings;
 pub(crate) mod huber_newton;
+pub(crate) mod huber_sums;
 pub(crate) mod parallel_classes;
 pub(crate) mod sample;
 pub(crate) mod vertex_descent;

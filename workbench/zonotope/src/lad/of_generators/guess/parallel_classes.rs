@@ -1,20 +1,23 @@
-//! Generators in few directions, or nearly: samples say little of the lines between, but much of the sums of each direction.
+//! Generators in few directions, or nearly: a sample says little of the lines between, but much of the sum of each
+//! direction.
 //!
-//! The generators of a sample that are parallel but for noise make one line each. Where two of those lines meet is a vertex, and the two classes cross a
-//! cell around it. If the vertex turns out not to be optimal, the sample is corrected: the difference between the gradient there and that of
-//! the sample is added to its objective, which then has the right gradient near the vertex and the sample's differences farther off.
+//! The generators of a sample that are parallel but for noise form a class, whose sum makes one line. Two of these
+//! lines meet in a vertex, and the generators of both classes cross a cell around it. If the vertex turns out not to
+//! be optimal, the sample is corrected: the difference between the gradient of all generators there and that of the
+//! sample is added to the sample's objective, which then has the right gradient near the vertex and the sample's
+//! changes of gradient farther off.
 
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::guess::huber_newton::Guess;
+use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
 
-/// So many generators of the sample are compared with each other to see whether any are parallel.
+/// The number of generators of the sample that are compared with each other to see whether any are parallel.
 const PROBES: usize = 12;
 
-/// More directions are not few.
+/// Generators of more classes than this are not treated by classes.
 const CLASS_LIMIT: usize = 32;
 
 /// The most noise of a direction, as the sine of an angle.
@@ -42,7 +45,7 @@ struct ParallelClass {
     noise: f64,
 }
 
-/// Two classes that meet.
+/// A meeting: the vertex of the lines of two classes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Meeting {
     first: usize,
@@ -81,7 +84,7 @@ impl ParallelClasses {
         Some(Self { classes, lines, linear: [0.0; 2], part })
     }
 
-    /// Where the classes' optimum is.
+    /// The meeting at which the objective of the classes is least.
     pub(crate) fn meeting(&self, chart: &RoundedChart) -> Option<Meeting> {
         let (start, _) = self.lines.least_squares()?;
         let [first, second] = descend(&self.lines, self.linear, start)?;
@@ -99,7 +102,7 @@ impl ParallelClasses {
         is_finite.then_some(Meeting { first, second, guess: Guess { point, band, sides }, is_sharp })
     }
 
-    /// Of the generators that cross a cell around a meeting, one of either class if it is sharp.
+    /// Of the generators that cross a cell around a meeting, the longest of either class, if the meeting is sharp.
     pub(crate) fn vertex(&self, meeting: &Meeting, reduced: &Reduced) -> Option<[usize; 2]> {
         let longest = |class: usize| {
             let unit = &self.classes[class].unit;
@@ -110,7 +113,8 @@ impl ParallelClasses {
         found.filter(|[first, second]| first != second)
     }
 
-    /// Whether the optimum is not at a meeting, seen from the generators that cross a cell around it; then the gradient is corrected.
+    /// Whether the gradient was corrected because the optimum is not at a meeting; decided from the generators that
+    /// cross a cell around the meeting.
     pub(crate) fn is_corrected(&mut self, meeting: &Meeting, reduced: &Reduced, chart: &RoundedChart) -> bool {
         let pair = [meeting.first, meeting.second];
         let mut sums = [[0.0; 3]; 2];
@@ -146,10 +150,10 @@ impl ParallelClasses {
     }
 }
 
-/// Noise of a direction that is rounding.
+/// The sine of an angle below which two directions differ by rounding alone.
 const ROUNDING_SINE: f64 = 1e-14;
 
-/// What the coefficients of the two classes may be for their meeting to be the optimum.
+/// A meeting counts as the optimum where the coefficients of its two classes are at most this.
 const COEFFICIENT_MARGIN: f64 = 1.0 + 1e-6;
 
 fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
@@ -158,7 +162,8 @@ fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
     unit.iter().all(|c| c.is_finite()).then_some(unit)
 }
 
-/// The square of the sine of the angle between two directions with the largest coordinate ±1, but for a factor.
+/// The square of the sine of the angle between two directions whose largest coordinate is ±1, but for a factor from 1
+/// to 9.
 fn sine_square([a, b, c]: &[f64; 3], [d, e, f]: &[f64; 3]) -> f64 {
     let [x, y, z] = [b * f - c * e, c * d - a * f, a * e - b * d];
     x * x + y * y + z * z

@@ -1,32 +1,42 @@
 //! A part of the generators that stands for all of them.
+//!
+//! The sample is stratified: one generator is drawn from each of many stretches of equal length in the list. Bodies
+//! are often built by a sweep or joined from parts, so that neighbours in the list resemble each other, and then a
+//! stratified sample has the mean of all with a much smaller deviation than independent draws; where the order says
+//! nothing it costs nothing. Where few long generators outweigh the others, stretches are equal in length of
+//! generators instead of number.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
+use crate::numeric::linear::sum_norm;
 use crate::tally::{Operation, Tally};
 
-/// So many of the last generators are always in the sample: they may be the only ones that lead out of a plane, those of a prism.
+/// The number of generators at the end of the list that are always in the sample: those of a prism, which alone lead
+/// out of its plane, are the last.
 const ALWAYS_TAKEN: usize = 2;
 
-/// Where the mean square of the lengths exceeds the square of their mean by this factor, long generators are more likely to be picked.
+/// Lengths are uneven, and long generators more likely to be drawn, where the mean square of the lengths exceeds the
+/// square of their mean by this factor.
 const UNEVEN_SPREAD: f64 = 4.0;
 
-/// How often the stretch is made shorter for the generators that are longer.
+/// Rounds in which the length of a stretch is corrected for the generators that are longer than a stretch.
 const STRETCH_STEPS: usize = 8;
 
 /// The seed of the sample: it decides the time, never the answer.
 const SEED: u64 = 0x7a;
 
-/// Generators, or multiples of some.
+/// A sample: generators, or multiples of some of them.
 pub(crate) struct Sample {
     pub(crate) vectors: Vec<[f64; 3]>,
-    /// Those longer than this stand for themselves alone.
+    /// Generators longer than this stand for themselves alone; all others stand for those of their stretch.
     pub(crate) longest: f64,
 }
 
 impl Sample {
-    /// Of more than a few generators, one from each of many equal stretches; where lengths are very uneven, one from each of many stretches of the same length in all.
+    /// A sample of some 6 √n generators, one from each of as many stretches of equal number; where lengths are very
+    /// uneven, from stretches of equal length in all, which takes a second pass.
     pub(crate) fn of(query: &dyn KernelQuery, tally: &mut impl Tally) -> Self {
         let n = query.len();
         let size = (6 * n.isqrt() + n / 128).min(n);
@@ -43,7 +53,7 @@ impl Sample {
         let vectors: Vec<[f64; 3]> = picks.collect();
         let (mut sum, mut squares) = (0.0, 0.0);
         for v in &vectors[..size - ALWAYS_TAKEN] {
-            let length = length(v);
+            let length = sum_norm(v);
             sum += length;
             squares += length * length;
         }
@@ -52,9 +62,9 @@ impl Sample {
             return Self { vectors, longest: f64::INFINITY };
         }
         tally.add(Operation::GeneratorRead, n as u64);
-        let lengths: Vec<f64> = vectors.iter().map(length).collect();
+        let lengths: Vec<f64> = vectors.iter().map(sum_norm).collect();
         let share = n as f64 / (size * size) as f64;
-        // those that are longer count for one stretch each
+        // a generator that is longer counts for one stretch
         let shorter = |stretch: f64| lengths.iter().map(|length| length.min(stretch)).sum::<f64>() * share;
         let stretch = (0..STRETCH_STEPS).fold(sum * share, |stretch, _| shorter(stretch));
         Self::by_length(query, stretch, size)
@@ -65,12 +75,13 @@ impl Sample {
         self.vectors.len() as f64 / query.len() as f64
     }
 
-    /// One generator for each `stretch` of length, made as long as that; those that are longer all the same.
+    /// One generator for each `stretch` of summed-up length, made as long as a stretch; a longer generator is taken
+    /// as it is.
     fn by_length(query: &dyn KernelQuery, stretch: f64, expected: usize) -> Self {
         let mut vectors = Vec::with_capacity(2 * expected);
         let mut missing = stretch / 2.0;
         for v in query.generators().take(query.len() - ALWAYS_TAKEN) {
-            let length = length(&v);
+            let length = sum_norm(&v);
             missing -= length;
             if missing <= 0.0 {
                 let factor = stretch / length;
@@ -81,10 +92,6 @@ impl Sample {
         vectors.extend((query.len() - ALWAYS_TAKEN..query.len()).map(|i| query.generator(i)));
         Self { vectors, longest: stretch }
     }
-}
-
-fn length([x, y, z]: &[f64; 3]) -> f64 {
-    x.abs() + y.abs() + z.abs()
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
-//! From a point to the vertex at which Σ |a x + b y + c| is least, along lines, in doubles.
+//! Descent from a point to the vertex at which Σ |a x + b y + c| is least, along lines, in doubles.
 //!
-//! Each line search ends where the slope changes its sign, found by selection among the crossings ahead. What it ends in is checked by
-//! others; here rounding may at worst end the search at the wrong vertex.
+//! Each line search ends where the slope changes its sign, which selection among the crossings ahead finds. Rounding
+//! may make the descent end at a wrong vertex, no worse: the vertex is certified by others.
 
 use wide::f64x2;
 
@@ -11,22 +11,25 @@ use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 /// The most line searches.
 const LINE_SEARCH_LIMIT: usize = 40;
 
-/// The most of them that do not move the vertex.
+/// The most line searches that do not move the vertex.
 const UNMOVED_LIMIT: usize = 2;
 
-/// So many lines, or up to twice as many, tell how far ahead the others have to be looked at.
+/// The number of lines, up to twice as many, from which the horizon of a line search is estimated: no crossing beyond
+/// it is looked at.
 const HORIZON_SAMPLE: usize = 64;
 
-/// How much farther that is than it seems to be.
+/// How much farther the horizon is taken than its estimate.
 const HORIZON_MARGIN: f64 = 1.25;
 
-/// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it; none if no line crosses the one that is
-/// searched. Where many lines meet, it may be a vertex along both of whose lines the objective rises, but not along another.
+/// The two lines through the optimal vertex of linear · x + Σ |a x + b y + c|, searched from a point near it; `None`
+/// if no line crosses the line that is searched. Where many lines meet, the objective may rise along both lines of
+/// the vertex and fall along another.
 pub(crate) fn descend(lines: &RoundedLines, linear: [f64; 2], start: [f64; 2]) -> Option<[usize; 2]> {
     descend_nearly(lines, linear, start, 0.0)
 }
 
-/// The same, or a vertex from which the objective falls by so little, in terms of its kink there.
+/// [`descend`], but ending as well at a vertex from which the objective falls by at most `enough` times its kink
+/// there.
 pub(crate) fn descend_nearly(
     lines: &RoundedLines,
     linear: [f64; 2],
@@ -36,7 +39,7 @@ pub(crate) fn descend_nearly(
     descend_from(lines, linear, start, nearest(lines, start)?, enough)
 }
 
-/// The same, along a line first.
+/// [`descend`], beginning along a given line.
 pub(crate) fn descend_along(
     lines: &RoundedLines,
     linear: [f64; 2],
@@ -96,9 +99,9 @@ fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
     nearest
 }
 
-/// Where lines cross the one that is searched.
+/// The places at which lines cross the line that is searched.
 struct Crossings {
-    /// Of each line, in terms of the direction of the search.
+    /// The place of each line's crossing, in multiples of the direction of the search.
     places: Vec<f64>,
     ahead: Vec<Crossing>,
 }
@@ -108,7 +111,8 @@ impl Crossings {
         Self { places: Vec::with_capacity(len + 1), ahead: Vec::with_capacity(len.min(HORIZON_SAMPLE)) }
     }
 
-    /// The lines that cross ahead, no farther than `farthest`, one in so many; half of what the slope gains at all of them.
+    /// Gathers the crossings ahead that are no farther than `farthest`, of one line in `step`, and returns their
+    /// total weight: half of what the slope gains at all of them.
     fn gather(&mut self, lines: &RoundedLines, [dx, dy]: [f64; 2], farthest: f64, step: usize) -> f64 {
         self.ahead.clear();
         let mut gain = 0.0;
@@ -125,7 +129,7 @@ impl Crossings {
         gain
     }
 
-    /// A place that the crossing looked for is likely to be before.
+    /// A place that the wanted crossing is likely to be before.
     fn farthest(&mut self, lines: &RoundedLines, direction: [f64; 2], target: f64) -> f64 {
         let step = lines.len() / HORIZON_SAMPLE;
         if step < 2 {
@@ -141,7 +145,7 @@ impl Crossings {
     }
 }
 
-/// The minimum along a line: the line that crosses it there, and where.
+/// The minimum along a line: the line that crosses it there, and the point.
 fn search(
     lines: &RoundedLines,
     linear: [f64; 2],

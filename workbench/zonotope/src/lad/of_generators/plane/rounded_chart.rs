@@ -3,7 +3,7 @@
 use wide::f64x2;
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::guess::huber_newton::Guess;
+use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
 

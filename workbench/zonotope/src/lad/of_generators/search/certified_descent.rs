@@ -9,14 +9,16 @@ use crate::lad::of_generators::problem::Problem;
 /// How often the descent goes on from a vertex in which many lines meet.
 const MEETING_TURNS: usize = 8;
 
-/// A vertex is tried if the objective falls from it by no more than this, in terms of its kink there.
+/// A vertex is tried if the objective falls from it by no more than this part of its kink there.
 const NEARLY_OPTIMAL: f64 = 2e-8;
 
-/// The vertex at which the descent from a point ends, and its certificate or why there is none; no vertex where no line crosses the one that is searched.
+/// The vertex at which the descent from a point ends, with its certificate or the reason why there is none; `None` if
+/// no line crosses the line that is searched.
 ///
-/// The optimum is that of the last of `levels`, problems that were each reduced from the one before; the certificate holds for all of them.
-/// Where the objective falls along one of many lines that meet in a vertex, the descent goes on along it; so it does, once, from a vertex that
-/// is only nearly optimal where that does not answer the question.
+/// The optimum is that of the last of `levels`, problems each of which was reduced from the one before; the
+/// certificate holds for all of them. Where the objective falls along one of many lines that meet in a vertex, the
+/// descent goes on along that line. From a vertex that is only nearly optimal the descent goes on once, if such a
+/// vertex does not answer the question.
 pub(crate) fn descend_and_certify(
     problem: &Problem<'_>,
     levels: &[Reduced],

@@ -1,4 +1,5 @@
-//! The search where generators have few directions: the optimum is where two classes of parallel generators meet, nearly always.
+//! The search where generators have few directions: the optimum is nearly always where two classes of parallel
+//! generators meet.
 
 use super::Searched;
 use super::narrowing::narrow;
@@ -16,13 +17,13 @@ const MEETINGS: usize = 5;
 
 /// What the search finds.
 pub(crate) enum ClassesFound {
-    /// A direction that separates, which is all that was asked.
+    /// A direction that separates, where the location is all that was asked.
     Separated([f64; 3]),
     /// A vertex, or cells.
     Searched(Searched),
 }
 
-/// Searches the optimum among the meetings of classes; none if it is not found there.
+/// Searches the optimum among the meetings of classes; `None` if the optimum is not found there.
 pub(crate) fn search_meetings(
     problem: &Problem<'_>,
     mut classes: ParallelClasses,

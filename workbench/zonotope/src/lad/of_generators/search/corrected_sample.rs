@@ -1,16 +1,19 @@
-//! The search by samples with the right gradient: slower than Newton steps on a smooth objective, but sure where many lines nearly meet.
+//! The search by samples with a corrected gradient: slower than Newton steps on a smooth objective, but safe where
+//! many lines nearly meet.
 //!
-//! 1. The optimum of a sample's objective is found from vertex to vertex.
-//! 2. One pass over all generators gives a cell around it, the lines that cross the cell, and the gradient of the whole objective at that point.
-//! 3. What the sample's gradient lacks there is added to the sample's objective as a linear term. The next optimum of the sample then differs from
-//!    that of all lines only by what the lines between the two points contribute.
+//! 1. The optimum of a sample's objective is found by descent from vertex to vertex.
+//! 2. One pass over all generators gives a cell around that point, the lines that cross the cell, and the gradient of
+//!    the whole objective at the point.
+//! 3. The difference between that gradient and the sample's is added to the sample's objective as a linear term. Then
+//!    the next optimum of the sample differs from that of all lines only by the contribution of the lines between the
+//!    two points.
 //! 4. A cell that many lines cross is searched in the same way, by a sample of those lines.
 
 use super::certified_descent::descend_and_certify;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
-use crate::lad::of_generators::guess::huber_newton::{Aim, SAMPLE_DEVIATIONS};
+use crate::lad::of_generators::guess::aim::{Aim, SAMPLE_DEVIATIONS};
 use crate::lad::of_generators::guess::sample::Sample;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
@@ -28,7 +31,8 @@ const LEAST_SAMPLE: usize = 128;
 /// A vertex found from other lines is tried if the sample's objective there exceeds its minimum by no more than this part.
 const LIKELY_EXCESS: f64 = 1e-2;
 
-/// The size of a cell that only parallel lines cross, in terms of its centre: not even doubles tell where two of them meet.
+/// The size, in terms of its centre, of a cell that only parallel lines cross: doubles cannot tell where two such
+/// lines meet.
 const PARALLEL_CELL: f64 = 1e-6;
 
 /// Problems, each reduced from the one before, that are searched for one optimum.
@@ -41,16 +45,16 @@ pub(crate) struct CorrectedSample<'a, 'q, T> {
 /// Why there is no optimum yet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum NotCertified {
-    /// It is not in the cell of this level, the first one is 0; perhaps it is here.
+    /// The optimum is not in the cell of this level, 0 being the first; perhaps it is at this point.
     Outside(usize, Option<[f64; 2]>),
     /// Doubles do not tell.
     Doubt,
 }
 
-/// RoundedLines that stand for all of a level.
+/// A part of the lines of a level, which stands for all of them.
 struct Part {
     lines: RoundedLines,
-    /// How many of all they are.
+    /// The part's share of all lines.
     share: f64,
     linear: [f64; 2],
     aim: Aim,
@@ -70,7 +74,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
         let (n, len) = (self.problem.query.len(), sample.vectors.len());
         let lines = self.problem.chart.lines(sample.vectors.iter().copied());
         let aim = Aim { longest: sample.longest, ..Aim::new(len, n, SAMPLE_DEVIATIONS).thin() };
-        // generators that were made longer stand for the others already
+        // in a sample by length, generators that were made longer stand for the others already
         let share = if sample.longest < f64::INFINITY { 1.0 } else { len as f64 / n as f64 };
         self.narrow(Part { lines, share, linear: [0.0; 2], aim }, None)
     }
@@ -168,7 +172,8 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    /// Generators of four kinds: even, nine in ten nearly in a plane, of lengths from 1 to thousands, in seven directions but for noise.
+    /// Generators of four kinds: even; nine in ten nearly in a plane; of lengths from 1 to thousands; in seven
+    /// directions but for noise.
     fn body(kind: usize, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
         let directions: Vec<[f64; 3]> = (0..7).map(|_| [0, 1, 2].map(|_| random.random_range(-1.0..1.0))).collect();
         let mut vector = |i: usize| {

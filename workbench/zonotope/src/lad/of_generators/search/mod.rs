@@ -2,9 +2,9 @@
 //!
 //! | search | where it is at home |
 //! |---|---|
-//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then exact descent among a few dozen lines |
+//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few dozen lines |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
-//! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient a pass over all generators corrects |
+//! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over all |
 //! | [`certified_descent`] | the end of all three: descent from vertex to vertex until one is certified |
 
 pub(crate) mod certified_descent;
@@ -20,6 +20,7 @@ use super::certify::rounded_optimum::RoundedOptimum;
 pub(crate) enum Searched {
     /// A vertex that is the optimum or so near to it that the gauge is bounded, and the cells on the way to it.
     Certified(Box<RoundedOptimum>, NestedCells),
-    /// Cells that probably hold the optimum, of which doubles cannot say more; no cell, no progress.
+    /// Cells that probably hold the optimum, of which doubles cannot say more; no cells where the search has made no
+    /// progress.
     Doubtful(NestedCells),
 }

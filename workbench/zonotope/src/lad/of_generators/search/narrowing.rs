@@ -1,16 +1,20 @@
-//! The mainstream search: smaller and smaller cells around better and better guesses, until a few dozen lines are left.
+//! The mainstream search: smaller and smaller cells around better and better guesses, until a few dozen lines are
+//! left.
 //!
 //! 1. One pass over the generators sums up those whose sign is fixed in a cell around the guess (`cells`).
-//! 2. Newton steps on what is left give a better guess (`guess`), a smaller cell around it and fewer lines, and so on.
-//! 3. Among at most [`DESCENT_LINES`] lines the descent goes from vertex to vertex, and the vertex is certified for all cells on the way.
-//! 4. Where the vertex seems to be outside the last cell, that cell was too small: the lines of the cell before it are searched.
+//! 2. Newton steps on the generators that cross the cell give a better guess (`guess`) and a smaller cell around it,
+//!    which fewer lines cross; and so on.
+//! 3. Among at most [`DESCENT_LINES`] lines the descent goes from vertex to vertex, and the vertex is certified for
+//!    all cells on the way.
+//! 4. Where the vertex seems to be outside the last cell, that cell was too small: the lines of the cell before it
+//!    are searched.
 
 use super::Searched;
 use super::certified_descent::descend_and_certify;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
-use crate::lad::of_generators::guess::huber_newton::{Aim, Guess};
+use crate::lad::of_generators::guess::aim::{Aim, Guess};
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 use crate::tally::{Operation, Tally};
@@ -18,7 +22,8 @@ use crate::tally::{Operation, Tally};
 /// At most this many lines are searched from vertex to vertex without a smaller cell.
 const DESCENT_LINES: usize = 40;
 
-/// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from lines of one class and says nothing.
+/// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from nearly parallel lines
+/// and is not believed.
 const BELIEVED_DISTANCE: f64 = 64.0;
 
 /// The cell around a better guess, in standard deviations of the gradient of the lines in the guess's band.
@@ -27,9 +32,9 @@ const BAND_DEVIATIONS: f64 = 3.0;
 /// Why the optimum is not found in a cell.
 #[derive(Debug)]
 pub(crate) enum Missed {
-    /// It seems to be near another guess.
+    /// The optimum seems to be near another guess.
     At(Guess),
-    /// Nothing is known of where it is; so many generators cross the cell.
+    /// Nothing is known of where the optimum is.
     Lost {
         /// How many generators cross the cell.
         crossing: usize,

@@ -6,8 +6,9 @@
 
 use wide::f64x2;
 
-use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero};
+use crate::numeric::exact_linear::{self, ExactVector, dot, exact, is_zero};
 use crate::numeric::lanes::for_pairs;
+use crate::numeric::linear::{cross, max_norm};
 use crate::zonotope::query::Query;
 
 /// The plane is looked for among so many generators first.
@@ -37,11 +38,11 @@ impl SimplePlane {
             }
             (best.0 > 0.0).then_some(best.1)
         };
-        let first = best(&size)?;
+        let first = best(&|v| max_norm(v))?;
         let a = query.generator(first);
-        let second = best(&|v| size(&across(&a, v)))?;
-        let normal = across(&a, &query.generator(second));
-        let half = size(&normal) / 2.0;
+        let second = best(&|v| max_norm(&cross(&a, v)))?;
+        let normal = cross(&a, &query.generator(second));
+        let half = max_norm(&normal) / 2.0;
         let simple = normal.map(|c| f64::from(i8::from(c > half) - i8::from(c < -half)));
         let points = [query.from(), query.to()];
         let [own, others] = query.runs();
@@ -86,7 +87,8 @@ pub(crate) fn spare_axis(query: &Query<'_, 3>, p: &ExactVector) -> Option<usize>
     let normal = normal(query, p)?;
     let axis = (0..3).max_by_key(|&k| normal[k].clone().abs())?;
     let ratios = [0, 1, 2].map(|k| normal[k].rounded_ratio(&normal[axis]));
-    let is_simple = ratios.iter().all(|r| [-1.0, 0.0, 1.0].contains(r)) && is_zero(&cross(&exact(ratios), &normal));
+    let is_simple =
+        ratios.iter().all(|r| [-1.0, 0.0, 1.0].contains(r)) && is_zero(&exact_linear::cross(&exact(ratios), &normal));
     let is_flat = if is_simple {
         query.runs().iter().all(|run| is_orthogonal_to_all(run, &ratios))
     } else {
@@ -98,11 +100,11 @@ pub(crate) fn spare_axis(query: &Query<'_, 3>, p: &ExactVector) -> Option<usize>
 /// A normal of the plane of p and two generators that seem to span it, if p is in it.
 fn normal(query: &Query<'_, 3>, p: &ExactVector) -> Option<ExactVector> {
     let few = || query.generators().step_by(query.len().div_ceil(PLANE_SAMPLE).max(1));
-    let first = longest(few(), size).or_else(|| longest(query.generators(), size))?;
-    let scaled = first.map(|c| c / size(&first));
-    let off = |v: &[f64; 3]| size(&across(&scaled, v));
+    let first = longest(few(), max_norm).or_else(|| longest(query.generators(), max_norm))?;
+    let scaled = first.map(|c| c / max_norm(&first));
+    let off = |v: &[f64; 3]| max_norm(&cross(&scaled, v));
     let second = longest(few(), off).or_else(|| longest(query.generators(), off));
-    let normal = cross(&exact(first), &second.map_or_else(|| p.clone(), exact));
+    let normal = exact_linear::cross(&exact(first), &second.map_or_else(|| p.clone(), exact));
     (!is_zero(&normal) && dot(&normal, p).is_zero()).then_some(normal)
 }
 
@@ -110,14 +112,6 @@ fn normal(query: &Query<'_, 3>, p: &ExactVector) -> Option<ExactVector> {
 fn longest<'a>(vectors: impl Iterator<Item = &'a [f64; 3]>, key: impl Fn(&[f64; 3]) -> f64) -> Option<[f64; 3]> {
     let keyed = vectors.map(|v| (key(v), v)).filter(|(key, _)| *key > 0.0 && key.is_finite());
     keyed.reduce(|best, own| if own.0 > best.0 { own } else { best }).map(|(_, v)| *v)
-}
-
-fn across(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn size(v: &[f64; 3]) -> f64 {
-    v.iter().fold(0.0f64, |m, c| m.max(c.abs()))
 }
 
 /// False only if v · n is certainly not zero, where n is rounded and its largest coordinate is 1.

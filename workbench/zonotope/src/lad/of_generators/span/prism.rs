@@ -9,11 +9,9 @@ use std::ops::Range;
 
 use crate::collision::{Location, Separation, Witness};
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::SQUARABLE_SIZES;
 use crate::zonotope::passes::Extents;
 use crate::zonotope::query::Query;
-
-/// A longer body's prism has only the width of its longest generator.
-const LARGEST_TOTAL: f64 = f64::from_bits((1023 + 500) << 52);
 
 /// The points and generators of a prism.
 #[derive(Debug)]
@@ -41,8 +39,8 @@ impl Prism {
     fn with_axes(from: [f64; 3], to: [f64; 3], mut generators: Vec<[f64; 3]>, axes: Range<usize>) -> Self {
         let own = generators.len();
         let total: f64 = Extents::new(&generators).sums().iter().sum();
-        // as wide along the new axis as the body is long, or nearly
-        let size = if total < LARGEST_TOTAL {
+        // as wide along the new axis as the body is long, or nearly; as its longest generator where squares of more overflow
+        let size = if total < SQUARABLE_SIZES.end {
             total
         } else {
             generators.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs()))

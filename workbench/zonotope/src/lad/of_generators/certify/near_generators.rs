@@ -1,0 +1,57 @@
+//! The generators whose sign at a vertex is not certain: those of its facet, or nearly, beside the two of the vertex.
+
+use super::facet_coefficients::facet_coefficients;
+use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::cells::sign_pass::FixedSum;
+use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
+use crate::numeric::linear::dot;
+use crate::numeric::tolerance::UNIT;
+
+/// The generators whose sign at a vertex is not certain, with their part of the sum g.
+pub(super) struct Near {
+    pub(super) sum: BoundedVector,
+    pub(super) shares: Vec<(usize, f64)>,
+    pub(super) shared: f64,
+    pub(super) missing: f64,
+}
+
+impl Near {
+    /// The sum g at a vertex, from the positions of the generators in a level. The products of `duals`, b × p and p ×
+    /// a, with a vector x give the coordinates of x in terms of a and b. An error is the position of a generator
+    /// along whose line the objective falls.
+    pub(super) fn new(
+        level: &Reduced,
+        [first, second]: [usize; 2],
+        near: Vec<usize>,
+        direction: &BoundedVector,
+        duals: &[BoundedVector; 2],
+        fixed: &FixedSum,
+    ) -> Result<Self, usize> {
+        if near.is_empty() {
+            return Ok(Self { sum: fixed.bounded(), shares: Vec::new(), shared: 0.0, missing: 0.0 });
+        }
+        let product = |v: &[f64; 3], dual: &BoundedVector| dot(v, &dual.map(|c| c.value));
+        let own = [product(&level.vectors[first], &duals[0]), product(&level.vectors[second], &duals[1])];
+        let plane = |v: &[f64; 3]| [0, 1].map(|k| product(v, &duals[k]) / own[k]);
+        let members: Vec<usize> = near.iter().copied().chain([first, second]).collect();
+        let vectors: Vec<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
+        let target = plane(&fixed.sum).map(|c| -c);
+        let parts = facet_coefficients(&vectors, target).map_err(|place| members[place])?;
+        let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);
+        for (&i, part) in near.iter().zip(&parts) {
+            let v = level.vectors[i];
+            for (total, c) in total.iter_mut().zip(v) {
+                *total += part * c;
+            }
+            shared += v.iter().map(|c| c.abs()).sum::<f64>();
+            missing += 2.0 * dot(&approximate(v, level.relative_error), direction).magnitude();
+        }
+        let slack = 1.0 + (near.len() + 8) as f64 * 4.0 * UNIT;
+        // a rounding for each product, which may underflow, and one for each addition
+        let error = (near.len() + 1) as f64 * (UNIT * shared * slack + f64::MIN_POSITIVE)
+            + level.relative_error * shared * slack;
+        let sum = [0, 1, 2].map(|k| fixed.bounded()[k] + Bounded { value: total[k], error });
+        let shares = near.iter().zip(&parts).map(|(&i, &part)| (level.indices[i] as usize, part)).collect();
+        Ok(Self { sum, shares, shared: shared * slack, missing: missing * slack })
+    }
+}
