@@ -35,7 +35,7 @@ impl Basis {
         Self { generators, dual, determinant }
     }
 
-    /// A basis extended until it spans all generators, and other generators that might have come last.
+    /// A basis extended until it spans all generators, and other generators that could have been the last added.
     pub(crate) fn spanning(query: &dyn KernelQuery, start: Self) -> (Self, Vec<usize>) {
         let of = |index| query.exact_generator(index);
         let (mut basis, mut others) = (start, Vec::new());

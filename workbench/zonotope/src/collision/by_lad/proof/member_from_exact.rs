@@ -1,11 +1,10 @@
 //! Coefficients of doubles that prove a member, from the exact proof of λ ≥ 1.
 //!
-//! Σ δ_i v_i = λ p with δ_i = ±1 off two generators and λ rational: dividing by λ proves that p is a member, but not in doubles. With a
-//! third generator in the basis the others may all be scaled by the same double c, near 1 / λ or, close to the boundary, 1 itself:
-//! p − c Σ_off sign v is one exact vector, and its three coefficients decide. Where both fail (p so close to the edge of a
-//! facet that the scaling's rounding leaves it), the exact solution with 1 / λ is walked to one in doubles: generators move in
-//! groups from 1 / λ to c, and where that would take a basis coefficient out of [−1, 1], the one that moves first to ±1 stays
-//! there and a generator of the group takes its place.
+//! Σ δ_i v_i = λ p with δ_i = ±1 off two generators and λ rational: dividing by λ proves that p is a member, but not
+//! in doubles. With a third generator in the basis, all others may be scaled by the same double c, near 1 / λ or,
+//! close to the boundary, 1 itself: p − c Σ_off sign v is one exact vector, and its three coefficients decide. Where
+//! both values of c fail, because p is so close to the edge of a facet that rounding the scale leaves the facet, the
+//! exact solution with 1 / λ is walked to one in doubles (`pivot_to_doubles`).
 
 use crate::collision::Witness;
 use crate::collision::by_lad::proof::basis::Basis;
@@ -20,7 +19,7 @@ pub(crate) struct Combination<'a> {
     pub(crate) exit: &'a ExactOptimum,
     pub(crate) p: &'a ExactVector,
     pub(crate) basis: Basis,
-    /// Other generators that complete the two of the exit.
+    /// Other generators that would complete the two generators of the optimum.
     others: Vec<usize>,
 }
 
@@ -31,7 +30,7 @@ impl<'a> Combination<'a> {
         Self { query, exit, p, basis, others }
     }
 
-    /// The generators of the exit's basis alone.
+    /// The basis of the optimum's generators alone.
     fn plane(&self) -> Basis {
         Basis::new(self.exit.basis.iter().map(|&b| (b, self.query.exact_generator(b))).collect())
     }
@@ -64,7 +63,7 @@ impl<'a> Combination<'a> {
     /// The proof with the coefficient ±`factor` off the basis, if it is one.
     fn scaled(&self, basis: &Basis, factor: f64) -> Option<Witness> {
         let signs = &self.exit.signs;
-        // the exit's sum has the basis' third generator in it
+        // the optimum's sum includes the third generator of the basis
         let in_basis = basis.generators.iter().fold(None, |total: Option<ExactVector>, &b| match signs[b] {
             0 => total,
             sign => {

@@ -1,8 +1,9 @@
 //! The proof of a member in doubles, from a vertex that doubles proved.
 //!
-//! All generators have ±c, c near 1 / λ, but three that make up for the rest: the two of the vertex and a third, off the facet's plane. Where the
-//! point is at an edge of its facet, the two are at the ends of their range; then the third is one that moves both inwards as it
-//! leaves its own end, which it may as far as c can grow towards 1.
+//! All generators have ±c, c near 1 / λ, but for three that balance the rest: the two of the vertex and a third, off
+//! the facet's plane. Where the point is at an edge of its facet, the coefficients of the two are at the ends of
+//! their range. Then the third generator is one that moves both inwards as its own coefficient leaves its end, which
+//! it may do as far as c can grow towards 1.
 
 use crate::collision::Witness;
 use crate::collision::by_lad::early::combination::well_spread;
@@ -17,10 +18,10 @@ use crate::tally::Rung;
 /// How many generators are tried as the third.
 const THIRD_CANDIDATES: usize = 32;
 
-/// A margin of so much of what the other generators leave is enough.
+/// A margin of this part of 1 − 1 / λ is good enough to stop looking for a better third generator.
 const MARGIN_SHARE: f64 = 0.25;
 
-/// How much of the third's range is left to it when it moves away from its end.
+/// The part of its range by which the third generator moves away from its end.
 const THIRD_ROOM: f64 = 0.5;
 
 /// Three generators and the factor of all others.

@@ -1,10 +1,11 @@
-//! Proofs of a location from an optimum of the kernel: a direction that separates, or coefficients that combine to the displacement.
+//! Proofs of a location from an optimum of the kernel: a direction that separates, or coefficients that combine to
+//! the displacement.
 //!
-//! | rung | what it proves | where it does not |
+//! | rung | what it proves | without room for rounding |
 //! |---|---|---|
-//! | `RoundedDirection` | outside: the facet's direction as doubles have it, with room for every rounding error | the exact optimum |
-//! | `RoundedCoefficients` | a member: one factor for all generators but three, those of the facet and a third ([`member_in_doubles`]) | `WellSpreadBasis` |
-//! | `WellSpreadBasis` | a member: the same with three other generators, where those of the facet are nearly parallel | the exact optimum |
+//! | `RoundedDirection` | outside: the facet's direction in doubles, with room for every rounding error | the exact optimum |
+//! | `RoundedCoefficients` | a member: one factor for all generators but three, the two of the facet and a third ([`member_in_doubles`]) | `WellSpreadBasis` |
+//! | `WellSpreadBasis` | a member: one factor for all generators but three others, where those of the facet are nearly parallel | the exact optimum |
 //! | `DirectionOfDoubles` | outside, exactly: a direction of doubles near the exact one ([`separation`]) | `RationalDirection` |
 //! | `RationalDirection` | outside, exactly: the direction itself | |
 //! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`member_from_exact`]) | `PivotedCoefficients` |

@@ -1,9 +1,11 @@
 //! From an exact proof with rational coefficients to one with doubles off the basis.
 //!
-//! The state is a solution of Σ x_i v_i = p with every x_i in [−1, 1]: settled generators have a double, those that wait have
-//! ±μ with μ = 1 / λ rational, and the basis has what solves the equation. A group of waiting generators is settled at
-//! ±c at once if the basis stays in [−1, 1], else each half is; where a single generator takes a basis coefficient to ±1 on its
-//! way, that one is settled there and the generator takes its place. Every step keeps the state, so the walk ends with a proof.
+//! The state is a solution of Σ x_i v_i = p with every x_i in [−1, 1]. A generator off the basis is either rounded,
+//! its coefficient a double, or waits with ±μ, where μ = 1 / λ is rational; the coefficients of the basis solve the
+//! equation. A group of waiting generators is rounded to ±c at once if the basis stays in [−1, 1]; else the group is
+//! halved and each half is tried. Where a single generator takes a basis coefficient to ±1 on its way to ±c, the
+//! basis generator stays there, rounded, and the waiting generator takes its place in the basis. Every step keeps the
+//! state, so the walk ends with a proof.
 
 use std::cmp::Ordering;
 
@@ -17,14 +19,15 @@ struct Walk<'a> {
     combination: &'a Combination<'a>,
     basis: Basis,
     coefficients: Vec<f64>,
-    /// p − Σ x v over the settled generators.
+    /// p − Σ x v over the rounded generators.
     rest: ExactVector,
     /// Σ sign · v over the generators that wait.
     waiting: ExactVector,
     factor: f64,
 }
 
-/// The proof with ±`factor`, a double near 1 / λ, for nearly all generators. Expected O(n), at most O(n log n) exact additions and O(n) pivots.
+/// The proof with ±`factor`, a double near 1 / λ, for nearly all generators. Expected O(n), at most O(n log n) exact
+/// additions and O(n) pivots.
 pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
     let signs = &combination.exit.signs;
     let basis = combination.basis.clone();
@@ -76,12 +79,13 @@ impl Walk<'_> {
         numerator.clone().abs() <= self.one()
     }
 
-    /// What a coefficient of 1 is in terms of [`numerators`](Self::numerators).
+    /// A coefficient of 1 in the scale of [`numerators`](Self::numerators).
     fn one(&self) -> Dyadic {
         &self.combination.exit.reach * self.basis.determinant()
     }
 
-    /// Settles the basis member that reaches ±1 first on the way to `rest` and `waiting`; the generator takes its place.
+    /// Leaves the basis member that reaches ±1 first on the way to `rest` and `waiting` at that value; the generator
+    /// takes its place in the basis.
     fn pivot(&mut self, generator: usize, rest: &ExactVector, waiting: ExactVector) {
         let one = self.one();
         let starts = self.numerators(&self.rest, &self.waiting);

@@ -1,4 +1,5 @@
-//! Separating directions: from a rounded optimum where it leaves room for every rounding error, else doubles near an exact one.
+//! Separating directions: that of a rounded optimum, where it leaves room for every rounding error, else doubles near
+//! an exact direction.
 
 use crate::collision::Separation;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
@@ -10,7 +11,7 @@ use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, m
 
 use crate::numeric::signed_sum::signed_sum;
 
-/// Multiples of the direction that are rounded, in turn: each rounds its coordinates differently.
+/// Multiples of the direction that are rounded in turn: each multiple has its coordinates rounded differently.
 const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
 
 /// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2 |v|.
@@ -23,7 +24,8 @@ pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<
     (gap - lost).is_positive().then_some(Separation::Rounded(direction))
 }
 
-/// The proof from an exact direction u with u · p > h(u); `basis` are the generators that u is known to be orthogonal to.
+/// The proof from an exact direction u with u · p > h(u); `basis` has the generators to which u is known to be
+/// orthogonal.
 pub(crate) fn separation(
     query: &dyn KernelQuery,
     p: &ExactVector,
@@ -49,7 +51,7 @@ pub(crate) fn separation(
         .map_or_else(|| Separation::Exact(direction.clone().map(|v| v.to_rational())), Separation::Rounded)
 }
 
-/// The directions a step of the last place away in one or two coordinates.
+/// The directions in which one or more coordinates are moved to a neighbouring double.
 fn neighbours(u: [f64; 3]) -> impl Iterator<Item = [f64; 3]> {
     let step = |value: f64, step: i32| match step {
         0 => value,

@@ -5,9 +5,10 @@
 //!
 //! v · u = (v_i p_k − v_k p_i) x + (v_j p_k − v_k p_j) y + v · c,
 //!
-//! a line whose coefficients are polynomials in the input and c: the data are not rotated, and the plane is kept exactly. The objective of the
-//! kernel is h(u). Each coefficient is rounded once. So where c is near the optimum, lines that nearly meet there have small offsets
-//! that are known to all their digits: doubles tell apart what in other coordinates differs by less than a rounding.
+//! a line whose coefficients are polynomials in the input and c: the data are not rotated, and the plane is kept
+//! exactly. The objective in this chart is h(u). Each coefficient is rounded once. So where c is near the optimum,
+//! lines that nearly meet there have small offsets that are known to all their digits: doubles tell apart what in
+//! other coordinates differs by less than a rounding.
 
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};
@@ -31,11 +32,11 @@ pub(crate) struct ExactChart {
 #[derive(Debug)]
 pub(crate) struct Vectors<'a> {
     query: &'a dyn KernelQuery,
-    /// The indices of those that the problem has; all if there are none.
+    /// The indices of the generators of the problem; `None` for all.
     chosen: Option<Vec<usize>>,
 }
 
-/// Vectors as lines, normals and offsets each scaled by a power of two.
+/// Generators as lines, whose normals are scaled by one power of two and whose offsets by another.
 #[derive(Debug)]
 struct GeneratorLines<'a> {
     plane: ExactChart,
@@ -74,7 +75,7 @@ pub(crate) struct ChartProblem<'a> {
 }
 
 impl ExactChart {
-    /// The coordinates around a centre; around an axis where there is none, or where it is not on p's side.
+    /// The coordinates around a centre; around an axis where no centre is given, or where it is not on the side of p.
     pub(crate) fn new(p: ExactVector, center: Option<[f64; 3]>) -> Self {
         let longest = (0..3).max_by_key(|&axis| p[axis].clone().abs()).expect("there are three axes");
         let axes = [(longest + 1) % 3, (longest + 2) % 3, longest];
@@ -108,7 +109,7 @@ impl ExactChart {
 }
 
 impl<'a> ChartProblem<'a> {
-    /// The kernel problem of some vectors and the sum of all others with their signs, for a plane. O(n) exact operations.
+    /// The problem in the plane of some generators and the sum of all others with their signs. O(n) exact operations.
     pub(crate) fn new(vectors: Vectors<'a>, others: &ExactVector, plane: ExactChart) -> Self {
         let leading = |position: usize| {
             let ExactLine { normal: [x, y], offset } = plane.line(&vectors.get(position));

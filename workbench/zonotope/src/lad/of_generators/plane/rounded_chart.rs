@@ -7,10 +7,11 @@ use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
 
-/// The smallest reach of a cell, in terms of its centre.
+/// The least size of a cell, in terms of its centre.
 const LEAST_CELL_SIZE: f64 = 1e-11;
 
-/// An ellipse with the square of its shorter axis no less than so much of that of its longer one is taken for a ball.
+/// An ellipse is taken for a ball where the square of its shorter axis is at least this part of the square of its
+/// longer one.
 const ROUND_ELLIPSE: f64 = 0.1;
 
 /// Coordinates (x, y) = (u_i, u_j) of the plane, k the axis along which p is longest.
@@ -84,7 +85,7 @@ impl RoundedChart {
         self.direction(point, 1.0)
     }
 
-    /// The ellipse of a guess, stretched; a ball around it where that is hardly larger.
+    /// The ellipse of a guess, stretched; a ball around the ellipse where the ball is hardly larger.
     pub(crate) fn cell(&self, guess: &Guess, stretch: f64) -> DirectionCone {
         let [first, second] = guess.sides.map(|side| self.direction(side, 0.0).map(|c| stretch * c));
         let center = self.point(guess.point);

@@ -1,14 +1,14 @@
-//! RoundedLines in the plane { u : u · p = 1 }, two by two, for everything that is done in plain doubles.
+//! Lines in the plane { u : u · p = 1 } in doubles, two side by side: the input of every guess.
 
 use wide::f64x2;
 
-/// RoundedLines a x + b y + c with the inverse length of their generators, two side by side.
+/// Two lines a x + b y + c side by side, with the inverse lengths of their generators.
 pub(crate) type Pair = [f64x2; 4];
 
-/// Beside the last line if their number is odd: a line without normal that is far from every point.
+/// The partner of the last line where the number of lines is odd: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
-/// RoundedLines of generators.
+/// The lines of generators.
 #[derive(Debug, Default)]
 pub(crate) struct RoundedLines {
     pairs: Vec<Pair>,
@@ -23,7 +23,7 @@ impl RoundedLines {
         Self { pairs: Vec::with_capacity(capacity.div_ceil(2)), len: 0, length: 0.0 }
     }
 
-    /// Two lines more, after an even number, and the sum of their generators' lengths.
+    /// Adds two lines, given the sum of their generators' lengths; the number of lines before is even.
     #[inline(always)]
     pub(crate) fn push_pair(&mut self, pair: Pair, lengths: f64x2) {
         self.pairs.push(pair);
@@ -31,7 +31,7 @@ impl RoundedLines {
         self.length += lengths.reduce_add();
     }
 
-    /// The last line, after an even number.
+    /// Adds the last line; the number of lines before is even.
     pub(crate) fn push_last(&mut self, [a, b, c, weight]: [f64; 4], length: f64) {
         let [first, second, third, fourth] = NO_LINE;
         self.pairs.push([[a, first], [b, second], [c, third], [weight, fourth]].map(f64x2::new));
@@ -61,7 +61,8 @@ impl RoundedLines {
         both.take(self.len)
     }
 
-    /// The slope of linear · x + Σ |a x + b y + c| at a point along a direction, with the sign of each value there. A line has none along itself.
+    /// The slope of linear · x + Σ |a x + b y + c| at a point along a direction, where each line has the sign of its
+    /// value at the point. A line has no slope along itself.
     pub(crate) fn slope(&self, linear: [f64; 2], [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
         let [wide_x, wide_y, wide_dx, wide_dy] = [x, y, dx, dy].map(f64x2::splat);
         let mut sum = f64x2::default();
@@ -72,7 +73,8 @@ impl RoundedLines {
         linear[0] * dx + linear[1] * dy + sum.reduce_add()
     }
 
-    /// The same, and how far ahead along the direction each line is crossed: negative zero where the sign is that behind it already, not finite where it never is.
+    /// [`slope`](Self::slope), and the place along the direction at which each line is crossed: negative zero where
+    /// the point is on the line and the sign is already that behind it, not finite where the line is never crossed.
     pub(crate) fn slope_and_crossings(
         &self,
         linear: [f64; 2],
@@ -103,7 +105,7 @@ impl RoundedLines {
         [[1.0, 0.0], [0.0, 1.0]].map(|direction| self.slope([0.0; 2], point, direction))
     }
 
-    /// Two lines of each so many, which stand for all.
+    /// A part that stands for all lines: two lines in every `2 share`.
     pub(crate) fn part(&self, share: usize) -> Self {
         let pairs: Vec<Pair> = self.pairs[..self.len / 2].iter().step_by(share).copied().collect();
         Self { len: 2 * pairs.len(), pairs, length: self.length / share as f64 }

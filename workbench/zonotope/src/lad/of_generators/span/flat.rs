@@ -1,8 +1,9 @@
 //! The plane of a flat body, found exactly, so that a coordinate can be dropped.
 //!
-//! Where all generators and the displacement are orthogonal to n and n_k is not zero, nothing is lost with the coordinate k: the body in the
-//! other two has the same gauge, coefficients that combine to the one combine to the other, and a direction that separates the one with 0
-//! for the coordinate k separates the other.
+//! Where all generators and the displacement are orthogonal to n and n_k is not zero, the coordinate k holds no
+//! information: the body in the other two coordinates has the same gauge, coefficients that combine to the
+//! displacement in one combine to it in the other, and a direction that separates in the other two coordinates
+//! separates in space with 0 for the coordinate k.
 
 use wide::f64x2;
 
@@ -11,13 +12,14 @@ use crate::numeric::lanes::for_pairs;
 use crate::numeric::linear::{cross, max_norm};
 use crate::zonotope::query::Query;
 
-/// The plane is looked for among so many generators first.
+/// The number of generators among which the plane is looked for first.
 const PLANE_SAMPLE: usize = 64;
 
-/// A simple plane is looked for among so many.
+/// The number of generators among which a simple plane is looked for.
 const SIMPLE_PLANE_SAMPLE: usize = 16;
 
-/// A plane through the origin that holds all generators and both points and whose normal has only zeros and ones, up to signs.
+/// A plane through the origin that holds all generators and both points, and whose normal has only coordinates 0, 1
+/// and −1.
 pub(crate) struct SimplePlane {
     pub(crate) normal: [f64; 3],
     /// Two generators that span the plane, the first before the second.
@@ -52,7 +54,7 @@ impl SimplePlane {
         is_flat.then(|| Self { normal: simple, pair: [first.min(second), first.max(second)] })
     }
 
-    /// The vector with 0 for that coordinate whose products with vectors of the plane are those of y.
+    /// The vector with 0 for the dropped coordinate whose products with vectors of the plane are those of y.
     pub(crate) fn projected(&self, y: &[f64; 3]) -> [f64; 3] {
         let axis = self.axis();
         // a coordinate of the normal is its own inverse, or zero
@@ -72,7 +74,7 @@ fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
     let mut off = f64x2::default();
     for_pairs(vectors, |v| {
         let [a, b, c] = [v[0] * wide[0], v[1] * wide[1], v[2] * wide[2]];
-        // zero if a + b is −c: then the sum of both is not rounded
+        // a + b + c is zero only if the rounded a + b is −c and a + b is not rounded
         let sum = a + b;
         let b_in_sum = sum - a;
         let rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
@@ -82,7 +84,8 @@ fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
     first == 0.0 && second == 0.0
 }
 
-/// A coordinate that can be dropped: not zero in a normal of a plane through the origin that holds all generators and p.
+/// A coordinate that can be dropped, being not zero in the normal of a plane through the origin that holds all
+/// generators and p.
 pub(crate) fn spare_axis(query: &Query<'_, 3>, p: &ExactVector) -> Option<usize> {
     let normal = normal(query, p)?;
     let axis = (0..3).max_by_key(|&k| normal[k].clone().abs())?;

@@ -1,8 +1,9 @@
 //! Bodies of the line and the plane as prisms in space.
 //!
-//! Let Z lie in R^D, D < 3. The prism Z × [−s, s]^(3−D) has the generators of Z and one more along each new axis. A displacement p of
-//! R^D lies in t Z just when (p, 0) lies in t times the prism, inside when inside, so the gauge and the status are the same. A
-//! proof for the prism is one for Z: the coefficient of a new generator is 0, and a direction loses its new coordinates.
+//! Let Z lie in R^D, D < 3. The prism Z × [−s, s]^(3−D) has the generators of Z and one more along each new axis. A
+//! displacement p of R^D lies in t Z just when (p, 0) lies in t times the prism, and in the interior of t Z just when
+//! (p, 0) is in the interior, so gauge and status are the same. A proof for the prism is one for Z: the coefficient
+//! of a new generator is 0, and a direction loses its new coordinates.
 
 use std::array;
 use std::ops::Range;
@@ -29,7 +30,8 @@ impl Prism {
         Self::with_axes(padded(&query.from()), padded(&query.to()), generators, D..3)
     }
 
-    /// The prism over what is left of a body of space when a coordinate is dropped, which is 0 in all points and generators but the new one.
+    /// The prism over a body of space from which a coordinate is dropped: that coordinate is 0 in all points and
+    /// generators, but for the prism's new generator.
     pub(crate) fn without(axis: usize, query: &Query<'_, 3>) -> Self {
         let dropped = |v: &[f64; 3]| array::from_fn(|i| if i == axis { 0.0 } else { v[i] });
         let generators = query.generators().map(dropped).collect();
@@ -39,7 +41,8 @@ impl Prism {
     fn with_axes(from: [f64; 3], to: [f64; 3], mut generators: Vec<[f64; 3]>, axes: Range<usize>) -> Self {
         let own = generators.len();
         let total: f64 = Extents::new(&generators).sums().iter().sum();
-        // as wide along the new axis as the body is long, or nearly; as its longest generator where squares of more overflow
+        // as wide along the new axis as the body is long, or nearly; as its longest generator where squares of the
+        // total length would overflow
         let size = if total < SQUARABLE_SIZES.end {
             total
         } else {
@@ -85,7 +88,7 @@ pub(crate) fn lowered<const E: usize, const D: usize>(location: Location<E>, own
 
 fn lowered_witness(Witness { mut coefficients, mut basis }: Witness, own: usize) -> Witness {
     coefficients.truncate(own);
-    // they are in increasing order
+    // the indices are in increasing order
     while basis.last().is_some_and(|&generator| generator >= own) {
         basis.pop();
     }
