@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use dashu_int::ops::{Gcd, UnsignedAbs};
+use dashu_int::ops::{Gcd, SquareRoot, UnsignedAbs};
 use dashu_int::{IBig, Sign, Word};
 use dashu_ratio::RBig;
 
@@ -66,6 +66,18 @@ impl Dyadic {
     /// Whether the number is zero.
     pub fn is_zero(&self) -> bool {
         self.mantissa.is_zero()
+    }
+
+    /// The square root of a number that is not negative, rounded up to 64 bits or more; exact where it has so few.
+    pub(crate) fn root_above(&self) -> Self {
+        // an even exponent, and a mantissa of which the root has 64 bits
+        let room = (128 - self.bits()).max(0);
+        let shift = room + (self.exponent - room).rem_euclid(2);
+        let places = usize::try_from(shift).expect("at most 129 places are made");
+        let square = &self.mantissa << places;
+        let root = IBig::from((&square).unsigned_abs().sqrt());
+        let root = if &root * &root == square { root } else { root + IBig::ONE };
+        Self::new(root, (self.exponent - shift) / 2)
     }
 
     /// How many bits the mantissa's magnitude has.
@@ -255,6 +267,18 @@ mod tests {
     use super::*;
     use crate::numeric::scaling::binary_exponent;
     use proptest::prelude::*;
+
+    #[test]
+    fn roots_worked_out_by_hand() {
+        let root = |v: f64| Dyadic::from_f64(v).root_above();
+        assert_eq!(root(0.0), Dyadic::zero());
+        assert_eq!(root(12.25), Dyadic::from_f64(3.5));
+        assert!(root(8.0) * root(8.0) > Dyadic::from_f64(8.0));
+        assert_eq!(root(2.0).to_f64(), 2.0f64.sqrt());
+        // of the square of the least double, which is no double
+        let least = Dyadic::from_f64(f64::from_bits(1));
+        assert_eq!((&least * &least).root_above(), least);
+    }
 
     #[test]
     fn extremes_are_exact() {

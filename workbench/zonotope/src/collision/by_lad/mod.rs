@@ -65,10 +65,6 @@ pub(crate) mod proof;
 pub use facet::Facet;
 
 #[cfg(test)]
-mod posed_tests;
-#[cfg(test)]
-mod rung_tests;
-#[cfg(test)]
 mod tests;
 
 use super::{Gauge, Location, Query, by_lad_in_r4};

@@ -105,5 +105,14 @@ pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
         // As a double the product might be denormal, with few bits.
         &Dyadic::from_f64(largest) * &Dyadic::from_f64(factor)
     });
-    rounded_towards(&lengths.fold(Dyadic::zero(), |sum, length| sum + length), f64::INFINITY)
+    let length = rounded_towards(&lengths.fold(Dyadic::zero(), |sum, length| sum + length), f64::INFINITY);
+    if length < f64::MIN_POSITIVE { tiny_length_above(generators) } else { length }
+}
+
+/// The same for lengths among the least doubles: these are so far apart that a factor above 1 may cost a whole step, so roots are taken of the
+/// exact squares.
+fn tiny_length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
+    let square = |g: &[f64; D]| g.iter().map(|c| Dyadic::from_f64(*c)).fold(Dyadic::zero(), |sum, c| sum + &c * &c);
+    let length = generators.iter().map(|g| square(g).root_above()).fold(Dyadic::zero(), |sum, length| sum + length);
+    rounded_towards(&length, f64::INFINITY)
 }

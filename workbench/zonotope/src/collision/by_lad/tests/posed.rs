@@ -1,6 +1,6 @@
 //! Queries about posed bodies against exact arithmetic on the images of their generators.
 
-use super::{gauge_posed, locate, locate_posed};
+use crate::collision::by_lad::{gauge_posed, locate, locate_posed};
 use crate::collision::{Location, Query, Separation};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;

@@ -1,5 +1,8 @@
 //! The method against the definition, on every family.
 
+mod posed;
+mod rungs;
+
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

@@ -1,6 +1,6 @@
 //! Every rung of the ladder is reached by a named family of generators: one that nothing reaches would be dead code.
 
-use super::{gauge_counted, locate_counted};
+use crate::collision::by_lad::{gauge_counted, locate_counted};
 use crate::collision::{Location, Query};
 use crate::numeric::linear::{cross, dot};
 use crate::tally::{OperationCounts, Rung};
@@ -77,7 +77,7 @@ fn boundary_point(body: &[[f64; 3]], number: usize, random: &mut Pcg64Mcg) -> [f
         1 => sum(cross(&pair[0], &pair[1]), Some(0.25)),
         _ => {
             let query = Query::new([0.0; 3], direction, body).expect("finite");
-            let gauge = super::gauge(&query).value;
+            let gauge = crate::collision::by_lad::gauge(&query).value;
             if gauge > 0.0 && gauge < f64::MAX { direction.map(|c| c / gauge) } else { direction }
         }
     }
