@@ -1,33 +1,28 @@
-//! Membership, intersection and gauge, by the kernel: minimise the support function over the plane of directions u with u · p = 1.
+//! Membership, intersection and gauge, by the kernel: minimise the support function over the plane of directions u
+//! with u · p = 1.
 //!
 //! # Statement
-//! Input: a [`Query`] p and generators of R^D, D ≤ 4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
-//! proof, and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and so is every
-//! member of a flat Z. Zero, parallel and coplanar generators and none at all are ordinary input; p = 0 has the gauge 0.
+//! Input: a [`Query`] p and generators of R^D, D ≤ 4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤
+//! 1 } with a proof, and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and
+//! so is every member of a flat Z. Zero, parallel and coplanar generators and none at all are ordinary input; p = 0
+//! has the gauge 0.
 //!
 //! # Source
-//! Beyond the paper, whose Theorem 5.2 needs O(n log² n) and general position: the gauge is 1 / min { h(u) : u · p = 1 } with
-//! h(u) = Σ |v_i · u|, a least-absolute-deviations problem in the plane of those u. The paper's separate test for a point
-//! beside the projection Q is not needed: no data are rotated, the plane may be any.
+//! Beyond the paper, whose Theorem 5.2 needs O(n log² n) and general position: the gauge is 1 / min { h(u) : u · p =
+//! 1 } with h(u) = Σ |v_i · u|, a least-absolute-deviations problem in the plane of those u. The paper's separate
+//! test for a point beside the projection Q is not needed: no data are rotated, the plane may be any.
 //!
 //! # Method
-//! 1. A body of R^1 or R^2 becomes a prism in space (`lift`), and so does a flat one, without a coordinate (`flat`); one of R^4 goes to
-//!    [`by_lad_in_r4`]. Where all that is asked is the location, a point far inside or far outside is told and proved first (`clear`: `dual`, `least`, `turns`).
-//! 2. The optimum of a sample (`sample`) with rounded-off kinks, by Newton steps (`smooth`), and a cell around it in which the optimum of all
-//!    is likely to be; where generators have few directions, that of the sums of each direction (`classes`). Where the location is all that is asked: does its centre separate?
-//! 3. One pass sums up the generators that are orthogonal to no direction of the cell, with their signs (`cell`). The few that
-//!    are left with that sum make a problem (`reduced`) whose optimum, if it lies in the cell, is that of the whole.
-//! 4. The same again on those few, then exact descent from vertex to vertex (`descend`). Bounds on all rounding errors prove the
-//!    vertex (`certain`): u is optimal and Σ δ_i v_i = λ p with δ_i in [−1, 1], where 1 / λ is the gauge; or both nearly, so that the gauge is
-//!    between two bounds: a point at an edge of a facet, or lines that nearly meet in one point, are no doubt yet (`thickness`). Where many
-//!    generators are parallel to the facet, each has a share (`shares`).
-//!    Where the first guess is wrong, because many lines nearly meet or lengths are uneven, samples whose gradient is corrected by a pass find the optimum (`settle`).
-//! 5. Where doubles leave a doubt (many generators in one plane, a boundary), the reduced problem is solved exactly by the kernel,
-//!    in exact coordinates of the plane around the cell's centre (`plane`, `exit`), in which nearly all signs are certain in doubles, and nearly
-//!    all others in pairs of doubles (`pair_direction`). The signs of all generators follow from the cells (`cells`). Where that does not
-//!    help, the optimum of the longest generators may be that of all (`longest`); if not, the whole problem is solved around it.
-//! 6. λ < 1: the direction u separates; it is rounded to doubles, which is proved to be enough (`facet`, `separation`).
-//! 7. λ ≥ 1: the coefficients δ_i / λ are rounded such that three generators make up for it exactly (`inside`, `witness`, `walk`).
+//! 1. A body of R^1 or R^2 becomes a prism in space (`lad::of_generators::span`); one of R^4 goes to
+//!    [`by_lad_in_r4`].
+//! 2. Where all that is asked is the location, a point far inside or far outside is told and proved first (`early`).
+//! 3. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
+//!    which order.
+//! 4. Let 1 / λ be the gauge. Where λ < 1, the optimal direction u separates; it is rounded to doubles, which is
+//!    proved to be enough (`proof::separation`).
+//! 5. Where λ ≥ 1, the coefficients δ_i / λ are rounded such that three generators balance the rest exactly
+//!    (`proof::member_in_doubles`; `proof::member_from_exact` and `proof::pivot_to_doubles` where doubles leave a
+//!    doubt).
 //!
 //! # Complexity
 //! n generators: O(n) expected, with one pass over the generators and one for the proof of a member; space O(n).
@@ -36,8 +31,8 @@
 //! `query`: n × D generators in two runs, any order, duplicates allowed.
 //!
 //! # Numerics
-//! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it; a gauge beyond the range of
-//! doubles is `f64::MAX` with infinite error.
+//! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it; a gauge
+//! beyond the range of doubles is `f64::MAX` with infinite error.
 //!
 //! # Errors
 //! None: the query was validated when it was made.
@@ -116,7 +111,8 @@ pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tall
     Gauge { value, error, location: lowered(location, query.len()) }
 }
 
-/// Where the displacement of a query about posed bodies lies, with a proof whose coefficients are those of the generators as they are stored.
+/// Where the displacement of a query about posed bodies lies, with a proof whose coefficients are those of the
+/// generators as they are stored.
 ///
 /// The proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M g_i|.
 pub fn locate_posed(query: &PosedQuery<'_>) -> Location<3> {
@@ -138,7 +134,8 @@ pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut impl Tally) -> Ga
     Facet::find(&Posed::new(query), Goal::Gauge, tally).gauge_counted(tally)
 }
 
-/// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n) proof.
+/// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)
+/// proof.
 pub fn facet<'q>(query: &'q Query<'q, 3>) -> Facet<'q> {
     facet_counted(query, &mut ())
 }

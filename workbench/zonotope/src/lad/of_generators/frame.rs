@@ -38,7 +38,8 @@ impl Frame {
         let slack = THIRTY_ROUNDINGS;
         let trace = square(0, 0) + square(1, 1) + square(2, 2);
         let size = trace.sqrt() * slack;
-        // ‖M‖² is at most the largest sum of magnitudes in a row of Mᵀ M, each of which is off by less than 4 u times the trace
+        // ‖M‖² is at most the largest sum of magnitudes in a row of Mᵀ M, each of which is off by less than 4 u times
+        // the trace
         let row = |i: usize| (0..3).map(|j| square(i, j).abs()).sum::<f64>();
         let norm = (row(0).max(row(1)).max(row(2)) + 16.0 * UNIT * trace).sqrt() * slack;
         let [a, b, c] = m;

@@ -1,4 +1,5 @@
-//! Clipped coefficients by Newton steps on the Huber dual: coefficients for a point well within the body, or a direction that separates.
+//! Clipped coefficients by Newton steps on the Huber dual: coefficients for a point well within the body, or a
+//! direction that separates.
 
 use super::Clear;
 use super::combination::Combination;
@@ -9,7 +10,7 @@ use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::query::Query;
 
-/// A step that ends with a slope of more than this, in terms of that at its start, goes too far.
+/// A step goes too far if it ends with a slope of more than this part of the slope at its start.
 const OVERSHOOT: f64 = 0.3;
 
 /// The most steps on a sample.
@@ -40,7 +41,8 @@ struct Step {
 }
 
 impl Step {
-    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
+    /// The point at which the slope may be zero, if the slope is positive at the end and not much less steep than it
+    /// was negative at the start.
     fn shortened(self, end: &Moments, target: &[f64; 3]) -> Option<[f64; 3]> {
         let slope = end.slope(&self.step, target);
         let part = (self.slope / (self.slope - slope)).max(0.02);
@@ -64,7 +66,8 @@ impl State {
         Self { y: y.map(|c| c * state.aim()), ..state }
     }
 
-    /// How far beyond p the coefficients are made for: half the way to the boundary, so that they can be made smaller.
+    /// The factor by which the coefficients are made for a point beyond p, half the way to the boundary, so that they
+    /// can be made smaller.
     fn aim(&self) -> f64 {
         (1.0 + 1.0 / self.gauge) / 2.0
     }

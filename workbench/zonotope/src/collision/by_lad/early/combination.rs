@@ -1,7 +1,8 @@
 //! Coefficients in terms of a solution of the smooth problem: written, summed up, and proved as they stand.
 //!
-//! The sum of what was written is known but for rounding. What it is off the point by, and all rounding errors, are small: three generators that span space
-//! can make up for it, whatever it is, if their coefficients have a little room.
+//! The sum of the written combination is known but for rounding. Its distance from the point, and all rounding
+//! errors, are small: three generators that span space can balance them, whatever they are, if their coefficients
+//! have a little room.
 
 use wide::f64x2;
 
@@ -70,7 +71,8 @@ impl Written {
 }
 
 impl Moments {
-    /// Coefficients that make up p, if these are well within (−1, 1), or, where they need not be `exact`, if few of them are not.
+    /// Coefficients that combine to p, if these are well within (−1, 1), or, where they need not be `exact`, if few
+    /// of them are not.
     pub(crate) fn combination(
         &self,
         lengths: Lengths,
@@ -90,8 +92,8 @@ impl Moments {
 }
 
 impl Combination {
-    /// The least coefficients that make up p, where H z = p for all generators; none if they are likely to be too large, seen from some, or, where they
-    /// need not be `exact`, much too large.
+    /// The least coefficients that combine to p, where H z = p for all generators; `None` if, seen from some
+    /// generators, they are likely to be too large, or, where they need not be `exact`, much too large.
     pub(crate) fn least(z: [f64; 3], lengths: Lengths, among: &[[f64; 3]], exact: bool) -> Option<Self> {
         let limit = if exact { WELL_WITHIN } else { WELL_WITHIN + ROUGH_EXCESS };
         (lengths.largest(among, &z) <= limit).then_some(Self::linear(z, lengths))
@@ -114,7 +116,7 @@ impl Combination {
         Self { limit: self.factor, ..Self::linear(z, self.lengths) }
     }
 
-    /// The proof that p is inside, if the coefficients make it up but for what three of them can correct.
+    /// The proof that p is inside, if the coefficients combine to p but for a rest that three of them can balance.
     pub(crate) fn witness(&self, query: &Query<'_, 3>, p: &BoundedVector) -> Option<Witness> {
         let n = query.len();
         let mut coefficients = if n < CLEARED_WHEN_TAKEN { Vec::with_capacity(n) } else { vec![0.0; n] };
@@ -185,13 +187,15 @@ impl Combination {
     }
 }
 
-/// How many additions a term of the sum over so many coefficients goes through, written a part of at most `BLOCK` at a time.
+/// The number of additions that a term of the sum over `count` coefficients goes through; a part of at most `BLOCK`
+/// is written at a time.
 fn additions(count: usize) -> usize {
     BLOCK + count / BLOCK + 64
 }
 
-/// How far p is at most from the exact sum of `count` generators with coefficients of at most 1 whose computed sum, in which a term goes through so
-/// many additions, is `sum`: each term and each addition is rounded. `magnitude` is at least Σ |v|.
+/// A bound of the distance of p from the exact sum of `count` generators with coefficients of at most 1, whose
+/// computed sum is `sum`: each term is rounded, and each of the `additions` that a term goes through. `magnitude` is
+/// at least Σ |v|.
 #[inline]
 pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitude: f64, count: usize) -> f64 {
     let off = |k: usize| (p[k].value - sum[k]).abs() + p[k].error;
@@ -199,10 +203,11 @@ pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitud
     (off(0) + off(1) + off(2) + UNIT * additions as f64 * magnitude + count as f64 * PRODUCT_UNDERFLOW) * LONG_SUM
 }
 
-/// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is larger than `rest`.
+/// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is
+/// larger than `rest`.
 ///
-/// Let r be that rest and a, b, c the three: the correction of the coefficient of a is r · (b × c) / a · (b × c). A product of vectors and
-/// determinants is off by less than 8 u times the product of the lengths |·|_1.
+/// Let r be that rest and a, b, c the three: the correction of the coefficient of a is r · (b × c) / a · (b × c). A
+/// product of vectors and determinants is off by less than 8 u times the product of the lengths |·|_1.
 #[inline]
 pub(crate) fn correcting_basis(
     query: &Query<'_, 3>,
@@ -226,9 +231,10 @@ pub(crate) fn correcting_basis(
     Some(basis.to_vec())
 }
 
-/// The same in a plane with a normal of zeros and ones: two generators that span it make up for a rest that is in it.
+/// Two generators that balance a rest in a plane, whose normal has only coordinates 0, 1 and −1.
 ///
-/// With the normal n for the third vector of a basis the correction of the coefficient of a is r · (b × n) / a · (b × n), and that of n is zero.
+/// With the normal n for the third vector of a basis the correction of the coefficient of a is r · (b × n) / a · (b ×
+/// n), and that of n is zero.
 pub(crate) fn correcting_pair(
     query: &Query<'_, 3>,
     plane: &SimplePlane,
@@ -244,7 +250,7 @@ pub(crate) fn correcting_pair(
     (is_moderate && corrects).then(|| plane.pair.to_vec())
 }
 
-/// Whether three generators do.
+/// Whether the coefficients of three generators stay within (−1, 1) when they balance a rest.
 #[inline(always)]
 fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
     let [a, b, c] = [query.generator(basis[0]), query.generator(basis[1]), query.generator(basis[2])];

@@ -1,12 +1,13 @@
 //! Coefficients that make up a point well within the body: those of least size, with the largest ones clipped.
 //!
-//! Let |v| be the largest magnitude of a coordinate of v, t_i = v_i · y / |v_i| and b_i = t_i, clipped to [−1, 1]. The y with Σ b_i v_i = q minimises a
-//! convex function, Σ |v_i| huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ / |v_i| over those that are not clipped. It exists just
-//! if q is in the body; else y goes to infinity where a direction separates. From any y, with s = Σ b_i v_i, the coefficients
-//! μ b_i, and v_i · z / |v_i| more where nothing was clipped, make up p = μ s + H z, and none is larger than μ + |z|_1. Where lengths are
-//! even, one length, that of the longest, does for all and spares a division for each.
+//! Let |v| be the largest magnitude of a coordinate of v, t_i = v_i · y / |v_i|, and b_i the t_i clipped to [−1, 1].
+//! The y with Σ b_i v_i = q minimises a convex function, Σ |v_i| huber(t_i) − q · y, whose Hessian is H = Σ v_i v_iᵀ
+//! / |v_i| over the generators that are not clipped. Such a y exists just if q is in the body; else y goes to
+//! infinity where a direction separates. From any y, with s = Σ b_i v_i, the coefficients μ b_i, and v_i · z / |v_i|
+//! more where nothing was clipped, combine to p = μ s + H z, and none is larger than μ + |z|_1. Where lengths are
+//! even, the longest length takes the place of all, which spares a division for each generator.
 //!
-//! All this only finds coefficients (`coefficients` writes and proves them).
+//! All this only finds coefficients (`combination` writes and proves them).
 
 use wide::f64x2;
 
@@ -135,7 +136,7 @@ impl Moments {
         Self::read::<true, OWN>(runs, &[0.0; 3], 1.0)
     }
 
-    /// The same with a generator more, at right angles to all, where these are in a plane with the normal n.
+    /// The sums with one more generator, at right angles to all others, where these are in a plane with the normal n.
     pub(crate) fn with_normal(&self, [x, y, z]: &[f64; 3]) -> Self {
         let size = self.trace();
         let square = [x * x, x * y, x * z, y * y, y * z, z * z];

@@ -1,8 +1,9 @@
 //! Small bodies by one solve: the coefficients of least size that make up p, or a direction that separates.
 //!
-//! With M = Σ v vᵀ and w = M^{-1} p the coefficients v · w make up p; with |v|, the largest magnitude of a coordinate, and H = Σ v vᵀ / |v|,
-//! y = H^{-1} p, so do v · y / |v|, which are of more even size. If all are well within (−1, 1), p is inside. If not, w may separate: Σ |v · w| is
-//! summed up as the coefficients are written. Either way the traces of the matrices bound Σ |v|, and so all rounding errors.
+//! With M = Σ v vᵀ and w = M^{-1} p, the coefficients v · w combine to p. So do the coefficients v · y / |v|, which
+//! are of more even size, where |v| is the largest magnitude of a coordinate, H = Σ v vᵀ / |v| and y = H^{-1} p. If
+//! all are well within (−1, 1), p is inside. If not, w may separate: Σ |v · w| is summed up as the coefficients are
+//! written. In both cases the traces of the matrices bound Σ |v|, and so all rounding errors.
 
 use wide::f64x2;
 
@@ -16,14 +17,15 @@ use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
-/// Of so many pairs it is seen that coefficients will be too large.
+/// The number of pairs of generators from which it is seen that coefficients will be too large.
 const PAIR_SAMPLE: usize = 16;
 
 /// What is known of a point that one solve does not tell.
 pub(crate) struct Open {
-    /// The solution, with which products with generators, each over its length if those are taken, are the least coefficients.
+    /// The solution: the least coefficients are its products with the generators, each over its length where own
+    /// lengths are taken.
     pub(crate) y: [f64; 3],
-    /// At most that of p, or nearly.
+    /// A number that is at most the gauge of p, or nearly.
     pub(crate) gauge: f64,
     /// Whether the generators certainly span space.
     pub(crate) is_thick: bool,

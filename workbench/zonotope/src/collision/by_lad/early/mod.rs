@@ -1,8 +1,16 @@
-//! Points far inside and far outside, told and proved in few passes: by the smooth problem of `dual`, on a sample first.
+//! Points far inside and far outside, told and proved in few passes, on a sample first.
 //!
-//! The y that solves it for a sample either separates, so that one pass over all generators proves it, or coefficients are written that the
-//! sample steers (`pass`). Small bodies need no sample (`least`), a flat one needs its plane (`flat`). Where that does not do, the sums of all
-//! generators at some y give coefficients. Where the sample says that the point is near the boundary, nothing is tried.
+//! | file | what it has |
+//! |---|---|
+//! | [`least_squares`] | small bodies: the coefficients of least size by one solve, or a direction that separates |
+//! | [`huber_dual`] | the smooth problem whose solution gives clipped coefficients |
+//! | [`clipped_steps`] | Newton steps on the smooth problem, for a sample or for all generators |
+//! | [`combination`] | coefficients written, summed up and proved |
+//! | [`stratified_pass`] | many generators: coefficients in one pass, steered by a sample |
+//!
+//! The solution y of the smooth problem for a sample either separates, which one pass over all generators proves, or
+//! steers the coefficients that are written for all. Where that fails, the sums of all generators at some y give
+//! coefficients. Where the sample says that the point is near the boundary, nothing is tried.
 
 mod clipped_steps;
 pub(crate) mod combination;
@@ -28,20 +36,20 @@ use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 use crate::zonotope::passes::bounded_sum;
 
-/// With at most so many generators no sample is taken.
+/// With at most this many generators no sample is taken.
 const WHOLE_LIMIT: usize = 320;
 
-/// With at most so many the coefficients are in terms of their own lengths.
+/// With at most this many generators, coefficients are in terms of each generator's own length.
 const OWN_LENGTHS_LIMIT: usize = 16;
 
 /// A point whose gauge seems to be between these is near the boundary.
 pub(crate) const INSIDE_GAUGE: f64 = 0.9;
 const OUTSIDE_GAUGE: f64 = 1.0;
 
-/// How many deviations a sample must see between a point outside and the boundary.
+/// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
 const OUTSIDE_DEVIATIONS: f64 = 1.0;
 
-/// What is clear, with its proof.
+/// A location that is told early, with its proof.
 pub(crate) enum Clear {
     Inside(Witness),
     /// In a flat body.

@@ -1,9 +1,15 @@
-//! Coefficients of many generators, written in one pass: a part of the generators at a time, and each part makes up for those before it.
+//! Coefficients of many generators, written in one pass, part after part: each part balances the error of those
+//! before it.
 //!
-//! The generators are dealt out in stretches of a few: all but one of several stretches are of the first part, every second one of those left is of
-//! the second and so on, until the last part has a few only. That last part stands for all. Coefficients that would make up the point if all
-//! generators were like those are written for the first part; what their sum is off by shows how far the last part's mean is from
-//! that of all, and is spread over the parts that follow. In the end the last part has to make up what is left, and it is known.
+//! The generators are dealt out in stretches. Of every group of stretches all but one belong to the first part, every
+//! second of the others to the second part, and so on, until the last part has a small share, from all over the list,
+//! which stands for all generators. The first part gets the coefficients that would combine to the point if all
+//! generators were like those of the last part. The error of its sum shows how far the mean of the last part is from
+//! that of all, and is spread over the parts that follow. In the end the last part has to combine to the rest, which
+//! is known.
+//!
+//! The sample is stratified and not drawn independently, because its mean is then much nearer to that of all
+//! generators where neighbours in the list resemble each other.
 
 use std::ops::Range;
 
@@ -17,7 +23,8 @@ const LEAST_LAST_PART: usize = 32;
 /// One in so many generators is in the last part at least.
 const LAST_PART_SHARE: usize = 128;
 
-/// The first part may be larger the more there are in the last, of which so much of the square root tells the mean well enough.
+/// The first part may be larger the more there are in the last, of which so much of the square root tells the mean
+/// well enough.
 const STEADY_ROOT: usize = 8;
 
 /// Stretches of at least and at most so many generators.
@@ -67,8 +74,8 @@ impl StratifiedPass {
         few
     }
 
-    /// The proof that p is inside; `steer` gives coefficients with which the generators of the last part, `few` of them, sum up to a vector, exactly
-    /// or nearly.
+    /// The proof that p is inside; `steer` gives coefficients with which the generators of the last part, `few` of
+    /// them, sum up to a vector, exactly or nearly.
     pub(crate) fn witness(
         self,
         query: &Query<'_, 3>,

@@ -14,7 +14,8 @@ use crate::numeric::signed_sum::signed_sum;
 /// Multiples of the direction that are rounded in turn: each multiple has its coordinates rounded differently.
 const MULTIPLES: [f64; 8] = [1.0, 1.1, 1.3, 1.5, 1.7, 1.2, 1.4, 1.6];
 
-/// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2 |v|.
+/// The direction of the facet in doubles: rounding it by e takes at most e · (Σ |v|_1 + |p|_1) off the gap, |v|_1 < 2
+/// |v|.
 pub(super) fn in_doubles(optimum: &RoundedOptimum, p: &BoundedVector) -> Option<Separation<3>> {
     let error = optimum.direction.iter().fold(0.0f64, |m, c| m.max(c.error));
     let size: f64 = p.iter().map(|c| c.magnitude()).sum();

@@ -254,8 +254,8 @@ fn agrees_with_the_definition_on_the_line() {
     cross_all::<1>(3, 30);
 }
 
-/// Answers on many generators, which the definition would take too long for: every proof is checked, and that the body times the gauge,
-/// a little smaller or larger, does not hold the point or holds it.
+/// Answers on many generators, which the definition would take too long for: every proof is checked, and that the
+/// body times the gauge, a little smaller or larger, does not hold the point or holds it.
 fn prove_all<const D: usize>(seed: u64, sizes: &[usize], rounds: usize) {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     for name in FAMILIES {
@@ -291,7 +291,8 @@ fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
     }
 }
 
-/// All generators on one side of a plane, and a point that is their sum but for rounding: more lines nearly meet there than doubles tell apart.
+/// All generators on one side of a plane, and a point that is their sum but for rounding: more lines nearly meet
+/// there than doubles tell apart.
 #[test]
 fn lines_that_meet_but_for_the_last_digits_are_told_apart() {
     let mut random = Pcg64Mcg::seed_from_u64(6);

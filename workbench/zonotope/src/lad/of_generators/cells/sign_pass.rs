@@ -1,4 +1,5 @@
-//! The pass over generators that sums up, with their signs, those whose sign is fixed in a cone, and reports the others.
+//! The pass over generators that sums up, with their signs, those whose sign is fixed in a cone, and reports the
+//! others.
 //!
 //! The pass reads every generator, so it is the kernel's largest cost. It takes two generators at a time in vectors of
 //! doubles, never branches on a sign, and subtracts in the end what crossing generators added to the sum: a branch

@@ -17,8 +17,8 @@ pub(super) const SEED: u64 = 0x5a;
 /// A cell with at most this many lines is solved exactly; a smaller one that search found within it is not needed.
 const EXACT_SOLVE_LIMIT: usize = 300;
 
-/// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in [−1, 1] on it, and
-/// λ = `reach` / `along`. The gauge is 1 / λ.
+/// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in
+/// [−1, 1] on it, and λ = `reach` / `along`. The gauge is 1 / λ.
 #[derive(Debug)]
 pub(crate) struct ExactOptimum {
     /// A minimiser, scaled: u · p > 0.
@@ -36,7 +36,8 @@ pub(crate) struct ExactOptimum {
 }
 
 impl ExactOptimum {
-    /// The optimum of all generators at once, in coordinates around a direction if one is given. Exact arithmetic for every generator.
+    /// The optimum of all generators at once, in coordinates around a direction if one is given. Exact arithmetic for
+    /// every generator.
     pub(crate) fn of_whole(
         query: &dyn KernelQuery,
         p: &ExactVector,

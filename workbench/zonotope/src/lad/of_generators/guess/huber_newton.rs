@@ -107,7 +107,8 @@ impl RoundedLines {
                     None if moments.count as usize == self.len() => return None,
                     None => band *= 4.0,
                     Some((wider, ..)) if wider.count < THIN_ENOUGH * thickness => break,
-                    // the minimum of the wider band itself, not one step towards it, before a thinner one is tried again
+                    // the minimum of the wider band itself, not one step towards it, before a thinner one is tried
+                    // again
                     Some((_, size, from)) if limit > STRICT_CHANGE => {
                         (point, band, limit) = (from, size, STRICT_CHANGE)
                     }
@@ -192,7 +193,8 @@ impl Step {
         [self.origin[0] + self.vector[0], self.origin[1] + self.vector[1]]
     }
 
-    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the start.
+    /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the
+    /// start.
     fn shortened(&self, gradient: [f64; 2]) -> Option<[f64; 2]> {
         let slope = dot(&gradient, &self.vector);
         let part = (self.slope / (self.slope - slope)).max(0.05);

@@ -194,7 +194,8 @@ mod tests {
 
     #[test]
     fn a_wrong_meeting_is_corrected() {
-        // lines x = −0.2, y = −0.3 of weight 1 and x + y = −1 of weight w: with w = 3 the optimum is where the heavy one meets another
+        // lines x = −0.2, y = −0.3 of weight 1 and x + y = −1 of weight w: with w = 3 the optimum is where the heavy
+        // one meets another
         let body = |w: f64| [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3], [w, w, w]];
         let sample = body(0.1);
         let repeated: Vec<[f64; 3]> = sample.iter().copied().cycle().take(24).collect();

@@ -1,7 +1,7 @@
 //! The plane { u : u · p = c · p } in coordinates, and the line that each generator v makes of v · u = 0 in it.
 //!
-//! Let c be any vector with c · p > 0, k the axis along which p is longest and i, j the others. With e_1 = p_k î − p_i k̂ and
-//! e_2 = p_k ĵ − p_j k̂, both orthogonal to p, the plane is u = c + x e_1 + y e_2, hence
+//! Let c be any vector with c · p > 0, k the axis along which p is longest and i, j the others. With e_1 = p_k î −
+//! p_i k̂ and e_2 = p_k ĵ − p_j k̂, both orthogonal to p, the plane is u = c + x e_1 + y e_2, hence
 //!
 //! v · u = (v_i p_k − v_k p_i) x + (v_j p_k − v_k p_j) y + v · c,
 //!

@@ -28,7 +28,8 @@ const DESCENT_LINES: usize = 1200;
 /// The least number of lines in a sample of a level.
 const LEAST_SAMPLE: usize = 128;
 
-/// A vertex found from other lines is tried if the sample's objective there exceeds its minimum by no more than this part.
+/// A vertex found from other lines is tried if the sample's objective there exceeds its minimum by no more than this
+/// part.
 const LIKELY_EXCESS: f64 = 1e-2;
 
 /// The size, in terms of its centre, of a cell that only parallel lines cross: doubles cannot tell where two such
