@@ -70,7 +70,7 @@ pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut
 impl Reply {
     /// The status against the truth of the question, the proof against the independent check.
     pub fn verdict(&self, question: &Question) -> Verdict {
-        let status = self.location.status();
+        let status = self.location.status().name();
         if status != question.status {
             return Verdict::Wrong(format!("{status}, but by its construction the point is {}", question.status));
         }
@@ -88,7 +88,7 @@ impl Reply {
 
     /// A hash of the status, the gauge and a rounded direction or the coefficients.
     pub fn digest(&self) -> u64 {
-        let digest = Digest::default().bytes(self.location.status().as_bytes()).floats(&self.gauge);
+        let digest = Digest::default().bytes(self.location.status().name().as_bytes()).floats(&self.gauge);
         match &self.location {
             Location::Inside(witness) | Location::Boundary(witness) => digest.floats(&witness.coefficients),
             Location::Outside(Separation::Rounded(direction)) => digest.floats(direction),

@@ -4,6 +4,56 @@
 //! implements *Zonotopes as Bounding Volumes* (Guibas, Nguyen, Zhang, SODA 2003): every decision is exact, every answer carries a
 //! certificate, and a volume that is called enclosing encloses. It is pure: no input or output, no clock, no ambient randomness.
 //!
+//! # What a body can be asked
+//!
+//! Is a point inside? Sets are closed: a point of the boundary belongs to the body.
+//! ```
+//! use zonotope::Zonotope;
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?; // the square [−1, 1]²
+//! assert!(square.contains([1.0, 0.5])? && !square.contains([1.0f64.next_up(), 0.5])?);
+//! # Ok(()) }
+//! ```
+//!
+//! Do two bodies meet? In space each may stand under a [`Pose`], and no generator is copied to move it.
+//! ```
+//! # use zonotope::{Pose, Zonotope};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let cube = Zonotope::new([0.0; 3], vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?;
+//! assert!(cube.at(&Pose::from_translation([2.0, 0.0, 0.0])?).intersects(&cube)); // they touch
+//! # Ok(()) }
+//! ```
+//!
+//! How far is a point? The gauge is the factor by which the body must grow from its centre to hold the point.
+//! ```
+//! # use zonotope::Zonotope;
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?;
+//! let gauge = square.gauge([3.0, 0.5])?;
+//! assert!((gauge.value - 3.0).abs() <= gauge.error);
+//! # Ok(()) }
+//! ```
+//!
+//! What encloses these points? Here the zonogon of least area; [`enclosing`] lists the other problems.
+//! ```
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let answer = zonotope::min_area_enclosing_zonogon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+//! assert_eq!((answer.area, answer.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
+//! # Ok(()) }
+//! ```
+//!
+//! How is an answer checked? It carries its proof: of a point outside, a direction u in which the point is beyond the body.
+//! ```
+//! # use zonotope::{Location, Separation, Zonotope};
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?;
+//! let Location::Outside(Separation::Rounded(u)) = square.locate([3.0, 0.5])? else { panic!("the point is outside") };
+//! assert!(u[0] * 3.0 + u[1] * 0.5 > square.support(u).value());
+//! # Ok(()) }
+//! ```
+//!
+//! The methods of [`Zonotope`] take the kernel in up to four dimensions; above, they enumerate facets in rationals, O(n^D).
+//!
 //! # Problems
 //!
 //! | module | problem | in the paper |
@@ -59,3 +109,9 @@ pub mod linear_program;
 pub mod numeric;
 pub mod tally;
 pub mod zonotope;
+
+pub use collision::{Gauge, Location, PosedZonotope, Separation, Status, Witness};
+pub use enclosing::min_area_zonogon::{MinAreaError, MinAreaZonogon, min_area_enclosing_zonogon};
+pub use numeric::non_finite::{NonFinite, Place};
+pub use zonotope::pose::{Pose, PoseError};
+pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError};

@@ -51,7 +51,7 @@ fn check(context: &CheckContext) -> Verdict {
                 (false, false) => "outside",
             };
             let answer = by_lad::locate(&question);
-            if answer.status() != status {
+            if answer.status().name() != status {
                 return Verdict::Inconclusive(format!(
                     "{}: {exact} is {status}, not {}",
                     instance.name,

@@ -48,7 +48,7 @@ fn check(context: &CheckContext) -> Verdict {
                 Ok(Proof::Member(coefficients)) => {
                     let terms = coefficients.iter().zip(&sum.generators).take(a.generators.len());
                     let common = terms.fold(a.center.clone(), |point, (c, generator)| point.plus(c, generator));
-                    if answer.status() == "inside" {
+                    if answer.status().name() == "inside" {
                         meeting += 1
                     } else {
                         touching += 1

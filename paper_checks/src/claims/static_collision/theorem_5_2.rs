@@ -58,7 +58,7 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
             };
             let question = Query::of_point(rounded, &zonotope).map_err(|error| error.to_string())?;
             for answer in [by_slope_selection::locate(&question, context.seed), by_lad::locate(&question)] {
-                if answer.status() != ["inside", "boundary", "outside"][truth] {
+                if answer.status().name() != ["inside", "boundary", "outside"][truth] {
                     return Err(format!("{}: {target} is {}", instance.name, answer.status()));
                 }
                 proof_of(&answer, &target, &body.generators)

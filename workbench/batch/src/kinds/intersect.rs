@@ -36,7 +36,7 @@ fn in_space<const D: usize>(
     let (method, location) = locate(method, &question, seed)?;
     let result = json!({
         "intersects": location.is_member(),
-        "status": location.status(),
+        "status": location.status().name(),
         "certificate": certificate(&question, &location),
     });
     Ok(Solution { method: method.id(), result })

@@ -29,7 +29,7 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, s
     let (method, location) = locate(method, &question, seed)?;
     let result = json!({
         "member": location.is_member(),
-        "status": location.status(),
+        "status": location.status().name(),
         "certificate": certificate(&question, &location),
     });
     Ok(Solution { method: method.id(), result })

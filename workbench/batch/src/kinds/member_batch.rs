@@ -52,7 +52,7 @@ fn in_space<const D: usize>(
     for point in points {
         let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
         let found = gauge(&question, &mut counts);
-        statuses.push(found.location.status().into());
+        statuses.push(found.location.status().name().into());
         gauges.push(to_json(found.value));
     }
     let query: u64 = counts.iter().map(|(_, count)| count).sum();

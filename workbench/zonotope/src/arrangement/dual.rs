@@ -16,22 +16,16 @@ use thiserror::Error;
 use super::line::{ExactLine, LineIndex};
 use super::lines::{LineArrangement, LineSource};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::non_finite::NonFinite;
 use crate::tally::Tally;
 
 /// Why generators are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum GeneratorError {
-    /// A coordinate is NaN or infinite; the first such in the order of the input.
-    #[error("generator {generator}, coordinate {coordinate} is {value}, not a finite number")]
-    NonFinite {
-        /// The generator, from 0.
-        generator: usize,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
+    /// A coordinate is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// There are more generators than a 32-bit index can name.
     #[error("{count} generators are more than the {} that an index can name", u32::MAX)]
     TooMany {
@@ -43,10 +37,7 @@ pub enum GeneratorError {
 impl GeneratorError {
     /// Refuses generators that are not finite or too many.
     pub(crate) fn check(generators: &[[f64; 3]]) -> Result<(), Self> {
-        let coordinates = generators.as_flattened();
-        if let Some(at) = coordinates.iter().position(|value| !value.is_finite()) {
-            return Err(Self::NonFinite { generator: at / 3, coordinate: at % 3, value: coordinates[at] });
-        }
+        NonFinite::check_list("generator", generators)?;
         u32::try_from(generators.len()).map(|_| ()).map_err(|_| Self::TooMany { count: generators.len() })
     }
 }

@@ -38,11 +38,11 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, brute_force};
+//! use zonotope::collision::{Query, Status, brute_force};
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
 //! let question = Query::new([0.0, 0.0], [1.0, 0.25], &square).unwrap();
 //! assert_eq!(brute_force::exact_gauge(&question), Some(1.into()));
-//! assert_eq!(brute_force::locate(&question).status(), "boundary");
+//! assert_eq!(brute_force::locate(&question).status(), Status::Boundary);
 //! ```
 
 use std::cmp::Ordering;

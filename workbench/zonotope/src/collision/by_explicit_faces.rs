@@ -37,11 +37,11 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, by_explicit_faces};
+//! use zonotope::collision::{Query, Status, by_explicit_faces};
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let question = Query::new([0.0; 3], [2.0, 1.0, 0.0], &cube).unwrap();
 //! let gauge = by_explicit_faces::gauge(&question).unwrap();
-//! assert_eq!((gauge.value, gauge.location.status()), (2.0, "outside"));
+//! assert_eq!((gauge.value, gauge.location.status()), (2.0, Status::Outside));
 //! ```
 
 use super::basis_solve::near_witness;

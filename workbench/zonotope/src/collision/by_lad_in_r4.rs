@@ -37,12 +37,12 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, by_lad_in_r4};
+//! use zonotope::collision::{Query, Status, by_lad_in_r4};
 //! // the cube [−1, 1]⁴ and the point (0, 3, 0, 1)
 //! let cube = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 //! let question = Query::new([0.0; 4], [0.0, 3.0, 0.0, 1.0], &cube).unwrap();
 //! let gauge = by_lad_in_r4::gauge(&question);
-//! assert_eq!((gauge.value, gauge.location.status()), (3.0, "outside"));
+//! assert_eq!((gauge.value, gauge.location.status()), (3.0, Status::Outside));
 //! ```
 
 use super::basis_solve::{left_over, solve};

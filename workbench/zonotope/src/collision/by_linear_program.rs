@@ -36,12 +36,12 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, by_linear_program};
+//! use zonotope::collision::{Query, Status, by_linear_program};
 //! use zonotope::linear_program::Microlp;
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
 //! let question = Query::new([0.0, 0.0], [2.0, 0.5], &square).unwrap();
 //! let answer = by_linear_program::locate(&question, &Microlp);
-//! assert_eq!(answer.location().unwrap().status(), "outside");
+//! assert_eq!(answer.location().unwrap().status(), Status::Outside);
 //! ```
 
 mod proof;

@@ -1,5 +1,7 @@
 //! The answer to a [`Query`](super::Query), with its proof.
 
+use std::fmt;
+
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::query::Query;
@@ -13,6 +15,17 @@ pub enum Location<const D: usize> {
     Boundary(Witness),
     /// Not in Z: a point outside, two bodies that are disjoint.
     Outside(Separation<D>),
+}
+
+/// Where a point lies relative to a closed body: a [`Location`] without its proof.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Status {
+    /// In the interior.
+    Inside,
+    /// In the body, but not in its interior.
+    Boundary,
+    /// Not in the body.
+    Outside,
 }
 
 /// The proof of a displacement p that lies in Z: coefficients of the generators.
@@ -58,12 +71,32 @@ impl<const D: usize> Location<D> {
         !matches!(self, Self::Outside(_))
     }
 
-    /// The name of the case: `inside`, `boundary` or `outside`.
-    pub fn status(&self) -> &'static str {
+    /// The case without its proof.
+    pub fn status(&self) -> Status {
         match self {
-            Self::Inside(_) => "inside",
-            Self::Boundary(_) => "boundary",
-            Self::Outside(_) => "outside",
+            Self::Inside(_) => Status::Inside,
+            Self::Boundary(_) => Status::Boundary,
+            Self::Outside(_) => Status::Outside,
         }
+    }
+}
+
+impl Status {
+    /// Every status, from the inside out.
+    pub const ALL: [Self; 3] = [Self::Inside, Self::Boundary, Self::Outside];
+
+    /// The name used in records: `inside`, `boundary` or `outside`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Inside => "inside",
+            Self::Boundary => "boundary",
+            Self::Outside => "outside",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }

@@ -63,6 +63,16 @@ pub enum MethodError {
     Faces(#[from] FacesError),
 }
 
+impl<const D: usize> Finding<D> {
+    /// The location with its proof, if that is what was found.
+    pub fn into_location(self) -> Option<Location<D>> {
+        match self {
+            Self::Located(location) => Some(location),
+            Self::Member(_) | Self::Undecided => None,
+        }
+    }
+}
+
 impl Method {
     /// Every method, better ones first.
     pub const ALL: &[Self] = &[
@@ -74,6 +84,12 @@ impl Method {
         Self::ByGjk,
         Self::BruteForce,
     ];
+
+    /// The method that answers where the caller chooses none: it locates and measures in this dimension, always with a proof. Above four
+    /// dimensions that is brute force, whose cost grows with the power of the dimension.
+    pub fn default_in(dimension: usize) -> Self {
+        if Self::ByLad.dimensions().contains(&dimension) { Self::ByLad } else { Self::BruteForce }
+    }
 
     /// The name of the method's file.
     pub fn id(self) -> &'static str {
@@ -299,7 +315,9 @@ mod tests {
                     continue;
                 }
                 match found.expect("the method works in this dimension") {
-                    Finding::Located(location) => assert_eq!(location.status() == "inside", is_inside, "{method:?}"),
+                    Finding::Located(location) => {
+                        assert_eq!(location.status().name() == "inside", is_inside, "{method:?}")
+                    }
                     Finding::Member(is_member) => {
                         assert!(!method.always_locates() && is_member == is_inside, "{method:?}");
                     }

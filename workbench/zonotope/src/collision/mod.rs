@@ -17,7 +17,9 @@
 //! | [`by_gjk`] | 1 to 7 | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
-//! [`Method`] names them, for callers that choose one when they run.
+//! [`Method`] names them, for callers that choose one when they run, and says the default of each dimension. The methods of
+//! [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask that default; in space [`PosedZonotope`] asks about
+//! a body under a pose.
 //!
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of the plane.
 //! [`verify`] checks an answer exactly and shares nothing with the methods.
@@ -36,6 +38,8 @@ pub mod by_slope_selection;
 mod gauge;
 mod location;
 mod method;
+mod of_bodies;
+mod of_posed_bodies;
 mod tightest_facet;
 mod to_doubles;
 pub mod upper_hull;
@@ -43,7 +47,9 @@ pub mod verify;
 
 pub use by_lad::{gauge, locate};
 
-pub use crate::zonotope::query::{Query, QueryError};
+pub use crate::zonotope::posed_query::PosedQuery;
+pub use crate::zonotope::query::Query;
 pub use gauge::Gauge;
-pub use location::{Location, Separation, Witness};
+pub use location::{Location, Separation, Status, Witness};
 pub use method::{Finding, Method, MethodError};
+pub use of_posed_bodies::PosedZonotope;

@@ -10,6 +10,7 @@
 //! | [`exact_sum`] | the exact sum of any number of doubles |
 //! | `lanes` | passes over vectors of space, two side by side |
 //! | `linear/` | dot and cross products, determinants and inverses |
+//! | [`non_finite`] | the refusal of numbers that are NaN or infinite, with the place where they stand |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
 //! | `outward` | directed rounding: the nearest double on a given side of an exact number |
 //! | [`scaling`] | powers of two, and differences that do not overflow |
@@ -26,6 +27,7 @@ pub(crate) mod exact_product;
 pub mod exact_sum;
 pub(crate) mod lanes;
 pub(crate) mod linear;
+pub mod non_finite;
 pub mod orientation;
 pub(crate) mod outward;
 pub mod scaling;

@@ -16,7 +16,7 @@ impl<const D: usize> Zonotope<D> {
     /// the axes, as for the other [operations](Self::minkowski_sum). O(n log n).
     ///
     /// # Errors
-    /// [`ZonotopeError::NonFiniteGenerator`] if a sum leaves the range of doubles.
+    /// [`ZonotopeError::NonFinite`] if a sum leaves the range of doubles.
     pub fn with_parallel_generators_merged(&self) -> Result<Self, ZonotopeError> {
         let directions = Directions::new(self.generators());
         let mut loss = Loss::none();

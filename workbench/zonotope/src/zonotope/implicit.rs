@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
+use crate::numeric::non_finite::NonFinite;
 use crate::numeric::outward::Loss;
 
 /// The zonotope { center + Σ δ_i generators_i : |δ_i| ≤ 1 }; generators are half-segments, in any order, zero and
@@ -18,24 +19,9 @@ pub struct Zonotope<const D: usize> {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ZonotopeError {
-    /// A coordinate of the centre is NaN or infinite.
-    #[error("the center's coordinate {coordinate} is {value}, not a finite number")]
-    NonFiniteCenter {
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A coordinate of a generator is NaN or infinite.
-    #[error("generator {generator}, coordinate {coordinate} is {value}, not a finite number")]
-    NonFiniteGenerator {
-        /// The generator, from 0.
-        generator: usize,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
+    /// A coordinate of the centre or of a generator is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// A list of coordinates does not divide into generators.
     #[error("{length} coordinates are not a whole number of generators of dimension {dimension}")]
     RaggedRows {
@@ -61,15 +47,8 @@ impl<const D: usize> Zonotope<D> {
     /// # Errors
     /// [`ZonotopeError`] names the first coordinate that is not finite.
     pub fn new(center: [f64; D], generators: Vec<[f64; D]>) -> Result<Self, ZonotopeError> {
-        let bad = |v: &[f64; D]| v.iter().position(|c| !c.is_finite());
-        if let Some(coordinate) = bad(&center) {
-            return Err(ZonotopeError::NonFiniteCenter { coordinate, value: center[coordinate] });
-        }
-        for (generator, v) in generators.iter().enumerate() {
-            if let Some(coordinate) = bad(v) {
-                return Err(ZonotopeError::NonFiniteGenerator { generator, coordinate, value: v[coordinate] });
-            }
-        }
+        NonFinite::check_vector("the center", &center)?;
+        NonFinite::check_list("generator", &generators)?;
         Ok(Self { center, generators })
     }
 

@@ -12,7 +12,7 @@
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
-//! | [`zonogon`] | what only the plane allows: vertices in order, exact area, exact membership |
+//! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
 
 mod cleanup;
 mod combinatorics;

@@ -23,7 +23,7 @@ impl<const D: usize> Zonotope<D> {
     /// doubles. O(n).
     ///
     /// # Errors
-    /// [`ZonotopeError::NonFiniteCenter`] if the centre leaves the range of doubles.
+    /// [`ZonotopeError::NonFinite`] if the centre leaves the range of doubles.
     pub fn minkowski_sum(&self, other: &Self) -> Result<Self, ZonotopeError> {
         self.sum_of([self.center(), other.center()], other)
     }
@@ -35,7 +35,7 @@ impl<const D: usize> Zonotope<D> {
     /// To decide whether bodies meet use [`Query::between`](crate::collision::Query::between), which rounds nothing.
     ///
     /// # Errors
-    /// [`ZonotopeError::NonFiniteCenter`] if the centre leaves the range of doubles.
+    /// [`ZonotopeError::NonFinite`] if the centre leaves the range of doubles.
     pub fn minkowski_sum_with_reflection(&self, other: &Self) -> Result<Self, ZonotopeError> {
         self.sum_of([self.center(), other.center().map(|c| -c)], other)
     }
@@ -55,7 +55,7 @@ impl<const D: usize> Zonotope<D> {
     /// The body moved by a vector. Encloses it; equal if the moved centre is one of doubles. O(n).
     ///
     /// # Errors
-    /// [`ZonotopeError::NonFiniteCenter`] if the centre is not finite afterwards.
+    /// [`ZonotopeError::NonFinite`] if the centre is not finite afterwards.
     pub fn translated(&self, by: [f64; D]) -> Result<Self, ZonotopeError> {
         let finite = |center| Self::new(center, Vec::new()).map(|_| ());
         finite(by)?;

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, exact};
+use crate::numeric::non_finite::NonFinite;
 
 /// A pose of space: x ↦ M x + t.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,24 +20,9 @@ pub struct Pose {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PoseError {
-    /// An entry of the matrix is NaN or infinite.
-    #[error("the matrix's entry in row {row}, column {column} is {value}, not a finite number")]
-    NonFiniteMatrix {
-        /// The row, from 0.
-        row: usize,
-        /// The column, from 0.
-        column: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A coordinate of the translation is NaN or infinite.
-    #[error("the translation's coordinate {coordinate} is {value}, not a finite number")]
-    NonFiniteTranslation {
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
+    /// An entry of the matrix or a coordinate of the translation is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// An axis or a quaternion has no direction: it is zero or not finite, or an angle is not finite.
     #[error("the rotation has no axis or angle: {value:?} cannot be scaled to length 1")]
     NoRotation {
@@ -55,21 +41,15 @@ impl Pose {
     /// # Errors
     /// [`PoseError`] names the first entry that is not finite.
     pub fn new(matrix: [[f64; 3]; 3], translation: [f64; 3]) -> Result<Self, PoseError> {
-        for (row, entries) in matrix.iter().enumerate() {
-            if let Some(column) = entries.iter().position(|c| !c.is_finite()) {
-                return Err(PoseError::NonFiniteMatrix { row, column, value: entries[column] });
-            }
-        }
-        if let Some(coordinate) = translation.iter().position(|c| !c.is_finite()) {
-            return Err(PoseError::NonFiniteTranslation { coordinate, value: translation[coordinate] });
-        }
+        NonFinite::check_matrix(&matrix)?;
+        NonFinite::check_vector("the translation", &translation)?;
         Ok(Self { matrix, translation })
     }
 
     /// The pose that only translates.
     ///
     /// # Errors
-    /// [`PoseError::NonFiniteTranslation`] if a coordinate is not finite.
+    /// [`PoseError::NonFinite`] if a coordinate is not finite.
     pub fn from_translation(translation: [f64; 3]) -> Result<Self, PoseError> {
         Self::new(Self::IDENTITY.matrix, translation)
     }
@@ -196,9 +176,11 @@ mod tests {
         let nan = f64::NAN;
         let mut matrix = Pose::IDENTITY.matrix();
         matrix[1][2] = nan;
-        assert!(matches!(Pose::new(matrix, [0.0; 3]), Err(PoseError::NonFiniteMatrix { row: 1, column: 2, .. })));
-        let refused = Pose::from_translation([0.0, f64::INFINITY, 0.0]);
-        assert_eq!(refused, Err(PoseError::NonFiniteTranslation { coordinate: 1, value: f64::INFINITY }));
+        let message = |refused: Result<Pose, PoseError>| refused.expect_err("a number is not finite").to_string();
+        let entry = "the matrix's entry in row 1, column 2 is NaN, not a finite number";
+        assert_eq!(message(Pose::new(matrix, [0.0; 3])), entry);
+        let coordinate = "the translation's coordinate 1 is inf, not a finite number";
+        assert_eq!(message(Pose::from_translation([0.0, f64::INFINITY, 0.0])), coordinate);
         assert!(matches!(Pose::from_quaternion([0.0; 4], [0.0; 3]), Err(PoseError::NoRotation { .. })));
         assert!(matches!(Pose::from_axis_angle([1.0, 0.0, 0.0], nan, [0.0; 3]), Err(PoseError::NoRotation { .. })));
         assert!(matches!(Pose::from_axis_angle([0.0; 3], 1.0, [0.0; 3]), Err(PoseError::NoRotation { .. })));

@@ -2,8 +2,8 @@
 
 use super::implicit::Zonotope;
 use super::pose::Pose;
-use super::query::{QueryError, non_finite};
 use crate::numeric::exact_linear::{ExactVector, difference, exact};
+use crate::numeric::non_finite::NonFinite;
 
 /// Where is an exact displacement relative to the zonotope { Σ δ_i M g_i : |δ_i| ≤ 1 } of posed generators?
 ///
@@ -19,11 +19,9 @@ impl<'a> PosedQuery<'a> {
     /// Membership of a point in a posed body: from the image of its centre to the point. O(1).
     ///
     /// # Errors
-    /// [`QueryError::NonFinitePoint`] if a coordinate of the point is not finite.
-    pub fn of_point(point: [f64; 3], body: &'a Zonotope<3>, pose: &Pose) -> Result<Self, QueryError> {
-        if let Some(coordinate) = non_finite(&point) {
-            return Err(QueryError::NonFinitePoint { point: "end", coordinate, value: point[coordinate] });
-        }
+    /// [`NonFinite`] if a coordinate of the point is not finite.
+    pub fn of_point(point: [f64; 3], body: &'a Zonotope<3>, pose: &Pose) -> Result<Self, NonFinite> {
+        NonFinite::check_vector("the end", &point)?;
         let displacement = difference(&exact(point), &pose.exact_point(body.center()));
         Ok(Self::new(displacement, [body.generators(), &[]], [*pose, Pose::IDENTITY]))
     }

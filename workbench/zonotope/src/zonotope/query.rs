@@ -1,9 +1,8 @@
 //! The query under membership, intersection and gauge.
 
-use thiserror::Error;
-
 use super::implicit::Zonotope;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::non_finite::NonFinite;
 
 /// Where is the exact vector `to` − `from` relative to the zonotope { Σ δ_i g_i : |δ_i| ≤ 1 }? Every coordinate is finite.
 ///
@@ -16,48 +15,15 @@ pub struct Query<'a, const D: usize> {
     generators: [&'a [[f64; D]]; 2],
 }
 
-/// Why points and generators are refused.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[non_exhaustive]
-pub enum QueryError {
-    /// A coordinate of one of the two points is NaN or infinite.
-    #[error("the {point}'s coordinate {coordinate} is {value}, not a finite number")]
-    NonFinitePoint {
-        /// "start" or "end".
-        point: &'static str,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A coordinate of a generator is NaN or infinite.
-    #[error("generator {generator}, coordinate {coordinate} is {value}, not a finite number")]
-    NonFiniteGenerator {
-        /// The generator, from 0.
-        generator: usize,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
-}
-
 impl<'a, const D: usize> Query<'a, D> {
     /// The displacement between two points, relative to generators. O(n).
     ///
     /// # Errors
-    /// [`QueryError`] names the first coordinate that is not finite.
-    pub fn new(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Result<Self, QueryError> {
-        for (name, point) in [("start", &from), ("end", &to)] {
-            if let Some(coordinate) = non_finite(point) {
-                return Err(QueryError::NonFinitePoint { point: name, coordinate, value: point[coordinate] });
-            }
-        }
-        for (generator, v) in generators.iter().enumerate() {
-            if let Some(coordinate) = non_finite(v) {
-                return Err(QueryError::NonFiniteGenerator { generator, coordinate, value: v[coordinate] });
-            }
-        }
+    /// [`NonFinite`] names the first coordinate that is not finite.
+    pub fn new(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Result<Self, NonFinite> {
+        NonFinite::check_vector("the start", &from)?;
+        NonFinite::check_vector("the end", &to)?;
+        NonFinite::check_list("generator", generators)?;
         Ok(Self { from, to, generators: [generators, &[]] })
     }
 
@@ -69,11 +35,9 @@ impl<'a, const D: usize> Query<'a, D> {
     /// Membership of a point: from the centre of the body to the point. O(1).
     ///
     /// # Errors
-    /// [`QueryError::NonFinitePoint`] if a coordinate of the point is not finite.
-    pub fn of_point(point: [f64; D], body: &'a Zonotope<D>) -> Result<Self, QueryError> {
-        if let Some(coordinate) = non_finite(&point) {
-            return Err(QueryError::NonFinitePoint { point: "end", coordinate, value: point[coordinate] });
-        }
+    /// [`NonFinite`] if a coordinate of the point is not finite.
+    pub fn of_point(point: [f64; D], body: &'a Zonotope<D>) -> Result<Self, NonFinite> {
+        NonFinite::check_vector("the end", &point)?;
         Ok(Self { from: body.center(), to: point, generators: [body.generators(), &[]] })
     }
 
@@ -131,8 +95,4 @@ impl<'a, const D: usize> Query<'a, D> {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
-}
-
-pub(super) fn non_finite<const D: usize>(vector: &[f64; D]) -> Option<usize> {
-    vector.iter().position(|c| !c.is_finite())
 }

@@ -45,11 +45,11 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, by_lad};
+//! use zonotope::collision::{Query, Status, by_lad};
 //! // the cube [−1, 1]³ and the point (2, 0, 0)
 //! let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let query = Query::new([0.0; 3], [2.0, 0.0, 0.0], &cube).unwrap();
-//! assert_eq!(by_lad::locate(&query).status(), "outside");
+//! assert_eq!(by_lad::locate(&query).status(), Status::Outside);
 //! assert_eq!(by_lad::gauge(&query).value, 2.0);
 //! ```
 

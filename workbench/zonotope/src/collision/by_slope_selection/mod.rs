@@ -55,13 +55,13 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, by_slope_selection};
+//! use zonotope::collision::{Query, Status, by_slope_selection};
 //! // the octagonal prism of two squares and a unit of height; (3, 0, z) is outside, (2, 0, 1) on an edge
 //! let prism = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 //! let at = |point| Query::new([0.0; 3], point, &prism).unwrap();
-//! assert_eq!(by_slope_selection::locate(&at([3.0, 0.0, 0.0]), 0).status(), "outside");
-//! assert_eq!(by_slope_selection::locate(&at([2.0, 1.0, 1.0]), 0).status(), "boundary");
-//! assert_eq!(by_slope_selection::locate(&at([1.0, 1.0, 0.5]), 0).status(), "inside");
+//! assert_eq!(by_slope_selection::locate(&at([3.0, 0.0, 0.0]), 0).status(), Status::Outside);
+//! assert_eq!(by_slope_selection::locate(&at([2.0, 1.0, 1.0]), 0).status(), Status::Boundary);
+//! assert_eq!(by_slope_selection::locate(&at([1.0, 1.0, 0.5]), 0).status(), Status::Inside);
 //! ```
 
 mod chain;

@@ -50,7 +50,6 @@ pub mod verify;
 pub use answer::{DirectedZonotope, Effort, Enclosure, ExactOptimum, Multiplier, OffSpan};
 pub(crate) use by_row_generation::Generation;
 pub(crate) use lower_bound::balanced;
-pub(crate) use problem::first_non_finite;
 
 pub use by_row_generation::{min_length_along, min_length_along_counted};
 pub use method::Method;

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::numeric::non_finite::NonFinite;
+
 /// Points of R^D, directions and the weight of each: a problem that exists is valid, at least one point and no number but finite ones,
 /// no weight negative. Directions may be zero, parallel, repeated, and fewer than D; weights may be zero.
 #[derive(Debug, Clone, Copy)]
@@ -18,34 +20,9 @@ pub enum FixedDirectionsError {
     /// There are no points.
     #[error("there are no points")]
     Empty,
-    /// A coordinate of a point is NaN or infinite.
-    #[error("point {point}, coordinate {coordinate} is {value}, not a finite number")]
-    NonFinitePoint {
-        /// The point, from 0.
-        point: usize,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A coordinate of a direction is NaN or infinite.
-    #[error("direction {direction}, coordinate {coordinate} is {value}, not a finite number")]
-    NonFiniteDirection {
-        /// The direction, from 0.
-        direction: usize,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
-    /// A weight is NaN or infinite.
-    #[error("weight {direction} is {weight}, not a finite number")]
-    NonFiniteWeight {
-        /// The direction, from 0.
-        direction: usize,
-        /// Its weight.
-        weight: f64,
-    },
+    /// A coordinate of a point or of a direction, or a weight, is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// There are not as many weights as directions.
     #[error("{weights} weights for {directions} directions")]
     WeightCount {
@@ -77,15 +54,9 @@ impl<'a, const D: usize> FixedDirections<'a, D> {
         directions: &'a [[f64; D]],
         weights: &'a [f64],
     ) -> Result<Self, FixedDirectionsError> {
-        if let Some((point, coordinate, value)) = first_non_finite(points) {
-            return Err(FixedDirectionsError::NonFinitePoint { point, coordinate, value });
-        }
-        if let Some((direction, coordinate, value)) = first_non_finite(directions) {
-            return Err(FixedDirectionsError::NonFiniteDirection { direction, coordinate, value });
-        }
-        if let Some(direction) = weights.iter().position(|w| !w.is_finite()) {
-            return Err(FixedDirectionsError::NonFiniteWeight { direction, weight: weights[direction] });
-        }
+        NonFinite::check_list("point", points)?;
+        NonFinite::check_list("direction", directions)?;
+        NonFinite::check_numbers("weight", weights)?;
         if weights.len() != directions.len() {
             return Err(FixedDirectionsError::WeightCount { directions: directions.len(), weights: weights.len() });
         }
@@ -112,9 +83,4 @@ impl<'a, const D: usize> FixedDirections<'a, D> {
     pub fn weights(&self) -> &'a [f64] {
         self.weights
     }
-}
-
-/// Where the first coordinate that is not finite stands, and what it is.
-pub(crate) fn first_non_finite<const D: usize>(vectors: &[[f64; D]]) -> Option<(usize, usize, f64)> {
-    vectors.iter().enumerate().find_map(|(i, v)| v.iter().position(|c| !c.is_finite()).map(|c| (i, c, v[c])))
 }

@@ -92,7 +92,7 @@ fn contains_hull(answer: &MinAreaZonogon) -> Result<(), MinAreaDefect> {
     let zonogon = answer.zonogon.exact_vertices();
     let hull: Vec<_> = answer.hull.vertices().iter().map(|p| p.map(Dyadic::from_f64)).collect();
     if zonogon.len() < 3 {
-        let outside = answer.hull.vertices().iter().position(|&p| !answer.zonogon.contains(p));
+        let outside = answer.hull.vertices().iter().position(|&p| !answer.zonogon.contains_by_vertices(p));
         return outside.map_or(Ok(()), |vertex| Err(MinAreaDefect::Outside(vertex)));
     }
     let next = |v: usize| (v + 1) % hull.len();

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
 
 /// Why points or a precision are refused.
@@ -9,15 +10,8 @@ use crate::zonotope::Zonotope;
 #[non_exhaustive]
 pub enum MinLengthError {
     /// A coordinate of a point is NaN or infinite.
-    #[error("point {point}, coordinate {coordinate} is {value}, not a finite number")]
-    NonFinite {
-        /// The point, from 0.
-        point: usize,
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
-    },
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// There are no points.
     #[error("there are no points")]
     Empty,

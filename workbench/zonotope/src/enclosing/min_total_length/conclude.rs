@@ -5,14 +5,12 @@ use super::contain::around;
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
 use super::lower_bound::Best;
-use crate::enclosing::fixed_directions::first_non_finite;
+use crate::numeric::non_finite::NonFinite;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
 
 pub(super) fn validate<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<(), MinLengthError> {
-    if let Some((point, coordinate, value)) = first_non_finite(points) {
-        return Err(MinLengthError::NonFinite { point, coordinate, value });
-    }
+    NonFinite::check_list("point", points)?;
     if points.is_empty() {
         return Err(MinLengthError::Empty);
     }

@@ -100,7 +100,7 @@ fn check(query: &PosedQuery<'_>) {
     let location = locate_posed(query);
     let gauge = gauge_posed(query);
     if let Some(status) = truth(&images, p) {
-        assert_eq!(location.status(), status);
+        assert_eq!(location.status().name(), status);
         let scale = Dyadic::from_f64(gauge.value);
         // p is outside of a body a little smaller than gauge times this one, and inside of one a little larger
         if gauge.value.is_finite() && gauge.value > 0.0 && gauge.error < 1e-6 * gauge.value {

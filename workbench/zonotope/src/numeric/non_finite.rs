@@ -1,0 +1,124 @@
+//! The refusal of numbers that are NaN or infinite: one type for all inputs, which says where the number stands.
+
+use std::fmt;
+
+use thiserror::Error;
+
+/// A number of an input is NaN or infinite.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[error("{place} is {value}, not a finite number")]
+pub struct NonFinite {
+    /// Where the number stands: the first such place in the order of the input.
+    pub place: Place,
+    /// The number.
+    pub value: f64,
+}
+
+/// Where a number stands in an input.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// A coordinate of a vector that has a name of its own.
+    Named {
+        /// The vector, as a noun with its article: "the center".
+        vector: &'static str,
+        /// The coordinate, from 0.
+        coordinate: usize,
+    },
+    /// A coordinate of a vector in a list.
+    Listed {
+        /// What the list holds: "generator".
+        noun: &'static str,
+        /// Which of them, from 0.
+        index: usize,
+        /// The coordinate, from 0.
+        coordinate: usize,
+    },
+    /// A number in a list of numbers.
+    Number {
+        /// What the list holds: "weight".
+        noun: &'static str,
+        /// Which of them, from 0.
+        index: usize,
+    },
+    /// An entry of a matrix.
+    Entry {
+        /// The row, from 0.
+        row: usize,
+        /// The column, from 0.
+        column: usize,
+    },
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Named { vector, coordinate } => write!(f, "{vector}'s coordinate {coordinate}"),
+            Self::Listed { noun, index, coordinate } => write!(f, "{noun} {index}, coordinate {coordinate}"),
+            Self::Number { noun, index } => write!(f, "{noun} {index}"),
+            Self::Entry { row, column } => write!(f, "the matrix's entry in row {row}, column {column}"),
+        }
+    }
+}
+
+impl NonFinite {
+    /// Refuses a vector that has a name of its own, if a coordinate is not finite.
+    pub(crate) fn check_vector<const D: usize>(vector: &'static str, v: &[f64; D]) -> Result<(), Self> {
+        match v.iter().position(|c| !c.is_finite()) {
+            Some(coordinate) => Err(Self { place: Place::Named { vector, coordinate }, value: v[coordinate] }),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses a list of vectors, if a coordinate is not finite. O(n).
+    pub(crate) fn check_list<const D: usize>(noun: &'static str, vectors: &[[f64; D]]) -> Result<(), Self> {
+        match vectors.as_flattened().iter().position(|c| !c.is_finite()) {
+            Some(at) => {
+                let (index, coordinate) = (at / D, at % D);
+                Err(Self { place: Place::Listed { noun, index, coordinate }, value: vectors[index][coordinate] })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses a list of numbers, if one is not finite. O(n).
+    pub(crate) fn check_numbers(noun: &'static str, numbers: &[f64]) -> Result<(), Self> {
+        match numbers.iter().position(|c| !c.is_finite()) {
+            Some(index) => Err(Self { place: Place::Number { noun, index }, value: numbers[index] }),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses a matrix given by its rows, if an entry is not finite.
+    pub(crate) fn check_matrix<const D: usize>(rows: &[[f64; D]]) -> Result<(), Self> {
+        match rows.as_flattened().iter().position(|c| !c.is_finite()) {
+            Some(at) => {
+                let (row, column) = (at / D, at % D);
+                Err(Self { place: Place::Entry { row, column }, value: rows[row][column] })
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_message_names_the_first_place() {
+        let text = |refused: Result<(), NonFinite>| refused.expect_err("a number is not finite").to_string();
+        let [nan, inf] = [f64::NAN, f64::INFINITY];
+        assert_eq!(
+            text(NonFinite::check_vector("the center", &[1.0, inf])),
+            "the center's coordinate 1 is inf, not a finite number"
+        );
+        let list = [[1.0, 2.0], [3.0, nan], [inf, 4.0]];
+        let listed = "generator 1, coordinate 1 is NaN, not a finite number";
+        assert_eq!(text(NonFinite::check_list("generator", &list)), listed);
+        assert_eq!(text(NonFinite::check_numbers("weight", &[0.0, -inf])), "weight 1 is -inf, not a finite number");
+        let entry = "the matrix's entry in row 1, column 1 is NaN, not a finite number";
+        assert_eq!(text(NonFinite::check_matrix(&list)), entry);
+        assert_eq!(NonFinite::check_list("generator", &[[]]), Ok(()));
+    }
+}
