@@ -5,7 +5,7 @@
 //! once can be faster. The truth about every question is known from its construction
 //! ([`experiments::families::bodies::question`]), not from any of the methods.
 //!
-//! - [`contenders`]: the methods; [`race`]: the interleaved measurement; [`line_fit`]: the L1 line fit against the
+//! - `contenders`: the methods; `race`: the interleaved measurement; `line_fit`: the L1 line fit against the
 //!   crate `palb`.
 //! - [`experiments::peers`]: the record that a run writes, and the tables made from it.
 //!
