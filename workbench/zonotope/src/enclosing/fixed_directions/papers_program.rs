@@ -4,16 +4,19 @@
 //! As [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
 //!
 //! # Source
-//! Section 4.2, Theorem 4.6: minimise Σ c_i subject to p_j = p + Σ b_ij v_i and −c_i ≤ b_ij ≤ c_i for the points extreme along a facet normal. Departures:
-//! weights w_i; coordinates of the span, without which too few points would be found extreme.
+//! Section 4.2, Theorem 4.6: minimise Σ c_i subject to p_j = p + Σ b_ij v_i and −c_i ≤ b_ij ≤ c_i for the points
+//! extreme along a facet normal. Departures: weights w_i; coordinates of the span, without which too few points would
+//! be found extreme.
 //!
 //! # Method
 //! 1. The extreme points by the scan over all facet normals.
 //! 2. The program in the unknowns p, c and b, by the given engine: a guess.
-//! 3. The facets that the extreme points nearly touch at the guess begin the method by row generation, which ends on an exact footing.
+//! 3. The facets that the extreme points nearly touch at the guess begin the method by row generation, which ends on an
+//!    exact footing.
 //!
 //! # Complexity
-//! n points, k directions: O(n k^{d−1}) for n' = O(k^{d−1}) extreme points, then a program of (k + 1) n' + d unknowns; the paper's bound is O(k^{O(d)}).
+//! n points, k directions: O(n k^{d−1}) for n' = O(k^{d−1}) extreme points, then a program of (k + 1) n' + d unknowns;
+//! the paper's bound is O(k^{O(d)}).
 //!
 //! # Shapes
 //! As [`by_row_generation`](super::by_row_generation).
@@ -52,10 +55,10 @@ use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relat
 use crate::zonotope::ray_exit::FacetDescent;
 
 /// A point whose ray leaves the zonotope at less than this multiple may touch it at the optimum.
-const NEARLY_TOUCHES: f64 = 1.0 + 1e-6;
+const LARGEST_TOUCHING_GAUGE: f64 = 1.0 + 1e-6;
 
-/// The points that the program is about, in increasing order: the scan of all points along all C(k, d − 1) facet normals, none if the directions do not span the
-/// differences of the points.
+/// The points that the program is about, in increasing order: the scan of all points along all C(k, d − 1) facet
+/// normals, none if the directions do not span the differences of the points.
 pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<usize> {
     let span = Span::of(problem.directions());
     if span.first_departure(problem.points()).is_some() || span.dimension() == 0 {
@@ -110,7 +113,7 @@ pub fn min_length_by_papers_program<const D: usize>(
             let mut descent = FacetDescent::new(rank, &generators);
             for &j in &extreme {
                 let ray = std::array::from_fn(|c| if c < rank { scaled.points[j][c] - primal[c] } else { 0.0 });
-                if let Some(facet) = descent.facet(&ray).filter(|facet| facet.gauge < NEARLY_TOUCHES) {
+                if let Some(facet) = descent.facet(&ray).filter(|facet| facet.gauge < LARGEST_TOUCHING_GAUGE) {
                     generation.add_normal(facet.normal, tally);
                 }
             }

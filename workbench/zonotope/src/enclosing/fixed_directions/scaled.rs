@@ -1,7 +1,9 @@
-//! The problem as the floating-point methods see it: in coordinates of the span, points and directions of ordinary size, one direction for each line.
+//! The problem as the floating-point methods see it: in coordinates of the span, points and directions of ordinary
+//! size, one direction for each line.
 //!
-//! Every factor is a power of two, so scaling is exact but where a number underflows; what the methods return is a guess, proved or widened
-//! in the units of the input. Of parallel directions the cheapest serves for all: c_i v_i is what counts, and it costs w_i c_i.
+//! Every factor is a power of two, so scaling is exact but where a number underflows; what the methods return is a
+//! guess, proved or widened in the units of the input. Of parallel directions the cheapest serves for all: c_i v_i is
+//! what counts, and it costs w_i c_i.
 
 use std::cmp::Ordering;
 
@@ -72,7 +74,8 @@ impl<const D: usize> Scaled<D> {
         let magnitude = |(w, e): (f64, i64)| i64::from(binary_exponent(w).expect("a positive weight")) - e;
         let weight_exponent = costs().map(magnitude).min().unwrap_or(0);
         let weighted = |d: KeptDirection<D>| {
-            let weight = scale_by_power_of_two(problem.weights()[d.index], -d.exponent - weight_exponent).min(HEAVIEST);
+            let weight = scale_by_power_of_two(problem.weights()[d.index], -d.exponent - weight_exponent)
+                .min(RELATIVE_WEIGHT_LIMIT);
             KeptDirection { weight, ..d }
         };
         let directions = directions.into_iter().map(weighted).collect();
@@ -80,8 +83,9 @@ impl<const D: usize> Scaled<D> {
     }
 }
 
-/// Directions so much dearer than the cheapest one are taken for no dearer than this; the proof of the answer uses the true weights.
-const HEAVIEST: f64 = 1e100;
+/// A weight above this multiple of the least one is replaced by that multiple in the search; the proof of the answer
+/// uses the true weights.
+const RELATIVE_WEIGHT_LIMIT: f64 = 1e100;
 
 fn cheapest_of_each_line<const D: usize>(
     problem: &FixedDirections<'_, D>,

@@ -4,7 +4,8 @@
 //! As [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
 //!
 //! # Source
-//! Section 4.2, in the unknowns p and c alone: Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for every normal u of d − 1 directions, both ways.
+//! Section 4.2, in the unknowns p and c alone: Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for every normal u of d − 1
+//! directions, both ways.
 //!
 //! # Method
 //! 1. Enumerate the normals, in coordinates of the span; for each the farthest point both ways.
@@ -12,7 +13,8 @@
 //! 3. The rows that are nearly tight at the guess begin the method by row generation, which ends on an exact footing.
 //!
 //! # Complexity
-//! n points, k directions: O(n k^{d−1}) for the rows, 2 C(k, d − 1) rows of k + d entries, then what the engine takes; space O(k^d).
+//! n points, k directions: O(n k^{d−1}) for the rows, 2 C(k, d − 1) rows of k + d entries, then what the engine takes;
+//! space O(k^d).
 //!
 //! # Shapes
 //! As [`by_row_generation`](super::by_row_generation).
@@ -49,7 +51,7 @@ use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relat
 use crate::zonotope::ray_exit::dot;
 
 /// A row whose two sides differ by less than this, in coordinates of size 1, may be tight at the optimum.
-const NEARLY_TIGHT: f64 = 1e-6;
+const TIGHTNESS_TOLERANCE: f64 = 1e-6;
 
 /// The smallest zonotope along the directions around the points, by way of the given engine.
 ///
@@ -79,7 +81,7 @@ pub fn min_length_by_support_form<const D: usize>(
             let mut slacks: Vec<(f64, usize)> = Vec::new();
             for (j, row) in program.rows().iter().enumerate() {
                 let slack = row.terms.iter().map(|&(i, a)| a * primal[i]).sum::<f64>() - row.right;
-                if slack < NEARLY_TIGHT {
+                if slack < TIGHTNESS_TOLERANCE {
                     slacks.push((slack, j));
                 }
             }

@@ -2,33 +2,35 @@
 //!
 //! # Statement
 //! Input: points of the plane, at least one, finite. Output: a zonogon in doubles that contains every point exactly, an
-//! upper bound of its area, a lower bound for every enclosing zonogon, the optimal centre exactly and its certificate. For points on
-//! a line the area is zero: the answer is their segment, where doubles can express it. The optimal centre need not be unique; the dimension of the set of
-//! optimal centres is told.
+//! upper bound of its area, a lower bound for every enclosing zonogon, the optimal centre exactly and its certificate.
+//! For points on a line the area is zero: the answer is their segment, where doubles can express it. The optimal centre
+//! need not be unique; the dimension of the set of optimal centres is told.
 //!
 //! # Source
-//! Section 4.1, Theorem 4.5. Departures: the search over the arrangement is the kernel's (the paper's own search is one of
-//! its methods); the area is convex, not only unimodal; the centre is rounded to doubles, and the loss is bounded by the certificate.
+//! Section 4.1, Theorem 4.5. Departures: the search over the arrangement is the kernel's (the paper's own search is one
+//! of its methods); the area is convex, not only unimodal; the centre is rounded to doubles, and the loss is bounded by
+//! the certificate.
 //!
 //! # Method
 //! 1. Convex hull, farthest vertex of each edge, lines ℓ_t.
 //! 2. The kernel minimises Σ |e_t × (X − P_s − P_t)|: the optimal centre and coefficients δ_t.
 //! 3. Round the centre to doubles, the best of the nearest ones, take Z(O) there, round it outward.
-//! 4. Lower bound: f(O) minus ½ Σ (|v_t| − δ_t v_t) with v_t = e_t × (2O − P_s − P_t), a sum over the few edges whose δ_t is not
-//!    the sign of v_t. It holds because f grows by ½ Σ |v_t| and Σ δ_t e_t = 0.
+//! 4. Lower bound: f(O) minus ½ Σ (|v_t| − δ_t v_t) with v_t = e_t × (2O − P_s − P_t), a sum over the few edges whose
+//!    δ_t is not the sign of v_t. It holds because f grows by ½ Σ |v_t| and Σ δ_t e_t = 0.
 //!
 //! # Complexity
-//! n points, h hull vertices: O(n log n) for the hull, expected O(h) for the rest with [`by_pruning`](crate::lad::by_pruning), O(h log² h) with the paper's
-//! search; space O(n). The paper: O(n log² n).
+//! n points, h hull vertices: O(n log n) for the hull, expected O(h) for the rest with
+//! [`by_pruning`](crate::lad::by_pruning), O(h log² h) with the paper's search; space O(n). The paper: O(n log² n).
 //!
 //! # Shapes
-//! `points`: n × 2, any order, duplicates allowed; `generators`: half-lengths, in the order of their angles but for at most two that
-//! make up for rounding.
+//! `points`: n × 2, any order, duplicates allowed; `generators`: half-lengths, in the order of their angles but for at
+//! most two that make up for rounding.
 //!
 //! # Numerics
-//! The optimal centre and all signs are exact. Relative gap: about 1e-16 for few vertices and 2e-14 for many, on hulls that are neither thin nor far from the origin; it
-//! grows with (diameter + distance from the origin) · perimeter / area, as no double is nearer to the optimal centre. Always certified by
-//! `lower_bound`; use [`exact`](super::exact) where doubles are not enough.
+//! The optimal centre and all signs are exact. Relative gap: about 1e-16 for few vertices and 2e-14 for many, on hulls
+//! that are neither thin nor far from the origin; it grows with (diameter + distance from the origin) · perimeter /
+//! area, as no double is nearer to the optimal centre. Always certified by `lower_bound`; use [`exact`](super::exact)
+//! where doubles are not enough.
 //!
 //! # Errors
 //! [`MinAreaError::Points`] ⇔ no points, too many, or a coordinate that is not finite.
@@ -70,7 +72,8 @@ pub fn min_area_enclosing_zonogon(points: &[[f64; 2]]) -> Result<MinAreaZonogon,
     min_area_enclosing_zonogon_with(Method::default(), points, 0, &mut ())
 }
 
-/// The zonogon of least area by a chosen method of the kernel, counting operations. `seed` decides the time, never the area.
+/// The zonogon of least area by a chosen method of the kernel, counting operations. `seed` decides the time, never the
+/// area.
 ///
 /// # Errors
 /// When there are no points, too many, or one is not finite.
@@ -122,9 +125,9 @@ impl Rounded {
     }
 
     fn is_loose(&self) -> bool {
-        self.area - self.lower_bound > LOOSE * self.area
+        self.area - self.lower_bound > GAP_TO_ROUND_AGAIN * self.area
     }
 }
 
-/// A relative gap that makes it worth to look at other doubles for the centre.
-const LOOSE: f64 = 1e-13;
+/// If the area exceeds its lower bound by more than this share, other doubles near the centre are tried.
+const GAP_TO_ROUND_AGAIN: f64 = 1e-13;

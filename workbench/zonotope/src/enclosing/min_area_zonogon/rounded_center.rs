@@ -1,7 +1,8 @@
 //! The optimal centre in doubles, and at most how much area that costs.
 //!
-//! With the coefficients δ_t of the certificate, f(O) exceeds its minimum by exactly ½ Σ (|v_t(O)| − δ_t v_t(O)). A term vanishes
-//! where δ_t is the sign of v_t(O), so only the lines between O and the optimum count, and those of the basis, whose δ_t need not be a sign.
+//! With the coefficients δ_t of the certificate, f(O) exceeds its minimum by exactly ½ Σ (|v_t(O)| − δ_t v_t(O)). A
+//! term vanishes where δ_t is the sign of v_t(O), so only the lines between O and the optimum count, and those of the
+//! basis, whose δ_t need not be a sign.
 
 use crate::enclosing::bisectors::{Bisectors, Frame};
 use crate::enclosing::centered_zonogon::homogeneous;
@@ -48,8 +49,8 @@ impl Kernel<'_, '_> {
 /// How many doubles on either side of the nearest one are looked at in each coordinate.
 const NEIGHBOURS: usize = 2;
 
-/// Up to this many lines between the candidates are evaluated exactly at each.
-const MOST_NEARBY: usize = 1 << 12;
+/// If at most this many lines pass between the candidates, each line is evaluated exactly at each candidate.
+const NEARBY_LINE_LIMIT: usize = 1 << 12;
 
 impl RoundedCenter {
     /// The doubles nearest to the optimal centre.
@@ -67,7 +68,8 @@ impl RoundedCenter {
         Self { point, sides, gap: kernel.unscaled(gap) }
     }
 
-    /// The best of the nearest doubles and their neighbours; `None` where too many lines pass between them to be worth it. O(h).
+    /// The best of the nearest doubles and their neighbours; `None` where too many lines pass between them to be worth
+    /// it. O(h).
     pub(super) fn best_nearby(kernel: &Kernel) -> Option<Self> {
         let Kernel { bisectors, problem, optimum, .. } = kernel;
         let certificate = &optimum.certificate;
@@ -76,7 +78,7 @@ impl RoundedCenter {
         let kernel_points: Vec<[Dyadic; 3]> =
             points.iter().map(|&point| bisectors.kernel_point(&homogeneous(point))).collect();
         let (near, mut sides) = problem.sides_around(&kernel_points);
-        if near.len() > MOST_NEARBY {
+        if near.len() > NEARBY_LINE_LIMIT {
             return None;
         }
         let basis = certificate.basis_fractions(problem);

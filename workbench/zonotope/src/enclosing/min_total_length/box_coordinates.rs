@@ -1,5 +1,5 @@
-//! Coordinates in which the points of a frame reach equally far along every axis: a thin body is not thin there, and being inside does not depend
-//! on coordinates.
+//! Coordinates in which the points of a frame reach equally far along every axis: a thin body is not thin there, and
+//! being inside does not depend on coordinates.
 
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
@@ -18,7 +18,8 @@ pub(super) struct BoxCoordinates<'a, const D: usize> {
 pub(super) enum Sight<const D: usize> {
     /// The zonotope, scaled by the inverse of the gauge, has the point on a facet with this unit normal.
     Facet { gauge: f64, normal: [f64; D] },
-    /// No multiple of the zonotope holds the point, as far as floating point can tell; a unit vector orthogonal to all generators.
+    /// No multiple of the zonotope holds the point, as far as floating point can tell; a unit vector orthogonal to all
+    /// generators.
     OffSpan { normal: [f64; D] },
     /// The point is the centre.
     Center,
@@ -106,7 +107,8 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
                 Some(facet) => Sight::Facet { gauge: facet.gauge.max(0.0), normal: self.normal(&facet.normal) },
                 None => {
                     let off = orthogonal_part(&ray, &span);
-                    let is_off = dot(&off, &off) > OFF * OFF * dot(&ray, &ray);
+                    let is_off =
+                        dot(&off, &off) > RELATIVE_DISTANCE_OFF_SPAN * RELATIVE_DISTANCE_OFF_SPAN * dot(&ray, &ray);
                     Sight::OffSpan { normal: self.normal(if is_off { &off } else { &ray }) }
                 }
             };
@@ -114,7 +116,8 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
         })
     }
 
-    /// The zonotope contains all points when its generators are so much longer; infinite where none of its multiples does.
+    /// The zonotope contains all points when its generators are so much longer; infinite where none of its multiples
+    /// does.
     pub(super) fn stretch(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
         let all = 0..self.frame.points.len();
         self.sights(center, generators, all).fold(1.0, |stretch: f64, (_, sight)| match sight {
@@ -125,8 +128,8 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
     }
 }
 
-/// What is left of a vector is off the span of others if it is longer than this, beside the vector.
-const OFF: f64 = 1e-9;
+/// A vector is off the span of others if its distance from that span exceeds this share of its length.
+const RELATIVE_DISTANCE_OFF_SPAN: f64 = 1e-9;
 
 /// Orthonormal directions that span vectors but for what is short beside the longest of them.
 fn long_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
@@ -135,7 +138,7 @@ fn long_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
     let longest = vectors.iter().map(|v| dot(v, v)).fold(0.0, f64::max).sqrt();
     while let Some(far) = rest.iter().copied().max_by(|a, b| dot(a, a).total_cmp(&dot(b, b))) {
         let length = dot(&far, &far).sqrt();
-        if length <= OFF * longest || directions.len() == D {
+        if length <= RELATIVE_DISTANCE_OFF_SPAN * longest || directions.len() == D {
             break;
         }
         let unit = far.map(|c| c / length);

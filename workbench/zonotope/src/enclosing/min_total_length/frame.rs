@@ -1,4 +1,5 @@
-//! Coordinates for the floating-point search: of ordinary size, in the affine hull of the points, with lengths as they are.
+//! Coordinates for the floating-point search: of ordinary size, in the affine hull of the points, with lengths as they
+//! are.
 
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::zonotope::ray_exit::dot;
@@ -15,7 +16,7 @@ pub(super) struct Frame<const D: usize> {
 }
 
 /// Points are taken to lie in a subspace if they are nearer to it than this times their spread.
-const FLAT: f64 = 1e-13;
+const RELATIVE_DISTANCE_OFF_SUBSPACE: f64 = 1e-13;
 
 impl<const D: usize> Frame<D> {
     /// The frame of points; of rank 0 just when all are equal.
@@ -74,7 +75,7 @@ fn long_axes<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
     let mut axes: Vec<[f64; D]> = Vec::with_capacity(D);
     while axes.len() < D {
         let Some(far) = rest.iter().copied().max_by(|a, b| dot(a, a).total_cmp(&dot(b, b))) else { break };
-        if dot(&far, &far).sqrt() <= FLAT {
+        if dot(&far, &far).sqrt() <= RELATIVE_DISTANCE_OFF_SUBSPACE {
             break;
         }
         let mut unit = far;

@@ -1,9 +1,10 @@
 //! Checks an answer in exact arithmetic, with code that shares nothing with the search.
 //!
-//! The multipliers add up to zero, and lower bound · |w| ≤ Σ λ_j · p_j for every vertex w of Σ [−1, 1] λ_j. In coordinates in which the r-dimensional span of the multipliers is
-//! all of space, each vertex lies on the side of some direction orthogonal to r − 1 independent multipliers; those orthogonal to it as well are a zonotope in a hyperplane, whose
-//! vertices are found in the same way.
-//! So the vertices are enumerated by subsets, with exact normals and exact signs. Containment is decided for each point by a rational program.
+//! The multipliers add up to zero, and lower bound · |w| ≤ Σ λ_j · p_j for every vertex w of Σ [−1, 1] λ_j. In
+//! coordinates in which the r-dimensional span of the multipliers is all of space, each vertex lies on the side of some
+//! direction orthogonal to r − 1 independent multipliers; those orthogonal to it as well are a zonotope in a
+//! hyperplane, whose vertices are found in the same way. So the vertices are enumerated by subsets, with exact normals
+//! and exact signs. Containment is decided for each point by a rational program.
 
 use std::cmp::Ordering;
 
@@ -34,10 +35,12 @@ pub enum MinLengthDefect {
     Ratio,
 }
 
-/// Up to so many multipliers in one hyperplane are tried with all signs; of more, the vertices in that hyperplane.
-const FEW_TIES: usize = 4;
+/// At most this many multipliers in one hyperplane are tried with all signs; of more, the vertices of their sum in that
+/// hyperplane are enumerated.
+const ALL_SIGNS_LIMIT: usize = 4;
 
-/// Checks everything about an answer: a rational program for each point, exact vertices of all multipliers. For small answers.
+/// Checks everything about an answer: a rational program for each point, exact vertices of all multipliers. For small
+/// answers.
 ///
 /// # Errors
 /// The first defect found.
@@ -147,7 +150,7 @@ fn farthest_vertex<const D: usize>(base: &[Dyadic; D], multipliers: &[[Dyadic; D
                             })
                         },
                     );
-                    let distance = if ties.len() <= FEW_TIES {
+                    let distance = if ties.len() <= ALL_SIGNS_LIMIT {
                         farthest_of_signs(&vertex, &ties)
                     } else {
                         farthest_vertex(&vertex, &ties)

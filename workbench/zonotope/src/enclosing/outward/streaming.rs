@@ -1,7 +1,8 @@
-//! Z(O) rounded outward as its edges are met, in a range where nothing overflows: no list of them is made, and one bound holds for all errors.
+//! Z(O) rounded outward as its edges are met, in a range where nothing overflows: no list of them is made, and one
+//! bound holds for all errors.
 //!
-//! A half-edge is off by one rounding of the result and one of a far smaller tail. The area of Z(O) is Σ (vertex − O) × (next vertex − vertex)
-//! over half the boundary; no term is negative.
+//! A half-edge is off by one rounding of the result and one of a far smaller tail. The area of Z(O) is Σ (vertex − O) ×
+//! (next vertex − vertex) over half the boundary; no term is negative.
 
 use super::{Outward, above, rounded_towards, sense, widened};
 use crate::enclosing::bisectors::Frame;
@@ -11,16 +12,16 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
-/// Around hulls of at most this many edges Z(O) is rounded exactly at once.
-const FEW: usize = 64;
+/// Around hulls of at most this many edges Z(O) is rounded by exact arithmetic at once, which costs little there.
+const EXACT_EDGE_LIMIT: usize = 64;
 
-/// Areas known less precisely than this, relatively, are measured exactly.
-const PRECISE: f64 = 5e-14;
+/// An area whose relative error may exceed this is measured exactly.
+const AREA_PRECISION: f64 = 5e-14;
 
 /// Rounds Z(O) outward. O(h). `None` where that is worth exact arithmetic.
 pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outward> {
     let hull = half_turn.hull();
-    if hull.edge_count() <= FEW || !half_turn.center_is_double() || !frame.sums_are_doubles() {
+    if hull.edge_count() <= EXACT_EDGE_LIMIT || !half_turn.center_is_double() || !frame.sums_are_doubles() {
         return None;
     }
     let mut gathered = Gathered {
@@ -72,8 +73,8 @@ impl Gathered<'_> {
         let slack = extent.map(|v| above(unscaled(2.0 * UNIT * v) + (self.area.terms + 2) as f64 * f64::from_bits(1)));
         let [a, b] = slack.map(|v| 2.0 * frame.scaled_length(v));
         let [width, height] = [2.0 * extent[0] + 2.0 * (a + b), 2.0 * extent[1] + 2.0 * (a + b)];
-        // No arm is longer than half the zonogon is wide or high, which bounds all products together by width · height, and an edge off by ε moves
-        // its term by at most |arm| ε.
+        // No arm is longer than half the zonogon is wide or high, which bounds all products together by width · height,
+        // and an edge off by ε moves its term by at most |arm| ε.
         let (half_area, rounding_error) = self.area.finish(width * height);
         let area = 2.0 * half_area;
         let error = 2.0 * rounding_error + 2.0 * (a * height + b * width);
@@ -81,7 +82,7 @@ impl Gathered<'_> {
         let in_input_units = |area: f64| Dyadic::from_f64(area).scaled(2 * frame.scale);
         let area_below = in_input_units((area - error) * (1.0 - 4.0 * UNIT));
         let area_above = in_input_units((area + error + excess) * (1.0 + 4.0 * UNIT));
-        (2.0 * error + excess <= PRECISE * area).then(|| Outward {
+        (2.0 * error + excess <= AREA_PRECISION * area).then(|| Outward {
             zonogon: widened(center, generators, slack),
             area_below: rounded_towards(&area_below, f64::NEG_INFINITY),
             area_above: rounded_towards(&area_above, f64::INFINITY),
@@ -110,7 +111,8 @@ impl EdgeVisitor for Gathered<'_> {
     }
 }
 
-/// A sum of differences of products, none of them negative, with a bound on its error when each factor is two roundings off.
+/// A sum of differences of products, none of them negative, with a bound on its error when each factor is two roundings
+/// off.
 ///
 /// Blocks of terms are summed plainly and joined to the total with their rounding errors carried along.
 #[derive(Default)]

@@ -1,9 +1,11 @@
 //! The facet of a zonotope that a ray from its centre meets, in floating point: a guess that its users prove or refute.
 //!
-//! gauge(q) = min { h(u) : u · q = 1 }, h(u) = Σ |u · g_i|. A vertex of that problem has u orthogonal to d − 1 independent generators, the basis: it is a
-//! facet normal. The other generators contribute with the signs of u · g_i; the coefficients of the basis that put their sum on the ray tell
-//! whether the vertex is optimal (all within [−1, 1]) and if not, which generator to leave. The next vertex is the weighted median of the crossings
-//! along the edge. Statuses are kept from step to step, and a random choice among the generators that may leave keeps ties from cycling.
+//! gauge(q) = min { h(u) : u · q = 1 }, h(u) = Σ |u · g_i|. A vertex of that problem has u orthogonal to d − 1
+//! independent generators, the basis: it is a facet normal. The other generators contribute with the signs of u · g_i;
+//! the coefficients of the basis that put their sum on the ray tell whether the vertex is optimal (all within [−1, 1])
+//! and if not, which generator to leave. The next vertex is the weighted median of the crossings along the edge.
+//! Statuses are kept from step to step, and a random choice among the generators that may leave keeps ties from
+//! cycling.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -40,14 +42,15 @@ pub(crate) struct FacetDescent<const D: usize> {
     rng: Pcg64,
 }
 
-/// Coefficients beyond 1 by less than this, or by what rounding the sum of all generators may do, are within their range.
+/// Coefficients beyond 1 by less than this, or by what rounding the sum of all generators may do, are within their
+/// range.
 const COEFFICIENT_TOLERANCE: f64 = 1e-13;
 
 /// What rounding does to coefficients of a good basis is less than this.
 const LARGEST_COEFFICIENT_ROUNDING: f64 = 1e-10;
 
 /// A search that takes more steps than this has lost its way in rounding errors or ties.
-const MOST_STEPS: usize = 400;
+const STEP_LIMIT: usize = 400;
 
 impl<const D: usize> FacetDescent<D> {
     /// Room for the search among generators that span the first `rank` coordinates.
@@ -99,7 +102,8 @@ impl<const D: usize> FacetDescent<D> {
         }
     }
 
-    /// The facet through which the ray of `point` leaves; `None` if the search fails: a point at the centre, generators that do not span, ties.
+    /// The facet through which the ray of `point` leaves; `None` if the search fails: a point at the centre, generators
+    /// that do not span, ties.
     pub(crate) fn facet(&mut self, point: &[f64; D]) -> Option<Facet<D>> {
         let mut basis = self.first_basis(point)?;
         let rank = self.rank;
@@ -109,7 +113,7 @@ impl<const D: usize> FacetDescent<D> {
         for (sign, &height) in self.signs.iter_mut().zip(&self.heights) {
             *sign = if height < 0.0 { -1.0 } else { 1.0 };
         }
-        for step in 0..MOST_STEPS {
+        for step in 0..STEP_LIMIT {
             let mut sum = [0.0; D];
             for &b in &basis[..rank - 1] {
                 self.signs[b] = 0.0;
@@ -119,7 +123,7 @@ impl<const D: usize> FacetDescent<D> {
             }
             let deltas: [f64; D] = std::array::from_fn(|i| if i + 1 < rank { -dot(&rows[i], &sum) } else { 0.0 });
             // A basis that is nearly dependent says little of its coefficients: others are tried first.
-            let most = if step < MOST_STEPS / 4 { LARGEST_COEFFICIENT_ROUNDING } else { f64::INFINITY };
+            let most = if step < STEP_LIMIT / 4 { LARGEST_COEFFICIENT_ROUNDING } else { f64::INFINITY };
             let rounding = |i: usize| 2.0 * UNIT * self.total * dot(&rows[i], &rows[i]).sqrt();
             let limits = std::array::from_fn(|i| 1.0 + rounding(i).clamp(COEFFICIENT_TOLERANCE, most));
             let leaving = self.leaving(&deltas[..rank - 1], &limits, step);
@@ -145,7 +149,7 @@ impl<const D: usize> FacetDescent<D> {
     /// Which of the basis must leave: the one farthest beyond its limit, after many steps any.
     fn leaving(&mut self, deltas: &[f64], limits: &[f64; D], step: usize) -> Option<usize> {
         let beyond = |i: &usize| deltas[*i].abs() > limits[*i];
-        if step < MOST_STEPS / 8 {
+        if step < STEP_LIMIT / 8 {
             (0..deltas.len()).filter(beyond).max_by(|&a, &b| deltas[a].abs().total_cmp(&deltas[b].abs()))
         } else {
             let all: Vec<usize> = (0..deltas.len()).filter(beyond).collect();
@@ -153,7 +157,8 @@ impl<const D: usize> FacetDescent<D> {
         }
     }
 
-    /// Goes from `normal` along `edge` while h falls, at first with slope −`descent`; the generator whose crossing stops it.
+    /// Goes from `normal` along `edge` while h falls, at first with slope −`descent`; the generator whose crossing
+    /// stops it.
     fn cross(&mut self, normal: &[f64; D], edge: &[f64; D], descent: f64, basis: &[usize]) -> Option<usize> {
         Self::products(&self.columns, normal, &mut self.heights);
         Self::products(&self.columns, edge, &mut self.rates);

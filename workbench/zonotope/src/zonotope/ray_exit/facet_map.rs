@@ -1,9 +1,13 @@
-//! The facets of the zonotopes along some directions, each with its neighbours: the one that a ray from the centre meets is few steps from one that a ray near it met.
+//! The facets of the zonotopes along some directions, each with its neighbours: the one that a ray from the centre
+//! meets is few steps from one that a ray near it met.
 //!
-//! Which directions span a facet, and on which side of it each other one is, depends on the directions alone, not on their coefficients. So the map is drawn once, as far as rays
-//! lead into it, and is good for all zonotopes along these directions. With S = Σ s_j c_j v_j over the directions off the basis b of a facet, q = Σ a_i v_b(i) + a_last S: the ray of
-//! q meets the facet just when |a_i| ≤ c_b(i) a_last for all i, and leaves there at the multiple 1 / a_last. Where |a_i| is larger the ray passes beyond that edge of the facet, and
-//! the facet on the other side of the edge is nearer. Opposite facets share a chart. Rays that are far from all facets known so far are searched for by [`FacetDescent`].
+//! Which directions span a facet, and on which side of it each other one is, depends on the directions alone, not on
+//! their coefficients. So the map is drawn once, as far as rays lead into it, and is good for all zonotopes along these
+//! directions. With S = Σ s_j c_j v_j over the directions off the basis b of a facet, q = Σ a_i v_b(i) + a_last S: the
+//! ray of q meets the facet just when |a_i| ≤ c_b(i) a_last for all i, and leaves there at the multiple 1 / a_last.
+//! Where |a_i| is larger the ray passes beyond that edge of the facet, and the facet on the other side of the edge is
+//! nearer. Opposite facets share a chart. Rays that are far from all facets known so far are searched for by
+//! [`FacetDescent`].
 
 use std::collections::BTreeMap;
 
@@ -40,15 +44,17 @@ pub(crate) struct Exit<const D: usize> {
     pub(crate) most: f64,
 }
 
-/// After so many steps, or so many facets that were not yet known, a ray is searched for anew.
-const MOST_STEPS: usize = 64;
-const MOST_NEW: usize = 8;
+/// A walk along known facets ends after this many steps;
+const STEP_LIMIT: usize = 64;
 
-/// More numbers than this are not kept in charts.
-const MOST_KEPT: usize = 1 << 24;
+/// and after this many facets that were not yet known: the ray's exit is then searched for anew.
+const NEW_FACET_LIMIT: usize = 8;
 
-/// About so many cells.
-const CELLS: usize = 1 << 13;
+/// The charts hold at most about this many numbers.
+const KEPT_NUMBER_LIMIT: usize = 1 << 24;
+
+/// The map has about this many cells of directions, each with a chart to start at.
+const CELL_COUNT: usize = 1 << 13;
 
 /// A coefficient beyond its limit by less than this part is within it.
 const COEFFICIENT_TOLERANCE: f64 = 1e-13;
@@ -56,7 +62,8 @@ const COEFFICIENT_TOLERANCE: f64 = 1e-13;
 impl<const D: usize> FacetMap<D> {
     /// An empty map for directions that span the first `rank` coordinates.
     pub(crate) fn new(rank: usize, directions: &[[f64; D]]) -> Self {
-        let per_edge = (1..).find(|&edge: &usize| rank * edge.pow(rank as u32 - 1) >= CELLS || rank == 1).unwrap_or(1);
+        let per_edge =
+            (1..).find(|&edge: &usize| rank * edge.pow(rank as u32 - 1) >= CELL_COUNT || rank == 1).unwrap_or(1);
         Self {
             rank,
             directions: directions.to_vec(),
@@ -105,7 +112,7 @@ impl<const D: usize> FacetMap<D> {
     fn walk(&mut self, start: u32, ray: &[f64; D]) -> Option<(u32, Exit<D>)> {
         let last = self.rank - 1;
         let (mut place, mut is_new) = (start, 0);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..STEP_LIMIT {
             if place == NOWHERE {
                 return None;
             }
@@ -141,7 +148,7 @@ impl<const D: usize> FacetMap<D> {
             }
             let side = usize::from(a[leaving] < 0.0);
             place = match chart.next[leaving][side] {
-                NOWHERE if is_new < MOST_NEW => {
+                NOWHERE if is_new < NEW_FACET_LIMIT => {
                     is_new += 1;
                     let next = chart.beyond(self.rank, &self.directions, leaving, side)?;
                     let found = self.insert(next);
@@ -160,7 +167,7 @@ impl<const D: usize> FacetMap<D> {
         if let Some(&place) = self.place_of.get(&key) {
             return place;
         }
-        if self.charts.len() * (self.directions.len() + 8 * D * D) > MOST_KEPT {
+        if self.charts.len() * (self.directions.len() + 8 * D * D) > KEPT_NUMBER_LIMIT {
             return NOWHERE;
         }
         let place = self.charts.len() as u32;

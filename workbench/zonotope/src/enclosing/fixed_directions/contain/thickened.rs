@@ -1,7 +1,8 @@
 //! Coefficients for points near the boundary of a zonotope that may be flat, or nearly so.
 //!
-//! From a flat zonotope a ray that leaves its plane by no more than rounding departs at once, though the point is reached but for that rounding. So where a ray departs before its
-//! point, the search is repeated with the shortest generators of a basis thickened, step by step, and the coefficients are used for the zonotope as it is.
+//! From a flat zonotope a ray that leaves its plane by no more than rounding departs at once, though the point is
+//! reached but for that rounding. So where a ray departs before its point, the search is repeated with the shortest
+//! generators of a basis thickened, step by step, and the coefficients are used for the zonotope as it is.
 
 use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
 
@@ -16,10 +17,10 @@ pub(crate) struct Thickened<'a, const D: usize> {
     descents: Vec<FacetDescent<D>>,
 }
 
-/// The least lengths beside the longest generator.
-const FIRST: f64 = 1e-13;
-const GROWTH: f64 = 16.0;
-const LAST: f64 = 1e-3;
+/// The least lengths that are tried, relative to the longest generator: from the first by this factor up to the last.
+const FIRST_RELATIVE_LENGTH: f64 = 1e-13;
+const LENGTH_GROWTH: f64 = 16.0;
+const LAST_RELATIVE_LENGTH: f64 = 1e-3;
 
 impl<'a, const D: usize> Thickened<'a, D> {
     /// The zonotope of generators, to be thickened along a basis of independent vectors that belong to them.
@@ -32,7 +33,8 @@ impl<'a, const D: usize> Thickened<'a, D> {
         };
         let basis: Vec<(usize, [f64; D])> = basis.map(|(b, v)| (b, unit(v))).collect();
         let shortest = basis.iter().map(|(b, _)| length(&generators[*b])).fold(f64::INFINITY, f64::min);
-        let factors = std::iter::successors(Some(FIRST), |f| Some(f * GROWTH)).take_while(|f| *f <= LAST);
+        let factors = std::iter::successors(Some(FIRST_RELATIVE_LENGTH), |f| Some(f * LENGTH_GROWTH))
+            .take_while(|f| *f <= LAST_RELATIVE_LENGTH);
         let least = std::iter::once(0.0).chain(factors.map(|f| f * longest).filter(|l| shortest < *l)).collect();
         Self { rank, generators, basis, least, descents: Vec::new() }
     }

@@ -1,7 +1,7 @@
 //! The least zonotope along the directions of a net, with a lower bound for all directions.
 //!
-//! Few of the directions bear anything. So the program is solved for a part of them; its multipliers load others beyond their limit of 1, which join it, until none does: then the optimum is
-//! that of the whole net.
+//! Few of the directions bear anything. So the program is solved for a part of them; its multipliers load others beyond
+//! their limit of 1, which join it, until none does: then the optimum is that of the whole net.
 
 use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::answer::{MinLengthError, MinLengthZonotope};
@@ -12,14 +12,15 @@ use crate::enclosing::min_total_length::lower_bound::Best;
 use crate::zonotope::ray_exit::dot;
 
 /// How precisely the program for the whole net is solved, and limits are kept, relative to ε.
-const PRECISELY: f64 = 1e-3;
+const PRECISION_SHARE_OF_EPSILON: f64 = 1e-3;
 
-/// Of a net of more directions than this, and than this for each point, a part comes first: many points use many directions.
-const ALL: usize = 250;
-const EACH: usize = 25;
+/// Of a net of more directions than this, and than this for each point, a part comes first: many points use many
+/// directions.
+const WHOLE_NET_LIMIT: usize = 250;
+const DIRECTIONS_PER_POINT_LIMIT: usize = 25;
 
-/// So many directions join at once; about as many are the first part.
-const PART: usize = 60;
+/// At most this many directions join the program at once; its first part has about as many.
+const PART_SIZE: usize = 60;
 
 /// Solves along the directions that `net` gives for a number of dimensions.
 pub(super) fn least_along<const D: usize>(
@@ -34,9 +35,13 @@ pub(super) fn least_along<const D: usize>(
     }
     let net = net(rank);
     let mut is_chosen = vec![false; net.len()];
-    let stride = if net.len() > ALL.max(EACH * points.len()) { net.len() / PART } else { 1 };
+    let stride = if net.len() > WHOLE_NET_LIMIT.max(DIRECTIONS_PER_POINT_LIMIT * points.len()) {
+        net.len() / PART_SIZE
+    } else {
+        1
+    };
     is_chosen.iter_mut().step_by(stride).for_each(|chosen| *chosen = true);
-    let precision = PRECISELY * epsilon.clamp(1e-10, 1e-4);
+    let precision = PRECISION_SHARE_OF_EPSILON * epsilon.clamp(1e-10, 1e-4);
     let (mut best, mut progress) = (Best::none(), Vec::new());
     loop {
         let chosen = net.iter().zip(&is_chosen).filter(|(_, chosen)| **chosen);
@@ -63,6 +68,6 @@ pub(super) fn least_along<const D: usize>(
         if loaded.is_empty() {
             return conclude(points, &frame, inner, &best, progress, net.len(), epsilon);
         }
-        loaded.iter().take(if is_stuck { net.len() } else { PART }).for_each(|(_, i)| is_chosen[*i] = true);
+        loaded.iter().take(if is_stuck { net.len() } else { PART_SIZE }).for_each(|(_, i)| is_chosen[*i] = true);
     }
 }

@@ -1,7 +1,8 @@
 //! Leaves out points that lie in a simplex of others: what contains those contains them.
 //!
-//! From a point o far out, q − o = Σ α_i (e_i − o) with α ≥ 0 and least Σ α_i is a linear program over the points kept so far, with as many rows as dimensions. Its
-//! basis is a simplex with o; when Σ α_i < 1 and q is in it by exact signs, q is left out, else it is kept. Points far from the middle come first.
+//! From a point o far out, q − o = Σ α_i (e_i − o) with α ≥ 0 and least Σ α_i is a linear program over the points kept
+//! so far, with as many rows as dimensions. Its basis is a simplex with o; when Σ α_i < 1 and q is in it by exact
+//! signs, q is left out, else it is kept. Points far from the middle come first.
 
 use std::cmp::Ordering;
 
@@ -9,25 +10,28 @@ use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::ray_exit::{dot, inverse};
 
-/// Fewer points than this are all kept.
-const FEW: usize = 48;
+/// Fewer points than this are all kept: the programs would cost more than the points.
+const LEAST_POINT_COUNT: usize = 48;
 
-/// Pivots for one point.
-const MOST_PIVOTS: usize = 60;
+/// The search for a simplex around one point ends after this many pivots; the point is kept then.
+const PIVOT_LIMIT: usize = 60;
 
-/// What an axis costs in place of a point.
-const DEAR: f64 = 1e6;
+/// The cost of an axis that stands in for a point in a basis, where a point costs 1: no axis stays if points can take
+/// its place.
+const AXIS_COST: f64 = 1e6;
 
-/// Simplices are made of so many points, those kept first; and where most of these were kept, so are all others.
-const MOST_CORNERS: usize = 500;
+/// The corners of simplices are this many points, those kept first. If by then more than seven of eight points were
+/// kept, all others are.
+const CORNER_LIMIT: usize = 500;
 
 /// Coefficients below this are taken for zero: such a point is kept.
-const MARGIN: f64 = 1e-9;
+const LEAST_COEFFICIENT: f64 = 1e-9;
 
-/// The places of the points that are not proven to lie in a simplex of others; all of them where they are few or do not span the space.
+/// The places of the points that are not proven to lie in a simplex of others; all of them where they are few or do not
+/// span the space.
 pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
     let all = || distinct(points, (0..points.len()).collect());
-    if points.len() < FEW || D < 3 {
+    if points.len() < LEAST_POINT_COUNT || D < 3 {
         return all();
     }
     let frame = Frame::new(points);
@@ -47,7 +51,7 @@ pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
     let mut kept = vec![apex];
     let mut relative: Vec<[f64; D]> = Vec::new();
     for (done, &(_, j)) in order.iter().enumerate().skip(1) {
-        if kept.len() > MOST_CORNERS && 8 * kept.len() > 7 * done {
+        if kept.len() > CORNER_LIMIT && 8 * kept.len() > 7 * done {
             kept.push(j);
             continue;
         }
@@ -58,7 +62,7 @@ pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
         });
         if !is_inner {
             kept.push(j);
-            if relative.len() < MOST_CORNERS {
+            if relative.len() < CORNER_LIMIT {
                 relative.push(q);
             }
         }
@@ -81,20 +85,20 @@ fn simplex_around<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> Option<[
     let mut basis = [usize::MAX; D];
     let mut columns: [[f64; D]; D] =
         std::array::from_fn(|a| std::array::from_fn(|c| if a == c { 1f64.copysign(q[c]) } else { 0.0 }));
-    for _ in 0..MOST_PIVOTS {
+    for _ in 0..PIVOT_LIMIT {
         let matrix = std::array::from_fn(|row| std::array::from_fn(|i| columns[i][row]));
         let rows = inverse(D, &matrix)?;
         let alphas: [f64; D] = std::array::from_fn(|i| dot(&rows[i], q));
         let is_whole = basis.iter().all(|&i| i != usize::MAX);
-        if is_whole && alphas.iter().sum::<f64>() < 1.0 - MARGIN {
-            return alphas.iter().all(|&alpha| alpha > MARGIN).then_some(basis);
+        if is_whole && alphas.iter().sum::<f64>() < 1.0 - LEAST_COEFFICIENT {
+            return alphas.iter().all(|&alpha| alpha > LEAST_COEFFICIENT).then_some(basis);
         }
         let mut price = [0.0; D];
         for (i, row) in rows.iter().enumerate() {
-            let cost = if basis[i] == usize::MAX { DEAR } else { 1.0 };
+            let cost = if basis[i] == usize::MAX { AXIS_COST } else { 1.0 };
             price = std::array::from_fn(|c| price[c] + cost * row[c]);
         }
-        let mut best = (1.0 + MARGIN, usize::MAX);
+        let mut best = (1.0 + LEAST_COEFFICIENT, usize::MAX);
         for (i, point) in points.iter().enumerate() {
             let worth = dot(&price, point);
             if worth > best.0 {
@@ -105,7 +109,7 @@ fn simplex_around<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> Option<[
         let leaving = (0..D)
             .filter_map(|i| {
                 let rate = dot(&rows[i], entering);
-                (rate > MARGIN * MARGIN).then(|| (alphas[i].max(0.0) / rate, i))
+                (rate > LEAST_COEFFICIENT * LEAST_COEFFICIENT).then(|| (alphas[i].max(0.0) / rate, i))
             })
             .min_by(|a, b| a.0.total_cmp(&b.0))?;
         basis[leaving.1] = best.1;

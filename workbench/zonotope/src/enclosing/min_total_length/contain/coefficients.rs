@@ -1,24 +1,26 @@
 //! Coefficients in [−1, 1] of generators that put a point in its place, from nearly right ones.
 //!
-//! What they miss is made up for by the generators with room, in proportion to the squares of their rooms: as little as possible, measured by how much of each room it takes.
+//! What they miss is made up for by the generators with room, in proportion to the squares of their rooms: as little as
+//! possible, measured by how much of each room it takes.
 
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::zonotope::ray_exit::{dot, inverse};
 
-/// So often coefficients are corrected.
-const MOST_ROUNDS: usize = 8;
+/// Coefficients are corrected at most this many times.
+const ROUND_LIMIT: usize = 8;
 
-/// Beside the length of a ray, what is missed of it is nothing below this.
-const NOTHING: f64 = 4e-15;
+/// A remainder of a ray that is shorter than this share of the ray counts as zero.
+const NEGLIGIBLE_REMAINDER: f64 = 4e-15;
 
-/// Coefficients that leave no room are made shorter by this first.
-const SHORTER: f64 = 1e-6;
+/// Where corrections fail since coefficients leave no room, all coefficients are first reduced by this share.
+const FIRST_REDUCTION: f64 = 1e-6;
 
-/// What room there is for a coefficient at its limit.
-const AT_LIMIT: f64 = 1e-20;
+/// The square of the room of a coefficient at its limit: above zero, so that no weight vanishes.
+const ROOM_AT_LIMIT: f64 = 1e-20;
 
-/// What rounding may leave of a vector beside the longest extent of the body: where that is across a thin body, corrections are held back.
-const ROUNDING: f64 = 1e-15;
+/// What rounding may leave of a vector beside the longest extent of the body: where that is across a thin body,
+/// corrections are held back.
+const RELATIVE_ROUNDING: f64 = 1e-15;
 
 /// The generators of a zonotope, in a frame and in box coordinates.
 pub(super) struct Settling<'a, const D: usize> {
@@ -33,18 +35,18 @@ pub(super) struct Settling<'a, const D: usize> {
 impl<'a, const D: usize> Settling<'a, D> {
     pub(super) fn new(coordinates: &'a BoxCoordinates<'a, D>, rank: usize, generators: &'a [[f64; D]]) -> Self {
         let in_box = generators.iter().map(|g| coordinates.vector(g)).collect();
-        let rounding = coordinates.thinness().map(|thin| (ROUNDING / thin).powi(2));
+        let rounding = coordinates.thinness().map(|thin| (RELATIVE_ROUNDING / thin).powi(2));
         Self { coordinates, rank, generators, in_box, rounding }
     }
 
     /// Coefficients that miss less of the ray, or the same.
     pub(super) fn settled(&self, ray: &[f64; D], deltas: Vec<f64>) -> Vec<f64> {
-        let enough = NOTHING * dot(ray, ray).sqrt();
+        let enough = NEGLIGIBLE_REMAINDER * dot(ray, ray).sqrt();
         let (missed, deltas) = self.corrected(ray, deltas, enough);
         if missed <= enough {
             return deltas;
         }
-        let shorter = deltas.iter().map(|delta| delta * (1.0 - SHORTER)).collect();
+        let shorter = deltas.iter().map(|delta| delta * (1.0 - FIRST_REDUCTION)).collect();
         let other = self.corrected(ray, shorter, enough);
         if other.0 < missed { other.1 } else { deltas }
     }
@@ -52,7 +54,7 @@ impl<'a, const D: usize> Settling<'a, D> {
     /// The best coefficients on the way, and what they miss.
     fn corrected(&self, ray: &[f64; D], mut deltas: Vec<f64>, enough: f64) -> (f64, Vec<f64>) {
         let mut best = (f64::INFINITY, Vec::new());
-        for _ in 0..MOST_ROUNDS {
+        for _ in 0..ROUND_LIMIT {
             let left = self
                 .generators
                 .iter()
@@ -95,7 +97,7 @@ impl<'a, const D: usize> Settling<'a, D> {
 
 /// The square of how far a coefficient is from its limits, and a little for one at its limit.
 fn room(delta: f64) -> f64 {
-    (1.0 - delta.abs()).powi(2) + AT_LIMIT
+    (1.0 - delta.abs()).powi(2) + ROOM_AT_LIMIT
 }
 
 #[cfg(test)]

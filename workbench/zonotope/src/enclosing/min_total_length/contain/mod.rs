@@ -1,7 +1,8 @@
 //! Makes generators in doubles contain every point, exactly.
 //!
-//! For each point coefficients δ in [−1, 1] are known, or come from the facet that its ray meets. What Σ δ_i g_i misses of the point is bounded in each coordinate; generators along the
-//! axes, as long as the most that any point misses, make up for it.
+//! For each point coefficients δ in [−1, 1] are known, or come from the facet that its ray meets. What Σ δ_i g_i misses
+//! of the point is bounded in each coordinate; generators along the axes, as long as the most that any point misses,
+//! make up for it.
 
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;
@@ -16,14 +17,15 @@ use super::frame_zonotope::FrameZonotope;
 use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
 use coefficients::Settling;
 
-/// A generator shorter than this, beside the longest and in box coordinates, is left out: noise in every search for a facet.
-const NOISE: f64 = 1e-12;
+/// A generator shorter than this, beside the longest and in box coordinates, is left out: noise in every search for a
+/// facet.
+const NEGLIGIBLE_LENGTH: f64 = 1e-12;
 
 /// Up to this many products are taken exactly; beyond that their rounding errors are bounded.
 const EXACT_PRODUCTS: usize = 400_000;
 
-/// A zonotope around all points like one in the frame, and an upper bound of its total length: the generators rounded, and along the axes what they miss of any point.
-/// `None` beyond the range of doubles.
+/// A zonotope around all points like one in the frame, and an upper bound of its total length: the generators rounded,
+/// and along the axes what they miss of any point. `None` beyond the range of doubles.
 pub(super) fn around<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
@@ -32,7 +34,7 @@ pub(super) fn around<const D: usize>(
     let FrameZonotope { center, generators: inner, witnesses, .. } = inner;
     let coordinates = BoxCoordinates::of(frame);
     let longest = inner.iter().map(|g| coordinates.size(g)).fold(0.0, f64::max);
-    let is_noise = |g: &[f64; D]| coordinates.size(g) <= NOISE * longest;
+    let is_noise = |g: &[f64; D]| coordinates.size(g) <= NEGLIGIBLE_LENGTH * longest;
     let used: Vec<[f64; D]> = inner.iter().copied().filter(|g| !is_noise(g)).collect();
     let mut generators: Vec<[f64; D]> = used.iter().map(|g| frame.vector(g)).collect();
     let outer = frame.point(center);

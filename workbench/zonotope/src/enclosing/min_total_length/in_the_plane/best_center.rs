@@ -1,11 +1,13 @@
 //! The plane: the best centre, and with it the generators and the multipliers, without a linear program.
 //!
-//! With the centre O fixed the best zonogon is the convex hull of the points and their reflections in O; its half-edges are the generators. Where the
-//! unit tangent turns from t to t' at a vertex, half their difference pulls at the point there: such multipliers λ_j load no direction by more than 1, as a tangent that turns by π
-//! passes each value twice, and they add up to −∇ of the length at O. So Σ λ_j · (p_j − x) is a lower bound of the length for any centre x, exact at O, and averages
-//! of the multipliers at several centres whose sums cancel are multipliers for the proof.
+//! With the centre O fixed the best zonogon is the convex hull of the points and their reflections in O; its half-edges
+//! are the generators. Where the unit tangent turns from t to t' at a vertex, half their difference pulls at the point
+//! there: such multipliers λ_j load no direction by more than 1, as a tangent that turns by π passes each value twice,
+//! and they add up to −∇ of the length at O. So Σ λ_j · (p_j − x) is a lower bound of the length for any centre x,
+//! exact at O, and averages of the multipliers at several centres whose sums cancel are multipliers for the proof.
 //!
-//! The length is convex in O: each gradient cuts off a part of the plane, and the next O is the centroid of what is left.
+//! The length is convex in O: each gradient cuts off a part of the plane, and the next O is the centroid of what is
+//! left.
 
 use crate::enclosing::fixed_directions::balanced;
 use crate::enclosing::min_total_length::frame::Frame;
@@ -22,25 +24,25 @@ struct Cut<const D: usize> {
 }
 
 /// More centres than this are not tried: the part of the plane that is left is as small as rounding by then.
-const MOST_CENTERS: usize = 160;
+const CENTER_LIMIT: usize = 160;
 
-/// The centre is sought in the box of the points made so much wider.
-const WIDER: f64 = 1.125;
+/// The centre is sought in the points' bounding box, scaled by this factor about its middle.
+const BOX_ENLARGEMENT: f64 = 1.125;
 
-/// So many of the last cuts are combined.
-const LAST: usize = 48;
+/// At most this many cuts, the last ones, are combined into multipliers.
+const COMBINED_CUT_LIMIT: usize = 48;
 
-/// A slope that is nothing, and the sine of an angle that is none.
-const FLAT: f64 = 1e-15;
+/// A slope with smaller coordinates counts as zero, and so does the sine of an angle if it is smaller.
+const NEGLIGIBLE_SLOPE: f64 = 1e-15;
 
-/// No more coefficients of vertices than this are noted.
-const MOST_WITNESSES: usize = 1 << 20;
+/// The coefficients of the vertices are kept as witnesses if there are at most this many.
+const WITNESS_LIMIT: usize = 1 << 20;
 
-/// What the sum of multipliers costs that does not cancel: some point of the frame has to bear it.
-const DEAR: f64 = 4.0;
+/// The price of each unit by which a sum of multipliers fails to cancel: some point of the frame has to bear that unit.
+const REMAINDER_COST: f64 = 4.0;
 
-/// How often the cuts are combined.
-const OFTEN: usize = 8;
+/// The cuts are combined once in this many rounds.
+const ROUNDS_PER_COMBINATION: usize = 8;
 
 /// The best zonogon in the plane of the frame; best lengths and lower bounds as they come nearer.
 pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
@@ -56,7 +58,7 @@ pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
     });
     let mut target = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
     // The best centre may lie on the edge of the box; cuts from both sides of it are needed to prove that.
-    let [x, y] = [0, 1].map(|c| WIDER * (high[c] - low[c]) / 2.0);
+    let [x, y] = [0, 1].map(|c| BOX_ENLARGEMENT * (high[c] - low[c]) / 2.0);
     let corner = |a: f64, b: f64| [target[0] + a * x, target[1] + b * y];
     let mut place = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
     let mut cuts: Vec<Cut<D>> = Vec::new();
@@ -64,7 +66,7 @@ pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
         FrameZonotope { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new(), witnesses: Vec::new() };
     let mut shortest = None;
     let mut progress = Vec::new();
-    for round in 1..=MOST_CENTERS {
+    for round in 1..=CENTER_LIMIT {
         let zonogon = Zonogon::around(&points, &hull, target);
         let cut = zonogon.cut(&points, &hull);
         let generators = zonogon.generators();
@@ -78,8 +80,8 @@ pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
         let is_flat = cut.slope == [0.0; 2];
         cuts.push(cut);
         let next = centroid(&place);
-        if round % OFTEN == 0 || is_flat || next.is_none() || round == MOST_CENTERS {
-            let last = &cuts[cuts.len().saturating_sub(LAST)..];
+        if round % ROUNDS_PER_COMBINATION == 0 || is_flat || next.is_none() || round == CENTER_LIMIT {
+            let last = &cuts[cuts.len().saturating_sub(COMBINED_CUT_LIMIT)..];
             if let Some(pulls) = combined(last) {
                 best.improve(2, &frame.points, balanced(&pulls), f64::INFINITY);
             }
@@ -156,10 +158,11 @@ impl Zonogon {
         edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect()
     }
 
-    /// The coefficients of those points that are vertices opposite their reflections: 1 for the edges from one to the other, −1 for those back. None where these are too many.
+    /// The coefficients of those points that are vertices opposite their reflections: 1 for the edges from one to the
+    /// other, −1 for those back. None where these are too many.
     fn witnesses(&self, hull: &[usize]) -> Vec<(usize, Vec<f64>)> {
         let (edges, _) = self.used();
-        if edges.len() * self.own > MOST_WITNESSES {
+        if edges.len() * self.own > WITNESS_LIMIT {
             return Vec::new();
         }
         let mut places = vec![None; 2 * self.own];
@@ -189,18 +192,18 @@ fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
         let height = shares.iter().map(|&(i, share)| share * cuts[i].height).sum::<f64>();
         let left = |c: usize| shares.iter().map(|&(i, share)| share * cuts[i].slope[c]).sum::<f64>().abs();
         // Slopes that are nearly parallel cancel badly.
-        let worth = height - DEAR * (left(0) + left(1));
+        let worth = height - REMAINDER_COST * (left(0) + left(1));
         if worth.is_finite() && most.as_ref().is_none_or(|m| worth > m.0) {
             most = Some((worth, shares));
         }
     };
     for i in 0..cuts.len() {
-        if cuts[i].slope.iter().all(|c| c.abs() < FLAT) {
+        if cuts[i].slope.iter().all(|c| c.abs() < NEGLIGIBLE_SLOPE) {
             offer([(i, 1.0), (i, 0.0), (i, 0.0)]);
         }
         for j in 0..i {
             let along = cuts[i].slope[0] * cuts[j].slope[0] + cuts[i].slope[1] * cuts[j].slope[1];
-            if cross(i, j).abs() <= FLAT * along.abs() && along < 0.0 {
+            if cross(i, j).abs() <= NEGLIGIBLE_SLOPE * along.abs() && along < 0.0 {
                 let [a, b] = [i, j].map(|i| cuts[i].slope.map(f64::abs).into_iter().fold(0.0, f64::max));
                 offer([(i, b / (a + b)), (j, a / (a + b)), (j, 0.0)]);
             }

@@ -1,7 +1,8 @@
 //! A centre in doubles from which the directions reach the points.
 //!
-//! Where the directions span less than the whole space, few doubles lie in the affine span of the points; where they nearly do, the nearest doubles may be far in terms of
-//! what the directions take to reach them. So among those on a grid the nearest is sought in these terms.
+//! Where the directions span less than the whole space, few doubles lie in the affine span of the points; where they
+//! nearly do, the nearest doubles may be far in terms of what the directions take to reach them. So among those on a
+//! grid the nearest is sought in these terms.
 
 mod lattice;
 
@@ -18,13 +19,13 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::binary_exponent;
 
 /// A small coordinate is not made finer than this many bits below the largest one's last.
-const FINER: i64 = 60;
+const EXTRA_BIT_LIMIT: i64 = 60;
 
-/// How often a grid is made coarser because its nearest point is no double.
-const GRIDS: usize = 8;
+/// A grid whose nearest point is no double is made coarser; at most this many grids are tried.
+const GRID_LIMIT: usize = 8;
 
-/// So many of the points are tried.
-const POINTS: usize = 64;
+/// At most this many of the points are tried as the centre.
+const TRIED_POINT_LIMIT: usize = 64;
 
 /// What a miss along a direction of weight zero counts for, beside one along the cheapest direction that has a weight.
 const FREE_DIRECTION_SHARE: f64 = 1e-6;
@@ -35,7 +36,8 @@ struct Target<'a, const D: usize> {
     span: &'a Span<D>,
     /// The coordinates of the span.
     place: Vec<Rational>,
-    /// The rows of a linear map of the span's coordinates, independent: a miss costs as much as the length of its image.
+    /// The rows of a linear map of the span's coordinates, independent: a miss costs as much as the length of its
+    /// image.
     cost: Vec<Vec<Rational>>,
 }
 
@@ -54,8 +56,8 @@ pub(in crate::enclosing::fixed_directions) fn nearest_doubles<const D: usize>(
     center
 }
 
-/// Doubles in the affine span of the points from which the directions with coefficients other than zero have least to make up
-/// for, nearly, in place of an exact centre.
+/// Doubles in the affine span of the points from which the directions with coefficients other than zero have least to
+/// make up for, nearly, in place of an exact centre.
 pub(in crate::enclosing::fixed_directions) fn cheapest_center<const D: usize>(
     Setting { problem, scaled, span }: Setting<'_, D>,
     exact: &[Rational; D],
@@ -77,14 +79,15 @@ pub(in crate::enclosing::fixed_directions) fn cheapest_center<const D: usize>(
 }
 
 impl<const D: usize> Target<'_, D> {
-    /// Doubles in the affine span of the points that it costs little to miss the place by; in the worst case one of the points.
+    /// Doubles in the affine span of the points that it costs little to miss the place by; in the worst case one of the
+    /// points.
     fn center(&self) -> [f64; D] {
         let miss = |center: &[f64; D]| {
             let image = self.image(&self.span.pivots().iter().map(|&c| rational(center[c])).collect::<Vec<_>>());
             let target = self.image(&self.place);
             image.iter().zip(&target).fold(Rational::ZERO, |sum, (a, b)| sum + (a - b) * (a - b))
         };
-        let own = self.problem.points().iter().copied().take(POINTS);
+        let own = self.problem.points().iter().copied().take(TRIED_POINT_LIMIT);
         let candidates = self.on_a_grid().into_iter().chain(own).map(|center| (miss(&center), center));
         let least = candidates.reduce(|a, b| if b.0 < a.0 { b } else { a });
         least.map_or(self.problem.points()[0], |(_, center)| center)
@@ -102,12 +105,12 @@ impl<const D: usize> Target<'_, D> {
         let lifted = self.span.lift(&shift);
         let exponents: [i64; D] = std::array::from_fn(|c| {
             let place = (&first[c] + &lifted[c]).to_f64_fast();
-            binary_exponent(place.clamp(-f64::MAX, f64::MAX)).map_or(LEAST, i64::from)
+            binary_exponent(place.clamp(-f64::MAX, f64::MAX)).map_or(LEAST_EXPONENT, i64::from)
         });
-        let top = exponents.into_iter().max().unwrap_or(LEAST);
-        let mut exponents = exponents.map(|e| (e.max(top - FINER) - 52).max(LEAST));
+        let top = exponents.into_iter().max().unwrap_or(LEAST_EXPONENT);
+        let mut exponents = exponents.map(|e| (e.max(top - EXTRA_BIT_LIMIT) - 52).max(LEAST_EXPONENT));
         let zeros: Vec<[Rational; D]> = self.span.annihilators();
-        for _ in 0..GRIDS {
+        for _ in 0..GRID_LIMIT {
             let units = exponents.map(|e| Dyadic::new(IBig::ONE, e).to_rational());
             let rows = zeros.iter().map(|zero| {
                 let right = zero.iter().zip(&first).fold(Rational::ZERO, |sum, (a, b)| sum - a * b);
@@ -142,7 +145,7 @@ impl<const D: usize> Target<'_, D> {
 }
 
 /// The exponent of the least denormal number.
-const LEAST: i64 = -1074;
+const LEAST_EXPONENT: i64 = -1074;
 
 /// The same multiple of all numbers, the least that makes them whole.
 fn whole(rows: impl IntoIterator<Item = Vec<Rational>>) -> Vec<Vec<IBig>> {
