@@ -5,6 +5,7 @@
 
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::sum_of_products;
 
 /// A linear subspace of R^D.
 pub(crate) struct Span<const D: usize> {
@@ -23,11 +24,6 @@ pub(crate) struct Departure<const D: usize> {
 /// The exact value of a double.
 pub(crate) fn rational(value: f64) -> Rational {
     Dyadic::from_f64(value).to_rational()
-}
-
-/// The sum of the products of coordinates.
-pub(crate) fn dot<const D: usize>(a: &[Rational; D], b: &[Rational; D]) -> Rational {
-    a.iter().zip(b).fold(Rational::ZERO, |sum, (x, y)| if x.is_zero() || y.is_zero() { sum } else { sum + x * y })
 }
 
 impl<const D: usize> Span<D> {
@@ -99,7 +95,7 @@ impl<const D: usize> Span<D> {
         others.iter().enumerate().find_map(|(i, point)| {
             let point = point.map(rational);
             let difference: [Rational; D] = std::array::from_fn(|c| &point[c] - &first[c]);
-            let functional = functionals.iter().find(|f| !dot(f, &difference).is_zero())?;
+            let functional = functionals.iter().find(|f| !sum_of_products(*f, &difference).is_zero())?;
             Some(Departure { point: i + 1, functional: functional.clone() })
         })
     }
@@ -128,7 +124,7 @@ mod tests {
         let points = [[1.0, 1.0, 2.0], [7.0, 3.0, 4.0], [0.0, 0.0, 0.0]];
         let departure = span.first_departure(&points).expect("the origin leaves it");
         assert_eq!(departure.point, 2);
-        assert!(dot(&departure.functional, &[0.0, 2.0, 2.0].map(rational)).is_zero());
+        assert!(sum_of_products(&departure.functional, &[0.0, 2.0, 2.0].map(rational)).is_zero());
     }
 
     #[test]

@@ -9,8 +9,9 @@ use thiserror::Error;
 use super::answer::{DirectedZonotope, Enclosure, OffSpan};
 use super::problem::FixedDirections;
 use super::rational::simplex::{Column, maximize};
-use super::span::{dot, rational};
+use super::span::rational;
 use crate::numeric::Rational;
+use crate::numeric::linear::sum_of_products;
 
 /// What is wrong with an answer.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -77,7 +78,7 @@ pub fn verify_bounds<const D: usize>(
     let mut bound = Rational::ZERO;
     for multiplier in &zonotope.multipliers {
         let point = problem.points().get(multiplier.point).ok_or(FixedDirectionsDefect::Multipliers)?;
-        bound += dot(&multiplier.vector, &point.map(rational));
+        bound += sum_of_products(&multiplier.vector, &point.map(rational));
         sum = std::array::from_fn(|c| &sum[c] + &multiplier.vector[c]);
     }
     if sum.iter().any(|c| !c.is_zero()) {
@@ -88,7 +89,7 @@ pub fn verify_bounds<const D: usize>(
         let load = zonotope
             .multipliers
             .iter()
-            .fold(Rational::ZERO, |load, multiplier| load + absolute(dot(&multiplier.vector, &v)));
+            .fold(Rational::ZERO, |load, multiplier| load + absolute(sum_of_products(&multiplier.vector, &v)));
         if load > rational(weight) {
             return Err(FixedDirectionsDefect::Multipliers);
         }
@@ -100,8 +101,8 @@ fn verify_off_span<const D: usize>(
     problem: &FixedDirections<'_, D>,
     proof: &OffSpan<D>,
 ) -> Result<(), FixedDirectionsDefect> {
-    let vanishes = problem.directions().iter().all(|v| dot(&proof.functional, &v.map(rational)).is_zero());
-    let height = |j: usize| problem.points().get(j).map(|p| dot(&proof.functional, &p.map(rational)));
+    let vanishes = problem.directions().iter().all(|v| sum_of_products(&proof.functional, &v.map(rational)).is_zero());
+    let height = |j: usize| problem.points().get(j).map(|p| sum_of_products(&proof.functional, &p.map(rational)));
     let [a, b] = proof.points.map(height);
     if vanishes && a.is_some() && b.is_some() && a != b { Ok(()) } else { Err(FixedDirectionsDefect::OffSpan) }
 }

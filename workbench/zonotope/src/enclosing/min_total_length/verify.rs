@@ -13,6 +13,7 @@ use thiserror::Error;
 use super::answer::MinLengthZonotope;
 use crate::enclosing::fixed_directions::{FixedDirections, verify as directed};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::sum_of_products;
 
 /// What is wrong with an answer.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -74,7 +75,7 @@ pub fn verify_bounds<const D: usize>(
             return Err(MinLengthDefect::Multipliers);
         }
         let vector = multiplier.vector.map(exact);
-        gain = gain + dot(&vector, &point.map(exact));
+        gain = gain + sum_of_products(&vector, &point.map(exact));
         sum = std::array::from_fn(|c| &sum[c] + &vector[c]);
         multipliers.push(vector);
     }
@@ -97,10 +98,6 @@ pub fn verify_bounds<const D: usize>(
     let is_ratio = answer.ratio == f64::INFINITY
         || answer.ratio >= 1.0 && exact(answer.length) <= &exact(answer.ratio) * &exact(answer.lower_bound);
     if is_ratio || answer.length == 0.0 { Ok(()) } else { Err(MinLengthDefect::Ratio) }
-}
-
-fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
-    a.iter().zip(b).fold(Dyadic::zero(), |sum, (x, y)| sum + x * y)
 }
 
 /// Whether Σ |g_i| ≤ length, by roots that are not too short.
@@ -129,14 +126,14 @@ fn farthest_vertex<const D: usize>(base: &[Dyadic; D], multipliers: &[[Dyadic; D
         multipliers.iter().filter(|f| f.iter().any(|c| !c.is_zero())).cloned().collect();
     let axes = independent_coordinates(&multipliers);
     let flat: Vec<Vec<Dyadic>> = multipliers.iter().map(|f| axes.iter().map(|&c| f[c].clone()).collect()).collect();
-    let Some(size) = axes.len().checked_sub(1) else { return dot(base, base) };
+    let Some(size) = axes.len().checked_sub(1) else { return sum_of_products(base, base) };
     let mut farthest = Dyadic::zero();
     let mut subset: Vec<usize> = (0..size).collect();
     loop {
         let rows: Vec<&[Dyadic]> = subset.iter().map(|&j| &flat[j][..]).collect();
         let normal = normal_of(&rows, axes.len());
         if normal.iter().any(|c| !c.is_zero()) {
-            let sides: Vec<Ordering> = flat.iter().map(|flat| dot(flat, &normal).sign()).collect();
+            let sides: Vec<Ordering> = flat.iter().map(|flat| sum_of_products(flat, &normal).sign()).collect();
             let tied: Vec<usize> = (0..multipliers.len()).filter(|&j| sides[j].is_eq()).collect();
             // Multipliers within one line apart, a hyperplane is met first by the first of its multipliers.
             if tied.first() == subset.first() {
@@ -178,7 +175,7 @@ fn farthest_of_signs<const D: usize>(vertex: &[Dyadic; D], tied: &[[Dyadic; D]])
                     |c| if is_added { &corner[c] + &multiplier[c] } else { &corner[c] - &multiplier[c] },
                 );
         }
-        dot(&corner, &corner)
+        sum_of_products(&corner, &corner)
     });
     squares.fold(Dyadic::zero(), Dyadic::max)
 }

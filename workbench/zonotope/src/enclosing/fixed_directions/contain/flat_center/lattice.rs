@@ -6,6 +6,8 @@
 use dashu_int::IBig;
 use dashu_int::ops::{DivEuclid, UnsignedAbs};
 
+use crate::numeric::linear::sum_of_products;
+
 /// A whole vector with the image that its length is measured by.
 #[derive(Debug, Clone)]
 struct Member {
@@ -34,7 +36,7 @@ pub(super) fn near(
     let unit = |i: usize| (0..=dimension).map(|k| IBig::from(u8::from(k == i))).collect();
     let mut columns: Vec<Vec<IBig>> = (0..=dimension).map(unit).collect();
     for row in rows {
-        split_off(&mut columns, |column| dot(row, column));
+        split_off(&mut columns, |column| sum_of_products(row, column));
     }
     let mut origin = split_off(&mut columns, |column| column[dimension].clone())?;
     if origin[dimension] < IBig::ZERO {
@@ -113,7 +115,7 @@ fn gram(members: &[Member]) -> Vec<Vec<IBig>> {
     for (i, member) in members.iter().enumerate() {
         let mut row: Vec<IBig> = Vec::with_capacity(i + 1);
         for j in 0..=i {
-            let mut entry = dot(&member.image, &members[j].image);
+            let mut entry = sum_of_products(&member.image, &members[j].image);
             for k in 0..j {
                 let other = if j == i { &row[k] } else { &rows[j][k] };
                 let divisor = if k == 0 { IBig::ONE } else { rows[k - 1][k - 1].clone() };
@@ -124,10 +126,6 @@ fn gram(members: &[Member]) -> Vec<Vec<IBig>> {
         rows.push(row);
     }
     rows
-}
-
-fn dot(a: &[IBig], b: &[IBig]) -> IBig {
-    a.iter().zip(b).fold(IBig::ZERO, |sum, (x, y)| sum + x * y)
 }
 
 #[cfg(test)]
@@ -167,7 +165,7 @@ mod tests {
         let members = [[1, 1, 1], [-1, 0, 2], [3, 5, 6]].map(|v| Member { place: whole(&v), image: whole(&v) });
         let mut members = members.to_vec();
         reduce(&mut members);
-        let lengths: Vec<IBig> = members.iter().map(|m| dot(&m.image, &m.image)).collect();
+        let lengths: Vec<IBig> = members.iter().map(|m| sum_of_products(&m.image, &m.image)).collect();
         assert_eq!(lengths, whole(&[1, 2, 5]));
     }
 }
