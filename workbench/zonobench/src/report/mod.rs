@@ -14,6 +14,7 @@ mod pages;
 mod peers;
 mod totals;
 mod values;
+mod variant;
 
 use experiments::analysis::{self, FittedGrowth};
 use experiments::catalog::EXPERIMENTS;

@@ -6,7 +6,7 @@ use experiments::definition::Experiment;
 use experiments::record::{CountOutcome, CountRow};
 
 use super::html::{Escaped, grouped, table};
-use super::values::title;
+use super::variant::variant_title;
 
 /// For every method the sums of the values over all cases, then the same input by input. Cases with a wrong answer
 /// are included, because wrong answers may be what is counted. The result is empty without values.
@@ -26,7 +26,7 @@ pub(super) fn total_table(experiment: &Experiment, rows: &[CountRow]) -> String 
     let cells = |total: &Total<'_>| {
         let input = total.family.map_or("all".to_owned(), |family| Escaped(&family.replace('_', " ")).to_string());
         let [smallest, largest] = total.sizes.map(|n| grouped(n as u64));
-        let mut cells = vec![input, format!("{smallest} … {largest}"), title(experiment, total.method)];
+        let mut cells = vec![input, format!("{smallest} … {largest}"), variant_title(experiment, total.method)];
         cells.extend(names.iter().map(|name| total.sums.get(name).map_or("–".to_owned(), f64::to_string)));
         cells
     };

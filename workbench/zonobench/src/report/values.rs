@@ -7,6 +7,7 @@ use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow}
 
 use super::html::{Escaped, grouped, table};
 use super::totals::total_table;
+use super::variant::variant_title;
 
 /// The values put together as the experiment says. Empty without values.
 pub(super) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
@@ -65,7 +66,7 @@ fn at_largest(experiment: &Experiment, mut rows: Vec<Row<'_>>, written: fn(f64) 
             .filter(|row| row.key.family == family && row.key.variant == variant && row.key.n == n)
             .collect();
         let mut cells =
-            vec![Escaped(&family.replace('_', " ")).to_string(), grouped(n as u64), title(experiment, variant)];
+            vec![Escaped(&family.replace('_', " ")).to_string(), grouped(n as u64), variant_title(experiment, variant)];
         for name in &names {
             let middle = middle(here.iter().filter_map(|row| row.numbers.get(name).copied()).collect());
             cells.push(middle.map_or("–".to_owned(), written));
@@ -84,11 +85,6 @@ fn values(row: &CountRow) -> &BTreeMap<String, f64> {
         CountOutcome::Measured { values, .. } => values,
         CountOutcome::Failed { .. } => &NONE,
     }
-}
-
-pub(super) fn title(experiment: &Experiment, variant: &str) -> String {
-    let found = experiment.variants.iter().find(|candidate| candidate.id == variant);
-    Escaped(found.map_or(variant, |variant| variant.title)).to_string()
 }
 
 /// The middle number, the upper one of an even count.
