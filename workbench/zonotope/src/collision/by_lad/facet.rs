@@ -46,7 +46,7 @@
 //! let facet = by_lad::facet(&query);
 //! assert_eq!(facet.value().0, 2.0);
 //! assert!(!facet.is_member());
-//! assert_eq!(facet.location().status(), "outside");
+//! assert_eq!(facet.location().status().name(), "outside");
 //! ```
 
 use super::proof;
