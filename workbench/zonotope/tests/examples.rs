@@ -1,0 +1,40 @@
+//! The examples run as tests: each is a module of this file, and its assertions are those of the test.
+
+macro_rules! examples {
+    ($($name:ident: $path:literal,)+) => {
+        $(
+            #[path = $path]
+            mod $name;
+
+            #[test]
+            fn $name() {
+                $name::main();
+            }
+        )+
+
+        const NAMES: &[&str] = &[$(stringify!($name)),+];
+    };
+}
+
+examples! {
+    along_directions: "../examples/along_directions.rs",
+    around_a_mesh: "../examples/around_a_mesh.rs",
+    checked_certificate: "../examples/checked_certificate.rs",
+    gauge_and_plane: "../examples/gauge_and_plane.rs",
+    least_area: "../examples/least_area.rs",
+    membership: "../examples/membership.rs",
+    moving_boxes: "../examples/moving_boxes.rs",
+}
+
+/// An example that is not named above would never run.
+#[test]
+fn every_example_is_a_test() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let entries = std::fs::read_dir(folder).expect("the examples are there");
+    let mut found: Vec<String> = entries
+        .map(|entry| entry.expect("an entry can be read").path())
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect();
+    found.sort();
+    assert_eq!(found, NAMES);
+}
