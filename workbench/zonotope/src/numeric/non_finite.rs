@@ -104,8 +104,8 @@ impl NonFinite {
     }
 }
 
-/// Whether all numbers are finite: a multiple by zero is zero for these alone. Several side by side, without a branch for each, since lists of
-/// generators are checked whenever a query is made.
+/// Whether all numbers are finite: zero times a number is zero for these alone. Several are looked at side by side,
+/// without a branch for each, since lists of generators are checked whenever a query is made.
 fn are_finite(numbers: &[f64]) -> bool {
     let mut zeros = [0.0; 8];
     let (blocks, rest) = numbers.as_chunks::<8>();
