@@ -147,13 +147,13 @@ struct Race {
 
 /// How often the time of our location goes into that of others.
 fn lead(record: &PeersRecord) -> Table {
-    const NEAR: &[&str] = &["inside_1e-9", "outside_1e-9"];
+    const GAPS_OF_1E_9: &[&str] = &["inside_1e-9", "outside_1e-9"];
     const RANDOM: Option<&str> = Some("random_bodies");
     const fn parry(title: &'static str, placements: &'static [&'static str], family: Option<&'static str>) -> Race {
         Race { title, method: "parry_gjk", placements, family }
     }
     const RACES: [Race; 6] = [
-        parry("parry's GJK, random bodies near contact", NEAR, RANDOM),
+        parry("parry's GJK, random bodies near contact", GAPS_OF_1E_9, RANDOM),
         parry("parry's GJK, random bodies overlapping", &["overlapping"], RANDOM),
         parry("parry's GJK, random bodies separated", &["separated"], RANDOM),
         parry("parry's GJK, all families overlapping", &["overlapping"], None),
@@ -161,7 +161,7 @@ fn lead(record: &PeersRecord) -> Table {
         Race {
             title: "Theorem 5.2, random bodies near contact",
             method: "by_slope_selection",
-            placements: NEAR,
+            placements: GAPS_OF_1E_9,
             family: RANDOM,
         },
     ];

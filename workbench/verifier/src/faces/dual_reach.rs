@@ -20,7 +20,7 @@ const MOST_PAIRS: u64 = 2_000_000_000;
 /// A rounded sum of m vectors errs by (m + 4) 2^-52 Σ |λ_j|, and the farthest vertex is not nearer than 0.4 Σ |λ_j| in
 /// at most four dimensions: that is the mean of Σ |λ_j · u| over all unit vectors u. For a million vectors the error
 /// is below 10^-9.
-const SHORT: f64 = 1e-8;
+const SKIPPED_SHORTFALL: f64 = 1e-8;
 
 const MOST_VECTORS: usize = 1_000_000;
 
@@ -106,7 +106,7 @@ impl Search<'_> {
 
     fn look_at(&mut self, sum: &Image) {
         let rounded = image_dot(sum, sum);
-        if rounded < self.rounded * (1.0 - SHORT) {
+        if rounded < self.rounded * (1.0 - SKIPPED_SHORTFALL) {
             return;
         }
         self.rounded = self.rounded.max(rounded);
