@@ -1,10 +1,10 @@
 //! Answers about zonotopes, checked against their certificates: exactly, on plain numbers, without the solvers.
 //!
-//! A zonotope is { c + Σ δ_i g_i : |δ_i| ≤ 1 } with centre c and generators g_i. A solver that answers a question about it
-//! also says why the answer is true: that is the certificate. A check takes the numbers of the question and of the answer
-//! as they are written and returns a [`Verdict`]: `Right` with what was proved, `Wrong` with the place and the reason, or
-//! `Unchecked` where a proof would take too long. This crate shares nothing with the solvers but the long integers, reads
-//! and writes nothing, and no input makes it panic.
+//! A zonotope is { c + Σ δ_i g_i : |δ_i| ≤ 1 } with centre c and generators g_i. A solver that answers a question about
+//! it also says why the answer is true: that is the certificate. A check takes the numbers of the question and of the
+//! answer as they are written and returns a [`Verdict`]: `Right` with what was proved, `Wrong` with the place and the
+//! reason, or `Unchecked` where a proof would take too long. This crate shares nothing with the solvers but the long
+//! integers, reads and writes nothing, and no input makes it panic.
 //!
 //! # What proves what
 //!
@@ -28,12 +28,13 @@
 //!
 //! # How it stays exact
 //!
-//! Every double is a whole multiple of a power of two. So all the numbers of one question and its answer are laid on one
-//! grid: integers, in which sums and products are exact. A quotient is a numerator over a positive denominator, a type of
-//! a page built on the same integers: a rational library would reduce after every step, which no check needs, and would
-//! be one thing more to trust. Where floating point is used, to go through many facets, it only passes over what is
-//! certainly clear. Figures (areas, lengths, gauges) may differ from their exact values by [`RELATIVE_ERROR`]; where a
-//! figure is too small for that, it is one of the two doubles around the exact value. Decisions have no tolerance.
+//! Every double is a whole multiple of a power of two. So all the numbers of one question and its answer are laid on
+//! one grid: integers, in which sums and products are exact. A quotient is a numerator over a positive denominator, a
+//! type of a page built on the same integers: a rational library would reduce after every step, which no check needs,
+//! and would be one thing more to trust. Where floating point is used, to go through many facets, it only passes over
+//! what is certainly clear. Figures (areas, lengths, gauges) may differ from their exact values by [`RELATIVE_ERROR`];
+//! where a figure is too small for that, it is one of the two doubles around the exact value. Decisions have no
+//! tolerance.
 //!
 //! # Example
 //!

@@ -1,4 +1,5 @@
-//! The face lattice of random generators against writing arrays of the same sizes, freshly allocated; counts without the lattice.
+//! The face lattice of random generators against writing arrays of the same sizes, freshly allocated; counts without
+//! the lattice.
 //!
 //! `cargo bench -p zonotope --bench faces`; a filter such as `-- 1000` selects sizes.
 

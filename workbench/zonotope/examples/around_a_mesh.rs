@@ -1,4 +1,5 @@
-//! The least total length around a mesh: the vertices of an OBJ file, read in a few lines, and the zonotope around them.
+//! The least total length around a mesh: the vertices of an OBJ file, read in a few lines, and the zonotope around
+//! them.
 
 use zonotope::enclosing::min_total_length::min_length_enclosing;
 

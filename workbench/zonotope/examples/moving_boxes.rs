@@ -1,4 +1,5 @@
-//! Intersection in a loop: a box that turns passes a box that stands; the poses move, the generators stay where they are.
+//! Intersection in a loop: a box that turns passes a box that stands; the poses move, the generators stay where they
+//! are.
 
 use zonotope::{Pose, PoseError, Zonotope};
 

@@ -1,8 +1,9 @@
 //! Zonotopes as bounding volumes: exact, certified algorithms of computational geometry.
 //!
-//! A zonotope is a Minkowski sum of segments, given by its centre and generators: { p + Σ δ_i v_i : |δ_i| ≤ 1 }. This library
-//! implements *Zonotopes as Bounding Volumes* (Guibas, Nguyen, Zhang, SODA 2003): every decision is exact, every answer carries a
-//! certificate, and a volume that is called enclosing encloses. It is pure: no input or output, no clock, no ambient randomness.
+//! A zonotope is a Minkowski sum of segments, given by its centre and generators: { p + Σ δ_i v_i : |δ_i| ≤ 1 }. This
+//! library implements *Zonotopes as Bounding Volumes* (Guibas, Nguyen, Zhang, SODA 2003): every decision is exact,
+//! every answer carries a certificate, and a volume that is called enclosing encloses. It is pure: no input or output,
+//! no clock, no ambient randomness.
 //!
 //! # What a body can be asked
 //!
@@ -42,7 +43,8 @@
 //! # Ok(()) }
 //! ```
 //!
-//! How is an answer checked? It carries its proof: of a point outside, a direction u in which the point is beyond the body.
+//! How is an answer checked? It carries its proof: of a point outside, a direction u in which the point is beyond the
+//! body.
 //! ```
 //! # use zonotope::{Location, Separation, Zonotope};
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -52,7 +54,8 @@
 //! # Ok(()) }
 //! ```
 //!
-//! The methods of [`Zonotope`] take the kernel in up to four dimensions; above, they enumerate facets in rationals, O(n^D).
+//! The methods of [`Zonotope`] take the kernel in up to four dimensions; above, they enumerate facets in rationals,
+//! O(n^D).
 //!
 //! # Problems
 //!
@@ -95,7 +98,8 @@
 //!
 //! # Layers
 //!
-//! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then [`enclosing`] and [`collision`], then [`line_fit`].
+//! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then
+//! [`enclosing`] and [`collision`], then [`line_fit`].
 
 // The tables of methods name those that the feature brings.
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]

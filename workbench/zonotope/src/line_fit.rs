@@ -1,32 +1,37 @@
 //! The line y ≈ slope · x + intercept of least absolute deviations through weighted points, by the kernel.
 //!
 //! # Statement
-//! Input: points (x_i, y_i) with weights w_i ≥ 0. Output: an exact minimiser of Σ w_i |slope · x_i + intercept − y_i| with its proof. When the best
-//! line is not unique it is a vertex of the set of best lines, one through two points. If all points of positive weight have
-//! the same x, any line through their weighted median is best: the answer is the one whose (slope, intercept) is nearest to the
-//! origin, and so for one point. Without points of positive weight it is y = 0.
+//! Input: points (x_i, y_i) with weights w_i ≥ 0. Output: an exact minimiser of Σ w_i |slope · x_i + intercept − y_i|
+//! with its proof. When the best line is not unique it is a vertex of the set of best lines, one through two points. If
+//! all points of positive weight have the same x, any line through their weighted median is best: the answer is the one
+//! whose (slope, intercept) is nearest to the origin, and so for one point. Without points of positive weight it is
+//! y = 0.
 //!
 //! # Source
 //! Beyond the paper: the points are generators (x, y, w) of a zonotope, and the fit is the kernel's problem for them.
 //!
 //! # Method
-//! 1. Points of one weight w are generators (x_i, y_i, w) as they are, and the facet of their zonotope in which the ray along the second axis
-//!    leaves (the kernel in homogeneous form, [`crate::lad`]) is spanned by the two points that the best line goes through.
-//! 2. Where there is no such facet (all points on one line, one abscissa), and for other weights, in the plane of (slope, intercept) each
-//!    point is the line x_i · slope + intercept − y_i = 0 with the weight w_i: minimise by [`by_pruning`].
+//! 1. Points of one weight w are generators (x_i, y_i, w) as they are, and the facet of their zonotope in which the ray
+//!    along the second axis leaves (the kernel in homogeneous form, [`crate::lad`]) is spanned by the two points that
+//!    the best line goes through.
+//! 2. Where there is no such facet (all points on one line, one abscissa), and for other weights, in the plane of
+//!    (slope, intercept) each point is the line x_i · slope + intercept − y_i = 0 with the weight w_i: minimise by
+//!    [`by_pruning`].
 //!
 //! # Complexity
-//! n points: expected O(n), space O(n). The [proof](LineFit::proof) with its O(n) coefficients is made when it is asked for.
+//! n points: expected O(n), space O(n). The [proof](LineFit::proof) with its O(n) coefficients is made when it is asked
+//! for.
 //!
 //! # Shapes
-//! `points`: n × 3, the rows (x, y, weight) in any order, duplicates allowed; weight 1 throughout for a fit without weights.
+//! `points`: n × 3, the rows (x, y, weight) in any order, duplicates allowed; weight 1 throughout for a fit without
+//! weights.
 //!
 //! # Numerics
 //! The line is the exact optimum, with rational slope and intercept; [`LineFit::rounded`] rounds them.
 //!
 //! # Errors
-//! [`LineFitError::NonFinite`] ⇔ a coordinate or a weight is NaN or infinite; [`LineFitError::NegativeWeight`] ⇔ a weight is below zero;
-//! [`LineFitError::TooMany`] ⇔ 2^32 points or more.
+//! [`LineFitError::NonFinite`] ⇔ a coordinate or a weight is NaN or infinite; [`LineFitError::NegativeWeight`] ⇔ a
+//! weight is below zero; [`LineFitError::TooMany`] ⇔ 2^32 points or more.
 //!
 //! # Panics
 //! Never.

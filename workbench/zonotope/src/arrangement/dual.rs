@@ -1,11 +1,13 @@
-//! The dual arrangement of generators in space (Section 3): the generator (a, b, c) becomes the line a x + b y + c = 0 of the plane z = 1.
+//! The dual arrangement of generators in space (Section 3): the generator (a, b, c) becomes the line a x + b y + c = 0
+//! of the plane z = 1.
 //!
-//! The line is where the plane through the origin perpendicular to the generator meets z = 1: the directions (x, y, 1) in
-//! which the generator changes sides. A vertex of the arrangement is the normal of an upward facet, and slope selection on it
-//! is slope selection on the facets of the upper hull.
+//! The line is where the plane through the origin perpendicular to the generator meets z = 1: the directions (x, y, 1)
+//! in which the generator changes sides. A vertex of the arrangement is the normal of an upward facet, and slope
+//! selection on it is slope selection on the facets of the upper hull.
 //!
 //! What general position leaves out:
-//! - a vertical generator, a = b = 0, changes sides in no direction (x, y, 1): it has no line, and neither has a zero one;
+//! - a vertical generator, a = b = 0, changes sides in no direction (x, y, 1): it has no line, and neither has a zero
+//!   one;
 //! - a generator with b = 0 has a vertical line. It crosses every line that is not vertical;
 //! - generators with parallel projections have parallel lines, without a vertex, whether or not they coincide: parallel
 //!   generators have one line, counted as often as there are generators;
@@ -62,7 +64,8 @@ struct Generators<'a> {
     axes: [usize; 3],
 }
 
-/// A generator turned to point up, as if the plane z = 1 were turned a little counter-clockwise: y > 0, else x < 0, else z > 0.
+/// A generator turned to point up, as if the plane z = 1 were turned a little counter-clockwise: y > 0, else x < 0,
+/// else z > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Upward {
     pub(crate) generator: u32,

@@ -1,8 +1,8 @@
 //! Sorting by exact fractions at the speed of doubles.
 //!
-//! Items are sorted by the leading double of their approximate keys. Where the intervals that hold the exact keys overlap, the
-//! items form a cluster, and each cluster is sorted again: by the approximations where they are certain, by the exact
-//! fractions where they are not. The result is the exact order whatever the approximations are.
+//! Items are sorted by the leading double of their approximate keys. Where the intervals that hold the exact keys
+//! overlap, the items form a cluster, and each cluster is sorted again: by the approximations where they are certain,
+//! by the exact fractions where they are not. The result is the exact order whatever the approximations are.
 
 use std::cell::{Cell, OnceCell};
 use std::cmp::Ordering;

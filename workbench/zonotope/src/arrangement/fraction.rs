@@ -54,8 +54,8 @@ impl Fraction {
         self.numerator.ratio(&self.denominator)
     }
 
-    /// An exponent and what is left of the value, with its sign, of magnitude in [1, 2) and within a relative 2^-50; none for zero. However
-    /// far out of the range of doubles.
+    /// An exponent and what is left of the value, with its sign, of magnitude in [1, 2) and within a relative 2^-50;
+    /// none for zero. However far out of the range of doubles.
     pub(crate) fn leading(&self) -> Option<(i64, f64)> {
         let ((head, e), (other, f)) = (self.numerator.leading(), self.denominator.leading());
         let exponent = i64::from(binary_exponent(head / other)?);

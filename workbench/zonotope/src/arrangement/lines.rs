@@ -24,8 +24,8 @@ pub(crate) trait LineSource: Debug {
 
 /// A set of lines of the plane, each pair of which has a vertex unless it is parallel.
 ///
-/// Lines whose normal is zero are no lines and have no vertex. Lines that are not vertical are known by their place in the
-/// order of slopes, then heights, then indices. Approximations live in a frame scaled by powers of two such that
+/// Lines whose normal is zero are no lines and have no vertex. Lines that are not vertical are known by their place in
+/// the order of slopes, then heights, then indices. Approximations live in a frame scaled by powers of two such that
 /// typical slopes and intercepts are about 1.
 #[derive(Debug)]
 pub struct LineArrangement<'a> {
@@ -225,8 +225,8 @@ impl<'a> LineArrangement<'a> {
         }
     }
 
-    /// Ascends with the abscissa of an event but for rounding, however far out of the range of doubles: the size of its exponent with its
-    /// sign, then the rest.
+    /// Ascends with the abscissa of an event but for rounding, however far out of the range of doubles: the size of its
+    /// exponent with its sign, then the rest.
     pub(crate) fn rough_abscissa(&self, event: Event) -> (i64, f64) {
         let high = self.approximate_abscissa(event).high;
         let leading = match binary_exponent(high) {

@@ -1,4 +1,5 @@
-//! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for a witness.
+//! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for
+//! a witness.
 
 use super::location::Witness;
 use crate::numeric::Rational;
@@ -32,7 +33,8 @@ pub(super) fn left_over<const D: usize>(
     std::array::from_fn(|axis| &left[axis] + &whole[axis].value())
 }
 
-/// The coefficients with Σ δ_b g_b = `sum` over the basis; `None` if its generators are dependent or nothing solves the equation.
+/// The coefficients with Σ δ_b g_b = `sum` over the basis; `None` if its generators are dependent or nothing solves the
+/// equation.
 pub(super) fn solve<const D: usize>(
     question: &Query<'_, D>,
     basis: &[usize],
@@ -46,8 +48,9 @@ pub(super) fn solve<const D: usize>(
 impl Witness {
     /// The same proof with each coefficient of the basis the double nearest to its exact value. O(n) exact additions.
     ///
-    /// The methods leave these coefficients as floating point has them, since the proof does not rest on them; who writes the proof out for others
-    /// rounds them here, so that a reader may hold them against what the rest implies. A witness that proves nothing stays as it is.
+    /// The methods leave these coefficients as floating point has them, since the proof does not rest on them; who
+    /// writes the proof out for others rounds them here, so that a reader may hold them against what the rest implies.
+    /// A witness that proves nothing stays as it is.
     pub fn with_nearest_basis<const D: usize>(mut self, question: &Query<'_, D>) -> Self {
         let is_basis = self.coefficients.len() == question.len() && self.basis.iter().all(|&b| b < question.len());
         if is_basis && self.coefficients.iter().all(|c| c.is_finite()) {
@@ -61,8 +64,8 @@ impl Witness {
     }
 }
 
-/// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner point: D coefficients of the
-/// basis strictly between −1 and 1. `None` if the basis leaves [−1, 1].
+/// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner
+/// point: D coefficients of the basis strictly between −1 and 1. `None` if the basis leaves [−1, 1].
 pub(super) fn near_witness<const D: usize>(
     question: &Query<'_, D>,
     displacement: &[Dyadic; D],
@@ -82,8 +85,8 @@ pub(super) fn near_witness<const D: usize>(
     Some((Witness { coefficients, basis }, is_inside))
 }
 
-/// Generators, independent in floating point, chosen in turn for the room that their coefficients have times how far they lead out of the
-/// span of those before; in increasing order.
+/// Generators, independent in floating point, chosen in turn for the room that their coefficients have times how far
+/// they lead out of the span of those before; in increasing order.
 fn roomy_basis<const D: usize>(question: &Query<'_, D>, coefficients: &[f64]) -> Vec<usize> {
     let mut scales = [0i64; D];
     for (axis, scale) in scales.iter_mut().enumerate() {

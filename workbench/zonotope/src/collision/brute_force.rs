@@ -1,21 +1,24 @@
 //! Location and gauge of a displacement, from every facet normal: the truth, in exact arithmetic.
 //!
 //! # Statement
-//! Input: a displacement p and generators g_i in R^D, any D ≥ 1. Output: where p lies relative to Z = { Σ δ_i g_i : |δ_i| ≤ 1 }, and the
-//! gauge min { t ≥ 0 : p ∈ t Z }, exactly. Z is closed; a flat Z has no inside, so its points are on the boundary, the origin of an
-//! empty Z included. The gauge of p = 0 is 0; off the span of the generators it is infinite.
+//! Input: a displacement p and generators g_i in R^D, any D ≥ 1. Output: where p lies relative to Z = { Σ δ_i g_i
+//! : |δ_i| ≤ 1 }, and the gauge min { t ≥ 0 : p ∈ t Z }, exactly. Z is closed; a flat Z has no inside, so its points
+//! are on the boundary, the origin of an empty Z included. The gauge of p = 0 is 0; off the span of the generators it
+//! is infinite.
 //!
 //! # Source
 //! None; Section 3 names the facets of a zonotope by sets of D − 1 generators.
 //!
 //! # Method
-//! 1. Eliminate to find the span of the generators and coordinates ("axes") that determine a vector of the span. If p is off the span, a
-//!    direction orthogonal to the span separates.
-//! 2. In those coordinates Z has an interior. Each r − 1 independent generators of r = rank have one normal u; every facet normal is
-//!    among these. The gauge is the largest |u · p| / Σ |u · g_i|, and its normal separates when it exceeds 1.
-//! 3. A member p ≠ 0 of gauge t takes t · sign(u · g_i) off the facet; what is left lies in t times the zonotope of the generators
-//!    in the facet, a problem of lower rank.
-//! 4. Coefficients that are no doubles are moved along linear dependences until each has met ±1 or belongs to the basis.
+//! 1. Eliminate to find the span of the generators and coordinates ("axes") that determine a vector of the span. If p
+//!    is off the span, a direction orthogonal to the span separates.
+//! 2. In those coordinates Z has an interior. Each r − 1 independent generators of r = rank have one normal u; every
+//!    facet normal is among these. The gauge is the largest |u · p| / Σ |u · g_i|, and its normal separates when it
+//!    exceeds 1.
+//! 3. A member p ≠ 0 of gauge t takes t · sign(u · g_i) off the facet; what is left lies in t times the zonotope of the
+//!    generators in the facet, a problem of lower rank.
+//! 4. Coefficients that are no doubles are moved along linear dependences until each has met ±1 or belongs to the
+//!    basis.
 //!
 //! # Complexity
 //! n = number of generators: O(n^D) exact operations for the normals, O(n D³) for the coefficients.
@@ -24,8 +27,8 @@
 //! generators: n × D, any order, zero and parallel ones allowed.
 //!
 //! # Numerics
-//! Exact rationals throughout. Basis coefficients are rounded to nearest; a separating direction is rounded if the rounded one
-//! still separates exactly.
+//! Exact rationals throughout. Basis coefficients are rounded to nearest; a separating direction is rounded if the
+//! rounded one still separates exactly.
 //!
 //! # Errors
 //! None: a [`Query`] is valid.

@@ -1,24 +1,26 @@
-//! Location and gauge of a displacement, from the explicit faces of the zonotope: the baseline with the size of the output.
+//! Location and gauge of a displacement, from the explicit faces of the zonotope: the baseline with the size of the
+//! output.
 //!
 //! # Statement
-//! Input: a [`Query`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i g_i : |δ_i| ≤ 1 } with a
-//! proof, and the [`Gauge`]. Touching is [`Location::Boundary`], and so is every member of a flat Z. Zero, parallel and coplanar
-//! generators and none at all are ordinary input.
+//! Input: a [`Query`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i g_i : |δ_i| ≤ 1
+//! } with a proof, and the [`Gauge`]. Touching is [`Location::Boundary`], and so is every member of a flat Z. Zero,
+//! parallel and coplanar generators and none at all are ordinary input.
 //!
 //! # Source
 //! Section 5.1 sets out to avoid this: the n(n − 1) facets that Section 3 counts, one after the other.
 //!
 //! # Method
-//! 1. Exact elimination finds the span of the generators; a p off it is separated. Axes that leave the span become generators, too, which
-//!    changes neither gauge nor witness of a p in it and makes the body solid.
-//! 2. The face lattice (`zonotope::faces`). A facet's normal u is the cross product of two generators, its support u · v with any of its
-//!    vertices; the gauge is the largest |u · p| / (u · v).
+//! 1. Exact elimination finds the span of the generators; a p off it is separated. Axes that leave the span become
+//!    generators, too, which changes neither gauge nor witness of a p in it and makes the body solid.
+//! 2. The face lattice (`zonotope::faces`). A facet's normal u is the cross product of two generators, its support u ·
+//!    v with any of its vertices; the gauge is the largest |u · p| / (u · v).
 //! 3. Facets that floating point cannot tell from the largest are evaluated exactly, from the generators.
 //! 4. The largest facet separates, or p is in that facet's multiple, where its coefficients are found as in
 //!    [`brute_force`](super::brute_force).
 //!
 //! # Complexity
-//! n generators, f = O(n²) facets: O(n² log n) time for the lattice and O(f) space; O(n) exact operations a facet that is in doubt.
+//! n generators, f = O(n²) facets: O(n² log n) time for the lattice and O(f) space; O(n) exact operations a facet that
+//! is in doubt.
 //!
 //! # Shapes
 //! generators: n × D, any order, duplicates allowed.

@@ -1,18 +1,22 @@
-//! Whether a zonotope holds a displacement, by the algorithm of Gilbert, Johnson and Keerthi in floating point: may be wrong, may give up.
+//! Whether a zonotope holds a displacement, by the algorithm of Gilbert, Johnson and Keerthi in floating point: may be
+//! wrong, may give up.
 //!
 //! # Statement
-//! Input: a displacement p and generators g_i of R^D, 1 ≤ D ≤ 7. Output: [`GjkAnswer`], a belief without proof. Touching, flat and
-//! narrowly missing questions are where it fails; the library's other methods are exact, this one is what they are measured against.
+//! Input: a displacement p and generators g_i of R^D, 1 ≤ D ≤ 7. Output: [`GjkAnswer`], a belief without proof.
+//! Touching, flat and narrowly missing questions are where it fails; the library's other methods are exact, this one is
+//! what they are measured against.
 //!
 //! # Source
 //! None in the paper. The method of physics engines, on the support function of the implicit zonotope.
 //!
 //! # Method
-//! 1. Z − p holds the origin just when p ∈ Z. Keep a simplex of at most D + 1 of its extreme points and the simplex's point v nearest to
-//!    the origin; start with the extreme point w in the direction p.
+//! 1. Z − p holds the origin just when p ∈ Z. Keep a simplex of at most D + 1 of its extreme points and the simplex's
+//!    point v nearest to the origin; start with the extreme point w in the direction p.
 //! 2. The extreme point w in the direction −v: if even w · v > 0, the plane between separates.
-//! 3. Add w to the simplex and find the nearest point of the new simplex, dropping vertices that it does not need (`nearest`).
-//! 4. A simplex around the origin, or a v that is nothing against the simplex, is a hit; a v that comes no nearer is given up.
+//! 3. Add w to the simplex and find the nearest point of the new simplex, dropping vertices that it does not need
+//!    (`nearest`).
+//! 4. A simplex around the origin, or a v that is nothing against the simplex, is a hit; a v that comes no nearer is
+//!    given up.
 //!
 //! # Complexity
 //! One pass over the n generators for each step, at most [`STEPS`] steps; space O(D²).
@@ -30,7 +34,8 @@
 //! Never. More than seven dimensions do not compile.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force) on questions that are far from touching; its failures elsewhere are counted, not hidden.
+//! [`brute_force`](super::brute_force) on questions that are far from touching; its failures elsewhere are counted, not
+//! hidden.
 //!
 //! # Example
 //! ```

@@ -1,30 +1,36 @@
-//! Membership, intersection and gauge in R^4, by the kernel in three variables: minimise the support function over u · p = 1.
+//! Membership, intersection and gauge in R^4, by the kernel in three variables: minimise the support function over u ·
+//! p = 1.
 //!
 //! # Statement
-//! Input: a [`Query`] p and generators of R^4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a proof,
-//! and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and so is every member of a flat
-//! Z. Zero, parallel and dependent generators and none at all are ordinary input; p = 0 has the gauge 0.
+//! Input: a [`Query`] p and generators of R^4. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with
+//! a proof, and the [`Gauge`] min { t ≥ 0 : p ∈ t Z }. Z is closed: touching is [`Location::Boundary`], and so is every
+//! member of a flat Z. Zero, parallel and dependent generators and none at all are ordinary input; p = 0 has the
+//! gauge 0.
 //!
 //! # Source
-//! The paper's last section asks whether zonotopes in space-time can be intersected as Theorem 5.2 does in space. They can: the gauge is
-//! 1 / min { h(u) : u · p = 1 } with h(u) = Σ |v_i · u| in any dimension, a least-absolute-deviations problem with one variable less.
+//! The paper's last section asks whether zonotopes in space-time can be intersected as Theorem 5.2 does in space. They
+//! can: the gauge is 1 / min { h(u) : u · p = 1 } with h(u) = Σ |v_i · u| in any dimension, a least-absolute-deviations
+//! problem with one variable less.
 //!
 //! # Method
-//! 1. The kernel in three variables (`lad::of_forms`) in homogeneous coordinates, the generators as its forms and p as its chart: an
-//!    optimal u, and coefficients δ_i = ±1 off at most three generators with Σ δ_i v_i = λ p. The gauge is 1 / λ.
+//! 1. The kernel in three variables (`lad::of_forms`) in homogeneous coordinates, the generators as its forms and p as
+//!    its chart: an optimal u, and coefficients δ_i = ±1 off at most three generators with Σ δ_i v_i = λ p. The gauge
+//!    is 1 / λ.
 //! 2. λ < 1: u separates.
-//! 3. λ ≥ 1: generators join the three until they span what all span. With the coefficients off this basis multiplied by a
-//!    double near 1 / λ, or by 1, the basis solves Σ δ_i v_i = p exactly; if neither fits in [−1, 1], δ_i / λ is moved there (`settling`).
+//! 3. λ ≥ 1: generators join the three until they span what all span. With the coefficients off this basis multiplied
+//!    by a double near 1 / λ, or by 1, the basis solves Σ δ_i v_i = p exactly; if neither fits in [−1, 1], δ_i / λ is
+//!    moved there (`settling`).
 //!
 //! # Complexity
-//! n generators: as `lad::of_forms::by_line_search`, O(n) a step. Moving coefficients, needed only very near the boundary, takes O(n) exact
-//! eliminations.
+//! n generators: as `lad::of_forms::by_line_search`, O(n) a step. Moving coefficients, needed only very near the
+//! boundary, takes O(n) exact eliminations.
 //!
 //! # Shapes
 //! generators: n × 4, any order, duplicates allowed.
 //!
 //! # Numerics
-//! Every decision is exact. The gauge is rounded within `error`; beyond the range of doubles it is `f64::MAX` with infinite error.
+//! Every decision is exact. The gauge is rounded within `error`; beyond the range of doubles it is `f64::MAX` with
+//! infinite error.
 //!
 //! # Errors
 //! None: a [`Query`] is valid.

@@ -1,20 +1,22 @@
 //! Location of a displacement, by a linear program in floating point whose answer is proved exactly or not given.
 //!
 //! # Statement
-//! Input: a displacement p, generators g_i of R^D, any D ≥ 1, and an engine. Output: what the engine's optimum proves. [`Answer::Located`]
-//! holds a complete location with its proof; [`Answer::Member`] proves a member whose status stayed open; [`Answer::Undecided`]
-//! says why the engine's numbers proved nothing. No answer is ever wrong; touching and narrowly missing questions are often undecided.
+//! Input: a displacement p, generators g_i of R^D, any D ≥ 1, and an engine. Output: what the engine's optimum proves.
+//! [`Answer::Located`] holds a complete location with its proof; [`Answer::Member`] proves a member whose status stayed
+//! open; [`Answer::Undecided`] says why the engine's numbers proved nothing. No answer is ever wrong; touching and
+//! narrowly missing questions are often undecided.
 //!
 //! # Source
 //! Section 5.1 names linear programming as the general method; it is the baseline here.
 //!
 //! # Method
-//! 1. Maximise t subject to Σ δ_i g_i = t p, |δ_i| ≤ 1, each axis and p scaled by a power of two: the gauge is 1 / t, and the multipliers of
-//!    the axes are the direction u with u · p = 1 that minimises Σ |u · g_i|.
+//! 1. Maximise t subject to Σ δ_i g_i = t p, |δ_i| ≤ 1, each axis and p scaled by a power of two: the gauge is 1 / t,
+//!    and the multipliers of the axes are the direction u with u · p = 1 that minimises Σ |u · g_i|.
 //! 2. If u or −u separates exactly, p is outside.
-//! 3. The coefficients δ_i / t, clamped to [−1, 1], with a basis of independent generators that leave most room, prove a member if the
-//!    basis coefficients that solve the equation exactly lie in [−1, 1].
-//! 4. D of these strictly between −1 and 1 prove the inside, a direction u with u · p = Σ |u · g_i| exactly the boundary.
+//! 3. The coefficients δ_i / t, clamped to [−1, 1], with a basis of independent generators that leave most room, prove
+//!    a member if the basis coefficients that solve the equation exactly lie in [−1, 1].
+//! 4. D of these strictly between −1 and 1 prove the inside, a direction u with u · p = Σ |u · g_i| exactly the
+//!    boundary.
 //!
 //! # Complexity
 //! The engine's, plus O(n D³) floating-point and O(n D) exact operations.

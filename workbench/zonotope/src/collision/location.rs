@@ -30,7 +30,8 @@ pub enum Status {
 
 /// The proof of a displacement p that lies in Z: coefficients of the generators.
 ///
-/// With the coefficients off the basis taken as they stand, those of the basis that solve Σ δ_i g_i = p exactly lie in [−1, 1].
+/// With the coefficients off the basis taken as they stand, those of the basis that solve Σ δ_i g_i = p exactly lie in
+/// [−1, 1].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Witness {
     /// A coefficient in [−1, 1] for each generator; those of the basis are rounded.

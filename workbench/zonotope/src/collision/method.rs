@@ -12,7 +12,8 @@ use crate::linear_program::Clarabel;
 use crate::tally::Tally;
 use crate::zonotope::faces::FacesError;
 
-/// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming` alone.
+/// A method that locates a displacement. The methods that need an engine exist with the feature `linear-programming`
+/// alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 #[non_exhaustive]
 pub enum Method {
@@ -85,8 +86,8 @@ impl Method {
         Self::BruteForce,
     ];
 
-    /// The method that answers where the caller chooses none: it locates and measures in this dimension, always with a proof. Above four
-    /// dimensions that is brute force, whose cost grows with the power of the dimension.
+    /// The method that answers where the caller chooses none: it locates and measures in this dimension, always with a
+    /// proof. Above four dimensions that is brute force, whose cost grows with the power of the dimension.
     pub fn default_in(dimension: usize) -> Self {
         if Self::ByLad.dimensions().contains(&dimension) { Self::ByLad } else { Self::BruteForce }
     }
@@ -170,7 +171,8 @@ impl Method {
     /// Where a displacement lies, as far as the method finds it out. `seed` decides the time, never the answer.
     ///
     /// # Errors
-    /// [`MethodError::Dimension`] outside of [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too many.
+    /// [`MethodError::Dimension`] outside of [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too
+    /// many.
     pub fn locate<const D: usize>(
         self,
         question: &Query<'_, D>,

@@ -1,7 +1,7 @@
 //! Collision: where a point lies relative to a zonotope given by its generators, and so whether two zonotopes meet.
 //!
-//! Lemma 5.1 turns every question into one: where is the exact difference of two points relative to the zonotope of some
-//! generators centred at the origin? [`Query`] is that question, [`Location`] its answer with a proof.
+//! Lemma 5.1 turns every question into one: where is the exact difference of two points relative to the zonotope of
+//! some generators centred at the origin? [`Query`] is that question, [`Location`] its answer with a proof.
 //!
 //! - membership: the displacement from the centre to the point;
 //! - intersection: the displacement between the centres, relative to the generators of both bodies;
@@ -17,12 +17,12 @@
 //! | [`by_gjk`] | 1 to 7 | O(n) a step, few steps | floating point as physics engines do it: may be wrong or give up |
 //! | [`by_linear_program`] | any D | the engine's | floating point, proved exactly or not answered |
 //!
-//! [`Method`] names them, for callers that choose one when they run, and says the default of each dimension. The methods of
-//! [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask that default; in space [`PosedZonotope`] asks about
-//! a body under a pose.
+//! [`Method`] names them, for callers that choose one when they run, and says the default of each dimension. The
+//! methods of [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask
+//! that default; in space [`PosedZonotope`] asks about a body under a pose.
 //!
-//! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of the plane.
-//! [`verify`] checks an answer exactly and shares nothing with the methods.
+//! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of
+//! the plane. [`verify`] checks an answer exactly and shares nothing with the methods.
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 

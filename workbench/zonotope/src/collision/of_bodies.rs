@@ -1,7 +1,7 @@
 //! What a body is asked: methods of [`Zonotope`] that put the question to the default method of its dimension.
 //!
-//! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`] himself and hands it
-//! to a [`Method`].
+//! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
+//! himself and hands it to a [`Method`].
 
 use super::{Finding, Gauge, Location, Method, Query};
 use crate::numeric::non_finite::NonFinite;
@@ -11,7 +11,8 @@ use crate::zonotope::Zonotope;
 const SEED: u64 = 0;
 
 impl<const D: usize> Zonotope<D> {
-    /// Whether a point lies in the closed body, exactly. O(n) expected in up to four dimensions, O(n^D) in rationals above.
+    /// Whether a point lies in the closed body, exactly. O(n) expected in up to four dimensions, O(n^D) in rationals
+    /// above.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -19,8 +20,8 @@ impl<const D: usize> Zonotope<D> {
         Ok(self.locate(point)?.is_member())
     }
 
-    /// Where a point lies relative to the body, with a proof: coefficients of the generators, or a separating direction. The cost is that of
-    /// [`contains`](Self::contains).
+    /// Where a point lies relative to the body, with a proof: coefficients of the generators, or a separating
+    /// direction. The cost is that of [`contains`](Self::contains).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -28,8 +29,8 @@ impl<const D: usize> Zonotope<D> {
         Ok(located(&Query::of_point(point, self)?))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point; with the proof of where the point lies. The cost is
-    /// that of [`contains`](Self::contains).
+    /// How many times the body must be taken, from its centre, to hold a point; with the proof of where the point lies.
+    /// The cost is that of [`contains`](Self::contains).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
@@ -45,8 +46,9 @@ impl<const D: usize> Zonotope<D> {
         self.intersection(other).is_member()
     }
 
-    /// How two bodies meet, with a proof: inside if their interiors have a point in common, boundary if they only touch (or their sum is
-    /// flat), outside if they are disjoint. It locates the difference of the centres relative to the generators of both (Lemma 5.1).
+    /// How two bodies meet, with a proof: inside if their interiors have a point in common, boundary if they only touch
+    /// (or their sum is flat), outside if they are disjoint. It locates the difference of the centres relative to the
+    /// generators of both (Lemma 5.1).
     pub fn intersection(&self, other: &Self) -> Location<D> {
         located(&Query::between(self, other))
     }

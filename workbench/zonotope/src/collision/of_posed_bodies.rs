@@ -1,4 +1,5 @@
-//! What a body of space under a pose is asked. A moved body keeps its generators: the pose is part of the question, and exact like it.
+//! What a body of space under a pose is asked. A moved body keeps its generators: the pose is part of the question, and
+//! exact like it.
 
 use super::by_lad::{gauge_posed, locate_posed};
 use super::{Gauge, Location};
@@ -7,9 +8,11 @@ use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 
-/// A body of space where a pose puts it, as [`Zonotope::at`] makes it: a reference to the body beside the pose, nothing of it copied.
+/// A body of space where a pose puts it, as [`Zonotope::at`] makes it: a reference to the body beside the pose, nothing
+/// of it copied.
 ///
-/// Bodies with and without a pose are asked about each other: wherever a posed body is expected, `&body` is the body as it stands.
+/// Bodies with and without a pose are asked about each other: wherever a posed body is expected, `&body` is the body as
+/// it stands.
 #[derive(Debug, Clone, Copy)]
 pub struct PosedZonotope<'a> {
     body: &'a Zonotope<3>,
@@ -48,8 +51,8 @@ impl<'a> PosedZonotope<'a> {
         Ok(self.locate(point)?.is_member())
     }
 
-    /// Where a point lies relative to the posed body, with a proof in coefficients of the generators as they are stored, or a direction. O(n)
-    /// expected.
+    /// Where a point lies relative to the posed body, with a proof in coefficients of the generators as they are
+    /// stored, or a direction. O(n) expected.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.

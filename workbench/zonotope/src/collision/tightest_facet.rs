@@ -1,7 +1,7 @@
 //! The facet that bounds a gauge, and the coefficients of a point on it: by recursion on the facets of facets.
 //!
-//! A facet holds the generators orthogonal to its normal; off it, each takes the coefficient with which it reaches farthest. What these
-//! leave of the point is a point of the facet, a problem of one dimension less.
+//! A facet holds the generators orthogonal to its normal; off it, each takes the coefficient with which it reaches
+//! farthest. What these leave of the point is a point of the facet, a problem of one dimension less.
 
 use super::to_doubles::rounded_off_a_basis;
 use crate::collision::Witness;
@@ -23,7 +23,8 @@ pub(super) struct TightestFacet {
 }
 
 impl TightestFacet {
-    /// The facet of generators that span the space, by trying the normal of each r − 1 of them. In no dimension the gauge is 0.
+    /// The facet of generators that span the space, by trying the normal of each r − 1 of them. In no dimension the
+    /// gauge is 0.
     pub(super) fn of(point: &[Dyadic], generators: &[Vector]) -> Self {
         let rank = point.len();
         let mut best: Option<Self> = None;
@@ -55,12 +56,13 @@ impl TightestFacet {
         Self { normal: span.embed(&facet.normal), ..facet }
     }
 
-    /// Coefficients with Σ δ_i g_i = point whose largest magnitude is the gauge of the point, this being the facet of the zonotope's multiple
-    /// that has the point on its boundary.
+    /// Coefficients with Σ δ_i g_i = point whose largest magnitude is the gauge of the point, this being the facet of
+    /// the zonotope's multiple that has the point on its boundary.
     pub(super) fn coefficients(&self, point: &[Dyadic], generators: &[Vector]) -> Vec<Rational> {
         let Self { normal, along_point, along_zonotope } = self;
         let gauge = along_point.to_rational() / along_zonotope.to_rational();
-        // What the generators of the facet have to make up, times the denominator of the gauge, so that it stays dyadic.
+        // What the generators of the facet have to make up, times the denominator of the gauge, so that it stays
+        // dyadic.
         let mut left: Vector = point.iter().map(|v| v * along_zonotope).collect();
         let (mut coefficients, mut facet) = (vec![Rational::ZERO; generators.len()], Vec::new());
         for (i, generator) in generators.iter().enumerate() {
@@ -90,7 +92,8 @@ pub(super) fn witness(point: &[Dyadic], generators: &[Vector]) -> Witness {
     rounded_off_a_basis(coefficients, |i| generators[i].iter().map(Dyadic::to_rational).collect())
 }
 
-/// Coefficients with Σ δ_i g_i = point whose largest magnitude is the gauge of the point, a point of the generators' span.
+/// Coefficients with Σ δ_i g_i = point whose largest magnitude is the gauge of the point, a point of the generators'
+/// span.
 fn smallest_coefficients(point: &[Dyadic], generators: &[Vector]) -> Vec<Rational> {
     if point.iter().all(Dyadic::is_zero) {
         return vec![Rational::ZERO; generators.len()];

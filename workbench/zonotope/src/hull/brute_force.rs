@@ -1,13 +1,14 @@
-//! Planar convex hull, by gift wrapping: every vertex in turn from the exact comparison of all points around the one before.
+//! Planar convex hull, by gift wrapping: every vertex in turn from the exact comparison of all points around the one
+//! before.
 //!
 //! # Statement
-//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their convex
-//! hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence in the
-//! input. Equal points give one vertex, collinear points two.
+//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
+//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
+//! in the input. Equal points give one vertex, collinear points two.
 //!
 //! # Source
-//! Jarvis, On the identification of the convex hull of a finite set of points in the plane, 1973. The paper takes the hull for
-//! granted ("our input can be assumed to be a convex polygon", Section 4.1).
+//! Jarvis, On the identification of the convex hull of a finite set of points in the plane, 1973. The paper takes the
+//! hull for granted ("our input can be assumed to be a convex polygon", Section 4.1).
 //!
 //! # Method
 //! 1. Start at the lexicographically smallest point, its first occurrence.
@@ -25,8 +26,8 @@
 //! All decisions are exact. Vertices are input points, bit for bit.
 //!
 //! # Errors
-//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`] ⇔ more than
-//! [`MAX_POINTS`](super::MAX_POINTS) points.
+//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
+//! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
 //! # Panics
 //! Never.
@@ -87,7 +88,8 @@ fn successor(points: &[[f64; 2]], current: usize, tally: &mut impl Tally) -> usi
             || match orientation_counted(from, points[best], point, tally) {
                 Turn::Right => true,
                 Turn::Left => false,
-                // both on one ray from an extreme point of the set, where lexicographic order is the order along the ray
+                // both on one ray from an extreme point of the set, where lexicographic order is the order along the
+                // ray
                 Turn::Straight => (points[best] < point) == (from < point) && points[best] != point,
             };
         if is_better {

@@ -1,23 +1,24 @@
 //! Planar convex hull, by monotone chains: sort by x, then one scan builds the hull below and the hull above.
 //!
 //! # Statement
-//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their convex
-//! hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence in the
-//! input. Equal points give one vertex, collinear points two.
+//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
+//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
+//! in the input. Equal points give one vertex, collinear points two.
 //!
 //! # Source
-//! Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979. The paper takes the hull for granted ("our
-//! input can be assumed to be a convex polygon", Section 4.1).
+//! Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979. The paper takes the hull for granted
+//! ("our input can be assumed to be a convex polygon", Section 4.1).
 //!
 //! # Method
 //! 1. Sort the points lexicographically, equal ones by their position in the input.
-//! 2. Scan them. The side of the line from the first to the last point decides to which chain a point goes; points on that
-//!    line are dropped.
-//! 3. Appending to a chain, drop its last vertex while the turn there is not strictly to the left (to the right, above).
+//! 2. Scan them. The side of the line from the first to the last point decides to which chain a point goes; points on
+//!    that line are dropped.
+//! 3. Appending to a chain, drop its last vertex while the turn there is not strictly to the left (to the right,
+//!    above).
 //!
 //! # Complexity
-//! n points: O(n log n) time for the sort, then at most 3n orientation tests; 24n bytes for the sorted points and at most 8n
-//! for the chains, besides the answer.
+//! n points: O(n log n) time for the sort, then at most 3n orientation tests; 24n bytes for the sorted points and at
+//! most 8n for the chains, besides the answer.
 //!
 //! # Shapes
 //! `points`: n × 2.
@@ -26,8 +27,8 @@
 //! All decisions are exact; −0 equals 0. Vertices are input points, bit for bit.
 //!
 //! # Errors
-//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`] ⇔ more than
-//! [`MAX_POINTS`](super::MAX_POINTS) points.
+//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
+//! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
 //! # Panics
 //! Never.

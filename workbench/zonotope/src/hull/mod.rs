@@ -1,8 +1,8 @@
 //! Problem: the convex hull of a finite set of points in the plane, and for each of its edges the farthest vertex.
 //!
-//! The hull is given by its vertices in counter-clockwise order, starting from the lexicographically smallest, no three of
-//! them on a line; each vertex comes with the index of its first occurrence in the input. Points and segments are hulls
-//! too, with one and two vertices. Every decision is exact, so the answer does not depend on the method.
+//! The hull is given by its vertices in counter-clockwise order, starting from the lexicographically smallest, no three
+//! of them on a line; each vertex comes with the index of its first occurrence in the input. Points and segments are
+//! hulls too, with one and two vertices. Every decision is exact, so the answer does not depend on the method.
 //!
 //! | method | time | notes |
 //! |---|---|---|
@@ -10,8 +10,8 @@
 //! | [`by_discarding`] | O(n + m log m), m ≤ n | m points left after one pass; expected O(n) in ordinary input; the default |
 //! | [`by_monotone_chain`] | O(n log n) | sort by x, then one chain below and one above (Andrew) |
 //!
-//! n points, h of them vertices of the hull. [`convex_hull`] is the default method; [`antipodal`] is a problem of its own and
-//! [`verify`] checks an answer without trusting any of the methods.
+//! n points, h of them vertices of the hull. [`convex_hull`] is the default method; [`antipodal`] is a problem of its
+//! own and [`verify`] checks an answer without trusting any of the methods.
 
 pub mod antipodal;
 pub mod brute_force;

@@ -18,7 +18,8 @@ impl PointIndex {
     }
 }
 
-/// Position of a vertex on a hull, counter-clockwise from the lexicographically smallest, and of the edge that starts there.
+/// Position of a vertex on a hull, counter-clockwise from the lexicographically smallest, and of the edge that starts
+/// there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct VertexIndex(u32);
 

@@ -50,8 +50,8 @@ pub(super) fn sorted(points: &[[f64; 2]], positions: impl Iterator<Item = u32>) 
 
 /// The hull of sites sorted lexicographically, at least one: Andrew's monotone chains.
 ///
-/// Sites on one side of the line from the first to the last site can only be vertices of the chain on that side, and sites on
-/// that line of neither. Of equal sites only the first takes part.
+/// Sites on one side of the line from the first to the last site can only be vertices of the chain on that side, and
+/// sites on that line of neither. Of equal sites only the first takes part.
 pub(super) fn hull_of_sorted(sites: &[Site], tally: &mut impl Tally) -> ConvexHull {
     let (first, end) = (&sites[0], sites[sites.len() - 1].point);
     // the first of the sites that equal the last one

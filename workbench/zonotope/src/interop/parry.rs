@@ -1,9 +1,9 @@
-//! [`Zonotope<3>`] as a shape of parry3d (the build in doubles): every algorithm of that library that takes a support map takes a
-//! zonotope, GJK, EPA, ray and shape casts among them. Nothing is converted: n generators stand for a polyhedron of up to
-//! n (n − 1) + 2 vertices.
+//! [`Zonotope<3>`] as a shape of parry3d (the build in doubles): every algorithm of that library that takes a support
+//! map takes a zonotope, GJK, EPA, ray and shape casts among them. Nothing is converted: n generators stand for a
+//! polyhedron of up to n (n − 1) + 2 vertices.
 //!
-//! Those algorithms work in rounded arithmetic with tolerances of their own. Where a decision must be right, near contact above all,
-//! ask [`collision`](crate::collision).
+//! Those algorithms work in rounded arithmetic with tolerances of their own. Where a decision must be right, near
+//! contact above all, ask [`collision`](crate::collision).
 //!
 //! ```
 //! use parry3d_f64::math::{Pose, Vector};

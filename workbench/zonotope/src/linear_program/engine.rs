@@ -19,9 +19,9 @@ pub enum Guess {
         /// A value for each variable.
         primal: Vec<f64>,
         /// A multiplier y_r for each row: at most 0 for [`AtMost`](super::Relation::AtMost), at least 0 for
-        /// [`AtLeast`](super::Relation::AtLeast). Where all were exact, cost_j − Σ y_r a_rj would be 0 for a variable strictly
-        /// between its bounds, not negative at its lower and not positive at its upper bound, and raising the right side of row r by
-        /// one would cost y_r.
+        /// [`AtLeast`](super::Relation::AtLeast). Where all were exact, cost_j − Σ y_r a_rj would be 0 for a variable
+        /// strictly between its bounds, not negative at its lower and not positive at its upper bound, and raising the
+        /// right side of row r by one would cost y_r.
         multipliers: Vec<f64>,
     },
     /// No assignment satisfies all rows and bounds.

@@ -1,7 +1,8 @@
 //! Linear programs: minimise cost · x subject to sparse rows and bounds, by engines whose answers are only guesses.
 //!
-//! The engines compute in floating point and stop within tolerances of their own, so nothing in this library believes them:
-//! the caller turns the primal and dual values of a [`Guess`] into a candidate and proves it exactly, or says that it could not.
+//! The engines compute in floating point and stop within tolerances of their own, so nothing in this library believes
+//! them: the caller turns the primal and dual values of a [`Guess`] into a candidate and proves it exactly, or says
+//! that it could not.
 //!
 //! | engine | what it is |
 //! |---|---|

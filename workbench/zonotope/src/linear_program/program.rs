@@ -4,8 +4,8 @@ use thiserror::Error;
 
 /// Minimise Σ cost_j x_j subject to the rows and lower_j ≤ x_j ≤ upper_j.
 ///
-/// Costs, coefficients and right sides are finite; a bound may be infinite on the side that it leaves open; a row names a variable
-/// at most once.
+/// Costs, coefficients and right sides are finite; a bound may be infinite on the side that it leaves open; a row names
+/// a variable at most once.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LinearProgram {
     variables: Vec<BoundedVariable>,

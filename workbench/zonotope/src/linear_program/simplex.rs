@@ -55,8 +55,8 @@ fn optimum(program: &LinearProgram) -> Result<Vec<f64>, Guess> {
 
 /// The dual as a minimisation: a multiplier y_r for each row, then a price for each finite bound that is not 0.
 ///
-/// Maximise Σ right_r y_r + Σ lower_j p_j − Σ upper_j q_j subject to Σ y_r a_rj + p_j − q_j = cost_j, p, q ≥ 0. The price of a bound 0
-/// is the slack of the row.
+/// Maximise Σ right_r y_r + Σ lower_j p_j − Σ upper_j q_j subject to Σ y_r a_rj + p_j − q_j = cost_j, p, q ≥ 0. The
+/// price of a bound 0 is the slack of the row.
 fn dual(program: &LinearProgram) -> LinearProgram {
     let mut variables: Vec<BoundedVariable> = program
         .rows()

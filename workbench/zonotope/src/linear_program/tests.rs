@@ -89,7 +89,8 @@ fn what_is_not_a_program_is_refused() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(300))]
 
-    /// The origin is feasible and the box bounds everything, so both engines find an optimum, and duality ties primal to dual.
+    /// The origin is feasible and the box bounds everything, so both engines find an optimum, and duality ties primal
+    /// to dual.
     #[test]
     fn engines_agree_and_duality_holds(
         costs in proptest::collection::vec(-3.0..3.0f64, 1..6),
@@ -104,7 +105,8 @@ proptest! {
                 1 => (Relation::AtLeast, -right),
                 _ => (Relation::Equal, 0.0),
             };
-            // More equalities than variables leave only the origin, a program without an interior that engines may give up on.
+            // More equalities than variables leave only the origin, a program without an interior that engines may give
+            // up on.
             let equalities = program.rows().iter().filter(|row| row.relation == Relation::Equal).count();
             if relation != Relation::Equal || equalities + 1 < costs.len() {
                 program.add_row(Row { terms, relation, right }).expect("valid");

@@ -152,7 +152,8 @@ impl Dyadic {
     }
 }
 
-/// Divides numbers by what they have in common, a positive number: their ratios and signs stay, their digits become few.
+/// Divides numbers by what they have in common, a positive number: their ratios and signs stay, their digits become
+/// few.
 pub fn remove_common_factor(numbers: &mut [Dyadic]) {
     let lowest = numbers.iter().filter(|v| !v.is_zero()).map(|v| v.exponent).min();
     let Some(lowest) = lowest else { return };

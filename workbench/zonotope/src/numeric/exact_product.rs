@@ -1,6 +1,7 @@
 //! The product of two doubles and what rounding it leaves behind.
 
-/// a · b as an unevaluated sum of two doubles, the rounded product and its error (Dekker, Veltkamp); exact unless a part overflows or underflows.
+/// a · b as an unevaluated sum of two doubles, the rounded product and its error (Dekker, Veltkamp); exact unless a
+/// part overflows or underflows.
 #[inline]
 pub(crate) fn exact_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;

@@ -1,4 +1,5 @@
-//! The ground floor: exact values, exact signs, error bounds, linear algebra; nothing of it is written twice anywhere else.
+//! The ground floor: exact values, exact signs, error bounds, linear algebra; nothing of it is written twice anywhere
+//! else.
 //!
 //! | file | what it holds |
 //! |---|---|

@@ -8,36 +8,39 @@
 //! Points that coincide and parallel edges give [`Turn::Straight`].
 //!
 //! # Source
-//! The filter is Shewchuk's (Adaptive precision floating-point arithmetic, 1997, orientation test, stage A) with a term for
-//! underflow. The paper assumes real arithmetic.
+//! The filter is Shewchuk's (Adaptive precision floating-point arithmetic, 1997, orientation test, stage A) with a term
+//! for underflow. The paper assumes real arithmetic.
 //!
 //! # Method
-//! 1. Filter: compute the two products l, r in doubles and accept the sign of l − r when |l − r| exceeds the error bound.
+//! 1. Filter: compute the two products l, r in doubles and accept the sign of l − r when |l − r| exceeds the error
+//!    bound.
 //! 2. Parallel test: if the exact edges (head plus tail) are equal or opposite, the turn is straight. Hulls that are
 //!    centrally symmetric about the origin end here.
-//! 3. Scale by a power of two such that every nonzero magnitude is in [2^-400, 2^480], where that is exact. If both edges
-//!    are then doubles, compare the two products, each as an unevaluated sum of two doubles; otherwise Shewchuk's
+//! 3. Scale by a power of two such that every nonzero magnitude is in [2^-400, 2^480], where that is exact. If both
+//!    edges are then doubles, compare the two products, each as an unevaluated sum of two doubles; otherwise Shewchuk's
 //!    expansions (crate `robust`).
 //! 4. Exact binary integers ([`Dyadic`]) for what cannot be scaled (magnitudes that span more than 2^879).
 //!
 //! # Complexity
-//! Constant time and space. The filter costs 4 subtractions, 2 products and 4 further operations; on points without structure it
-//! fails about once in 10^15 tries. Steps 2 and 3 cost tens of nanoseconds, step 4 microseconds.
+//! Constant time and space. The filter costs 4 subtractions, 2 products and 4 further operations; on points without
+//! structure it fails about once in 10^15 tries. Steps 2 and 3 cost tens of nanoseconds, step 4 microseconds.
 //!
 //! # Shapes
 //! Points are `[f64; 2]`, x first.
 //!
 //! # Numerics
-//! Bound of the filter, u = 2^-53. Each difference is exact up to a factor 1 + δ, |δ| ≤ u (sums have no underflow error);
-//! each product has a factor 1 + δ more and an absolute error of at most 2^-1075. Hence l and r have relative error at most
-//! 3u + 3u² + u³ before that absolute error, and l − r one more rounding u·|l − r|. If |l − r| > (3u + 16u²)·(|l| + |r|) + 2^-1022, all as
-//! computed, the sign of l − r is right: the 16u² pays for the roundings within the bound itself and 2^-1022 for
-//! both underflows. Overflow gives an infinite bound or a NaN, neither of which passes the strict comparison.
+//! Bound of the filter, u = 2^-53. Each difference is exact up to a factor 1 + δ, |δ| ≤ u (sums have no underflow
+//! error); each product has a factor 1 + δ more and an absolute error of at most 2^-1075. Hence l and r have relative
+//! error at most 3u + 3u² + u³ before that absolute error, and l − r one more rounding u·|l − r|. If |l − r| > (3u +
+//! 16u²)·(|l| + |r|) + 2^-1022, all as computed, the sign of l − r is right: the 16u² pays for the roundings within the
+//! bound itself and 2^-1022 for both underflows. Overflow gives an infinite bound or a NaN, neither of which passes the
+//! strict comparison.
 //!
-//! Range of step 3: if every nonzero coordinate has magnitude in [2^-400, 2^480], coordinates are multiples of 2^-452, and all
-//! differences, products and their error terms are multiples of 2^-904 of magnitude at most 2^964: nothing overflows,
-//! not even the 2^27-fold of a product that Dekker's splitting forms, and no rounding error is lost to underflow. The smallest bound that `robust` computes, about 2^-103 times the sum of the
-//! products, is at least 2^-1007 when that sum is not zero, a normal number.
+//! Range of step 3: if every nonzero coordinate has magnitude in [2^-400, 2^480], coordinates are multiples of 2^-452,
+//! and all differences, products and their error terms are multiples of 2^-904 of magnitude at most 2^964: nothing
+//! overflows, not even the 2^27-fold of a product that Dekker's splitting forms, and no rounding error is lost to
+//! underflow. The smallest bound that `robust` computes, about 2^-103 times the sum of the products, is at least
+//! 2^-1007 when that sum is not zero, a normal number.
 //!
 //! # Errors
 //! None. Non-finite coordinates are a broken precondition: the result is then meaningless.

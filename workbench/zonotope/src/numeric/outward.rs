@@ -1,7 +1,8 @@
 //! Directed rounding, and what rounding lost as generators along the axes.
 //!
-//! A vector that is off by at most r_k in coordinate k lies in the box Σ [−1, 1] r_k e_k around the exact one. So a zonotope whose centre and generators
-//! were rounded contains the exact one as soon as a generator r_k e_k is added along each axis, r_k the sum of what was lost there.
+//! A vector that is off by at most r_k in coordinate k lies in the box Σ [−1, 1] r_k e_k around the exact one. So a
+//! zonotope whose centre and generators were rounded contains the exact one as soon as a generator r_k e_k is added
+//! along each axis, r_k the sum of what was lost there.
 
 use super::Rational;
 use super::dyadic::Dyadic;

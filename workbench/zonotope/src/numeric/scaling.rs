@@ -1,7 +1,7 @@
 //! Powers of two: taking doubles apart, and scaling and subtracting them without overflow.
 //!
-//! A product with a power of two is exact as long as the result is a normal double. So methods bring their data to magnitude 1 first, and
-//! then neither overflow nor underflow has to be thought of again.
+//! A product with a power of two is exact as long as the result is a normal double. So methods bring their data to
+//! magnitude 1 first, and then neither overflow nor underflow has to be thought of again.
 
 /// 2^`exponent` as a constant, for exponents of normal doubles: −1022 to 1023.
 pub const fn power_of_two(exponent: i32) -> f64 {
@@ -50,7 +50,8 @@ pub(crate) fn power_of_two_below(value: f64) -> f64 {
     f64::from_bits(value.to_bits() & (0x7ff << 52))
 }
 
-/// A multiplication by a power of two in two steps: of the two factors, neither leaves the doubles even where the power does.
+/// A multiplication by a power of two in two steps: of the two factors, neither leaves the doubles even where the power
+/// does.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PowerOfTwo([f64; 2]);
 

@@ -1,8 +1,9 @@
 //! Σ ± v over vectors of doubles, exactly.
 //!
-//! A block of doubles is summed exactly by parts: adding and subtracting a power of two σ far above them splits each into a multiple of
-//! σ's last place and a rest, without error, and those multiples sum up in a double without error. Twice that, and only of
-//! doubles more than 2^30 times smaller than the block's largest a rest is left, for the accumulator.
+//! A block of doubles is summed exactly by parts: adding and subtracting a power of two σ far above them splits each
+//! into a multiple of σ's last place and a rest, without error, and those multiples sum up in a double without error.
+//! Twice that, and only of doubles more than 2^30 times smaller than the block's largest a rest is left, for the
+//! accumulator.
 
 use super::exact_linear::ExactVector;
 use super::exact_sum::ExactSum;

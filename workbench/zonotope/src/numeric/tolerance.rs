@@ -1,7 +1,7 @@
 //! Every named constant of a rounding-error bound, with its derivation.
 //!
-//! None of these is a tolerance within which two values would be called equal: they bound how far a computed value may be
-//! from the exact one, so that a filter knows when its sign is certain. u is [`UNIT`] throughout.
+//! None of these is a tolerance within which two values would be called equal: they bound how far a computed value may
+//! be from the exact one, so that a filter knows when its sign is certain. u is [`UNIT`] throughout.
 
 use super::scaling::power_of_two;
 
@@ -16,8 +16,8 @@ pub const UNDERFLOW: f64 = power_of_two(-960);
 
 /// An absolute error that covers the underflow of one product, or of the few products of a dot product.
 ///
-/// Each that underflows is off by at most 2^-1075, so there is room for 2^75 of them; a sum of doubles never underflows. The value is
-/// large enough that a bound to which it was added is itself a normal double.
+/// Each that underflows is off by at most 2^-1075, so there is room for 2^75 of them; a sum of doubles never
+/// underflows. The value is large enough that a bound to which it was added is itself a normal double.
 pub const PRODUCT_UNDERFLOW: f64 = power_of_two(-1000);
 
 /// Factor by which a bound made of terms that are not negative is multiplied where up to five roundings led to it.
@@ -30,41 +30,49 @@ pub const THIRTY_ROUNDINGS: f64 = 1.0 + 32.0 * UNIT;
 
 /// The same where a bound is a sum over many terms, and where products of two of its relative errors were left out.
 ///
-/// For sums of fewer than 2^31 terms in order, n u < 2^-22: bounds of the form 1 / (1 − n u) are below 1 + n u + 2^-43, and the rounding of
-/// the bound, n u as well, stays below 2^-21.
+/// For sums of fewer than 2^31 terms in order, n u < 2^-22: bounds of the form 1 / (1 − n u) are below 1 + n u + 2^-43,
+/// and the rounding of the bound, n u as well, stays below 2^-21.
 pub const LONG_SUM: f64 = 1.0 + power_of_two(-20);
 
-/// Error of a computed 3 × 3 determinant, beside the sum of the magnitudes of its six products, for data scaled to magnitude below 2.
+/// Error of a computed 3 × 3 determinant, beside the sum of the magnitudes of its six products, for data scaled to
+/// magnitude below 2.
 ///
 /// Each product goes through five roundings; three more units pay for the roundings within the bound.
 pub const DETERMINANT_3X3: f64 = 8.0 * UNIT;
 
-/// Error of a product of two vectors of rounded coordinates, beside the sum of the magnitudes of its terms, in up to four dimensions.
+/// Error of a product of two vectors of rounded coordinates, beside the sum of the magnitudes of its terms, in up to
+/// four dimensions.
 ///
-/// Both factors of a term are within 4 ε = 8 u of the exact coordinates ([`Dyadic::to_f64`](super::dyadic::Dyadic::to_f64)) and each term goes through up to
-/// seven roundings: 16 u + 7 u, and products of these; 32 u exceeds that and the rounding of the bound.
+/// Both factors of a term are within 4 ε = 8 u of the exact coordinates
+/// ([`Dyadic::to_f64`](super::dyadic::Dyadic::to_f64)) and each term goes through up to seven roundings: 16 u + 7 u,
+/// and products of these; 32 u exceeds that and the rounding of the bound.
 pub const PRODUCT_OF_ROUNDED_VECTORS: f64 = 32.0 * UNIT;
 
-/// What the nearest point of a simplex is taken to be off by rounding, beside the longest vertex: sixteen units in the last place.
+/// What the nearest point of a simplex is taken to be off by rounding, beside the longest vertex: sixteen units in the
+/// last place.
 ///
-/// Orthogonalising up to seven edges and subtracting from the last vertex takes each coordinate through some thirty roundings, of which about half
-/// cancel. It is an estimate and no bound, for a method in floating point whose answers are not proved.
+/// Orthogonalising up to seven edges and subtracting from the last vertex takes each coordinate through some thirty
+/// roundings, of which about half cancel. It is an estimate and no bound, for a method in floating point whose answers
+/// are not proved.
 pub const NEAREST_POINT_ROUNDING: f64 = 32.0 * UNIT;
 
 /// Relative error of one operation on numbers of two doubles: 2^-98 = 256 u².
 ///
-/// The algorithms are good to 16 u²; the rest covers that operands are not perfectly normalised and that the bound is taken of a rounded result.
+/// The algorithms are good to 16 u²; the rest covers that operands are not perfectly normalised and that the bound is
+/// taken of a rounded result.
 pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
-/// Factor by which bounds on numbers of two doubles are multiplied: (1 − u)^k (1 + 2^-40) > 1 for every k up to 2^12 roundings.
+/// Factor by which bounds on numbers of two doubles are multiplied: (1 − u)^k (1 + 2^-40) > 1 for every k up to 2^12
+/// roundings.
 pub const DOUBLE_DOUBLE_BOUND: f64 = 1.0 + power_of_two(-40);
 
-/// Relative error of a difference of two numbers that are each known to a relative 2^-50 ([`Dyadic::to_f64`](super::dyadic::Dyadic::to_f64)),
-/// beside the sum of their magnitudes: 2^-50 and one rounding, which 2^-48 exceeds.
+/// Relative error of a difference of two numbers that are each known to a relative 2^-50
+/// ([`Dyadic::to_f64`](super::dyadic::Dyadic::to_f64)), beside the sum of their magnitudes: 2^-50 and one rounding,
+/// which 2^-48 exceeds.
 pub const DIFFERENCE_OF_LEADING_DOUBLES: f64 = power_of_two(-48);
 
-/// Sizes of vectors between which the products of a few of them do not overflow, and their underflow is below the floor of every error bound: 2^-200 and
-/// 2^200.
+/// Sizes of vectors between which the products of a few of them do not overflow, and their underflow is below the floor
+/// of every error bound: 2^-200 and 2^200.
 pub const MODERATE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(200);
 
 /// Lengths between which no square leaves the range of doubles: 2^-500 and 2^500.
@@ -86,8 +94,8 @@ pub const PAIRABLE_EXPONENT: i64 = 300;
 /// By how much the computed products of a vector with a cone of directions may be off, in terms of the vector's length
 /// and the sum of the lengths that describe the cone.
 ///
-/// A product of two vectors of space goes through three roundings, each within u of |v| times the other factor's length;
-/// the rest covers that the lengths are rounded themselves.
+/// A product of two vectors of space goes through three roundings, each within u of |v| times the other factor's
+/// length; the rest covers that the lengths are rounded themselves.
 pub const CONE_ROUNDING: f64 = 8.0 * UNIT;
 
 /// The gauge counts as known when its error is at most this part of it.

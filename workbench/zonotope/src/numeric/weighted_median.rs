@@ -1,15 +1,17 @@
 //! The weighted median, by selection: where weights, added up in order, reach a target.
 //!
-//! The objective of a least-absolute-deviations problem along a line is convex and changes its slope by a known amount at each crossing,
-//! so its minimum is the crossing at which these amounts have made up for the slope at the start.
+//! The objective of a least-absolute-deviations problem along a line is convex and changes its slope by a known amount
+//! at each crossing, so its minimum is the crossing at which these amounts have made up for the slope at the start.
 
 use std::cmp::Ordering;
 
-/// The first item, in the given order, at which the weights up to it and with it reach `target`; the last one if they never do; `None` of no items.
+/// The first item, in the given order, at which the weights up to it and with it reach `target`; the last one if they
+/// never do; `None` of no items.
 ///
-/// The weights are not negative. Items that the order calls equal are taken in any order, so a total one makes the answer unique. Sums of
-/// doubles are rounded, and so is the answer a guess wherever the sum is near the target. Expected O(n), where sorting costs
-/// O(n log n): each round splits what is left at its middle and sums up one half. Leaves the items in another order: those before the answer first.
+/// The weights are not negative. Items that the order calls equal are taken in any order, so a total one makes the
+/// answer unique. Sums of doubles are rounded, and so is the answer a guess wherever the sum is near the target.
+/// Expected O(n), where sorting costs O(n log n): each round splits what is left at its middle and sums up one half.
+/// Leaves the items in another order: those before the answer first.
 pub(crate) fn weighted_median<T>(
     items: &mut [T],
     target: f64,

@@ -1,7 +1,8 @@
 //! Counting what an algorithm does: exact, machine-independent, free when unused.
 //!
 //! Every algorithm has a counted variant that takes a [`Tally`]. The unit type counts nothing and compiles to nothing;
-//! [`OperationCounts`] keeps a number for each [`Operation`] and for each [`Rung`]. Growth claims are fitted on these numbers, never on times.
+//! [`OperationCounts`] keeps a number for each [`Operation`] and for each [`Rung`]. Growth claims are fitted on these
+//! numbers, never on times.
 
 mod rung;
 
@@ -15,7 +16,8 @@ pub use rung::{Rung, Stage};
 pub enum Operation {
     /// One line of an arrangement read and evaluated; divided by the number of lines: passes over the data.
     LineEvaluation,
-    /// One line of a part of the input read and evaluated: of a sample, or of what is left when all other lines are summed up.
+    /// One line of a part of the input read and evaluated: of a sample, or of what is left when all other lines are
+    /// summed up.
     PartEvaluation,
     /// Two keys (positions along a line, slopes, coordinates) compared in a sort, a merge or a selection.
     Comparison,

@@ -1,7 +1,8 @@
 //! The rungs of the kernel's ladder: which method answered a question that several methods could have answered.
 //!
-//! The methods of a stage are tried in the order of this list, from the cheapest to the one that always answers. Which one answered says
-//! nothing about the answer, all answers being exact; it says what the answer cost and whether a method earns its place.
+//! The methods of a stage are tried in the order of this list, from the cheapest to the one that always answers. Which
+//! one answered says nothing about the answer, all answers being exact; it says what the answer cost and whether a
+//! method earns its place.
 
 use std::fmt;
 

@@ -1,4 +1,5 @@
-//! Generators put in order: zero ones left out, parallel ones merged. Nothing else in the library does this behind the caller's back.
+//! Generators put in order: zero ones left out, parallel ones merged. Nothing else in the library does this behind the
+//! caller's back.
 
 use super::directions::Directions;
 use super::{Zonotope, ZonotopeError};
@@ -11,9 +12,10 @@ impl<const D: usize> Zonotope<D> {
         Self { center: self.center(), generators }
     }
 
-    /// The body with one generator a direction: zero generators left out, parallel ones added up, sorted by direction. Which generators are parallel is
-    /// decided exactly. The same body if all sums are vectors of doubles; else it encloses it, with at most D more generators along
-    /// the axes, as for the other [operations](Self::minkowski_sum). O(n log n).
+    /// The body with one generator a direction: zero generators left out, parallel ones added up, sorted by direction.
+    /// Which generators are parallel is decided exactly. The same body if all sums are vectors of doubles; else it
+    /// encloses it, with at most D more generators along the axes, as for the other [operations](Self::minkowski_sum).
+    /// O(n log n).
     ///
     /// # Errors
     /// [`ZonotopeError::NonFinite`] if a sum leaves the range of doubles.

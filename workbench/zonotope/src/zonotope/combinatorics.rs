@@ -19,7 +19,8 @@ pub struct Combinatorics {
     pub vertices: u64,
     /// How many edges.
     pub edges: u64,
-    /// How many facets: faces of one dimension less than the body. A segment's are its ends, a zonogon's its edges; a point has none.
+    /// How many facets: faces of one dimension less than the body. A segment's are its ends, a zonogon's its edges; a
+    /// point has none.
     pub facets: u64,
     /// How many facets have so many vertices.
     pub facet_sizes: BTreeMap<usize, u64>,

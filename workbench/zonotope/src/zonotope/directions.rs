@@ -14,7 +14,8 @@ pub struct Member {
     pub reversed: bool,
 }
 
-/// The classes of parallel nonzero generators, sorted by direction: a body's shape depends on these and on the sum of each class alone.
+/// The classes of parallel nonzero generators, sorted by direction: a body's shape depends on these and on the sum of
+/// each class alone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Directions<const D: usize> {
     generators: Vec<[f64; D]>,
@@ -68,8 +69,8 @@ impl<const D: usize> Directions<D> {
         &self.members[self.starts[class]..self.starts[class + 1]]
     }
 
-    /// The sum of a class, every member turned like the representative: half of the edges along this direction. `generators` are those that
-    /// the classes were made of.
+    /// The sum of a class, every member turned like the representative: half of the edges along this direction.
+    /// `generators` are those that the classes were made of.
     pub fn exact_sum(&self, class: usize, generators: &[[f64; D]]) -> [Dyadic; D] {
         let mut sum = std::array::from_fn(|_| Dyadic::zero());
         for member in self.members(class) {

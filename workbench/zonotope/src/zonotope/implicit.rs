@@ -52,7 +52,8 @@ impl<const D: usize> Zonotope<D> {
         Ok(Self { center, generators })
     }
 
-    /// The zonotope of a centre and generators that were rounded and, along each axis that lost something, a generator that makes up for it.
+    /// The zonotope of a centre and generators that were rounded and, along each axis that lost something, a generator
+    /// that makes up for it.
     ///
     /// # Errors
     /// As [`new`](Self::new), if a coordinate left the range of doubles.
@@ -75,8 +76,8 @@ impl<const D: usize> Zonotope<D> {
         &self.generators
     }
 
-    /// The support function in a direction of finite coordinates and an extreme vertex, exactly; where the direction is orthogonal to a
-    /// generator, the vertex has it with coefficient 1. O(n) exact operations.
+    /// The support function in a direction of finite coordinates and an extreme vertex, exactly; where the direction is
+    /// orthogonal to a generator, the vertex has it with coefficient 1. O(n) exact operations.
     pub fn support(&self, direction: [f64; D]) -> Support<D> {
         let direction = direction.map(Dyadic::from_f64);
         let mut point = self.center.map(Dyadic::from_f64);

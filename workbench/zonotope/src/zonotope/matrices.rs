@@ -1,4 +1,5 @@
-//! Conversions: generators as rows of numbers and, with the feature `nalgebra`, as the columns of a d × n matrix. All exact.
+//! Conversions: generators as rows of numbers and, with the feature `nalgebra`, as the columns of a d × n matrix. All
+//! exact.
 
 use super::{Zonotope, ZonotopeError};
 

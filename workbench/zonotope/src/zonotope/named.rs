@@ -1,7 +1,7 @@
 //! Zonohedra with names, centred at the origin.
 //!
-//! The truncated icosidodecahedron is not among them: that its decagons are flat is a condition on the golden ratio which no rational
-//! coordinates satisfy, so doubles give another body.
+//! The truncated icosidodecahedron is not among them: that its decagons are flat is a condition on the golden ratio
+//! which no rational coordinates satisfy, so doubles give another body.
 
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -29,39 +29,44 @@ pub fn rhombic_dodecahedron() -> Zonotope<3> {
     zonohedron(vec![[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [1.0, -1.0, 1.0], [1.0, 1.0, -1.0]])
 }
 
-/// The elongated dodecahedron, a rhombic dodecahedron stretched along an axis: 18 vertices, 28 edges, 12 facets of which 4 hexagons.
+/// The elongated dodecahedron, a rhombic dodecahedron stretched along an axis: 18 vertices, 28 edges, 12 facets of
+/// which 4 hexagons.
 pub fn elongated_dodecahedron() -> Zonotope<3> {
     let mut generators = rhombic_dodecahedron().generators().to_vec();
     generators.push([0.0, 0.0, 1.0]);
     zonohedron(generators)
 }
 
-/// The truncated octahedron, generators the edges of an octahedron: 24 vertices, 36 edges, 14 facets of which 8 hexagons.
+/// The truncated octahedron, generators the edges of an octahedron: 24 vertices, 36 edges, 14 facets of which 8
+/// hexagons.
 pub fn truncated_octahedron() -> Zonotope<3> {
     zonohedron(face_diagonals().to_vec())
 }
 
-/// The truncated cuboctahedron with edges of equal length, up to the rounding of √2: 48 vertices, 72 edges, 26 facets: 12 squares, 8 hexagons, 6
-/// octagons.
+/// The truncated cuboctahedron with edges of equal length, up to the rounding of √2: 48 vertices, 72 edges, 26 facets:
+/// 12 squares, 8 hexagons, 6 octagons.
 pub fn truncated_cuboctahedron() -> Zonotope<3> {
     let axes = [[SQRT_2, 0.0, 0.0], [0.0, SQRT_2, 0.0], [0.0, 0.0, SQRT_2]];
     zonohedron([&face_diagonals()[..], &axes].concat())
 }
 
-/// The rhombic triacontahedron, generators the six diagonals of an icosahedron, rounded: 32 vertices, 60 edges, 30 rhombi.
+/// The rhombic triacontahedron, generators the six diagonals of an icosahedron, rounded: 32 vertices, 60 edges, 30
+/// rhombi.
 pub fn rhombic_triacontahedron() -> Zonotope<3> {
     zonohedron(cyclic(|sign| [0.0, 1.0, sign * GOLDEN]))
 }
 
-/// The rhombic enneacontahedron, generators the ten diagonals of a dodecahedron, rounded: 92 vertices, 180 edges, 90 rhombi.
+/// The rhombic enneacontahedron, generators the ten diagonals of a dodecahedron, rounded: 92 vertices, 180 edges, 90
+/// rhombi.
 pub fn rhombic_enneacontahedron() -> Zonotope<3> {
     let mut generators = rhombic_dodecahedron().generators().to_vec();
     generators.extend(cyclic(|sign| [0.0, GOLDEN - 1.0, sign * GOLDEN]));
     zonohedron(generators)
 }
 
-/// The polar zonohedron of n generators (cos φ, sin φ, pitch) evenly around an axis, rounded: n (n − 1) rhombi, for n ≥ 3 and a positive
-/// pitch. The pitch 1/√2 makes a cube (n = 3) and a rhombic dodecahedron (n = 4). A pitch that is not finite counts as 1.
+/// The polar zonohedron of n generators (cos φ, sin φ, pitch) evenly around an axis, rounded: n (n − 1) rhombi, for n ≥
+/// 3 and a positive pitch. The pitch 1/√2 makes a cube (n = 3) and a rhombic dodecahedron (n = 4). A pitch that is not
+/// finite counts as 1.
 pub fn polar_zonohedron(count: u32, pitch: f64) -> Zonotope<3> {
     let pitch = if pitch.is_finite() { pitch } else { 1.0 };
     let generator = |k: u32| {

@@ -1,7 +1,8 @@
 //! Operations under which zonotopes are closed: sums, reflections, linear maps, projections; and the box around one.
 //!
-//! An operation whose exact result doubles can hold gives it. Otherwise the result encloses the exact one: centre and generators
-//! are rounded, and along each coordinate axis one more generator, as long as all that was lost to rounding there, makes up for it.
+//! An operation whose exact result doubles can hold gives it. Otherwise the result encloses the exact one: centre and
+//! generators are rounded, and along each coordinate axis one more generator, as long as all that was lost to rounding
+//! there, makes up for it.
 
 use super::{Zonotope, ZonotopeError};
 use crate::numeric::dyadic::Dyadic;
@@ -19,8 +20,8 @@ pub struct BoundingBox<const D: usize> {
 }
 
 impl<const D: usize> Zonotope<D> {
-    /// The Minkowski sum { a + b }: the sum of the centres and all generators. Encloses it; equal if the sum of the centres is one of
-    /// doubles. O(n).
+    /// The Minkowski sum { a + b }: the sum of the centres and all generators. Encloses it; equal if the sum of the
+    /// centres is one of doubles. O(n).
     ///
     /// # Errors
     /// [`ZonotopeError::NonFinite`] if the centre leaves the range of doubles.
@@ -28,9 +29,9 @@ impl<const D: usize> Zonotope<D> {
         self.sum_of([self.center(), other.center()], other)
     }
 
-    /// The Minkowski sum with the reflection in the origin, Z1 ⊕ (−Z2) = { a − b }: it holds the origin just when the bodies meet. The paper calls it
-    /// Minkowski difference. It is not the erosion Z1 ⊖ Z2 = { x : x + Z2 ⊂ Z1 }, which need not be a zonotope. Encloses it; equal if the difference of the
-    /// centres is one of doubles. O(n).
+    /// The Minkowski sum with the reflection in the origin, Z1 ⊕ (−Z2) = { a − b }: it holds the origin just when the
+    /// bodies meet. The paper calls it Minkowski difference. It is not the erosion Z1 ⊖ Z2 = { x : x + Z2 ⊂ Z1 }, which
+    /// need not be a zonotope. Encloses it; equal if the difference of the centres is one of doubles. O(n).
     ///
     /// To decide whether bodies meet use [`Query::between`](crate::collision::Query::between), which rounds nothing.
     ///
@@ -64,11 +65,12 @@ impl<const D: usize> Zonotope<D> {
         Self::enclosing_rounded(center, self.generators.clone(), &loss)
     }
 
-    /// The image under a linear map, given by its rows: { M x }. Encloses it; equal if all products M c and M g are vectors of doubles, as for
-    /// permutations, sign changes, powers of two. O(n) exact products.
+    /// The image under a linear map, given by its rows: { M x }. Encloses it; equal if all products M c and M g are
+    /// vectors of doubles, as for permutations, sign changes, powers of two. O(n) exact products.
     ///
     /// # Errors
-    /// [`ZonotopeError`] if an entry of the map is not finite or a coordinate of the result leaves the range of doubles.
+    /// [`ZonotopeError`] if an entry of the map is not finite or a coordinate of the result leaves the range of
+    /// doubles.
     pub fn linear_image<const E: usize>(&self, rows: &[[f64; D]; E]) -> Result<Zonotope<E>, ZonotopeError> {
         Zonotope::<D>::new([0.0; D], rows.to_vec())?;
         let rows = rows.map(|row| row.map(Dyadic::from_f64));

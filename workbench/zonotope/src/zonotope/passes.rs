@@ -1,7 +1,8 @@
-//! Passes over generators in plain doubles: fixed lanes, so that the compiler vectorises them and the result is the same on every machine.
+//! Passes over generators in plain doubles: fixed lanes, so that the compiler vectorises them and the result is the
+//! same on every machine.
 //!
-//! A pass decides nothing by itself. [`Extents`] are read off once a body; with them every later pass has a bound on its error, and
-//! only where that bound leaves a doubt is exact arithmetic needed.
+//! A pass decides nothing by itself. [`Extents`] are read off once a body; with them every later pass has a bound on
+//! its error, and only where that bound leaves a doubt is exact arithmetic needed.
 
 use wide::f64x2;
 
@@ -37,7 +38,8 @@ pub fn absolute_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D
 
 /// Σ |g · direction| with a bound on its error, in one pass that sums up the magnitudes as well.
 ///
-/// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through few additions.
+/// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through
+/// few additions.
 pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Bounded {
     let [x, y, z] = *direction;
     // two generators in the order in which they lie in memory
@@ -74,8 +76,8 @@ pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Boun
 
 /// Σ ± g with the signs of g · direction: an extreme vertex of the centred body, in doubles. O(n).
 ///
-/// Its signs are those of computed dot products: [`Extents::error`] bounds by how much the point misses the support function, and
-/// [`Extents::point_error`] how far its coordinates are from those of the vertex with these signs.
+/// Its signs are those of computed dot products: [`Extents::error`] bounds by how much the point misses the support
+/// function, and [`Extents::point_error`] how far its coordinates are from those of the vertex with these signs.
 #[inline]
 pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> [f64; D] {
     let mut sums = [[0.0; LANES]; D];
@@ -97,8 +99,8 @@ pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]
     sums.map(total)
 }
 
-/// Σ |g_k| for each coordinate k, rounded up: half the sides of the smallest box around the centred body, and what bounds the errors
-/// of passes over the same generators.
+/// Σ |g_k| for each coordinate k, rounded up: half the sides of the smallest box around the centred body, and what
+/// bounds the errors of passes over the same generators.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extents<const D: usize> {
     count: usize,
@@ -125,13 +127,15 @@ impl<const D: usize> Extents<D> {
         self.sums
     }
 
-    /// A bound for |[`absolute_sum`] − Σ |g · direction||, given the value that was computed; it also bounds by how much the exact value of the
-    /// point of [`extreme_sum`] in this direction falls short of the support function. Infinite where anything overflows.
+    /// A bound for |[`absolute_sum`] − Σ |g · direction||, given the value that was computed; it also bounds by how
+    /// much the exact value of the point of [`extreme_sum`] in this direction falls short of the support function.
+    /// Infinite where anything overflows.
     ///
-    /// With u = 2^-53, a dot product of D terms is off by at most (D + u') u Σ |g_k u_k| and D denormal steps; a lane adds
-    /// ⌈n / 8⌉ of their absolute values and three more additions join the lanes, each off by u times the sum. A sign that is wrong costs
-    /// twice its dot product, which is then no larger than that product's error: hence the factor two. The factor 1 + 2^-20
-    /// covers products of these errors for every n below 2^32 and the rounding of the bound itself.
+    /// With u = 2^-53, a dot product of D terms is off by at most (D + u') u Σ |g_k u_k| and D denormal steps; a lane
+    /// adds ⌈n / 8⌉ of their absolute values and three more additions join the lanes, each off by u times the sum. A
+    /// sign that is wrong costs twice its dot product, which is then no larger than that product's error: hence the
+    /// factor two. The factor 1 + 2^-20 covers products of these errors for every n below 2^32 and the rounding of the
+    /// bound itself.
     pub fn error(&self, direction: &[f64; D], value: f64) -> f64 {
         let dimension = D as f64;
         let magnitude: f64 = self.sums.iter().zip(direction).map(|(sum, u)| sum * u.abs()).sum();
@@ -147,8 +151,8 @@ impl<const D: usize> Extents<D> {
 }
 
 impl<const D: usize> Zonotope<D> {
-    /// The support function in a direction of finite coordinates by one pass in doubles, with a bound on its error; `extents` are those of the generators.
-    /// O(n). [`support`](Self::support) is exact.
+    /// The support function in a direction of finite coordinates by one pass in doubles, with a bound on its error;
+    /// `extents` are those of the generators. O(n). [`support`](Self::support) is exact.
     pub fn support_estimate(&self, direction: &[f64; D], extents: &Extents<D>) -> Estimate {
         let width = absolute_sum(self.generators(), direction);
         let center = self.center();

@@ -1,7 +1,9 @@
-//! Poses: where a body of space stands, as a matrix and a translation that are taken as the exact numbers that they are.
+//! Poses: where a body of space stands, as a matrix and a translation that are taken as the exact numbers that they
+//! are.
 //!
-//! A pose maps x to M x + t. Decisions about posed bodies are exact for the pose as it is given, so a matrix of doubles that is a rotation but for
-//! rounding makes a body that is congruent to the original one but for rounding, and [`Pose::distance_from_rotation`] says how nearly.
+//! A pose maps x to M x + t. Decisions about posed bodies are exact for the pose as it is given, so a matrix of doubles
+//! that is a rotation but for rounding makes a body that is congruent to the original one but for rounding, and
+//! [`Pose::distance_from_rotation`] says how nearly.
 
 use thiserror::Error;
 
@@ -54,7 +56,8 @@ impl Pose {
         Self::new(Self::IDENTITY.matrix, translation)
     }
 
-    /// The rotation about an axis through the origin by an angle in radians, then a translation. The axis may have any length but zero.
+    /// The rotation about an axis through the origin by an angle in radians, then a translation. The axis may have any
+    /// length but zero.
     ///
     /// The matrix is a rotation within 2^-50 in every entry; it is the exact pose of the body all the same.
     ///
@@ -71,7 +74,8 @@ impl Pose {
         Self::from_quaternion([cos, sin * x, sin * y, sin * z], translation)
     }
 
-    /// The rotation of a quaternion w + x i + y j + z k of any length but zero, given as [w, x, y, z], then a translation.
+    /// The rotation of a quaternion w + x i + y j + z k of any length but zero, given as [w, x, y, z], then a
+    /// translation.
     ///
     /// The matrix is a rotation within 2^-50 in every entry; it is the exact pose of the body all the same.
     ///
@@ -102,8 +106,8 @@ impl Pose {
         self.translation
     }
 
-    /// The largest entry of Mᵀ M − I in magnitude, within a few roundings: 0 for a rotation or a reflection, and about how far lengths and
-    /// angles of a posed body are off those of the body itself.
+    /// The largest entry of Mᵀ M − I in magnitude, within a few roundings: 0 for a rotation or a reflection, and about
+    /// how far lengths and angles of a posed body are off those of the body itself.
     pub fn distance_from_rotation(&self) -> f64 {
         let m = &self.matrix;
         let product = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();

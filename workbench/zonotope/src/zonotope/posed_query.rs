@@ -1,4 +1,5 @@
-//! A query about bodies of space under poses: where they stand is part of the question, and their generators are never copied.
+//! A query about bodies of space under poses: where they stand is part of the question, and their generators are never
+//! copied.
 
 use super::implicit::Zonotope;
 use super::pose::Pose;
@@ -7,7 +8,8 @@ use crate::numeric::non_finite::NonFinite;
 
 /// Where is an exact displacement relative to the zonotope { Σ δ_i M g_i : |δ_i| ≤ 1 } of posed generators?
 ///
-/// The generators come in two slices with a pose each; a generator's index counts through the first slice and then the second.
+/// The generators come in two slices with a pose each; a generator's index counts through the first slice and then the
+/// second.
 #[derive(Debug, Clone)]
 pub struct PosedQuery<'a> {
     displacement: ExactVector,
@@ -26,8 +28,8 @@ impl<'a> PosedQuery<'a> {
         Ok(Self::new(displacement, [body.generators(), &[]], [*pose, Pose::IDENTITY]))
     }
 
-    /// Intersection of two posed bodies (Lemma 5.1): from the image of the first one's centre to that of the second, relative to the posed
-    /// generators of both. O(1).
+    /// Intersection of two posed bodies (Lemma 5.1): from the image of the first one's centre to that of the second,
+    /// relative to the posed generators of both. O(1).
     pub fn between(first: (&'a Zonotope<3>, &Pose), second: (&'a Zonotope<3>, &Pose)) -> Self {
         let [(a, from), (b, to)] = [first, second];
         let displacement = difference(&to.exact_point(b.center()), &from.exact_point(a.center()));

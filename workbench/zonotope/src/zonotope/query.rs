@@ -4,10 +4,11 @@ use super::implicit::Zonotope;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::non_finite::NonFinite;
 
-/// Where is the exact vector `to` − `from` relative to the zonotope { Σ δ_i g_i : |δ_i| ≤ 1 }? Every coordinate is finite.
+/// Where is the exact vector `to` − `from` relative to the zonotope { Σ δ_i g_i : |δ_i| ≤ 1 }? Every coordinate is
+/// finite.
 ///
-/// The generators come in two slices, so that two bodies are put to the query without a copy; a generator's index counts
-/// through the first slice and then the second.
+/// The generators come in two slices, so that two bodies are put to the query without a copy; a generator's index
+/// counts through the first slice and then the second.
 #[derive(Debug, Clone, Copy)]
 pub struct Query<'a, const D: usize> {
     from: [f64; D],
@@ -41,8 +42,8 @@ impl<'a, const D: usize> Query<'a, D> {
         Ok(Self { from: body.center(), to: point, generators: [body.generators(), &[]] })
     }
 
-    /// Intersection of two bodies (Lemma 5.1): from the centre of the first to that of the second, relative to the generators of
-    /// both. O(1).
+    /// Intersection of two bodies (Lemma 5.1): from the centre of the first to that of the second, relative to the
+    /// generators of both. O(1).
     pub fn between(a: &'a Zonotope<D>, b: &'a Zonotope<D>) -> Self {
         Self { from: a.center(), to: b.center(), generators: [a.generators(), b.generators()] }
     }

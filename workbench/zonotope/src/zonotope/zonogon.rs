@@ -9,8 +9,8 @@ use crate::numeric::orientation::{Turn, cross_sign};
 type Exact = [Dyadic; 2];
 
 impl Zonotope<2> {
-    /// The generators turned into the half-plane of directions from (0, −1) (exclusive) counter-clockwise to (0, 1), sorted
-    /// by angle, parallel ones added up, zero ones dropped; exact sums. O(n log n).
+    /// The generators turned into the half-plane of directions from (0, −1) (exclusive) counter-clockwise to (0, 1),
+    /// sorted by angle, parallel ones added up, zero ones dropped; exact sums. O(n log n).
     pub fn sorted_generators(&self) -> Vec<Exact> {
         let mut generators: Vec<[f64; 2]> =
             self.generators().iter().filter(|g| **g != [0.0, 0.0]).map(|&g| rightward(g)).collect();
@@ -32,8 +32,8 @@ impl Zonotope<2> {
         sorted
     }
 
-    /// The vertices, exactly, counter-clockwise from the lowest of the leftmost ones: 2n for n directions of generators, 2 for a segment,
-    /// 1 for a point. O(n log n).
+    /// The vertices, exactly, counter-clockwise from the lowest of the leftmost ones: 2n for n directions of
+    /// generators, 2 for a segment, 1 for a point. O(n log n).
     pub fn exact_vertices(&self) -> Vec<Exact> {
         let generators = self.sorted_generators();
         let center = self.center().map(Dyadic::from_f64);

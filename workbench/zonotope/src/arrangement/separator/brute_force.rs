@@ -1,17 +1,18 @@
 //! The k-th separator of the tiling, from the sorted list of all vertices: the truth the method is held to.
 //!
 //! # Statement
-//! Input: the [`DualArrangement`] of n generators and k, from 0 to the number of tiles. Output: the monotone chain from the top to the
-//! bottom vertex of Q with the tiles 1 … k on its left, as in the [problem](super); a k that ends within a facet of coplanar
-//! generators is refused.
+//! Input: the [`DualArrangement`] of n generators and k, from 0 to the number of tiles. Output: the monotone chain from
+//! the top to the bottom vertex of Q with the tiles 1 … k on its left, as in the [problem](super); a k that ends within
+//! a facet of coplanar generators is refused.
 //!
 //! # Source
 //! The definition.
 //!
 //! # Method
 //! 1. Sort the crossings of all pairs of lines by x, then y.
-//! 2. The line L_k runs between the k-th and the next. Of two lines that cross left of it the steeper one is above on L_k, of two that
-//!    cross right of it the other one; vertical lines count as infinitely steep; parallel ones keep their order. Sort by that.
+//! 2. The line L_k runs between the k-th and the next. Of two lines that cross left of it the steeper one is above on
+//!    L_k, of two that cross right of it the other one; vertical lines count as infinitely steep; parallel ones keep
+//!    their order. Sort by that.
 //! 3. Step down from the sum of all upward generators.
 //!
 //! # Complexity
@@ -24,7 +25,8 @@
 //! Everything is exact rational arithmetic.
 //!
 //! # Errors
-//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next vertex are one point.
+//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
+//! vertex are one point.
 //!
 //! # Panics
 //! Never.
@@ -98,8 +100,8 @@ fn steepness(upward: &Upward) -> (bool, Rational) {
     if b == Rational::ZERO { (true, Rational::ZERO) } else { (false, -a / b) }
 }
 
-/// From top to bottom: the higher first, of vertical lines the left one first, which the leaning line meets higher up. Lines
-/// that coincide lie in the order of input, from bottom to top and from left to right.
+/// From top to bottom: the higher first, of vertical lines the left one first, which the leaning line meets higher up.
+/// Lines that coincide lie in the order of input, from bottom to top and from left to right.
 fn parallel_order(a: &Upward, b: &Upward) -> Ordering {
     let position = |upward: &Upward| {
         let [x, y, z] = upward.vector.map(|v| Dyadic::from_f64(v).to_rational());

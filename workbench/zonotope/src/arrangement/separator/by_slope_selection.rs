@@ -1,22 +1,24 @@
 //! The k-th separator of the tiling, by slope selection in the dual arrangement.
 //!
 //! # Statement
-//! Input: the [`DualArrangement`] of n generators and k, from 0 to the number of tiles. Output: the monotone chain from the top to the
-//! bottom vertex of Q with the tiles 1 … k on its left. Several vertices at one abscissa count from bottom to top. Zero, vertical,
-//! level and parallel generators are ordinary input; a k that ends within a facet of coplanar generators is refused.
+//! Input: the [`DualArrangement`] of n generators and k, from 0 to the number of tiles. Output: the monotone chain from
+//! the top to the bottom vertex of Q with the tiles 1 … k on its left. Several vertices at one abscissa count from
+//! bottom to top. Zero, vertical, level and parallel generators are ordinary input; a k that ends within a facet of
+//! coplanar generators is refused.
 //!
 //! # Source
-//! Section 5.1, separators. Departures: half-lengths, so a step is 2 v'; every v' is turned to point up; L_k is followed
-//! from top to bottom; L_k leans to the left by less than any angle that matters, which orders vertices with
+//! Section 5.1, separators. Departures: half-lengths, so a step is 2 v'; every v' is turned to point up; L_k is
+//! followed from top to bottom; L_k leans to the left by less than any angle that matters, which orders vertices with
 //! equal x and lets L_k meet vertical lines.
 //!
 //! # Method
-//! 1. Select the k-th leftmost vertex ([`randomized`](crate::arrangement::slope_selection::randomized)); let x be its abscissa.
+//! 1. Select the k-th leftmost vertex ([`randomized`](crate::arrangement::slope_selection::randomized)); let x be its
+//!    abscissa.
 //! 2. Sort the lines along the vertical line at x and count the vertices left of it.
-//! 3. Go up along it, over the points where lines meet, until k vertices are left of x or passed. If k falls between the pairs of
-//!    one point, refuse.
-//! 4. The lines passed stand in their order right of x, vertical lines at x next, the others in their order left of x. Vertical lines left of
-//!    x come first, those right of it last.
+//! 3. Go up along it, over the points where lines meet, until k vertices are left of x or passed. If k falls between
+//!    the pairs of one point, refuse.
+//! 4. The lines passed stand in their order right of x, vertical lines at x next, the others in their order left of x.
+//!    Vertical lines left of x come first, those right of it last.
 //! 5. Step down from the sum of all upward generators.
 //!
 //! # Complexity
@@ -29,7 +31,8 @@
 //! Everything is exact; the points are dyadic.
 //!
 //! # Errors
-//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next vertex are one point.
+//! [`SeparatorError::Rank`] ⇔ k is above the number of tiles. [`SeparatorError::Coplanar`] ⇔ the k-th and the next
+//! vertex are one point.
 //!
 //! # Panics
 //! Never.

@@ -1,14 +1,16 @@
 //! Problem: the k-th separator of the tiling, from left to right (Section 5.1).
 //!
 //! The projections of the facets of the upper hull tile the zonogon Q, a parallelogram T_ij for each vertex of the dual
-//! arrangement where the lines of generators i and j cross. Number the tiles by the abscissas of their vertices. L_k is the vertical
-//! line just right of the k-th vertex, and the k-th separator L'_k is the chain from the top to the bottom vertex of Q with the
-//! tiles 1 … k on its left: it takes a step of −2 v' for each line that L_k meets from top to bottom, every v' turned to point up.
+//! arrangement where the lines of generators i and j cross. Number the tiles by the abscissas of their vertices. L_k is
+//! the vertical line just right of the k-th vertex, and the k-th separator L'_k is the chain from the top to the bottom
+//! vertex of Q with the tiles 1 … k on its left: it takes a step of −2 v' for each line that L_k meets from top to
+//! bottom, every v' turned to point up.
 //!
-//! The paper assumes general position. Here L_k leans a little to the left, by less than any angle that matters: vertices
-//! with one abscissa are numbered from bottom to top, a generator with y = 0 points up when x < 0, and its vertical line is crossed far up or far
-//! down. So every input has its separators but those that would cut a facet of more than two generators into tiles, for which
-//! there is more than one way: they are refused. A vertical generator has no line and no step, a zero one neither.
+//! The paper assumes general position. Here L_k leans a little to the left, by less than any angle that matters:
+//! vertices with one abscissa are numbered from bottom to top, a generator with y = 0 points up when x < 0, and its
+//! vertical line is crossed far up or far down. So every input has its separators but those that would cut a facet of
+//! more than two generators into tiles, for which there is more than one way: they are refused. A vertical generator
+//! has no line and no step, a zero one neither.
 //!
 //! | method | cost for n generators | what it is |
 //! |---|---|---|

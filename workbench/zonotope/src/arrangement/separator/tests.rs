@@ -40,7 +40,8 @@ fn check(generators: &[[f64; 3]]) -> Result<(), TestCaseError> {
         let Ok(separator) = truth else { continue };
         prop_assert!(separator.exact_points.windows(2).all(|edge| edge[0][1] >= edge[1][1]), "not monotone");
         prop_assert_eq!(separator.exact_points.len(), separator.generators.len() + 1);
-        // tiles of one abscissa may come in another order than in the list, so their areas are compared once they are all left
+        // tiles of one abscissa may come in another order than in the list, so their areas are compared once they are
+        // all left
         let x = |k: usize| ordered.get(k).map(|vertex| vertex.exact_x());
         if k == 0 || x(k as usize) != x(k as usize - 1) {
             let moved = &area - double_area(&separator);

@@ -1,8 +1,9 @@
-//! The k-th leftmost vertex of a line arrangement, by sorting the abscissas of all pairs: the truth the methods are held to.
+//! The k-th leftmost vertex of a line arrangement, by sorting the abscissas of all pairs: the truth the methods are
+//! held to.
 //!
 //! # Statement
-//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every pair of lines that is
-//! not parallel counted once.
+//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every
+//! pair of lines that is not parallel counted once.
 //!
 //! # Source
 //! The definition.
@@ -15,7 +16,8 @@
 //! O(n² log n) rational operations; space O(n²).
 //!
 //! # Shapes
-//! `arrangement`: n lines in any order, duplicates allowed, n up to about 1000; `rank`: from 1 to the number of vertices.
+//! `arrangement`: n lines in any order, duplicates allowed, n up to about 1000; `rank`: from 1 to the number of
+//! vertices.
 //!
 //! # Numerics
 //! Everything is exact rational arithmetic.

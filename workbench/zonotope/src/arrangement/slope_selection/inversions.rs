@@ -1,7 +1,7 @@
 //! Inversions of a sequence: counted, listed, or picked by rank, in one merge sort.
 //!
-//! An inversion is a pair of elements of which the first is the greater. When a merge takes an element of its right run, that
-//! element is inverted with all that is left of the left run, and every inversion is seen so exactly once.
+//! An inversion is a pair of elements of which the first is the greater. When a merge takes an element of its right
+//! run, that element is inverted with all that is left of the left run, and every inversion is seen so exactly once.
 
 use crate::tally::{Operation, Tally};
 

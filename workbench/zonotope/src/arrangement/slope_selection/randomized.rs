@@ -1,34 +1,40 @@
-//! The k-th leftmost vertex of a line arrangement, by counting the inversions between the orders along two vertical lines and
-//! narrowing the strip between them with random vertices.
+//! The k-th leftmost vertex of a line arrangement, by counting the inversions between the orders along two vertical
+//! lines and narrowing the strip between them with random vertices.
 //!
 //! # Statement
-//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every pair of lines that is
-//! not parallel counted once. Concurrent lines, many vertices at one abscissa, vertical, parallel and equal lines are ordinary input; where
-//! several vertices share the k-th abscissa, one of them is returned and the abscissa does not depend on the seed.
+//! Input: n lines ([`LineArrangement`]) and a rank k, from 1. Output: a vertex at the k-th smallest abscissa, every
+//! pair of lines that is not parallel counted once. Concurrent lines, many vertices at one abscissa, vertical, parallel
+//! and equal lines are ordinary input; where several vertices share the k-th abscissa, one of them is returned and the
+//! abscissa does not depend on the seed.
 //!
 //! # Source
 //! Reference 5 of the paper for the problem; the randomised method is that of Dillencourt, Mount and Netanyahu, Int. J.
-//! Comput. Geom. Appl. 2 (1992) 1, and Matousek, Inf. Proc. Letters 39 (1991) 183. Departures: the strip is open and its
-//! ends are vertices, so that ties cannot stop the progress; a vertical line counts as n vertices that are never listed one by one.
+//! Comput. Geom. Appl. 2 (1992) 1, and Matousek, Inf. Proc. Letters 39 (1991) 183. Departures: the strip is open and
+//! its ends are vertices, so that ties cannot stop the progress; a vertical line counts as n vertices that are never
+//! listed one by one.
 //!
 //! # Method
-//! 1. The strip is the whole plane: left of all vertices the lines are ordered by descending slope, right of them by ascending slope.
-//! 2. While the strip holds more than `LISTED` · n vertices: pick n of them at random, by rank among the inversions, in one
-//!    merge sort. Those that rank sqrt(n) below and above the wanted one bracket it, most likely.
-//! 3. Cut the strip at each of the two: sort the lines along the vertical line there and count the inversions left of it. Keep
-//!    the part with the wanted rank, or return when it falls on the cut. Counting decides, chance only shortens.
+//! 1. The strip is the whole plane: left of all vertices the lines are ordered by descending slope, right of them by
+//!    ascending slope.
+//! 2. While the strip holds more than `LISTED` · n vertices: pick n of them at random, by rank among the inversions, in
+//!    one merge sort. Those that rank sqrt(n) below and above the wanted one bracket it, most likely.
+//! 3. Cut the strip at each of the two: sort the lines along the vertical line there and count the inversions left of
+//!    it. Keep the part with the wanted rank, or return when it falls on the cut. Counting decides, chance only
+//!    shortens.
 //! 4. List the vertices left in the strip, sort them, return the wanted one.
 //!
 //! # Complexity
-//! n lines: expected O(n log n), as in the paper's reference: each round divides the number of vertices by about sqrt(n), so two
-//! or three rounds lead from n² to n. Every round removes at least the vertices of a cut, so the method ends on any input and for any seed. Space O(n).
+//! n lines: expected O(n log n), as in the paper's reference: each round divides the number of vertices by about
+//! sqrt(n), so two or three rounds lead from n² to n. Every round removes at least the vertices of a cut, so the method
+//! ends on any input and for any seed. Space O(n).
 //!
 //! # Shapes
 //! `arrangement`: n lines in any order, duplicates allowed; `rank`: from 1 to the number of vertices.
 //!
 //! # Numerics
-//! Orders along vertical lines and the order of the listed vertices are exact: sorted by doubles, refined by pairs of doubles with error bounds, then by
-//! exact dyadic fractions. The picked vertices are compared approximately only: they are guesses.
+//! Orders along vertical lines and the order of the listed vertices are exact: sorted by doubles, refined by pairs of
+//! doubles with error bounds, then by exact dyadic fractions. The picked vertices are compared approximately only: they
+//! are guesses.
 //!
 //! # Errors
 //! [`SlopeSelectionError::Rank`] ⇔ the rank is 0 or above the number of vertices.
@@ -91,8 +97,8 @@ pub fn kth_leftmost_vertex_counted(
     Ok(vertex_at(arrangement, selected))
 }
 
-/// The k-th leftmost vertices for many k, in the order of `ranks`; `seed` decides the time, never the abscissas. Once the
-/// vertices between two answers are few they are listed, so n lines cost O(n log n) expected for each of the first
+/// The k-th leftmost vertices for many k, in the order of `ranks`; `seed` decides the time, never the abscissas. Once
+/// the vertices between two answers are few they are listed, so n lines cost O(n log n) expected for each of the first
 /// n ranks, and O(n² log n) for all.
 ///
 /// # Errors

@@ -1,8 +1,8 @@
 //! The open strip between two vertical lines: how many vertices it holds, and where it can be cut.
 //!
-//! Two lines cross strictly within the strip iff their order just right of its left end differs from their order just left of
-//! its right end, so the crossings are the inversions between the two orders. A vertical line within the strip adds
-//! one vertex for each line that is not vertical.
+//! Two lines cross strictly within the strip iff their order just right of its left end differs from their order just
+//! left of its right end, so the crossings are the inversions between the two orders. A vertical line within the strip
+//! adds one vertex for each line that is not vertical.
 
 use std::ops::Range;
 use std::rc::Rc;
@@ -91,7 +91,8 @@ impl Slab {
         Event::Crossing(inversion.map(|position| self.start[position as usize]))
     }
 
-    /// The events of the vertices with the given ranks, which ascend, in an order without meaning. O(n log n) for n ranks.
+    /// The events of the vertices with the given ranks, which ascend, in an order without meaning. O(n log n) for n
+    /// ranks.
     pub(super) fn pick(&self, ranks: &[u64], tally: &mut impl Tally) -> Vec<Event> {
         let (crossings, verticals) = ranks.split_at(ranks.partition_point(|&rank| rank < self.crossings));
         let inversions = inversions::pick(&mut self.sequence(), crossings.iter().copied(), tally);

@@ -1,22 +1,23 @@
 //! The tiling of Q with all its vertices, edges and tiles, by sweeping the dual arrangement from left to right.
 //!
 //! # Statement
-//! Input: n generators of R^3, no two parallel and no three with lines coplanar. Output: the [`Tiling`] of Q by the facets of the upper hull, its
-//! vertices in space. Zero, vertical and level generators, and generators with parallel projections, are ordinary input; no
-//! generators give a tiling of one vertex.
+//! Input: n generators of R^3, no two parallel and no three with lines coplanar. Output: the [`Tiling`] of Q by the
+//! facets of the upper hull, its vertices in space. Zero, vertical and level generators, and generators with parallel
+//! projections, are ordinary input; no generators give a tiling of one vertex.
 //!
 //! # Source
-//! Section 3 and the separators of Section 5.1: when L_k passes a vertex of the arrangement, two lines that are neighbours on it change
-//! places, and the chain L'_k moves over the tile between them.
+//! Section 3 and the separators of Section 5.1: when L_k passes a vertex of the arrangement, two lines that are
+//! neighbours on it change places, and the chain L'_k moves over the tile between them.
 //!
 //! # Method
 //! 1. Find the crossings of all pairs of lines and sort them by x, then y.
 //! 2. Begin with the left side of Q: its edges in the order in which a line left of all vertices meets the dual lines.
-//! 3. At each crossing the two edges of its lines are neighbours on the chain. Make the tile to the right of them, with a new vertex
-//!    and two new edges.
+//! 3. At each crossing the two edges of its lines are neighbours on the chain. Make the tile to the right of them, with
+//!    a new vertex and two new edges.
 //!
 //! # Complexity
-//! n generators: O(n² log n) exact operations, for n (n − 1) / 2 tiles at most; space O(n²). The paper gives no algorithm.
+//! n generators: O(n² log n) exact operations, for n (n − 1) / 2 tiles at most; space O(n²). The paper gives no
+//! algorithm.
 //!
 //! # Shapes
 //! `generators`: n × 3, any order; n up to some hundreds, since every tile is stored.
@@ -25,8 +26,9 @@
 //! Everything is exact: dual vertices are rational, points dyadic.
 //!
 //! # Errors
-//! [`TilingError::Generators`] ⇔ a coordinate is not finite or n exceeds 32 bits. [`TilingError::Parallel`] ⇔ two generators are parallel.
-//! [`TilingError::Coplanar`] ⇔ three generators, none vertical, are coplanar and their projections are not parallel.
+//! [`TilingError::Generators`] ⇔ a coordinate is not finite or n exceeds 32 bits. [`TilingError::Parallel`] ⇔ two
+//! generators are parallel. [`TilingError::Coplanar`] ⇔ three generators, none vertical, are coplanar and their
+//! projections are not parallel.
 //!
 //! # Panics
 //! Never.

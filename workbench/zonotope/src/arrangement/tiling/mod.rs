@@ -1,14 +1,15 @@
-//! Problem: the tiling of Q, which the facets of the upper hull project to, and its isomorphism with the dual arrangement (Section 3,
-//! Figure 1).
+//! Problem: the tiling of Q, which the facets of the upper hull project to, and its isomorphism with the dual
+//! arrangement (Section 3, Figure 1).
 //!
-//! Q is the projection of a zonotope in space, a zonogon. Each facet of the upper hull projects to a parallelogram T_ij =
-//! { c + s v'_i + t v'_j : |s|, |t| ≤ 1 }, and these tile Q. In the dual arrangement the tile is the vertex where the lines
-//! of i and j cross, an edge of the tiling is a piece of its generator's line, and a vertex of the tiling is a face.
+//! Q is the projection of a zonotope in space, a zonogon. Each facet of the upper hull projects to a parallelogram
+//! T_ij = { c + s v'_i + t v'_j : |s|, |t| ≤ 1 }, and these tile Q. In the dual arrangement the tile is the vertex
+//! where the lines of i and j cross, an edge of the tiling is a piece of its generator's line, and a vertex of the
+//! tiling is a face.
 //!
-//! The generators must be in general position as far as the isomorphism needs it: no two are parallel, no three of those with a line are
-//! coplanar; anything else is refused with their numbers. Zero and vertical generators have no line: the former take no
-//! part, the latter raise the hull. Generators with parallel projections have no tile in common. A level generator (y = 0) has a vertical
-//! line. Tiles are numbered by the x of their vertices, then by y.
+//! The generators must be in general position as far as the isomorphism needs it: no two are parallel, no three of
+//! those with a line are coplanar; anything else is refused with their numbers. Zero and vertical generators have no
+//! line: the former take no part, the latter raise the hull. Generators with parallel projections have no tile in
+//! common. A level generator (y = 0) has a vertical line. Tiles are numbered by the x of their vertices, then by y.
 //!
 //! | method | cost for n generators | what it is |
 //! |---|---|---|

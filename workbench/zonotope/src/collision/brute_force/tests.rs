@@ -54,8 +54,8 @@ fn the_displacement_is_exact() {
     assert_eq!((gauge.value, gauge.error > 0.0), (1.0, true));
 }
 
-/// The middle of a facet whose normal has no doubles, moved outward by the smallest denormal: any rounded normal meets the edges of
-/// the facet by far more than that.
+/// The middle of a facet whose normal has no doubles, moved outward by the smallest denormal: any rounded normal meets
+/// the edges of the facet by far more than that.
 #[test]
 fn a_gap_too_narrow_for_doubles() {
     let generators = [[1.0, 1.0 / 3.0, 0.1], [0.2, 1.0, 1.0 / 7.0], [0.25, 0.5, 1.0]];

@@ -30,10 +30,11 @@ impl<const D: usize> Simplex<D> {
         self.vertices[..self.count].iter().map(|v| dot(v, v)).fold(0.0, f64::max)
     }
 
-    /// Adds a vertex and keeps those that the nearest point needs; that point, or `None` if the simplex is flat to rounding.
+    /// Adds a vertex and keeps those that the nearest point needs; that point, or `None` if the simplex is flat to
+    /// rounding.
     ///
-    /// The nearest point of the affine hull is taken if its weights are positive; else the old point is moved towards it until
-    /// a weight vanishes, and that vertex is dropped.
+    /// The nearest point of the affine hull is taken if its weights are positive; else the old point is moved towards
+    /// it until a weight vanishes, and that vertex is dropped.
     pub(super) fn add(&mut self, vertex: [f64; D]) -> Option<[f64; D]> {
         self.vertices[self.count] = vertex;
         self.weights[self.count] = if self.count == 0 { 1.0 } else { 0.0 };
@@ -61,7 +62,8 @@ impl<const D: usize> Simplex<D> {
         }
     }
 
-    /// The point of the affine hull nearest to the origin and its weights, by orthogonalising the edges from the last vertex.
+    /// The point of the affine hull nearest to the origin and its weights, by orthogonalising the edges from the last
+    /// vertex.
     fn nearest_of_hull(&self) -> Option<([f64; D], [f64; 8])> {
         let edges = self.count.checked_sub(1)?;
         let origin = self.vertices[edges];

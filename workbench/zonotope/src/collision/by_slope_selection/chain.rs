@@ -1,8 +1,9 @@
 //! Monotone chains through the tiling: what a vertical line through the dual arrangement becomes.
 //!
-//! A vertical line meets the lines of the arrangement from top to bottom; the chain starts in the top vertex of Q, where every
-//! upward generator has coefficient 1, and turns one generator after the other to −1, a step of −2 v'. Generators with
-//! y = 0 have vertical lines: those left of the vertical line have −1 along the whole chain, the others 1.
+//! A vertical line meets the lines of the arrangement from top to bottom; the chain starts in the top vertex of Q,
+//! where every upward generator has coefficient 1, and turns one generator after the other to −1, a step of −2 v'.
+//! Generators with y = 0 have vertical lines: those left of the vertical line have −1 along the whole chain, the
+//! others 1.
 
 use std::cmp::Ordering;
 
@@ -109,7 +110,8 @@ impl Chain {
     /// A number of edges whose lower ends are above a point for certain, the chain's top being `rise` above it.
     fn certainly_above(&self, rise: f64, height: impl Fn(usize) -> f64) -> usize {
         let length: f64 = (0..self.places.len()).map(|edge| 2.0 * height(edge)).sum();
-        // one rounding an edge, each of at most the half unit of the largest intermediate value, and those of the bound itself
+        // one rounding an edge, each of at most the half unit of the largest intermediate value, and those of the bound
+        // itself
         let error = (self.places.len() + 16) as f64 * f64::EPSILON * (rise.abs() + length) + f64::MIN_POSITIVE;
         let mut left = rise;
         let below = |edge: &usize| {

@@ -1,4 +1,5 @@
-//! The point of the upper hull above or below a point p: the binary search over separators, and the facet that it ends in.
+//! The point of the upper hull above or below a point p: the binary search over separators, and the facet that it ends
+//! in.
 
 use std::cmp::Ordering;
 
@@ -101,8 +102,9 @@ impl Footing {
         Self { sides, normal, depth }
     }
 
-    /// The four vertices of the facet around p_0: those of the edges of both chains at its height, upper ends first, each
-    /// with its weight; the weighted sum, divided by the sum of the weights, has the projection p_0. Weights are not negative.
+    /// The four vertices of the facet around p_0: those of the edges of both chains at its height, upper ends first,
+    /// each with its weight; the weighted sum, divided by the sum of the weights, has the projection p_0. Weights are
+    /// not negative.
     pub(super) fn corners(&self, dual: &DualArrangement) -> [(&Chain, usize, Dyadic); 4] {
         let [(left, at_left), (right, at_right)] = &self.sides;
         let height = |at: &Crossing| Dyadic::from_f64(dual.slanted[at.place as usize].vector[1]);
@@ -126,7 +128,8 @@ impl Footing {
         ]
     }
 
-    /// The generators of the facet: those orthogonal to the normal, along the left chain from top to bottom, and level ones.
+    /// The generators of the facet: those orthogonal to the normal, along the left chain from top to bottom, and level
+    /// ones.
     pub(super) fn facet<'d>(&self, dual: &'d DualArrangement) -> (usize, Vec<&'d Upward>) {
         let [(left, at), (right, _)] = &self.sides;
         let is_on = |place: &&u32| {

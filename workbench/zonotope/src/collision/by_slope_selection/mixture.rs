@@ -1,9 +1,9 @@
 //! A member of the zonotope as a weighted mean of a few of its vertices, and from there a proof in doubles.
 //!
-//! A vertex is Σ ± v, so in a mean of eight vertices the coefficient of a generator depends on its eight signs alone: there are
-//! few different ones, and one exact sum of generators for each. Coefficients that are not ±1 are rounded, and three
-//! independent generators among theirs make up for it exactly. Where that takes one of the three out of [−1, 1], the rational
-//! coefficients are moved along dependences of the generators until all but a basis are ±1.
+//! A vertex is Σ ± v, so in a mean of eight vertices the coefficient of a generator depends on its eight signs alone:
+//! there are few different ones, and one exact sum of generators for each. Coefficients that are not ±1 are rounded,
+//! and three independent generators among theirs make up for it exactly. Where that takes one of the three out of [−1,
+//! 1], the rational coefficients are moved along dependences of the generators until all but a basis are ±1.
 
 use super::chain::Chain;
 use crate::arrangement::DualArrangement;

@@ -1,48 +1,51 @@
-//! Membership and intersection, by the paper's search: binary search over the separators of the tiling of Q (Theorem 5.2).
+//! Membership and intersection, by the paper's search: binary search over the separators of the tiling of Q (Theorem
+//! 5.2).
 //!
 //! # Statement
-//! Input: a [`Query`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1 } with a
-//! proof. Z is closed: touching is [`Location::Boundary`], and so is every member of a flat Z. Zero, vertical, level, parallel and
-//! coplanar generators and none at all are ordinary input.
+//! Input: a [`Query`] p and generators of R^D, D ≤ 3. Output: its [`Location`] relative to Z = { Σ δ_i v_i : |δ_i| ≤ 1
+//! } with a proof. Z is closed: touching is [`Location::Boundary`], and so is every member of a flat Z. Zero, vertical,
+//! level, parallel and coplanar generators and none at all are ordinary input.
 //!
 //! # Source
 //! Section 5.1, Theorem 5.2. Departures:
 //! - p − q is taken exactly; a rounded difference may turn "disjoint" into "touching".
-//! - The paper draws one separator just right of the k-th vertex. Here each step compares p_0 with two: those just left and
-//!   just right of the median vertex. Between them lie all tiles whose vertices share its abscissa, so ties and facets of coplanar
-//!   generators are no special cases, and p_0 on a separator is found at once.
-//! - A generator with y = 0 has a vertical line, which no L_k meets: it moves the whole chain when L_k passes it. If all projections are
-//!   level, x and y are exchanged; if there are none, Z is a vertical segment.
+//! - The paper draws one separator just right of the k-th vertex. Here each step compares p_0 with two: those just left
+//!   and just right of the median vertex. Between them lie all tiles whose vertices share its abscissa, so ties and
+//!   facets of coplanar generators are no special cases, and p_0 on a separator is found at once.
+//! - A generator with y = 0 has a vertical line, which no L_k meets: it moves the whole chain when L_k passes it. If
+//!   all projections are level, x and y are exchanged; if there are none, Z is a vertical segment.
 //! - A vertical generator has no line; it only lifts the upper hull.
 //! - "Is p_0 outside Q" is asked of the first and the last separator, the sides of Q.
-//! - Below the upper and above the lower hull p may still lie on the boundary: on a vertical facet, where p_0 is on the boundary of Q.
+//! - Below the upper and above the lower hull p may still lie on the boundary: on a vertical facet, where p_0 is on the
+//!   boundary of Q.
 //! - The answer comes with a proof, of which the paper does not speak.
 //!
-//! In the dual this is the search of Theorem 4.5 ([`lad::by_slope_selection`](crate::lad::by_slope_selection)) for the least
-//! h(x, y, 1) − (x, y) · p_0: the edge at the height of p_0 is the minimum on a vertical line, the side of p_0 that of the descent.
-//! Both select and cut with the same code.
+//! In the dual this is the search of Theorem 4.5 ([`lad::by_slope_selection`](crate::lad::by_slope_selection)) for the
+//! least h(x, y, 1) − (x, y) · p_0: the edge at the height of p_0 is the minimum on a vertical line, the side of p_0
+//! that of the descent. Both select and cut with the same code.
 //!
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space. The lines of the generators are sorted by slope.
 //! 2. Compare p_0 with the sides of Q (`shadow`). Outside, the normal of a side separates.
-//! 3. Select the median vertex of those left; sort the lines along the vertical line through it; compare p_0 with the chains just left and
-//!    just right of it (`chain`); keep the half of the vertices on p_0's side, until p_0 is between the two chains (`footing`).
-//! 4. The facet there has the normal (x, y, 1), (x, y) the point of the line where p_0's edge crosses it. If p is above it, that
-//!    normal separates.
+//! 3. Select the median vertex of those left; sort the lines along the vertical line through it; compare p_0 with the
+//!    chains just left and just right of it (`chain`); keep the half of the vertices on p_0's side, until p_0 is
+//!    between the two chains (`footing`).
+//! 4. The facet there has the normal (x, y, 1), (x, y) the point of the line where p_0's edge crosses it. If p is above
+//!    it, that normal separates.
 //! 5. The lower hull is the upper hull for −p.
-//! 6. A member is a mean of the point above and the one below it, each a mean of four vertices of Z around it (`mixture`): the
-//!    coefficients of the proof.
+//! 6. A member is a mean of the point above and the one below it, each a mean of four vertices of Z around it
+//!    (`mixture`): the coefficients of the proof.
 //!
 //! # Complexity
-//! n generators: expected O(n log² n), the paper's bound: at most 2 log₂ n steps for each hull, each O(n log n) expected for the
-//! selection and the sort and O(n) for the comparison with the chains. Space O(n).
+//! n generators: expected O(n log² n), the paper's bound: at most 2 log₂ n steps for each hull, each O(n log n)
+//! expected for the selection and the sort and O(n) for the comparison with the chains. Space O(n).
 //!
 //! # Shapes
 //! `question`: n × D generators in two runs, any order, duplicates allowed.
 //!
 //! # Numerics
-//! Every decision is exact: heights on a chain by sums of doubles with an error bound, then by exact sums; sides of an edge and of a facet by
-//! exact dyadic numbers. A separating direction is rounded only if it still separates.
+//! Every decision is exact: heights on a chain by sums of doubles with an error bound, then by exact sums; sides of an
+//! edge and of a facet by exact dyadic numbers. A separating direction is rounded only if it still separates.
 //!
 //! # Errors
 //! None: the question was validated when it was made.
@@ -97,7 +100,8 @@ use crate::numeric::exact_linear::{ExactVector, cross, exact, is_zero, negated};
 use crate::numeric::exact_sum::ExactSum;
 use crate::tally::Tally;
 
-/// Where a displacement lies relative to the zonotope of its generators, with a proof; `seed` decides the time, never the answer.
+/// Where a displacement lies relative to the zonotope of its generators, with a proof; `seed` decides the time, never
+/// the answer.
 pub fn locate<const D: usize>(question: &Query<'_, D>, seed: u64) -> Location<D> {
     locate_counted(question, seed, &mut ())
 }
@@ -117,7 +121,8 @@ pub fn trace(question: &Query<'_, 3>, seed: u64) -> Trace {
     Trace { location, steps: course.steps, tiles: course.tiles, swapped: search.axes != UNCHANGED }
 }
 
-/// Where the upper hull is over the projection of p: how high, exactly, or a level direction u with u · p > h(u) where it is not.
+/// Where the upper hull is over the projection of p: how high, exactly, or a level direction u with u · p > h(u) where
+/// it is not.
 pub(super) fn height_of_upper_hull(
     question: &Query<'_, 3>,
     seed: u64,

@@ -222,7 +222,8 @@ fn structured_bodies_take_few_steps() {
     }
 }
 
-/// The farther from the middle, the nearer to the boundary: proofs on both sides of it, down to one unit in the last place.
+/// The farther from the middle, the nearer to the boundary: proofs on both sides of it, down to one unit in the last
+/// place.
 #[test]
 fn proofs_hold_close_to_the_boundary() {
     let generators = body(60);

@@ -32,8 +32,8 @@ pub struct SearchStep {
     pub tiles_after: u64,
     /// Where p_0 was found.
     pub side: Side,
-    /// The separators just left and just right of the line, from top to bottom, rounded; in the search for the lower hull
-    /// they are those of −p_0. They differ in the tiles whose vertices lie on the line.
+    /// The separators just left and just right of the line, from top to bottom, rounded; in the search for the lower
+    /// hull they are those of −p_0. They differ in the tiles whose vertices lie on the line.
     pub chains: [Vec<[f64; 2]>; 2],
 }
 

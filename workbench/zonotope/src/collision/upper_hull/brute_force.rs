@@ -1,16 +1,19 @@
-//! The height of the upper hull over a point, from all directions that can decide it: the truth the methods are held to.
+//! The height of the upper hull over a point, from all directions that can decide it: the truth the methods are held
+//! to.
 //!
 //! # Statement
-//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a direction that
-//! separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none included.
+//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a
+//! direction that separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none
+//! included.
 //!
 //! # Source
 //! The definitions of support function and projection.
 //!
 //! # Method
-//! 1. p_0 is in Q iff |u · p_0| ≤ Σ |u · v'_j| for every u across or along some v'_i, and for the axes when all v'_i are zero.
-//! 2. The height is the least Σ |a x + b y + c| − (x, y) · p_0 over the crossings of lines a x + b y + c = 0; if none cross, over one point
-//!    of each line; if there are no lines, at the origin.
+//! 1. p_0 is in Q iff |u · p_0| ≤ Σ |u · v'_j| for every u across or along some v'_i, and for the axes when all v'_i
+//!    are zero.
+//! 2. The height is the least Σ |a x + b y + c| − (x, y) · p_0 over the crossings of lines a x + b y + c = 0; if none
+//!    cross, over one point of each line; if there are no lines, at the origin.
 //!
 //! # Complexity
 //! O(n³) rational operations.

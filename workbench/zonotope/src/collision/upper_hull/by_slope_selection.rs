@@ -1,15 +1,18 @@
 //! The height of the upper hull over a point, by the paper's search for the tile that holds it.
 //!
 //! # Statement
-//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a direction that
-//! separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none included.
+//! Input: generators of R^3 and a point p_0 of the plane. Output: the z of the upper hull over p_0, exactly, or a
+//! direction that separates p_0 from Q. The boundary of Q belongs to Q. Any finite generators are ordinary input, none
+//! included.
 //!
 //! # Source
-//! Section 5.1. Departures: those of [membership](crate::collision::by_slope_selection), of which this is the first half.
+//! Section 5.1. Departures: those of [membership](crate::collision::by_slope_selection), of which this is the first
+//! half.
 //!
 //! # Method
 //! 1. Compare p_0 with the sides of Q.
-//! 2. Binary search over the separators, each found by slope selection, for the facet over p_0; its plane gives the height.
+//! 2. Binary search over the separators, each found by slope selection, for the facet over p_0; its plane gives the
+//!    height.
 //!
 //! # Complexity
 //! n generators: expected O(n log² n), the paper's bound; space O(n).

@@ -1,8 +1,9 @@
 //! Problem: how high the upper hull of a zonotope in space is over a point of the plane (Section 5.1).
 //!
-//! Z = { Σ δ_i v_i : |δ_i| ≤ 1 } projects to the zonogon Q along the z axis. Over a point p_0 of Q, its boundary included, the upper hull is
-//! at max { z : (p_0, z) ∈ Z }; by the support function that is the least h(x, y, 1) − (x, y) · p_0. Where p_0 is not in Q, a
-//! direction of the plane separates the two. Flat, vertical and empty zonotopes are ordinary input: Q may be a segment or the origin.
+//! Z = { Σ δ_i v_i : |δ_i| ≤ 1 } projects to the zonogon Q along the z axis. Over a point p_0 of Q, its boundary
+//! included, the upper hull is at max { z : (p_0, z) ∈ Z }; by the support function that is the least h(x, y, 1) − (x,
+//! y) · p_0. Where p_0 is not in Q, a direction of the plane separates the two. Flat, vertical and empty zonotopes are
+//! ordinary input: Q may be a segment or the origin.
 //!
 //! | method | cost for n generators | what it is |
 //! |---|---|---|

@@ -1,25 +1,26 @@
 //! Farthest vertex of each edge of a convex polygon, by rotating calipers: half a turn of the calipers for all edges.
 //!
 //! # Statement
-//! Input: a convex hull. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the largest distance from its line,
-//! and whether vertex s + 1 has the same distance; of two such vertices the first in counter-clockwise order. Empty for a
-//! point and for a segment.
+//! Input: a convex hull. Output: for each edge t, from vertex t to vertex t + 1, the vertex s of the largest distance
+//! from its line, and whether vertex s + 1 has the same distance; of two such vertices the first in counter-clockwise
+//! order. Empty for a point and for a segment.
 //!
 //! # Source
-//! Shamos, Computational geometry (thesis), 1978; the vertex P_s that Section 4.1 of the paper assigns to the edge P_t P_{t+1}.
-//! The paper assumes that it is unique; here ties are reported.
+//! Shamos, Computational geometry (thesis), 1978; the vertex P_s that Section 4.1 of the paper assigns to the edge P_t
+//! P_{t+1}. The paper assumes that it is unique; here ties are reported.
 //!
 //! # Method
-//! 1. The edges from edge 0 on that turn by less than π from it are the lower chain, the others the upper chain: both are sorted by their
-//!    angle modulo π.
-//! 2. Merge the two. Where edge a of the lower and edge b of the upper chain come next, the sign of their cross product tells which has the
-//!    smaller angle modulo π: its farthest vertex is the start of the other. If they are parallel, each ties at the other.
-//! 3. The lower chain is cut into ranges. The partner of the first edge of each is found by binary search, and four ranges are merged in
-//!    turn: the steps of one merge depend on each other, those of several keep the processor busy.
+//! 1. The edges from edge 0 on that turn by less than π from it are the lower chain, the others the upper chain: both
+//!    are sorted by their angle modulo π.
+//! 2. Merge the two. Where edge a of the lower and edge b of the upper chain come next, the sign of their cross product
+//!    tells which has the smaller angle modulo π: its farthest vertex is the start of the other. If they are parallel,
+//!    each ties at the other.
+//! 3. The lower chain is cut into ranges. The partner of the first edge of each is found by binary search, and four
+//!    ranges are merged in turn: the steps of one merge depend on each other, those of several keep the processor busy.
 //!
 //! # Complexity
-//! h edges: O(h) time. At most h cross products in the merges, and log h + 1 in each of at most max(34, h/1024 + 2) binary searches.
-//! 4h bytes, besides the hull.
+//! h edges: O(h) time. At most h cross products in the merges, and log h + 1 in each of at most max(34, h/1024 + 2)
+//! binary searches. 4h bytes, besides the hull.
 //!
 //! # Shapes
 //! One answer an edge, in the order of the edges.
@@ -88,13 +89,15 @@ pub fn farthest_vertices_counted(hull: &ConvexHull, tally: &mut impl Tally) -> V
 /// Merges taken in turn, so that the processor works on several cross products at a time.
 const LANES: usize = 4;
 
-/// A range of edges of the lower chain, and the edges of the upper chain that come between them by their angle modulo π.
+/// A range of edges of the lower chain, and the edges of the upper chain that come between them by their angle modulo
+/// π.
 #[derive(Clone, Copy, Default)]
 struct Merge {
     /// The edge of the lower chain that comes next, and where its range ends.
     lower: usize,
     lower_end: usize,
-    /// The same in the upper chain. What ends a range is compared as well: it never comes before an edge in the range of the other chain.
+    /// The same in the upper chain. What ends a range is compared as well: it never comes before an edge in the range
+    /// of the other chain.
     upper: usize,
     upper_end: usize,
 }
@@ -116,7 +119,8 @@ fn merges(hull: &ConvexHull, tally: &mut impl Tally) -> Vec<Merge> {
     (0..turning).step_by(length).map(merge).collect()
 }
 
-/// The first edge after `before` that turns by π or more from an edge; as the edges after this one do from there on, by binary search.
+/// The first edge after `before` that turns by π or more from an edge; as the edges after this one do from there on, by
+/// binary search.
 fn partner(hull: &ConvexHull, edge: usize, mut before: usize, tally: &mut impl Tally) -> usize {
     let [from, to] = hull.edge(VertexIndex::new(edge));
     let mut after = hull.edge_count();

@@ -1,15 +1,16 @@
 //! Problem: for each edge of a convex polygon, the vertex farthest from the line through it.
 //!
-//! The polygon is strictly convex, so at most two vertices are farthest from an edge; there are two exactly if the opposite edge is
-//! parallel. Then the first of them in counter-clockwise order is reported, with a flag. A point and a segment have no
-//! edges in this sense, and the answer is empty.
+//! The polygon is strictly convex, so at most two vertices are farthest from an edge; there are two exactly if the
+//! opposite edge is parallel. Then the first of them in counter-clockwise order is reported, with a flag. A point and a
+//! segment have no edges in this sense, and the answer is empty.
 //!
 //! | method | time | notes |
 //! |---|---|---|
 //! | [`brute_force`] | O(h²) | compares all vertices; the truth |
 //! | [`by_rotating_calipers`] | O(h) | half a turn of two parallel supporting lines (Shamos) |
 //!
-//! h edges. [`farthest_vertices`] is the default method. Every decision is exact, so the answer does not depend on the method.
+//! h edges. [`farthest_vertices`] is the default method. Every decision is exact, so the answer does not depend on the
+//! method.
 
 pub mod brute_force;
 pub mod by_rotating_calipers;
@@ -35,7 +36,8 @@ impl FarthestVertex {
         VertexIndex::new((self.0 >> 1) as usize)
     }
 
-    /// Whether the vertex after [`vertex`](Self::vertex) is as far: the edge between them is parallel to the edge in question.
+    /// Whether the vertex after [`vertex`](Self::vertex) is as far: the edge between them is parallel to the edge in
+    /// question.
     #[inline]
     pub fn is_tied(self) -> bool {
         self.0 & 1 == 1

@@ -14,7 +14,8 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Cuts the box into `count` columns, a power of two below 2^32; `None` if their width cannot be handled in doubles.
+    /// Cuts the box into `count` columns, a power of two below 2^32; `None` if their width cannot be handled in
+    /// doubles.
     pub(super) fn new(bounds: &Bounds, count: usize) -> Option<Self> {
         let mask = count as u32 - 1;
         let per_unit = f64::from(mask) / (bounds.high[0] - bounds.low[0]);
@@ -29,7 +30,8 @@ impl Columns {
     /// The column of an abscissa within the box: monotone, because each rounding is.
     #[inline(always)]
     pub(super) fn of(&self, x: f64) -> usize {
-        // a double in [2^52, 2^53) has the unit as its last place: adding 2^52 rounds to an integer, found in the low bits
+        // a double in [2^52, 2^53) has the unit as its last place: adding 2^52 rounds to an integer, found in the low
+        // bits
         const UNIT_IN_LAST_PLACE: f64 = (1_u64 << 52) as f64;
         let rounded = (x - self.origin) * self.per_unit + UNIT_IN_LAST_PLACE;
         (rounded.to_bits() as u32 & self.mask) as usize

@@ -1,4 +1,5 @@
-//! For each column a span of ordinates that is certainly inside a convex polygon, and the points outside of these spans.
+//! For each column a span of ordinates that is certainly inside a convex polygon, and the points outside of these
+//! spans.
 
 use super::bounds::Bounds;
 use super::columns::Columns;
@@ -8,7 +9,8 @@ use crate::numeric::tolerance::UNIT;
 /// Spans of ordinates inside a convex polygon whose vertices are in the box.
 pub(super) struct Interior<const COLUMNS: usize> {
     columns: Columns,
-    /// For each column `[low, high]`: a point (x, y) with x in the column and low < y < high is strictly inside the polygon.
+    /// For each column `[low, high]`: a point (x, y) with x in the column and low < y < high is strictly inside the
+    /// polygon.
     spans: Box<[[f64; 2]; COLUMNS]>,
 }
 
@@ -18,13 +20,14 @@ const NO_SPAN: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 impl<const COLUMNS: usize> Interior<COLUMNS> {
     /// `None` if the polygon has no area or the box is so narrow that rounding mixes up the columns.
     ///
-    /// Abscissas of column j lie strictly between the middles of columns j − 1 and j + 1: those belong to other columns, which is
-    /// checked, and look-up is monotone. Between the two, the lower chain of the polygon is not above its value at one of them, since
-    /// it is convex, and the upper chain not below.
+    /// Abscissas of column j lie strictly between the middles of columns j − 1 and j + 1: those belong to other
+    /// columns, which is checked, and look-up is monotone. Between the two, the lower chain of the polygon is not above
+    /// its value at one of them, since it is convex, and the upper chain not below.
     ///
-    /// A chain's height over a middle is computed with relative error at most 2u for each of x − x_1 and x_2 − x_1, and with the division,
-    /// y_2 − y_1 and the product at most 5.1u of |y_2 − y_1| ≤ 2Y, where Y is the largest |y|; the last sum and that with the
-    /// margin add at most 1.1u·Y each: together less than 16u·Y, and less than 2^-1022 for underflow. The margin is twice that.
+    /// A chain's height over a middle is computed with relative error at most 2u for each of x − x_1 and x_2 − x_1, and
+    /// with the division, y_2 − y_1 and the product at most 5.1u of |y_2 − y_1| ≤ 2Y, where Y is the largest |y|; the
+    /// last sum and that with the margin add at most 1.1u·Y each: together less than 16u·Y, and less than 2^-1022 for
+    /// underflow. The margin is twice that.
     pub(super) fn new(polygon: &ConvexHull, columns: Columns, bounds: &Bounds) -> Option<Self> {
         if !polygon.has_area() || (0..COLUMNS).any(|column| columns.of(columns.middle(column)) != column) {
             return None;
@@ -61,7 +64,8 @@ impl<const COLUMNS: usize> Interior<COLUMNS> {
             let mut count = 0;
             for (&[x, y], position) in block.iter().zip(first..) {
                 let [low, high] = self.spans[self.columns.of(x) % COLUMNS];
-                // written always and kept or overwritten, without a branch; the remainder spares a check, as count < BLOCK
+                // written always and kept or overwritten, without a branch; the remainder spares a check, as count <
+                // BLOCK
                 buffer[count % BLOCK] = position;
                 count += usize::from(!((low < y) & (y < high)));
             }

@@ -1,20 +1,20 @@
-//! Planar convex hull, by discarding: points inside the hull of a sample are dropped in one pass, the others are put in order
-//! around the hull by buckets and scanned once.
+//! Planar convex hull, by discarding: points inside the hull of a sample are dropped in one pass, the others are put in
+//! order around the hull by buckets and scanned once.
 //!
 //! # Statement
-//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their convex
-//! hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence in the
-//! input. Equal points give one vertex, collinear points two.
+//! Input: points with finite coordinates, at least one, in any order, duplicates allowed. Output: the vertices of their
+//! convex hull, strictly convex, counter-clockwise from the lexicographically smallest, each with its first occurrence
+//! in the input. Equal points give one vertex, collinear points two.
 //!
 //! # Source
-//! Discarding: Akl and Toussaint, A fast convex hull algorithm, 1978, with the hull of a sample in place of a quadrilateral, and
-//! columns in place of edge tests. Order: Andrew, 1979, with bucket sort. The paper takes the hull for granted ("our
-//! input can be assumed to be a convex polygon", Section 4.1) and needs O(n log n).
+//! Discarding: Akl and Toussaint, A fast convex hull algorithm, 1978, with the hull of a sample in place of a
+//! quadrilateral, and columns in place of edge tests. Order: Andrew, 1979, with bucket sort. The paper takes the hull
+//! for granted ("our input can be assumed to be a convex polygon", Section 4.1) and needs O(n log n).
 //!
 //! # Method
 //! 1. One pass finds the bounding box and refuses coordinates that are not finite.
-//! 2. The hull of every (sqrt(n)/4)-th point, by monotone chains. If it has more than half of them as vertices, few points are
-//!    inside and step 3 is left out.
+//! 2. The hull of every (sqrt(n)/4)-th point, by monotone chains. If it has more than half of them as vertices, few
+//!    points are inside and step 3 is left out.
 //! 3. The box is cut into columns of equal width; for each a span of ordinates that is inside that hull for certain
 //!    (`interior`). A second pass drops the points within the span of their column: a look-up and two comparisons.
 //! 4. The remaining points go, by the side of the line from the first to the last of them and by column, into buckets
@@ -22,20 +22,22 @@
 //! 5. One scan in that order keeps a stack of vertices that turn left (Graham).
 //!
 //! # Complexity
-//! n points, m of them left by step 3: O(n + m log m) time in the worst case, O(n + m) expected if the abscissas have a bounded
-//! density. In a fixed disc m is of order n^{2/3} + n/200, on a circle m = n. Memory besides the input: 20m bytes for the points
-//! in order, which become the answer, 12m for buckets and positions, and at most 24m more while one bucket is sorted.
+//! n points, m of them left by step 3: O(n + m log m) time in the worst case, O(n + m) expected if the abscissas have a
+//! bounded density. In a fixed disc m is of order n^{2/3} + n/200, on a circle m = n. Memory besides the input: 20m
+//! bytes for the points in order, which become the answer, 12m for buckets and positions, and at most 24m more while
+//! one bucket is sorted.
 //!
 //! # Shapes
 //! `points`: n × 2.
 //!
 //! # Numerics
-//! All decisions are exact; step 3 drops a point only when rounding cannot matter. −0 equals 0. Vertices are input points, bit
-//! for bit. If the width of the box is not a normal number or its inverse overflows, steps 3 and 4 are replaced by a sort.
+//! All decisions are exact; step 3 drops a point only when rounding cannot matter. −0 equals 0. Vertices are input
+//! points, bit for bit. If the width of the box is not a normal number or its inverse overflows, steps 3 and 4 are
+//! replaced by a sort.
 //!
 //! # Errors
-//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`] ⇔ more than
-//! [`MAX_POINTS`](super::MAX_POINTS) points.
+//! [`HullError::Empty`] ⇔ no points; [`HullError::NonFinite`] ⇔ a coordinate is NaN or infinite; [`HullError::TooMany`]
+//! ⇔ more than [`MAX_POINTS`](super::MAX_POINTS) points.
 //!
 //! # Panics
 //! Never.
@@ -110,8 +112,8 @@ pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Resul
     })
 }
 
-/// Steps 2 and 3: the positions of the points that are not certainly inside the hull of a sample; `None` if that is not worth
-/// while.
+/// Steps 2 and 3: the positions of the points that are not certainly inside the hull of a sample; `None` if that is not
+/// worth while.
 fn points_outside_sample<const COLUMNS: usize>(
     points: &[[f64; 2]],
     bounds: &Bounds,

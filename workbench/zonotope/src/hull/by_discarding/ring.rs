@@ -135,8 +135,8 @@ impl Ring {
         self.indices.truncate(count);
     }
 
-    /// Graham's scan; the stack overwrites what was read. The last point in lexicographic order is never popped: it is a vertex,
-    /// so the boundary turns left there.
+    /// Graham's scan; the stack overwrites what was read. The last point in lexicographic order is never popped: it is
+    /// a vertex, so the boundary turns left there.
     fn into_hull(mut self, tally: &mut impl Tally) -> ConvexHull {
         let first = self.points[0];
         let (mut before_top, mut top) = (first, first);

@@ -1,12 +1,14 @@
 //! A real number as a sum of two doubles within a known error: about 98 bits, for what one double cannot tell apart.
 //!
-//! Values that nearly agree (the heights of lines that almost pass through one point) need more than the 53 bits of a double, yet
-//! rarely exact arithmetic. Each operation here carries a bound on the distance from the exact value, so a comparison knows
-//! whether it is certain. Overflow and division by what may be zero give a value of which nothing is known.
+//! Values that nearly agree (the heights of lines that almost pass through one point) need more than the 53 bits of a
+//! double, yet rarely exact arithmetic. Each operation here carries a bound on the distance from the exact value, so a
+//! comparison knows whether it is certain. Overflow and division by what may be zero give a value of which nothing is
+//! known.
 //!
-//! Bounds: with u = 2^-53, the sum, product and quotient of two doubles-pairs below have a relative error of at most 16 u² of the sum of the
-//! operands' magnitudes (sum) or of the result (product, quotient), plus less than 2^-1060 for underflow;
-//! [`DOUBLE_DOUBLE_OPERATION`] and [`UNDERFLOW`] are above both, with room for the rounding of the bounds themselves.
+//! Bounds: with u = 2^-53, the sum, product and quotient of two doubles-pairs below have a relative error of at most 16
+//! u² of the sum of the operands' magnitudes (sum) or of the result (product, quotient), plus less than 2^-1060 for
+//! underflow; [`DOUBLE_DOUBLE_OPERATION`] and [`UNDERFLOW`] are above both, with room for the rounding of the bounds
+//! themselves.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
@@ -60,7 +62,8 @@ impl BoundedDoubleDouble {
         Self::within(pair, DOUBLE_DOUBLE_OPERATION * pair.high.abs() + UNDERFLOW)
     }
 
-    /// The value times 2 to the power of an exponent that is not positive; a value near zero where it is below that of [`VANISHING`].
+    /// The value times 2 to the power of an exponent that is not positive; a value near zero where it is below that of
+    /// [`VANISHING`].
     pub(crate) fn scaled_down(self, exponent: i64) -> Self {
         let factor = scale_by_power_of_two(1.0, exponent.max(VANISHING));
         if exponent < VANISHING {

@@ -6,7 +6,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::numeric::exact_product::exact_product;
 use crate::numeric::exact_sum::exact_sum;
 
-/// `high` + `low`, |low| ≤ u |high|. With u = 2^-53 sums are within 16 u² of the operands' magnitudes, products, quotients and roots within 16 u² of themselves, but for underflow.
+/// `high` + `low`, |low| ≤ u |high|. With u = 2^-53 sums are within 16 u² of the operands' magnitudes, products,
+/// quotients and roots within 16 u² of themselves, but for underflow.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DoubleDouble {
     pub(crate) high: f64,

@@ -25,16 +25,16 @@ pub(crate) fn inverse(matrix: Vec<Vec<Rational>>) -> Option<Vec<Vec<Rational>>> 
     Some(rows.into_iter().map(|mut row| row.split_off(size)).collect())
 }
 
-/// The dependence of vectors all but the last of which are independent: Σ c_k vector_k = 0 with c = 1 for the last; `None` when all are
-/// independent.
+/// The dependence of vectors all but the last of which are independent: Σ c_k vector_k = 0 with c = 1 for the last;
+/// `None` when all are independent.
 pub(crate) fn dependence(vectors: &[Vec<Rational>]) -> Option<Vec<Rational>> {
     let (last, others) = vectors.split_last()?;
     let coefficients = solve(others, last)?;
     Some(coefficients.into_iter().map(|c| -c).chain([Rational::ONE]).collect())
 }
 
-/// Turns the first `columns` columns of a matrix into those of the identity by row operations, column by column; the first column that depends on
-/// those before it, if there is one, ends it. O(rows · columns) row operations.
+/// Turns the first `columns` columns of a matrix into those of the identity by row operations, column by column; the
+/// first column that depends on those before it, if there is one, ends it. O(rows · columns) row operations.
 fn reduce(rows: &mut [Vec<Rational>], columns: usize) -> Result<(), usize> {
     for column in 0..columns {
         let found = (column..rows.len()).find(|&row| !rows[row][column].is_zero()).ok_or(column)?;

@@ -1,8 +1,9 @@
 //! The span of vectors, exactly: its rank, coordinates that tell its vectors apart, functionals that vanish on it.
 //!
-//! Elimination brings the vectors to a basis in reduced echelon form: each basis vector has a pivot, a coordinate that is 0 in all others.
-//! So a vector of the span is known by its pivot coordinates, and each other coordinate is a fixed combination of them. Rows are not divided by
-//! their heads, so that all numbers stay dyadic; what they have in common is taken out.
+//! Elimination brings the vectors to a basis in reduced echelon form: each basis vector has a pivot, a coordinate that
+//! is 0 in all others. So a vector of the span is known by its pivot coordinates, and each other coordinate is a fixed
+//! combination of them. Rows are not divided by their heads, so that all numbers stay dyadic; what they have in common
+//! is taken out.
 
 use crate::numeric::Rational;
 use crate::numeric::dyadic::{Dyadic, remove_common_factor};
@@ -73,7 +74,8 @@ impl Span {
         self.rows.push(new);
     }
 
-    /// A positive multiple of the vector minus the member of the span that agrees with it in the pivots: 0 just for members.
+    /// A positive multiple of the vector minus the member of the span that agrees with it in the pivots: 0 just for
+    /// members.
     fn residual(&self, vector: Vec<Dyadic>) -> Vec<Dyadic> {
         self.rows.iter().fold(vector, |rest, row| row.cleared(rest))
     }
@@ -105,7 +107,8 @@ impl Span {
         self.pivots().map(|pivot| vector[pivot].clone()).collect()
     }
 
-    /// A direction of the pivot coordinates as one of the whole space, 0 in the others: its products with members of the span stay what they are.
+    /// A direction of the pivot coordinates as one of the whole space, 0 in the others: its products with members of
+    /// the span stay what they are.
     pub(crate) fn embed(&self, direction: &[Dyadic]) -> Vec<Dyadic> {
         let mut embedded = vec![Dyadic::zero(); self.dimension];
         for (value, pivot) in direction.iter().zip(self.pivots()) {
@@ -124,7 +127,8 @@ impl Span {
         (0..self.dimension).map(coordinate).collect()
     }
 
-    /// A basis of the functionals that vanish on the span, one for each of the [`other_coordinates`](Self::other_coordinates) and 1 there.
+    /// A basis of the functionals that vanish on the span, one for each of the
+    /// [`other_coordinates`](Self::other_coordinates) and 1 there.
     ///
     /// e_j − Σ_k (row_k[j] / head_k) e_pivot(k) is orthogonal to each row.
     #[allow(dead_code)]
@@ -141,7 +145,8 @@ impl Span {
         functional
     }
 
-    /// A direction orthogonal to the span whose product with the vector is positive, of whole numbers; `None` for a member of the span.
+    /// A direction orthogonal to the span whose product with the vector is positive, of whole numbers; `None` for a
+    /// member of the span.
     pub(crate) fn direction_to(&self, vector: &[Dyadic]) -> Option<Vec<Dyadic>> {
         let rest = self.residual(vector.to_vec());
         let other = rest.iter().position(|c| !c.is_zero())?;

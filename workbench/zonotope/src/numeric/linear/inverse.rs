@@ -1,6 +1,7 @@
 //! Inverses of matrices of doubles, by Gauss–Jordan elimination with row pivoting.
 
-/// The inverse of the leading `rank` × `rank` square of a matrix, 0 elsewhere; `None` if it is singular or its inverse leaves the doubles.
+/// The inverse of the leading `rank` × `rank` square of a matrix, 0 elsewhere; `None` if it is singular or its inverse
+/// leaves the doubles.
 pub(crate) fn inverse<const D: usize>(rank: usize, matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let mut left = *matrix;
     let mut right = std::array::from_fn(|i| std::array::from_fn(|k| f64::from(u8::from(i == k && i < rank))));
@@ -8,8 +9,9 @@ pub(crate) fn inverse<const D: usize>(rank: usize, matrix: &[[f64; D]; D]) -> Op
     right.iter().flatten().all(|c| c.is_finite()).then_some(right)
 }
 
-/// Makes the leading `rank` × `rank` square of `left` the identity by row operations, and does the same to the rows of `right`: an identity
-/// there becomes the inverse, a column b becomes the solution of left · x = b. `None` if a pivot is 0 or not finite. O(rank²) row operations.
+/// Makes the leading `rank` × `rank` square of `left` the identity by row operations, and does the same to the rows of
+/// `right`: an identity there becomes the inverse, a column b becomes the solution of left · x = b. `None` if a pivot
+/// is 0 or not finite. O(rank²) row operations.
 pub(crate) fn invert<Row: AsMut<[f64]>>(left: &mut [Row], right: &mut [Row], rank: usize) -> Option<()> {
     for column in 0..rank {
         let size = |left: &mut [Row], row: usize| left[row].as_mut()[column].abs();

@@ -1,8 +1,8 @@
 //! Determinants, and normals of hyperplanes, by expansion along rows.
 //!
-//! All minors of the last k rows are made from those of the last k − 1, so that each is computed once: with d columns 2^(d−1) d products at
-//! most, against d! of a plain expansion. There are no divisions; elimination needs fewer operations from about seven columns on, which no
-//! method here comes near.
+//! All minors of the last k rows are made from those of the last k − 1, so that each is computed once: with d columns
+//! 2^(d−1) d products at most, against d! of a plain expansion. There are no divisions; elimination needs fewer
+//! operations from about seven columns on, which no method here comes near.
 
 use super::Ring;
 
@@ -13,8 +13,8 @@ pub(crate) fn determinant<T: Ring, Row: AsRef<[T]>>(rows: &[Row]) -> T {
     minors[(1 << dimension) - 1].clone()
 }
 
-/// The vector u with u · v = det(v, rows) for every v, of d − 1 rows of d columns: the cross product of d − 1 vectors. It is orthogonal to
-/// all of them, and 0 just when they are dependent.
+/// The vector u with u · v = det(v, rows) for every v, of d − 1 rows of d columns: the cross product of d − 1 vectors.
+/// It is orthogonal to all of them, and 0 just when they are dependent.
 pub(crate) fn hyperplane_normal<T: Ring, Row: AsRef<[T]>>(rows: &[Row]) -> Vec<T> {
     let dimension = rows.len() + 1;
     let minors = minors_of_all_rows(rows, dimension);
@@ -26,7 +26,8 @@ pub(crate) fn hyperplane_normal<T: Ring, Row: AsRef<[T]>>(rows: &[Row]) -> Vec<T
     (0..dimension).map(signed).collect()
 }
 
-/// By sets of columns, as bits: the determinant of these columns of the last rows, of as many as there are columns in the set.
+/// By sets of columns, as bits: the determinant of these columns of the last rows, of as many as there are columns in
+/// the set.
 fn minors_of_all_rows<T: Ring, Row: AsRef<[T]>>(rows: &[Row], dimension: usize) -> Vec<T> {
     assert!(dimension <= 16, "vectors have few coordinates");
     let mut minors = vec![T::ONE; 1 << dimension];

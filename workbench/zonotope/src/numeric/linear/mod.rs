@@ -1,4 +1,5 @@
-//! Small vectors and matrices over any numbers: doubles, doubles with a bound on their error, pairs of doubles, exact ones.
+//! Small vectors and matrices over any numbers: doubles, doubles with a bound on their error, pairs of doubles, exact
+//! ones.
 //!
 //! | file | what it computes |
 //! |---|---|
@@ -8,7 +9,8 @@
 //! | `inverse` | inverses of matrices of doubles |
 //! | `norms` | norms of vectors of space in doubles |
 //!
-//! Sums are taken from the first term on, in the order of the coordinates: in doubles, a result is the same wherever it is computed.
+//! Sums are taken from the first term on, in the order of the coordinates: in doubles, a result is the same wherever it
+//! is computed.
 
 mod inverse;
 mod minors;

@@ -34,8 +34,8 @@ pub(crate) fn cross<T: Ring>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// b × c, c × a and a × b: each is orthogonal to two of the vectors, and its product with the third is det(a, b, c). Divided by that
-/// determinant they are the rows of the inverse of the matrix with columns a, b, c.
+/// b × c, c × a and a × b: each is orthogonal to two of the vectors, and its product with the third is det(a, b, c).
+/// Divided by that determinant they are the rows of the inverse of the matrix with columns a, b, c.
 #[inline(always)]
 #[allow(dead_code)]
 pub(crate) fn cyclic_cross_products<T: Ring>(a: &[T; 3], b: &[T; 3], c: &[T; 3]) -> [[T; 3]; 3] {

@@ -124,7 +124,8 @@ fn products_that_underflow_do_not_pass_the_filter() {
     let smallest = 5e-324;
     let (a, b) = ([-2.4627167275439808e-17, 0.0], [1.75, 45.0 * smallest]);
     let (c, d) = ([-6.645363818503043e-17, 0.0], [1.011111111111111, 26.0 * smallest]);
-    // in doubles the products are 46 and 45 smallest units, the exact ones are 45.5 to within 10^-14, in the other order
+    // in doubles the products are 46 and 45 smallest units, the exact ones are 45.5 to within 10^-14, in the other
+    // order
     assert!((b[0] - a[0]) * d[1] > b[1] * (d[0] - c[0]));
     assert_eq!(cross_sign(a, b, c, d), Turn::Right);
     assert_eq!(cross_sign(c, d, a, b), Turn::Left);

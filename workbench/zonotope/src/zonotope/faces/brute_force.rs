@@ -1,17 +1,21 @@
 //! All faces of a zonotope, by composing sign vectors in rationals: the truth that faster methods are held to.
 //!
 //! # Statement
-//! Input: generators in R^D. Output: every nonempty face as a sign vector, sorted by dimension: for each generator the coefficient 1, −1 or,
-//! where the face extends along the generator, none. The last is the body itself. Zero generators have no coefficient in any face.
+//! Input: generators in R^D. Output: every nonempty face as a sign vector, sorted by dimension: for each generator the
+//! coefficient 1, −1 or, where the face extends along the generator, none. The last is the body itself. Zero generators
+//! have no coefficient in any face.
 //!
 //! # Source
-//! Section 3: the faces are those of an arrangement of hyperplanes. The sign vectors (sign(u · v_i))_i of all u are the covectors of an oriented matroid,
-//! which the cocircuits generate by composition (Björner and others, Oriented Matroids, 1999, Proposition 3.7.2).
+//! Section 3: the faces are those of an arrangement of hyperplanes. The sign vectors (sign(u · v_i))_i of all u are the
+//! covectors of an oriented matroid, which the cocircuits generate by composition (Björner and others, Oriented
+//! Matroids, 1999, Proposition 3.7.2).
 //!
 //! # Method
 //! 1. Choose r coordinates, r the rank, in which the generators have the same linear dependences.
-//! 2. For each r − 1 generators that are independent, take the vector u orthogonal to them and the sign vectors of u and −u: the facets.
-//! 3. Compose: X ∘ C has the signs of X and, where X has none, those of C. Repeat with every facet C until nothing new appears.
+//! 2. For each r − 1 generators that are independent, take the vector u orthogonal to them and the sign vectors of u
+//!    and −u: the facets.
+//! 3. Compose: X ∘ C has the signs of X and, where X has none, those of C. Repeat with every facet C until nothing new
+//!    appears.
 //! 4. The dimension of a face is the rank of the generators without a coefficient.
 //!
 //! # Complexity
@@ -30,7 +34,8 @@
 //! If a coordinate is not finite.
 //!
 //! # Checked by
-//! The counts of named bodies, Euler's relation, and Zaslavsky's count of the vertices from ranks of subsets (tests of this folder).
+//! The counts of named bodies, Euler's relation, and Zaslavsky's count of the vertices from ranks of subsets (tests of
+//! this folder).
 //!
 //! # Example
 //! ```

@@ -1,24 +1,26 @@
 //! Vertices and facets in any dimension, by recursion on facets: a facet is a zonotope of the generators along it.
 //!
 //! # Statement
-//! Input: generators in R^D. Output: the facets of their zonotope and its vertices, as sign vectors (the coefficient of each generator, 1, −1 or, along a
-//! facet, none), each once, in lexicographic order; both within the affine hull. A point has one vertex and no facet.
+//! Input: generators in R^D. Output: the facets of their zonotope and its vertices, as sign vectors (the coefficient of
+//! each generator, 1, −1 or, along a facet, none), each once, in lexicographic order; both within the affine hull. A
+//! point has one vertex and no facet.
 //!
 //! # Source
-//! Section 3: facets are defined by (d − 1)-tuples of generators. The paper assumes general position; here every tuple along one facet names
-//! the same set of generators, and facets are told apart by these sets.
+//! Section 3: facets are defined by (d − 1)-tuples of generators. The paper assumes general position; here every tuple
+//! along one facet names the same set of generators, and facets are told apart by these sets.
 //!
 //! # Method
-//! 1. Merge parallel generators; choose r coordinates, r the rank, in which the generators have the same dependences: their doubles are
-//!    used as they stand.
-//! 2. For each r − 1 generators: their cross product u, from minors. If it is not zero, the generators orthogonal to u lie along two opposite facets,
-//!    on which the others have the signs of u · v and the opposite ones.
-//! 3. The vertices of a facet are those of the zonotope of the generators along it, which leaving out a coordinate where u is not zero maps
-//!    one to one into R^(r − 1).
+//! 1. Merge parallel generators; choose r coordinates, r the rank, in which the generators have the same dependences:
+//!    their doubles are used as they stand.
+//! 2. For each r − 1 generators: their cross product u, from minors. If it is not zero, the generators orthogonal to u
+//!    lie along two opposite facets, on which the others have the signs of u · v and the opposite ones.
+//! 3. The vertices of a facet are those of the zonotope of the generators along it, which leaving out a coordinate
+//!    where u is not zero maps one to one into R^(r − 1).
 //!
 //! # Complexity
-//! n directions, rank r: O(n^r) exact operations, as there are n^(r − 1) tuples and each normal meets n generators; in general position that is O(n) a facet.
-//! Space O(n) a vertex and a facet. Facets with k generators along them cost as much as their own vertices.
+//! n directions, rank r: O(n^r) exact operations, as there are n^(r − 1) tuples and each normal meets n generators; in
+//! general position that is O(n) a facet. Space O(n) a vertex and a facet. Facets with k generators along them cost as
+//! much as their own vertices.
 //!
 //! # Shapes
 //! `generators`: n × D, in any order, zero, parallel and dependent ones allowed.
@@ -115,7 +117,8 @@ pub fn vertices_and_facets<const D: usize>(generators: &[[f64; D]]) -> VerticesA
 }
 
 impl VerticesAndFacets {
-    /// How many edges there are: pairs of vertices that differ in one class of parallel generators. O(n² v log v) for v vertices.
+    /// How many edges there are: pairs of vertices that differ in one class of parallel generators. O(n² v log v) for v
+    /// vertices.
     pub fn edge_count(&self) -> usize {
         let upper_end = |vertex: &SignVector, class: &Vec<usize>| {
             let first = class[0];

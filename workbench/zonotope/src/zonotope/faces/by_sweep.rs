@@ -1,34 +1,40 @@
-//! The face lattice, by a topological sweep of the great circles: a half turn of a meridian meets every pair of opposite faces once.
+//! The face lattice, by a topological sweep of the great circles: a half turn of a meridian meets every pair of
+//! opposite faces once.
 //!
 //! # Statement
-//! Input: the generators of a zonotope of R^3 with at least two directions. Output: its [`FaceLattice`]. Zero generators are left out,
-//! parallel ones make one edge, coplanar directions one facet. Flat bodies have two facets, one a side.
+//! Input: the generators of a zonotope of R^3 with at least two directions. Output: its [`FaceLattice`]. Zero
+//! generators are left out, parallel ones make one edge, coplanar directions one facet. Flat bodies have two facets,
+//! one a side.
 //!
 //! # Source
-//! Section 3: faces correspond to those of an arrangement of great circles. The sweep is the topological sweep of Edelsbrunner and Guibas
-//! (1989), here over crossings sorted beforehand circle by circle: the paper assumes general position, and sorting exactly is what decides
-//! degenerate cases. Facets with more than four sides are crossings of more than two circles.
+//! Section 3: faces correspond to those of an arrangement of great circles. The sweep is the topological sweep of
+//! Edelsbrunner and Guibas (1989), here over crossings sorted beforehand circle by circle: the paper assumes general
+//! position, and sorting exactly is what decides degenerate cases. Facets with more than four sides are crossings of
+//! more than two circles.
 //!
 //! # Method
 //! 1. Sort the crossings of every circle in the half turn from the first meridian (`circles.rs`).
-//! 2. Keep the circles in their order along a meridian from north to south and, between them, the cells: vertices of the body. Where neighbours
-//!    have their next crossing in common, the meridian can pass it.
-//! 3. Pass such a crossing: a facet. The circles through it change places. The cells that end there and those that begin there, numbered
-//!    by it, are its vertices from north by west and south to east, counter-clockwise; the arcs between them are its edges.
-//! 4. A new cell lies south of its northern neighbour across one circle: its vertex is the neighbour's minus twice that generator.
-//! 5. The other half turn is the image under x → −x: every face gets its opposite, at a fixed distance in the numbering. Cells that
-//!    the first meridian cuts become the opposites of those that the last one cuts.
+//! 2. Keep the circles in their order along a meridian from north to south and, between them, the cells: vertices of
+//!    the body. Where neighbours have their next crossing in common, the meridian can pass it.
+//! 3. Pass such a crossing: a facet. The circles through it change places. The cells that end there and those that
+//!    begin there, numbered by it, are its vertices from north by west and south to east, counter-clockwise; the arcs
+//!    between them are its edges.
+//! 4. A new cell lies south of its northern neighbour across one circle: its vertex is the neighbour's minus twice that
+//!    generator.
+//! 5. The other half turn is the image under x → −x: every face gets its opposite, at a fixed distance in the
+//!    numbering. Cells that the first meridian cuts become the opposites of those that the last one cuts.
 //!
 //! # Complexity
-//! n directions, f ≤ n (n − 1) facets: time O(n² log n) for the sorting, then O(n² + f); the paper's O(n²) would need the arrangement to be built
-//! without sorting. For generators in general position f = n (n − 1), so sorting costs log n a facet. Space: 4 bytes for each pair of directions besides
-//! the lattice, which has 92 bytes a parallelogram.
+//! n directions, f ≤ n (n − 1) facets: time O(n² log n) for the sorting, then O(n² + f); the paper's O(n²) would need
+//! the arrangement to be built without sorting. For generators in general position f = n (n − 1), so sorting costs log
+//! n a facet. Space: 4 bytes for each pair of directions besides the lattice, which has 92 bytes a parallelogram.
 //!
 //! # Shapes
 //! `generators`: n × 3, in any order, zero, parallel and coplanar ones allowed.
 //!
 //! # Numerics
-//! All of the combinatorics is exact. Vertices are carried as sums of two doubles and rounded once: see [`FaceLattice::coordinate_error`].
+//! All of the combinatorics is exact. Vertices are carried as sums of two doubles and rounded once: see
+//! [`FaceLattice::coordinate_error`].
 //!
 //! # Errors
 //! [`FacesError::TooManyDirections`] ⇔ more than [`MAX_DIRECTIONS`] directions: indices would not fit 32 bits.

@@ -1,9 +1,11 @@
-//! The arrangement of great circles, one a direction v: the unit vectors u with u · v = 0, seen from a pole that lies on none of them.
+//! The arrangement of great circles, one a direction v: the unit vectors u with u · v = 0, seen from a pole that lies
+//! on none of them.
 //!
-//! Every meridian from the north pole to the south pole meets each circle once, so along a meridian the circles have an order, and
-//! going east from one meridian halfway around the sphere each pair changes places exactly once: where the facets with both
-//! directions have their normals. Relative to the pole the circles are lines x s + y + o = 0 of the plane with the meridians
-//! vertical. Floating-point numbers s and o guess orders; determinants of the directions decide them.
+//! Every meridian from the north pole to the south pole meets each circle once, so along a meridian the circles have an
+//! order, and going east from one meridian halfway around the sphere each pair changes places exactly once: where the
+//! facets with both directions have their normals. Relative to the pole the circles are lines x s + y + o = 0 of the
+//! plane with the meridians vertical. Floating-point numbers s and o guess orders; determinants of the directions
+//! decide them.
 
 use std::cmp::Ordering;
 
@@ -60,8 +62,8 @@ impl Circles {
         self.directions.len()
     }
 
-    /// The ranks of the circles that circle `rank` crosses in the half turn east of the first meridian, in this order; those that cross
-    /// in one place in the order of their ranks, all but the first without [`NEW_PLACE`]. O(n log n).
+    /// The ranks of the circles that circle `rank` crosses in the half turn east of the first meridian, in this order;
+    /// those that cross in one place in the order of their ranks, all but the first without [`NEW_PLACE`]. O(n log n).
     pub(super) fn crossings(&self, rank: usize, keys: &mut Vec<u64>, crossings: &mut Vec<u32>, tally: &mut impl Tally) {
         crossings.clear();
         self.guess_order(rank, keys);
@@ -87,15 +89,16 @@ impl Circles {
     #[inline]
     fn order(&self, rank: usize, a: u32, b: u32, tally: &mut impl Tally) -> Ordering {
         tally.add(Operation::Comparison, 1);
-        // the circle further north passes below the other: the crossing lies at the cross product of the northern by the southern one
+        // the circle further north passes below the other: the crossing lies at the cross product of the northern by
+        // the southern one
         let swapped = (a as usize > rank) != (b as usize > rank);
         let [circle, a, b] = [rank, a as usize, b as usize].map(|rank| &self.directions[rank]);
         let sign = determinant_sign_counted(circle, a, b, tally);
         if swapped { sign } else { sign.reverse() }
     }
 
-    /// The other circles sorted by the computed abscissa of the crossing: its bits, made to compare like the number, with the rank in the
-    /// lowest ones.
+    /// The other circles sorted by the computed abscissa of the crossing: its bits, made to compare like the number,
+    /// with the rank in the lowest ones.
     fn guess_order(&self, rank: usize, keys: &mut Vec<u64>) {
         let (slope, offset, low_bits) = (self.slopes[rank], self.offsets[rank], self.low_bits());
         let key = |(other, (s, o)): (u64, (&f64, &f64))| {

@@ -17,8 +17,8 @@ pub(in crate::zonotope) struct SpaceCounts {
     pub(in crate::zonotope) volume: Dyadic,
 }
 
-/// The counts of a zonotope of rank 3: every place of a circle begins one edge, and a facet belongs to the northernmost of its circles. O(n² log n) time,
-/// O(n) space, and O(n²) exact operations for the volume.
+/// The counts of a zonotope of rank 3: every place of a circle begins one edge, and a facet belongs to the northernmost
+/// of its circles. O(n² log n) time, O(n) space, and O(n²) exact operations for the volume.
 pub(in crate::zonotope) fn space_counts(body: &Zonotope<3>, with_volume: bool) -> SpaceCounts {
     let directions = Directions::new(body.generators());
     let circles = Circles::new(directions.representatives());

@@ -1,7 +1,7 @@
 //! A direction of space prepared for determinants, and the exact sign of the determinant of three.
 //!
-//! Scaling a vector by a power of two does not change the sign of a determinant, so each is scaled on its own: then one bound on the
-//! rounding error serves the whole range of doubles.
+//! Scaling a vector by a power of two does not change the sign of a determinant, so each is scaled on its own: then one
+//! bound on the rounding error serves the whole range of doubles.
 
 use std::cmp::Ordering;
 

@@ -23,11 +23,13 @@ pub struct Edge(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Facet(pub u32);
 
-/// A zone of a [`FaceLattice`], by its index: the edges of one direction, and the facets around the body that have two of them.
+/// A zone of a [`FaceLattice`], by its index: the edges of one direction, and the facets around the body that have two
+/// of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Zone(pub u32);
 
-/// The vertices, edges and facets of a zonotope with at least two directions, and how they meet. A flat body has two facets, one a side.
+/// The vertices, edges and facets of a zonotope with at least two directions, and how they meet. A flat body has two
+/// facets, one a side.
 ///
 /// Opposite faces have indices half of their number apart; the edges of a zone follow one another around the body.
 #[derive(Debug, Clone)]
@@ -92,9 +94,11 @@ impl FaceLattice {
         self.vertices[vertex.0 as usize]
     }
 
-    /// A bound for the distance of each coordinate of a [`point`](Self::point) from that of the vertex; infinite where a vertex may leave the range of doubles.
+    /// A bound for the distance of each coordinate of a [`point`](Self::point) from that of the vertex; infinite where
+    /// a vertex may leave the range of doubles.
     ///
-    /// Positions are sums of two doubles, good to 2^-98 of the extent after the longest way; two roundings of the result follow.
+    /// Positions are sums of two doubles, good to 2^-98 of the extent after the longest way; two roundings of the
+    /// result follow.
     pub fn coordinate_error(&self) -> [f64; 3] {
         let extents = Extents::new(self.body.generators()).sums();
         std::array::from_fn(|axis| (2.0 * UNIT * (extents[axis] + self.body.center()[axis].abs())).next_up())
@@ -105,7 +109,8 @@ impl FaceLattice {
         self.facet_vertices[self.facet_range(facet)].iter().copied().map(Vertex)
     }
 
-    /// The edges of a facet, counter-clockwise seen from outside: edge k joins vertices k and k + 1, edges half a turn apart are parallel.
+    /// The edges of a facet, counter-clockwise seen from outside: edge k joins vertices k and k + 1, edges half a turn
+    /// apart are parallel.
     pub fn facet_edges(&self, facet: Facet) -> impl ExactSizeIterator<Item = Edge> + Clone {
         self.facet_edges[self.facet_range(facet)].iter().copied().map(Edge)
     }
@@ -184,8 +189,8 @@ impl FaceLattice {
         indices * size_of::<u32>() + size_of_val(&self.vertices[..])
     }
 
-    /// How many facets come before this one, less than half of all, counted with half their sides less one: the first vertex that is numbered
-    /// by the facet.
+    /// How many facets come before this one, less than half of all, counted with half their sides less one: the first
+    /// vertex that is numbered by the facet.
     pub(super) fn first_vertex_of(&self, facet: u32) -> u32 {
         self.facet_starts[facet as usize] / 2 - facet
     }
@@ -247,7 +252,8 @@ impl FaceLattice {
         zones.map(|zone| Position::of_exact(&self.exact_half_edge(zone).map(|c| c.scaled(1 - shift)))).collect()
     }
 
-    /// A name for the cell in a slot of the first meridian: the poles have their numbers, the others get them at the end.
+    /// A name for the cell in a slot of the first meridian: the poles have their numbers, the others get them at the
+    /// end.
     pub(super) fn unnumbered_cell(&self, slot: u32) -> u32 {
         let count = self.vertex_count() as u32;
         match slot {
@@ -271,8 +277,8 @@ impl FaceLattice {
         self.facet_vertices.push(vertex);
     }
 
-    /// Writes edge `side` of the facet begun last, and its opposite into the opposite facet: seen from outside, a reflection in the centre
-    /// turns the order around.
+    /// Writes edge `side` of the facet begun last, and its opposite into the opposite facet: seen from outside, a
+    /// reflection in the centre turns the order around.
     #[inline]
     pub(super) fn set_edge(&mut self, facet: u32, side: usize, [edge, opposite]: [u32; 2]) {
         let [start, end] = [0, 1].map(|next| self.facet_starts[facet as usize + next] as usize);

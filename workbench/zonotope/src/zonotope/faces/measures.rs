@@ -20,8 +20,8 @@ pub struct Estimate {
 impl Zonotope<3> {
     /// The volume, exactly: 8 Σ |det(g_i, g_j, g_k)| over triples of generators; 0 if the body is flat.
     ///
-    /// Around each circle the generators south of it follow one another with positive determinants, so that prefix sums add them up:
-    /// O(n²) exact operations after O(n² log n) comparisons, O(n) space.
+    /// Around each circle the generators south of it follow one another with positive determinants, so that prefix sums
+    /// add them up: O(n²) exact operations after O(n² log n) comparisons, O(n) space.
     pub fn exact_volume(&self) -> Dyadic {
         let directions = Directions::new(self.generators());
         if directions.len() < 3 {
@@ -40,8 +40,9 @@ impl Zonotope<3> {
 
     /// The surface area: 8 Σ |g_i × g_j| over pairs of generators, both sides of a flat body. O(n²).
     ///
-    /// With coordinates scaled below 2, a cross product is off by at most 5 u |g_i| |g_j|, u = 2^-53, its length by 4 u of itself more, and the sum, row by
-    /// row, by n u for the rows and n u for their total; the products of lengths add up to less than half the square of Σ |g_i|.
+    /// With coordinates scaled below 2, a cross product is off by at most 5 u |g_i| |g_j|, u = 2^-53, its length by 4 u
+    /// of itself more, and the sum, row by row, by n u for the rows and n u for their total; the products of lengths
+    /// add up to less than half the square of Σ |g_i|.
     pub fn surface_area(&self) -> Estimate {
         let exponent = self.generators().as_flattened().iter().filter_map(|&c| binary_exponent(c)).max().unwrap_or(0);
         let shift = i64::from(exponent);

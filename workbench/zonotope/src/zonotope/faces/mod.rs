@@ -1,4 +1,5 @@
-//! Faces: of a zonotope of R^3 vertices, edges, facets, zones and how they meet; in other dimensions vertices and facets.
+//! Faces: of a zonotope of R^3 vertices, edges, facets, zones and how they meet; in other dimensions vertices and
+//! facets.
 //!
 //! | file | what it holds |
 //! |---|---|
@@ -77,8 +78,9 @@ pub fn faces(body: &Zonotope<3>) -> Result<Faces, FacesError> {
     faces_counted(body, &mut ())
 }
 
-/// [`faces`], counting an [`Operation::Comparison`](crate::tally::Operation::Comparison) for each order of two crossings of a great circle, the exact fallbacks
-/// among them, and an [`Operation::SearchStep`](crate::tally::Operation::SearchStep) for each crossing that the sweep passes.
+/// [`faces`], counting an [`Operation::Comparison`](crate::tally::Operation::Comparison) for each order of two
+/// crossings of a great circle, the exact fallbacks among them, and an
+/// [`Operation::SearchStep`](crate::tally::Operation::SearchStep) for each crossing that the sweep passes.
 ///
 /// # Errors
 /// [`FacesError::TooManyDirections`].

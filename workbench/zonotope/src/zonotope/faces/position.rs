@@ -1,4 +1,5 @@
-//! Vertices on their way through the sweep: sums of two doubles a coordinate, so that many steps round less than the last one.
+//! Vertices on their way through the sweep: sums of two doubles a coordinate, so that many steps round less than the
+//! last one.
 
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;

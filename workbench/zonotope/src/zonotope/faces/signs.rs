@@ -10,8 +10,8 @@ use crate::numeric::dyadic::Dyadic;
 type Signs = Vec<Ordering>;
 
 impl FaceLattice {
-    /// For each generator, the coefficient that every point of the facet has: 1 (`Greater`), −1 (`Less`), or for the generators along
-    /// the facet and zero ones none (`Equal`). O(n) exact determinants.
+    /// For each generator, the coefficient that every point of the facet has: 1 (`Greater`), −1 (`Less`), or for the
+    /// generators along the facet and zero ones none (`Equal`). O(n) exact determinants.
     pub fn facet_signs(&self, facet: Facet) -> Signs {
         self.of_generators(&self.facet_zone_signs(facet))
     }
@@ -67,7 +67,8 @@ impl FaceLattice {
         exact.map(|c| c.scaled(-exponent).to_f64())
     }
 
-    /// Two zones of a facet of the first half, the one further north first: their generators' cross product points outward.
+    /// Two zones of a facet of the first half, the one further north first: their generators' cross product points
+    /// outward.
     fn spanning_zones(&self, facet: u32) -> [usize; 2] {
         let mut zones = self.facet_zones(Facet(facet)).map(|zone| zone.0 as usize);
         [0, 1].map(|_| zones.next().expect("a facet has at least two zones, in the order from north to south"))
@@ -81,7 +82,8 @@ impl FaceLattice {
         if facet.0 < half { signs.collect() } else { signs.map(Ordering::reverse).collect() }
     }
 
-    /// The signs of a cell: those of the crossing where it begins in the west, and the circles through it that are north of the cell.
+    /// The signs of a cell: those of the crossing where it begins in the west, and the circles through it that are
+    /// north of the cell.
     fn vertex_zone_signs(&self, vertex: Vertex) -> Signs {
         let half = self.vertex_count() as u32 / 2;
         if vertex.0 >= half {

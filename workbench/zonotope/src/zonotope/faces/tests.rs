@@ -286,7 +286,8 @@ fn check_recursion<const D: usize>(generators: &[[f64; D]]) {
     }
 }
 
-/// Zaslavsky: an arrangement of hyperplanes through the origin has as many cells as the sum of (−1)^(|S| − rank S) over subsets S of normals.
+/// Zaslavsky: an arrangement of hyperplanes through the origin has as many cells as the sum of (−1)^(|S| − rank S) over
+/// subsets S of normals.
 fn cells_by_ranks<const D: usize>(vectors: &[[f64; D]]) -> i64 {
     (0..1u32 << vectors.len())
         .map(|subset| {

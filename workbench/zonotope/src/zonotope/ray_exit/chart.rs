@@ -1,4 +1,5 @@
-//! One facet of the zonotopes along some directions: what spans it, on which side the other directions are, and what lies beyond its edges.
+//! One facet of the zonotopes along some directions: what spans it, on which side the other directions are, and what
+//! lies beyond its edges.
 
 use super::descent::{dot, inverse};
 
@@ -26,7 +27,8 @@ pub(crate) struct Chart<const D: usize> {
 }
 
 impl<const D: usize> Chart<D> {
-    /// The facet with a basis, on the side where the others have the signs of their coefficients; `None` where these hardly span.
+    /// The facet with a basis, on the side where the others have the signs of their coefficients; `None` where these
+    /// hardly span.
     pub(crate) fn at(rank: usize, directions: &[[f64; D]], basis: [usize; D], coefficients: &[f64]) -> Option<Self> {
         let mut signs: Vec<i8> = coefficients.iter().map(|&c| if c < 0.0 { -1 } else { 1 }).collect();
         basis[..rank - 1].iter().for_each(|&b| signs[b] = 0);
@@ -50,7 +52,8 @@ impl<const D: usize> Chart<D> {
         Some(Self { basis, normal, signs, next, edition: 0, rows: [[0.0; D]; D], sum: [0.0; D] })
     }
 
-    /// Brings `rows` and `sum` up to date; where the zonotope is flat there are none, and no ray is found to meet the facet.
+    /// Brings `rows` and `sum` up to date; where the zonotope is flat there are none, and no ray is found to meet the
+    /// facet.
     pub(crate) fn refresh(&mut self, rank: usize, directions: &[[f64; D]], coefficients: &[f64], edition: u32) {
         if self.edition != edition {
             self.edition = edition;

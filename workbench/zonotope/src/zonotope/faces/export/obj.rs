@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::zonotope::faces::{FaceLattice, Facet};
 
 impl FaceLattice {
-    /// The body as Wavefront OBJ: vertices in the digits that read back to the same doubles, facets as polygons, counter-clockwise from outside.
+    /// The body as Wavefront OBJ: vertices in the digits that read back to the same doubles, facets as polygons,
+    /// counter-clockwise from outside.
     pub fn to_obj(&self) -> String {
         let mut text = String::with_capacity(64 * self.vertex_count() + 32 * self.facet_count());
         for [x, y, z] in self.points() {

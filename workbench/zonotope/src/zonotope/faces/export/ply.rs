@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::zonotope::faces::{FaceLattice, Facet};
 
 impl FaceLattice {
-    /// The body as PLY in text form: vertices in the digits that read back to the same doubles, facets as polygons, counter-clockwise from outside.
+    /// The body as PLY in text form: vertices in the digits that read back to the same doubles, facets as polygons,
+    /// counter-clockwise from outside.
     pub fn to_ply(&self) -> String {
         let mut text = format!(
             "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n\

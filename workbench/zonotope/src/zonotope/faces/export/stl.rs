@@ -3,8 +3,8 @@
 use crate::zonotope::faces::{FaceLattice, Facet};
 
 impl FaceLattice {
-    /// The body as binary STL: each facet cut into triangles from one vertex, counter-clockwise from outside, with its outward unit
-    /// normal; coordinates rounded to single precision, infinite beyond its range.
+    /// The body as binary STL: each facet cut into triangles from one vertex, counter-clockwise from outside, with its
+    /// outward unit normal; coordinates rounded to single precision, infinite beyond its range.
     pub fn to_stl(&self) -> Vec<u8> {
         let facets = || (0..self.facet_count() as u32).map(Facet);
         let triangles: usize = facets().map(|facet| self.facet_vertices(facet).len() - 2).sum();
