@@ -24,6 +24,7 @@ examples! {
     least_area: "../examples/least_area.rs",
     membership: "../examples/membership.rs",
     moving_boxes: "../examples/moving_boxes.rs",
+    readme: "../examples/readme.rs",
 }
 
 /// An example that is not named above would never run.
@@ -37,4 +38,22 @@ fn every_example_is_a_test() {
         .collect();
     found.sort();
     assert_eq!(found, NAMES);
+}
+
+/// So that the README's code compiles and holds: the example, which runs above, has every line of it.
+#[test]
+fn the_readme_shows_what_the_example_runs() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = |path: &str| std::fs::read_to_string(folder.join(path)).expect("the file is there");
+    let (readme, example) = (text("../../README.md"), text("examples/readme.rs"));
+    let shown =
+        readme.split("```rust\n").nth(1).and_then(|rest| rest.split("```").next()).expect("the README has code");
+    let lines = |text: &str| -> Vec<String> {
+        text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect()
+    };
+    let example = lines(&example);
+    let mut rest = example.iter();
+    for line in lines(shown) {
+        assert!(rest.any(|own| *own == line), "not in the example, or not in this order: {line}");
+    }
 }
