@@ -55,7 +55,7 @@ use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relat
 use crate::zonotope::ray_exit::FacetDescent;
 
 /// A point whose ray leaves the zonotope at less than this multiple may touch it at the optimum.
-const LARGEST_TOUCHING_GAUGE: f64 = 1.0 + 1e-6;
+const LARGEST_TOUCHING_REACH: f64 = 1.0 + 1e-6;
 
 /// The points that the program is about, in increasing order: the scan of all points along all C(k, d − 1) facet
 /// normals, none if the directions do not span the differences of the points.
@@ -113,7 +113,7 @@ pub fn min_length_by_papers_program<const D: usize>(
             let mut descent = FacetDescent::new(rank, &generators);
             for &j in &extreme {
                 let ray = std::array::from_fn(|c| if c < rank { scaled.points[j][c] - primal[c] } else { 0.0 });
-                if let Some(facet) = descent.facet(&ray).filter(|facet| facet.gauge < LARGEST_TOUCHING_GAUGE) {
+                if let Some(facet) = descent.facet(&ray).filter(|facet| facet.reach < LARGEST_TOUCHING_REACH) {
                     generation.add_normal(facet.normal, tally);
                 }
             }

@@ -18,7 +18,7 @@ pub enum MinLengthError {
     /// The precision is not between 0 and 1.
     #[error("epsilon is {0}, not between 0 and 1")]
     BadEpsilon(f64),
-    /// The net would have more directions than are tried.
+    /// The net would have more directions than the method takes.
     #[error("a net this fine has {0} directions")]
     TooManyDirections(usize),
     /// The length of the answer exceeds the largest double.
@@ -31,7 +31,7 @@ pub enum MinLengthError {
 pub enum Outcome {
     /// The ratio is at most 1 + ε.
     WithinEpsilon,
-    /// The search ended before, and the ratio is above 1 + ε: proven all the same, but not what was asked for.
+    /// The search ended before the ratio fell to 1 + ε. The answer's ratio is proven all the same.
     EndedBefore,
 }
 
@@ -42,27 +42,28 @@ pub struct MinLengthZonotope<const D: usize> {
     pub zonotope: Zonotope<D>,
     /// An upper bound of Σ |g_i|, the half-lengths of its generators.
     pub length: f64,
-    /// A number that the total length of no zonotope around the points is below.
+    /// A lower bound of the total lengths of all zonotopes around the points.
     pub lower_bound: f64,
     /// `length` / `lower_bound`, rounded up; 1 when both are zero.
     pub ratio: f64,
-    /// Whether `ratio` is what was asked for.
+    /// Whether `ratio` is at most 1 + ε.
     pub outcome: Outcome,
-    /// What proves the lower bound.
+    /// The multipliers that prove the lower bound.
     pub multipliers: Vec<LengthMultiplier<D>>,
-    /// The length of the best zonotope and the lower bound after each round.
+    /// The least length and the greatest lower bound after each round of the search.
     pub progress: Vec<[f64; 2]>,
-    /// How many directions were tried.
+    /// How many directions were tried: of generators for a net, of vertices of Σ [−1, 1] λ_j for vertex sets.
     pub directions: usize,
 }
 
-/// A vector λ_j that pulls at a point j: if Σ λ_j = 0 and Σ_j |λ_j · v| ≤ 1 for every unit vector v, no zonotope around the points has
-/// a total length below Σ λ_j · p_j. The condition says that no vertex Σ ± λ_j is farther than 1 from the origin.
+/// The multiplier λ_j of a point j in the dual program: if Σ λ_j = 0 and Σ_j |λ_j · v| ≤ 1 for every unit vector v, no
+/// zonotope around the points has a total length below Σ λ_j · p_j. The second condition says that no vertex Σ ± λ_j of
+/// the zonotope Σ [−1, 1] λ_j is farther than 1 from the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LengthMultiplier<const D: usize> {
     /// The point, from 0.
     pub point: usize,
-    /// The vector, times the largest coordinate difference of the points rounded to a power of two: only directions and proportions count, as
-    /// the bound is Σ λ_j · p_j over the farthest vertex.
+    /// The vector λ_j, feasible up to rounding. A proof needs no more: multipliers whose farthest vertex is at distance
+    /// ρ prove the bound Σ λ_j · p_j / ρ.
     pub vector: [f64; D],
 }

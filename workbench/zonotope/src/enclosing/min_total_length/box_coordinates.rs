@@ -1,31 +1,38 @@
-//! Coordinates in which the points of a frame reach equally far along every axis: a thin body is not thin there, and
-//! being inside does not depend on coordinates.
+//! Coordinates in which the points of a frame reach equally far along every axis.
+//!
+//! Containment is the same in all coordinates, but in floating point it is hard to decide for a thin body. In box
+//! coordinates no body is thin. Lengths are not kept, so only containment is decided here.
 
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::ray_exit::{FacetDescent, dot};
 
-/// The smallest box around the points along the frame's long axes, as a unit of length for each.
+/// The smallest box around the points along [`Frame::long`]: half its width along each of these axes is the unit of
+/// length there.
 pub(super) struct BoxCoordinates<'a, const D: usize> {
     frame: &'a Frame<D>,
-    /// The extent of the points along each axis.
+    /// The least height of a point along each axis, rounded down.
     low: [f64; D],
+    /// The greatest height of a point along each axis, rounded up.
     high: [f64; D],
 }
 
-/// How a point lies to a zonotope.
-pub(super) enum Sight<const D: usize> {
-    /// The zonotope, scaled by the inverse of the gauge, has the point on a facet with this unit normal.
-    Facet { gauge: f64, normal: [f64; D] },
-    /// No multiple of the zonotope holds the point, as far as floating point can tell; a unit vector orthogonal to all
-    /// generators.
+/// Where a point lies relative to a zonotope, as the ray from the centre to the point sees it.
+pub(super) enum Position<const D: usize> {
+    /// The ray leaves the zonotope at the multiple `reach` of the point, through a facet with this unit normal: the
+    /// point is outside just when `reach` is below 1.
+    Facet { reach: f64, normal: [f64; D] },
+    /// No multiple of the zonotope contains the point, as far as floating point can tell. The unit normal is orthogonal
+    /// to the generators; it is the direction of the point where no facet was found although the point is near their
+    /// span.
     OffSpan { normal: [f64; D] },
     /// The point is the centre.
     Center,
 }
 
 impl<'a, const D: usize> BoxCoordinates<'a, D> {
+    /// The box coordinates of the points of a frame.
     pub(super) fn of(frame: &'a Frame<D>) -> Self {
         let (mut low, mut high) = ([0.0; D], [0.0; D]);
         for (axis, long) in frame.long.iter().enumerate() {
@@ -33,13 +40,13 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
             (low[axis], high[axis]) =
                 along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
         }
-        // Rounded heights may be farther out than told.
+        // The heights are rounded: the exact ones may lie this much farther out.
         let reach = low.iter().chain(&high).fold(0.0, |most: f64, v| most.max(v.abs()));
         let rounding = 8.0 * UNIT * reach;
         Self { frame, low: low.map(|v| v - rounding), high: high.map(|v| v + rounding) }
     }
 
-    /// The box.
+    /// The box as a zonotope, the first one around all points.
     pub(super) fn boxed(&self) -> FrameZonotope<D> {
         let mut inner =
             FrameZonotope { upper: 0.0, center: [0.0; D], generators: Vec::with_capacity(D), witnesses: Vec::new() };
@@ -52,33 +59,36 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
         inner
     }
 
+    /// Half the width of the box along an axis.
     fn half(&self, axis: usize) -> f64 {
         (self.high[axis] - self.low[axis]) / 2.0
     }
 
-    /// How long a vector of the frame is in these coordinates.
+    /// The length in box coordinates of a vector of the frame.
     pub(super) fn size(&self, v: &[f64; D]) -> f64 {
         let inside = self.vector(v);
         dot(&inside, &inside).sqrt()
     }
 
-    /// How long a segment along a vector may be in an ellipsoid around as wide as the points.
-    pub(super) fn segment(&self, v: &[f64; D]) -> f64 {
+    /// The half-length of the segment along a vector in the ellipsoid that is the unit ball in box coordinates: about
+    /// how long a generator along the vector can be.
+    pub(super) fn half_length_along(&self, v: &[f64; D]) -> f64 {
         let inside = self.vector(v);
         (dot(v, v) / dot(&inside, &inside)).sqrt()
     }
 
-    /// A vector of the frame in these coordinates.
+    /// A vector of the frame in box coordinates.
     pub(super) fn vector(&self, v: &[f64; D]) -> [f64; D] {
         std::array::from_fn(|axis| self.frame.long.get(axis).map_or(0.0, |long| dot(long, v) / self.half(axis)))
     }
 
-    /// How wide the box is along each axis, beside its longest.
+    /// The width of the box along each axis, divided by its greatest width.
     pub(super) fn thinness(&self) -> [f64; D] {
         let longest = (0..self.frame.rank()).map(|axis| self.half(axis)).fold(0.0, f64::max);
         std::array::from_fn(|axis| if axis < self.frame.rank() { self.half(axis) / longest } else { 1.0 })
     }
 
+    /// The unit normal in the frame of a plane that has the normal `n` in box coordinates.
     fn normal(&self, n: &[f64; D]) -> [f64; D] {
         let mut sum = [0.0; D];
         for (axis, long) in self.frame.long.iter().enumerate() {
@@ -88,42 +98,42 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
         sum.map(|c| c / length)
     }
 
-    /// How some points of the frame lie to the zonotope of some generators around a centre.
-    pub(super) fn sights(
+    /// Where points of the frame, given by their places, lie relative to the zonotope with a centre and generators.
+    pub(super) fn positions(
         &self,
         center: [f64; D],
         generators: &[[f64; D]],
         places: impl Iterator<Item = usize>,
-    ) -> impl Iterator<Item = (usize, Sight<D>)> {
+    ) -> impl Iterator<Item = (usize, Position<D>)> {
         let coordinates: Vec<[f64; D]> = generators.iter().map(|g| self.vector(g)).collect();
         let mut descent = FacetDescent::new(self.frame.rank(), &coordinates);
-        let span = long_directions(&coordinates);
+        let span = spanning_directions(&coordinates);
         places.map(move |place| {
             let point = &self.frame.points[place];
             let ray = self.vector(&std::array::from_fn(|c| point[c] - center[c]));
-            let sight = match descent.facet(&ray) {
-                _ if ray == [0.0; D] => Sight::Center,
-                // rounding may leave less than nothing of generators that hardly span
-                Some(facet) => Sight::Facet { gauge: facet.gauge.max(0.0), normal: self.normal(&facet.normal) },
+            let position = match descent.facet(&ray) {
+                _ if ray == [0.0; D] => Position::Center,
+                // Generators that hardly span leave so small a multiple that rounding may make it negative.
+                Some(facet) => Position::Facet { reach: facet.reach.max(0.0), normal: self.normal(&facet.normal) },
                 None => {
                     let off = orthogonal_part(&ray, &span);
                     let is_off =
                         dot(&off, &off) > RELATIVE_DISTANCE_OFF_SPAN * RELATIVE_DISTANCE_OFF_SPAN * dot(&ray, &ray);
-                    Sight::OffSpan { normal: self.normal(if is_off { &off } else { &ray }) }
+                    Position::OffSpan { normal: self.normal(if is_off { &off } else { &ray }) }
                 }
             };
-            (place, sight)
+            (place, position)
         })
     }
 
-    /// The zonotope contains all points when its generators are so much longer; infinite where none of its multiples
-    /// does.
+    /// The least factor, not below 1, by which generators have to be lengthened for their zonotope to contain all
+    /// points, in floating point; infinite if no factor is enough.
     pub(super) fn stretch(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
         let all = 0..self.frame.points.len();
-        self.sights(center, generators, all).fold(1.0, |stretch: f64, (_, sight)| match sight {
-            Sight::Facet { gauge, .. } => stretch.max(1.0 / gauge),
-            Sight::OffSpan { .. } => f64::INFINITY,
-            Sight::Center => stretch,
+        self.positions(center, generators, all).fold(1.0, |stretch: f64, (_, position)| match position {
+            Position::Facet { reach, .. } => stretch.max(1.0 / reach),
+            Position::OffSpan { .. } => f64::INFINITY,
+            Position::Center => stretch,
         })
     }
 }
@@ -131,8 +141,8 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
 /// A vector is off the span of others if its distance from that span exceeds this share of its length.
 const RELATIVE_DISTANCE_OFF_SPAN: f64 = 1e-9;
 
-/// Orthonormal directions that span vectors but for what is short beside the longest of them.
-fn long_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
+/// Orthonormal directions whose span contains vectors, but for parts of them that are short beside the longest vector.
+fn spanning_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
     let mut directions: Vec<[f64; D]> = Vec::with_capacity(D);
     let mut rest = vectors.to_vec();
     let longest = vectors.iter().map(|v| dot(v, v)).fold(0.0, f64::max).sqrt();
@@ -150,6 +160,7 @@ fn long_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
     directions
 }
 
+/// The part of a vector orthogonal to orthonormal directions.
 fn orthogonal_part<const D: usize>(v: &[f64; D], directions: &[[f64; D]]) -> [f64; D] {
     directions.iter().fold(*v, |rest, unit| {
         let along = dot(unit, &rest);
@@ -162,7 +173,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn generators_that_do_not_span_hold_nothing() {
+    fn no_multiple_of_a_flat_zonotope_contains_points_of_space() {
         let points = [[1.0, 0.0, 0.0], [-1.0, 1e-6, 0.0], [0.0, 0.0, 1e-6]];
         let frame = Frame::new(&points);
         let coordinates = BoxCoordinates::of(&frame);

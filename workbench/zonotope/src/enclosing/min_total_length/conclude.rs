@@ -1,14 +1,15 @@
-//! From a zonotope in the frame and multipliers to a proven answer: what the methods share.
+//! The last step of every method: from a zonotope in the frame and multipliers to an answer with its proofs.
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::contain::around;
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
-use super::lower_bound::Best;
+use super::lower_bound::BestBound;
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
 
+/// Refuses points that are not finite, no points at all, and an ε outside (0, 1).
 pub(super) fn validate<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<(), MinLengthError> {
     NonFinite::check_list("point", points)?;
     if points.is_empty() {
@@ -17,12 +18,13 @@ pub(super) fn validate<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Res
     if epsilon > 0.0 && epsilon < 1.0 { Ok(()) } else { Err(MinLengthError::BadEpsilon(epsilon)) }
 }
 
-/// The answer with its proofs, in units of the input.
+/// The answer, in units of the input, from a zonotope of the frame: its generators rounded and lengthened to contain
+/// every point, its length set against the best lower bound.
 pub(super) fn conclude<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
     inner: FrameZonotope<D>,
-    best: &Best<D>,
+    best: &BestBound<D>,
     progress: Vec<[f64; 2]>,
     directions: usize,
     epsilon: f64,
@@ -33,12 +35,12 @@ pub(super) fn conclude<const D: usize>(
     Ok(proven(points, frame, around, best, progress, directions, epsilon))
 }
 
-/// A zonotope around the points and its length, with the proof of what is best.
+/// The answer from a zonotope that contains the points, given with an upper bound of its length.
 pub(super) fn proven<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
     (zonotope, length): (Zonotope<D>, f64),
-    best: &Best<D>,
+    best: &BestBound<D>,
     progress: Vec<[f64; 2]>,
     directions: usize,
     epsilon: f64,
@@ -49,6 +51,7 @@ pub(super) fn proven<const D: usize>(
     MinLengthZonotope { zonotope, length, lower_bound, ratio, outcome, multipliers, progress, directions }
 }
 
+/// The answer for points that are all equal: the point itself, of length zero.
 pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let zonotope = Zonotope::new(points[0], Vec::new()).map_err(|_| MinLengthError::OutOfRange)?;
     Ok(MinLengthZonotope {

@@ -1,38 +1,42 @@
-//! Nets of directions with a proven mesh: every unit vector is near one of them, or its opposite.
+//! Nets of directions with a proven mesh: every unit vector is within the mesh of a direction of the net, or of its
+//! opposite.
 //!
-//! The faces x_i = 1 of the cube [−1, 1]^d carry every direction up to sign. Each face gets a grid of m^(d−1) cells, 2/m wide, and the net consists of the middles
-//! of the cells (or their corners), made unit vectors. Proof of the mesh: a unit vector u, scaled so that its largest coordinate is ±1, lies in a cell of a face, so
-//! it is within sqrt(d−1)/m of the cell's middle and within 2 sqrt(d−1)/m of each of its corners. Both are outside the unit ball, and
-//! there x ↦ x/|x| brings no two points farther apart. So the same bounds hold for the distance of unit vectors.
+//! The faces x_i = 1 of the cube [−1, 1]^d meet every line through the origin. A grid divides each face into m^{d−1}
+//! cells of width 2/m, and the net consists of the middles of the cells, or of their corners, scaled to length 1. A
+//! cube is taken since a sphere has no grid whose mesh is so easy to prove: a unit vector u, scaled until its largest
+//! coordinate is ±1, lies in a cell of a face or is opposite to a point of one. There it is within sqrt(d − 1)/m of the
+//! cell's middle and within 2 sqrt(d − 1)/m of each of its corners. The faces lie outside the open unit ball, where x ↦
+//! x/|x| increases no distance. So the bounds hold for the unit vectors as well.
 
-/// Which net.
+/// The nets that [`by_direction_net`](super::by_direction_net) takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Net {
-    /// Theorem 4.7 as it stands: mesh ε/d, and the axes.
+    /// The net of Theorem 4.7: middles of cells with mesh ε/d, and the axes.
     Paper,
-    /// The corners of cells of diameter sqrt(2ε / (1 + ε)): enough for the same ratio.
+    /// The corners of cells of diameter sqrt(2ε / (1 + ε)), which prove the same ratio with fewer directions.
     Cells,
 }
 
 impl Net {
-    /// Cells along a side of a face of the cube in so many dimensions.
-    fn cells(self, dimension: usize, epsilon: f64) -> usize {
+    /// The number of cells along a side of a face of the cube, in a number of dimensions.
+    fn cells_per_side(self, dimension: usize, epsilon: f64) -> usize {
         let width = (dimension as f64 - 1.0).sqrt();
         let mesh = match self {
             Self::Paper => epsilon / dimension as f64,
             Self::Cells => (2.0 * epsilon / (1.0 + epsilon)).sqrt() / 2.0,
         };
-        // One more than the quotient's integer part: the mesh keeps a margin over rounding.
+        // One cell more than the integer part of the quotient makes the mesh finer by a margin that exceeds rounding.
         ((width / mesh).floor() as usize).saturating_add(1)
     }
 
-    /// How many directions the net for a precision has in R^dimension, or a few more: those that several cells share are counted more than once.
+    /// An upper bound of the number of directions in the net for a precision: it counts a direction that lies on
+    /// several faces once for each of them.
     pub fn size(self, dimension: usize, epsilon: f64) -> usize {
-        let side = self.cells(dimension, epsilon).saturating_add(usize::from(self == Self::Cells));
+        let side = self.cells_per_side(dimension, epsilon).saturating_add(usize::from(self == Self::Cells));
         dimension.saturating_mul(side.saturating_pow(dimension as u32 - 1)).saturating_add(dimension)
     }
 
-    /// The directions, in the first `rank` coordinates.
+    /// The directions of the net for R^rank, with zeros for the coordinates beyond the first `rank`.
     pub(super) fn directions<const D: usize>(self, rank: usize, epsilon: f64) -> Vec<[f64; D]> {
         match rank {
             1 => self.embedded::<1, D>(epsilon),
@@ -42,8 +46,9 @@ impl Net {
         }
     }
 
+    /// The directions of the net for R^R, with zeros for the coordinates beyond the first R.
     fn embedded<const R: usize, const D: usize>(self, epsilon: f64) -> Vec<[f64; D]> {
-        let cells = self.cells(R, epsilon);
+        let cells = self.cells_per_side(R, epsilon);
         let mut net: Vec<[f64; R]> = match self {
             Self::Paper => cell_middles(cells),
             Self::Cells => cell_corners(cells),
@@ -60,18 +65,20 @@ impl Net {
     }
 }
 
-/// The middles of the cells of a grid with `cells` a side, unit vectors up to rounding: every unit vector or its opposite is within sqrt(D − 1) / `cells` of one.
+/// The middles of the cells of grids with `cells` cells along a side, scaled to length 1: every unit vector or its
+/// opposite is within sqrt(D − 1) / `cells` of one of them, but for rounding.
 pub fn cell_middles<const D: usize>(cells: usize) -> Vec<[f64; D]> {
     let middle = |i: usize| (2 * i + 1) as f64 / cells as f64 - 1.0;
     on_faces(cells, middle)
 }
 
-/// The corners of the cells, each direction once: every unit vector is in the cone of a cell, all of whose corners are within
-/// 2 sqrt(D − 1) / `cells` of it.
+/// The corners of the cells of grids with `cells` cells along a side, scaled to length 1, each direction once: every
+/// unit vector or its opposite lies in the cone of a cell all of whose corners are within 2 sqrt(D − 1) / `cells` of
+/// it.
 pub fn cell_corners<const D: usize>(cells: usize) -> Vec<[f64; D]> {
     let corner = |i: usize| 2.0 * i as f64 / cells as f64 - 1.0;
     let mut corners: Vec<[f64; D]> = on_faces(cells + 1, corner);
-    // Corners on the edges of the cube come from several faces, with either sign.
+    // A corner on an edge of the cube belongs to several faces, from which it may come with either sign.
     for u in &mut corners {
         if u.iter().find(|c| **c != 0.0).is_some_and(|c| *c < 0.0) {
             *u = u.map(|c| -c);
@@ -84,7 +91,8 @@ pub fn cell_corners<const D: usize>(cells: usize) -> Vec<[f64; D]> {
     corners
 }
 
-/// The grid points with `count` places a side on the D faces x_i = 1, made unit vectors.
+/// Points of grids on the D faces x_i = 1, `count` of them along a side at the coordinates that `place` gives, scaled
+/// to length 1.
 fn on_faces<const D: usize>(count: usize, place: impl Fn(usize) -> f64) -> Vec<[f64; D]> {
     let mut found = Vec::new();
     for face in 0..D {
@@ -135,7 +143,7 @@ mod tests {
             for _ in 0..300 {
                 let u = random_unit::<D>(&mut rng);
                 assert!(middles.iter().any(|v| distance(&u, v) <= mesh));
-                // all corners of the cell of u: at least D of them are within the bound, and they span
+                // The 2^(D − 1) corners of the cell of u are within the bound, and they are at least D.
                 assert!(corners.iter().filter(|v| distance(&u, v) <= 2.0 * mesh).count() >= D);
             }
         }

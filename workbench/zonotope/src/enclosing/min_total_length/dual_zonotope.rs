@@ -1,22 +1,27 @@
-//! The zonotope of the multipliers: its vertices far from the origin are the directions that a set of directions lacks.
+//! The dual zonotope Σ [−1, 1] λ_j of multipliers λ_j: its vertices outside the unit ball are constraints that the
+//! multipliers violate, and the directions of these vertices are directions for generators.
 //!
-//! A vertex is Σ ± λ_j with the signs of λ_j · v for some direction v. Each cell of the arrangement of the planes v ⊥ λ_j touches an intersection of d − 2 of them, which is a
-//! circle of directions; a walk around it meets the other planes in the order of their angles and changes one sign at a time.
+//! A vertex is Σ ± λ_j with the signs of λ_j · v for some direction v; the directions with the same signs are a cell of
+//! the arrangement of the planes v ⊥ λ_j through the origin. Every cell touches a circle of directions: the unit
+//! vectors in an intersection of d − 2 of the planes. So the vertices are found by walks around all such circles. A
+//! walk crosses the other planes in the order of their angles, and each crossing changes one sign.
 
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::ray_exit::dot;
 
-/// What an enumeration of the vertices found.
+/// The vertices of a dual zonotope that an enumeration found far from the origin.
 pub(crate) struct FarVertices<const D: usize> {
     /// A proven upper bound of the distance of the farthest vertex from the origin.
     pub(crate) radius: f64,
-    /// Vertices that are farthest in a neighbourhood and farther than was asked, each once up to sign, the farthest first.
+    /// Vertices farther than the threshold from which no step of [`climb`] leads farther out, each once up to sign, the
+    /// farthest first.
     pub(crate) peaks: Vec<[f64; D]>,
-    /// Vertices that are farthest in a neighbourhood on a circle of directions orthogonal to rank − 2 of the multipliers, and farther than was asked.
+    /// Vertices farther than the threshold whose distance is a local maximum along the walk around a circle.
     pub(crate) on_circles: Vec<[f64; D]>,
 }
 
-/// The vertices of Σ [−1, 1] λ_j, whose first `rank` coordinates count, farther than `least` from the origin. O(m^{rank−1} log m).
+/// The vertices of Σ [−1, 1] λ_j farther than the threshold `least` from the origin, for m multipliers whose
+/// coordinates beyond the first `rank` are zero. O(m^{rank−1} log m).
 pub(crate) fn far_vertices<const D: usize>(rank: usize, multipliers: &[[f64; D]], least: f64) -> FarVertices<D> {
     let total: f64 = multipliers.iter().map(length).sum();
     let (mut found, mut on_circles): (Vec<[f64; D]>, Vec<[f64; D]>) = (Vec::new(), Vec::new());
@@ -29,7 +34,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, multipliers: &[[f64; D]]
         };
     }
     let mut is_walked = false;
-    let mut circle = Circle { multipliers, angles: Vec::with_capacity(multipliers.len()) };
+    let mut circle = Circle { multipliers, crossings: Vec::with_capacity(multipliers.len()) };
     for_subsets(multipliers.len(), rank.saturating_sub(2), |subset| {
         if let Some((distance, vertex)) = circle.farthest(rank, subset, least, &mut on_circles) {
             is_walked = true;
@@ -39,7 +44,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, multipliers: &[[f64; D]]
             }
         }
     });
-    // No circle where all multipliers are parallel; then one vertex adds up their lengths, and nothing is farther.
+    // No circle is walked if every rank − 2 multipliers are dependent. Their total length bounds every vertex then.
     if !is_walked {
         farthest = total;
     }
@@ -56,7 +61,8 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, multipliers: &[[f64; D]]
             distinct.push(peak);
         }
     }
-    // Directions within rounding of each other may change places in a walk, so a vertex may be missed whose cell is smaller than that.
+    // Rounding may exchange two crossings of a walk that are nearly at one angle, so a vertex whose cell is as small as
+    // rounding may be missed. It is no farther than this beyond a vertex that was found.
     let rounding = (8.0 * multipliers.len() as f64 + 64.0) * UNIT * total * if rank > 2 { 8.0 } else { 1.0 };
     FarVertices { radius: farthest + rounding, peaks: distinct, on_circles }
 }
@@ -65,7 +71,8 @@ fn length<const D: usize>(v: &[f64; D]) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// Goes from vertex to vertex in the direction of the vertex itself while that leads farther out.
+/// Goes from a vertex to the vertex that is farthest in its direction, again and again while that leads farther from
+/// the origin.
 fn climb<const D: usize>(multipliers: &[[f64; D]], mut vertex: [f64; D]) -> [f64; D] {
     for _ in 0..100 {
         let mut next = [0.0; D];
@@ -81,6 +88,7 @@ fn climb<const D: usize>(multipliers: &[[f64; D]], mut vertex: [f64; D]) -> [f64
     vertex
 }
 
+/// Visits every subset of 0 … `count` − 1 of a size, in lexicographic order.
 fn for_subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
     let mut subset: Vec<usize> = (0..size).collect();
     while subset.last().is_none_or(|&last| last < count) {
@@ -93,27 +101,32 @@ fn for_subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
     }
 }
 
-/// The circle of directions orthogonal to a few multipliers.
+/// A walk around a circle of directions orthogonal to a subset of the multipliers, with room that the next walk uses
+/// again.
 struct Circle<'a, const D: usize> {
     multipliers: &'a [[f64; D]],
-    /// For each other multiplier the slope key of its crossing on the half circle, and its index.
-    angles: Vec<(f64, usize, bool)>,
+    /// For each multiplier outside the subset: the cotangent of the angle at which its sign changes on the half circle,
+    /// its index, and whether its sign is positive at the beginning.
+    crossings: Vec<(f64, usize, bool)>,
 }
 
 impl<const D: usize> Circle<'_, D> {
-    /// The farthest vertex met on the way around, with every choice of signs for the multipliers of the subset.
+    /// The farthest vertex that a walk around the circle of a subset meets, with its distance; every choice of signs
+    /// for the subset's own multipliers is tried at every place. Vertices that belong to [`FarVertices::on_circles`]
+    /// join `on_circle`. `None` if the subset is dependent within rounding.
     fn farthest(
         &mut self,
         rank: usize,
         subset: &[usize],
         least: f64,
-        peaks: &mut Vec<[f64; D]>,
+        on_circle: &mut Vec<[f64; D]>,
     ) -> Option<(f64, [f64; D])> {
         let own: Vec<[f64; D]> = subset.iter().map(|&i| self.multipliers[i]).collect();
         let [x, y] = orthogonal_pair(rank, &own)?;
-        // The walk goes from direction x over y to −x; multiplier j changes its sign where its projection (a, b) is orthogonal to the direction.
+        // The walk goes from the direction x over y to −x; half a circle is enough, as opposite directions have
+        // opposite vertices. Multiplier j changes its sign where its projection (a, b) is orthogonal to the direction.
         let mut sum = [0.0; D];
-        self.angles.clear();
+        self.crossings.clear();
         for (j, multiplier) in self.multipliers.iter().enumerate() {
             if subset.contains(&j) {
                 continue;
@@ -124,18 +137,18 @@ impl<const D: usize> Circle<'_, D> {
             sum = std::array::from_fn(|c| sum[c] + sign * multiplier[c]);
             // a cos t + b sin t = 0 at cot t = −b/a, which falls from ∞ to −∞.
             let cotangent = if a == 0.0 { f64::NEG_INFINITY } else { -b / a };
-            self.angles.push((cotangent, j, is_positive));
+            self.crossings.push((cotangent, j, is_positive));
         }
-        self.angles.sort_unstable_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
+        self.crossings.sort_unstable_by(|p, q| q.0.total_cmp(&p.0).then(p.1.cmp(&q.1)));
         let mut best = Self::with_signs(&own, &sum);
         let (mut last, mut is_rising) = (best, true);
-        for &(_, j, was_positive) in &self.angles {
+        for &(_, j, was_positive) in &self.crossings {
             let change = if was_positive { -2.0 } else { 2.0 };
             let multiplier = &self.multipliers[j];
             sum = std::array::from_fn(|c| sum[c] + change * multiplier[c]);
             let candidate = Self::with_signs(&own, &sum);
             if candidate.0 < last.0 && is_rising && last.0 > least * least {
-                peaks.push(last.1);
+                on_circle.push(last.1);
             }
             is_rising = candidate.0 >= last.0;
             last = candidate;
@@ -146,7 +159,7 @@ impl<const D: usize> Circle<'_, D> {
         Some((best.0.sqrt(), best.1))
     }
 
-    /// The farthest of sum ± own multipliers, with its squared distance.
+    /// The farthest of the points `sum` ± the subset's own multipliers, with its squared distance.
     fn with_signs(own: &[[f64; D]], sum: &[f64; D]) -> (f64, [f64; D]) {
         let choices = 1usize << own.len();
         let candidates = (0..choices).map(|choice| {
@@ -161,7 +174,7 @@ impl<const D: usize> Circle<'_, D> {
     }
 }
 
-/// Two orthogonal unit vectors orthogonal to rank − 2 vectors; `None` if these are dependent within rounding.
+/// Two unit vectors orthogonal to each other and to rank − 2 vectors; `None` if these are dependent within rounding.
 fn orthogonal_pair<const D: usize>(rank: usize, own: &[[f64; D]]) -> Option<[[f64; D]; 2]> {
     let mut units: Vec<[f64; D]> = Vec::with_capacity(rank);
     let reduce = |v: [f64; D], units: &[[f64; D]]| {
@@ -197,7 +210,7 @@ mod tests {
     use super::*;
     use rand::{RngExt, SeedableRng};
 
-    /// All choices of signs.
+    /// The distance of the farthest vertex, by trying all choices of signs.
     fn farthest<const D: usize>(multipliers: &[[f64; D]]) -> f64 {
         (0..1usize << multipliers.len())
             .map(|choice| {

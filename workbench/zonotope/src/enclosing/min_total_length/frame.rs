@@ -1,28 +1,35 @@
-//! Coordinates for the floating-point search: of ordinary size, in the affine hull of the points, with lengths as they
-//! are.
+//! Coordinates for the search in floating point: orthonormal ones in the affine hull of the points, scaled by a power
+//! of two.
+//!
+//! Lengths and angles are those of space but for that factor, so the total length may be minimised in the frame.
 
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::zonotope::ray_exit::dot;
 
-/// Orthonormal axes of the affine hull of points, within rounding; of all space, these are the coordinate axes exactly.
+/// Orthonormal axes of the affine hull of points, within rounding, and the points in their coordinates. If the points
+/// span all space, the axes are the coordinate axes, so that no coordinate is rounded by turning.
 pub(super) struct Frame<const D: usize> {
+    /// Lengths of the frame times 2^exponent are lengths of the input.
     pub(super) exponent: i64,
+    /// The point of the input at the origin of the frame.
     origin: [f64; D],
+    /// The axes of the frame, in the coordinates of space.
     axes: Vec<[f64; D]>,
-    /// Orthonormal directions in the frame, the one farthest along which the points spread first.
+    /// Orthonormal directions in the frame: the first points from the origin to the farthest point, each other one to
+    /// the point farthest from the span of those before.
     pub(super) long: Vec<[f64; D]>,
-    /// The points in the frame; the first `rank` coordinates count.
+    /// The points in the frame; their coordinates beyond the first `rank` are zero.
     pub(super) points: Vec<[f64; D]>,
 }
 
-/// Points are taken to lie in a subspace if they are nearer to it than this times their spread.
+/// Points nearer to a subspace than this, beside their largest coordinate difference, count as points of the subspace.
 const RELATIVE_DISTANCE_OFF_SUBSPACE: f64 = 1e-13;
 
 impl<const D: usize> Frame<D> {
-    /// The frame of points; of rank 0 just when all are equal.
+    /// The frame of points, at least one; its rank is 0 just when all points are equal.
     pub(super) fn new(points: &[[f64; D]]) -> Self {
         let origin = points[0];
-        // Halved, a difference never overflows; whole, it never underflows.
+        // Differences of halved coordinates do not overflow, and those of whole coordinates lose no bit to underflow.
         let reach = points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
         let (factor, lost) = if reach > 1.0 { (0.5, 1) } else { (1.0, 0) };
         let differences = |p: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| p[c] * factor - origin[c] * factor) };
@@ -40,15 +47,17 @@ impl<const D: usize> Frame<D> {
         frame
     }
 
+    /// The dimension of the points' affine hull.
     pub(super) fn rank(&self) -> usize {
         self.axes.len()
     }
 
+    /// A vector of space in the coordinates of the frame, not scaled.
     fn inside(&self, v: &[f64; D]) -> [f64; D] {
         std::array::from_fn(|a| self.axes.get(a).map_or(0.0, |axis| dot(axis, v)))
     }
 
-    /// A vector of the frame, scaled, in the coordinates of space.
+    /// A vector of the frame in the coordinates of space, not scaled.
     pub(super) fn outside(&self, v: &[f64; D]) -> [f64; D] {
         let mut sum = [0.0; D];
         for (axis, &along) in self.axes.iter().zip(v) {
@@ -57,19 +66,21 @@ impl<const D: usize> Frame<D> {
         sum
     }
 
-    /// A vector of the frame in the units of the input.
+    /// A vector of the frame in the coordinates and the units of the input.
     pub(super) fn vector(&self, v: &[f64; D]) -> [f64; D] {
         self.outside(v).map(|c| scale_by_power_of_two(c, self.exponent))
     }
 
-    /// A point of the frame in the units of the input, the nearest doubles but for rounding.
+    /// A point of the frame in the coordinates and the units of the input, rounded, and moved into the range of
+    /// doubles.
     pub(super) fn point(&self, p: &[f64; D]) -> [f64; D] {
         let half = self.outside(p).map(|c| scale_by_power_of_two(c, self.exponent - 1));
         std::array::from_fn(|c| (2.0 * (self.origin[c] / 2.0 + half[c])).clamp(-f64::MAX, f64::MAX))
     }
 }
 
-/// Orthonormal axes: each points to the vector that is farthest from the span of those before, until all are in it.
+/// Orthonormal axes of the span of vectors whose coordinates are at most 1: each axis points to the vector that is
+/// farthest from the span of the axes before, until no vector is off that span.
 fn long_axes<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
     let mut rest = vectors.to_vec();
     let mut axes: Vec<[f64; D]> = Vec::with_capacity(D);
@@ -79,7 +90,7 @@ fn long_axes<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
             break;
         }
         let mut unit = far;
-        // Twice is enough for orthogonality to rounding.
+        // Gram and Schmidt's step, taken twice, leaves no more than rounding along the axes before.
         for _ in 0..2 {
             for axis in &axes {
                 let along = dot(axis, &unit);

@@ -1,4 +1,8 @@
-//! A lower bound for all zonotopes around the points: multipliers, made feasible by the farthest vertex of their zonotope.
+//! A lower bound of the lengths of all zonotopes around the points, from multipliers.
+//!
+//! Multipliers λ_j that add up to zero are feasible once they are divided by ρ, the distance of the farthest vertex of
+//! Σ [−1, 1] λ_j from the origin, and then they prove Σ λ_j · p_j / ρ. That is why the search may hand over multipliers
+//! of any size, and why its rounding errors cost the bound little and its validity nothing.
 
 use super::answer::LengthMultiplier;
 use super::dual_zonotope::{FarVertices, far_vertices};
@@ -9,19 +13,20 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::ray_exit::dot;
 
-/// The best lower bound so far, and its multipliers in the frame.
-pub(super) struct Best<const D: usize> {
+/// The greatest lower bound so far, and the multipliers in the frame that prove it.
+pub(super) struct BestBound<const D: usize> {
     pub(super) lower: f64,
     multipliers: Vec<(usize, [f64; D])>,
 }
 
-impl<const D: usize> Best<D> {
-    /// Nothing is proven yet.
+impl<const D: usize> BestBound<D> {
+    /// The bound zero, which needs no multipliers.
     pub(super) fn none() -> Self {
         Self { lower: 0.0, multipliers: Vec::new() }
     }
 
-    /// Takes multipliers that add up to zero, made feasible, if they prove more; the vertices farther than `least` from the origin.
+    /// Divides multipliers that add up to zero by the distance of their farthest vertex and keeps them if they prove a
+    /// greater bound. Returns that distance and the vertices farther than `least` from the origin.
     pub(super) fn improve(
         &mut self,
         rank: usize,
@@ -39,7 +44,8 @@ impl<const D: usize> Best<D> {
         far
     }
 
-    /// The bound in units of the input, computed anew and rounded down.
+    /// The bound in units of the input and its multipliers: turned out of the frame, balanced again, and the bound that
+    /// they prove then computed anew and rounded down.
     pub(super) fn proven(&self, points: &[[f64; D]], frame: &Frame<D>) -> (f64, Vec<LengthMultiplier<D>>) {
         let inside: Vec<[f64; D]> = self.multipliers.iter().map(|(_, f)| *f).collect();
         let rounded: Vec<(usize, [f64; D])> = self.multipliers.iter().map(|(j, f)| (*j, frame.outside(f))).collect();
@@ -47,8 +53,9 @@ impl<const D: usize> Best<D> {
         if multipliers.is_empty() {
             return (0.0, Vec::new());
         }
-        // Turned out of the frame a multiplier is off by a few units in the last place, and so is what it adds to a vertex; rounding to add up to
-        // zero costs each multiplier two more, the heaviest as many as there are.
+        // Turning a multiplier out of the frame changes it by a few units in the last place. Balancing rounds every
+        // multiplier to a grid of at most 8 UNIT times their total length, and the heaviest one makes up for all
+        // others. The farthest vertex moves by no more than the sum of these changes.
         let total: f64 = inside.iter().map(|f| dot(f, f).sqrt()).sum();
         let count = multipliers.len() as f64;
         let turned = if frame.rank() == D { 0.0 } else { 16.0 * D as f64 };

@@ -1,4 +1,4 @@
-//! The methods by name.
+//! The registry of the methods, for callers that choose one by name.
 
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::by_direction_net::min_length_by_net;
@@ -55,12 +55,13 @@ impl Method {
         }
     }
 
-    /// Whether the method works in a dimension: all of them do from the line on.
+    /// Whether the method works in a dimension: every method works in every dimension from 1 on.
     pub fn works_in(self, dimension: usize) -> bool {
         dimension >= 1
     }
 
-    /// A zonotope around the points whose total length is within 1 + ε of the least, counting operations where the method does.
+    /// A zonotope around the points whose total length is within 1 + ε of the least; `tally` counts the operations of
+    /// the methods that count any.
     ///
     /// # Errors
     /// When the points or ε are refused, or the net is too large.

@@ -1,11 +1,11 @@
 //! The facet of a zonotope that a ray from its centre meets, in floating point: a guess that its users prove or refute.
 //!
-//! gauge(q) = min { h(u) : u · q = 1 }, h(u) = Σ |u · g_i|. A vertex of that problem has u orthogonal to d − 1
-//! independent generators, the basis: it is a facet normal. The other generators contribute with the signs of u · g_i;
-//! the coefficients of the basis that put their sum on the ray tell whether the vertex is optimal (all within [−1, 1])
-//! and if not, which generator to leave. The next vertex is the weighted median of the crossings along the edge.
-//! Statuses are kept from step to step, and a random choice among the generators that may leave keeps ties from
-//! cycling.
+//! The ray of q leaves the zonotope at the multiple min { h(u) : u · q = 1 } of q, its reach, with h(u) = Σ |u · g_i|:
+//! that is 1 over the gauge of q. A vertex of that problem has u orthogonal to d − 1 independent generators, the basis:
+//! it is a facet normal. The other generators contribute with the signs of u · g_i; the coefficients of the basis that
+//! put their sum on the ray tell whether the vertex is optimal (all within [−1, 1]) and if not, which generator to
+//! leave. The next vertex is the weighted median of the crossings along the edge. Statuses are kept from step to step,
+//! and a random choice among the generators that may leave keeps ties from cycling.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -18,11 +18,11 @@ use crate::numeric::tolerance::UNIT;
 pub(crate) struct Facet<const D: usize> {
     /// The normal u, with u · q = 1.
     pub(crate) normal: [f64; D],
-    /// h(u): the ray leaves the zonotope at this multiple of q, within rounding.
-    pub(crate) gauge: f64,
+    /// The multiple h(u) of q at which the ray leaves the zonotope, within rounding: 1 over the gauge of q.
+    pub(crate) reach: f64,
     /// The generators that span the facet.
     pub(crate) basis: [usize; D],
-    /// Coefficients with Σ δ_i g_i ≈ gauge · q.
+    /// Coefficients with Σ δ_i g_i ≈ reach · q.
     pub(crate) coefficients: Vec<f64>,
 }
 
@@ -128,12 +128,12 @@ impl<const D: usize> FacetDescent<D> {
             let limits = std::array::from_fn(|i| 1.0 + rounding(i).clamp(COEFFICIENT_TOLERANCE, most));
             let leaving = self.leaving(&deltas[..rank - 1], &limits, step);
             let Some(leaving) = leaving else {
-                let gauge = dot(&normal, &sum);
+                let reach = dot(&normal, &sum);
                 let mut coefficients = self.signs.clone();
                 for (&b, delta) in basis[..rank - 1].iter().zip(deltas) {
                     coefficients[b] = delta.clamp(-1.0, 1.0);
                 }
-                return Some(Facet { normal, gauge, basis, coefficients });
+                return Some(Facet { normal, reach, basis, coefficients });
             };
             let turn = deltas[leaving].signum();
             let edge = rows[leaving].map(|c| c * turn);
@@ -265,7 +265,7 @@ mod tests {
     fn a_cube_and_a_point() {
         let mut descent = FacetDescent::new(3, &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
         let facet = descent.facet(&[0.5, 0.25, -2.0]).expect("found");
-        assert_eq!((facet.gauge, facet.normal), (0.5, [0.0, 0.0, -0.5]));
+        assert_eq!((facet.reach, facet.normal), (0.5, [0.0, 0.0, -0.5]));
         assert_eq!(facet.coefficients, [0.25, 0.125, -1.0]);
         assert!(descent.facet(&[0.0; 3]).is_none());
     }
@@ -286,10 +286,10 @@ mod tests {
                     least = least.min(h / dot(&u, &point).abs());
                 }
             }
-            assert!((facet.gauge - least).abs() <= 1e-10 * least, "{} {least}", facet.gauge);
+            assert!((facet.reach - least).abs() <= 1e-10 * least, "{} {least}", facet.reach);
             for c in 0..3 {
                 let sum: f64 = generators.iter().zip(&facet.coefficients).map(|(g, d)| g[c] * d).sum();
-                assert!((sum - facet.gauge * point[c]).abs() < 1e-10);
+                assert!((sum - facet.reach * point[c]).abs() < 1e-10);
             }
         }
     }

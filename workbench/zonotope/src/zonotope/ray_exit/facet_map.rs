@@ -33,8 +33,8 @@ pub(crate) struct FacetMap<const D: usize> {
 
 /// Where a ray leaves the zonotope.
 pub(crate) struct Exit<const D: usize> {
-    /// At this multiple of the ray's vector.
-    pub(crate) gauge: f64,
+    /// The multiple of the ray's vector at which the ray leaves: 1 over the gauge of that vector.
+    pub(crate) reach: f64,
     /// The facet's normal of length 1, away from the centre.
     pub(crate) normal: [f64; D],
     /// The directions that span the facet, in increasing order.
@@ -102,10 +102,10 @@ impl<const D: usize> FacetMap<D> {
         }
         let terms = self.directions.iter().zip(&self.coefficients).zip(&found.coefficients);
         let sum = terms.fold([0.0; D], |sum, ((v, c), delta)| std::array::from_fn(|i| sum[i] + v[i] * c * delta));
-        let reach = found.gauge;
+        let reach = found.reach;
         let sum = sum.map(|c| c / reach);
         let basis = sorted(self.rank, found.basis);
-        Some(Exit { gauge: reach, normal, basis, sum, most: 1.0 / reach })
+        Some(Exit { reach, normal, basis, sum, most: 1.0 / reach })
     }
 
     /// From facet to facet towards the ray; `None` where that takes long.
@@ -144,7 +144,7 @@ impl<const D: usize> FacetMap<D> {
                 let [normal, sum] = [chart.normal, sum].map(|v| v.map(|c| c * flip));
                 let basis = sorted(self.rank, chart.basis);
                 let most = a[last] * (1.0 + 2.0 * COEFFICIENT_TOLERANCE);
-                return Some((place, Exit { gauge: 1.0 / a[last], normal, basis, sum, most }));
+                return Some((place, Exit { reach: 1.0 / a[last], normal, basis, sum, most }));
             }
             let side = usize::from(a[leaving] < 0.0);
             place = match chart.next[leaving][side] {
@@ -208,11 +208,11 @@ mod tests {
             for _ in 0..60 {
                 let ray: [f64; D] = std::array::from_fn(|_| coordinate());
                 let (exit, facet) = (map.exit(&ray).expect("they span"), descent.facet(&ray).expect("they span"));
-                assert!((exit.gauge - facet.gauge).abs() <= 1e-11 * facet.gauge, "{} {}", exit.gauge, facet.gauge);
+                assert!((exit.reach - facet.reach).abs() <= 1e-11 * facet.reach, "{} {}", exit.reach, facet.reach);
                 let height: f64 = generators.iter().map(|g| dot(g, &exit.normal).abs()).sum();
-                assert!((height - exit.gauge * dot(&exit.normal, &ray)).abs() <= 1e-11 * height);
+                assert!((height - exit.reach * dot(&exit.normal, &ray)).abs() <= 1e-11 * height);
                 assert!((0..D).all(|c| (exit.sum[c] - ray[c]).abs() <= 1e-11));
-                assert!((exit.most * exit.gauge - 1.0).abs() < 1e-12);
+                assert!((exit.most * exit.reach - 1.0).abs() < 1e-12);
             }
         }
         assert!(map.charts.len() > 1 || D == 1);

@@ -1,4 +1,5 @@
-//! Normals as they are needed: solve, find the points outside the zonotope so far and the facets that they see, add those normals, repeat.
+//! Normals as they are needed: solve, find the points outside the zonotope so far and the facets that they see, add
+//! those normals, repeat.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,12 +37,13 @@ struct Outside<const D: usize> {
 const ROUND_LIMIT: usize = 2000;
 
 /// A point whose ray leaves the zonotope beyond this multiple is inside whatever rounding did.
-const CERTAINLY_INSIDE_GAUGE: f64 = 1.0 + 1e-9;
+const CERTAINLY_INSIDE_REACH: f64 = 1.0 + 1e-9;
 
 /// Of many points about this many are looked at first.
 const SAMPLE_SIZE: usize = 2048;
 
-/// The length, beside the longest generator, that directions with the coefficient 0 get, so that all of them span the space.
+/// The length, beside the longest generator, that directions with the coefficient 0 get, so that all of them span the
+/// space.
 const LEAST_RELATIVE_LENGTH: f64 = 1e-12;
 
 impl<'a, const D: usize> Generation<'a, D> {
@@ -137,7 +139,8 @@ impl<'a, const D: usize> Generation<'a, D> {
         Err(Stuck)
     }
 
-    /// The facets that points outside see, each once, the one with the deepest first: of the points that mattered so far, or of the others.
+    /// The facets that points outside see, each once, the one with the deepest first: of the points that mattered so
+    /// far, or of the others.
     fn outside(&mut self, others: bool, tally: &mut impl Tally) -> Vec<Outside<D>> {
         let (center, coefficients) = (self.program.center(), self.program.coefficients());
         let longest = coefficients.iter().fold(0.0, |max: f64, c| max.max(*c));
@@ -154,7 +157,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let mut deepest: BTreeMap<([usize; D], bool), Outside<D>> = BTreeMap::new();
         for j in unseen.chain(seen) {
             let ray: [f64; D] = std::array::from_fn(|c| points[j][c] - center[c]);
-            let Some(exit) = self.map.exit(&ray).filter(|exit| exit.gauge < CERTAINLY_INSIDE_GAUGE) else { continue };
+            let Some(exit) = self.map.exit(&ray).filter(|exit| exit.reach < CERTAINLY_INSIDE_REACH) else { continue };
             let normal = exit.normal;
             let height: f64 = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, &normal).abs() * c).sum();
             let depth = dot(&normal, &ray) - height;

@@ -1,7 +1,7 @@
 //! What the zonotope misses of a point near its boundary, exactly and as little as can be found.
 //!
-//! Coefficients for the point come from the facet that its ray meets, if need be of a thickened zonotope, then from one or two
-//! corrections by their own exact residual. The residual that is left is taken in the basis of directions.
+//! Coefficients for the point come from the facet that its ray meets, if need be of a thickened zonotope, then from one
+//! or two corrections by their own exact residual. The residual that is left is taken in the basis of directions.
 
 use super::basis::independent;
 use super::body::Body;
@@ -11,7 +11,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::ray_exit::{dot, inverse};
 
 /// A ray that leaves short of its point by less than this, relatively, counts as having reached it.
-const REACHED_GAUGE_TOLERANCE: f64 = 1e-12;
+const REACH_TOLERANCE: f64 = 1e-12;
 
 /// A residual longer than this beside the point's distance from the centre is worth a search in rationals.
 const LARGE_RESIDUAL: f64 = 1e-9;
@@ -39,9 +39,9 @@ impl<const D: usize> Body<'_, D> {
         let mut size = f64::INFINITY;
         for step in 0..thickened.steps() {
             let Some(facet) = thickened.facet(step, q) else { continue };
-            let reach = facet.gauge.max(1.0);
+            let reach = facet.reach.max(1.0);
             size = keep(facet.coefficients.iter().map(|delta| delta / reach).collect());
-            if facet.gauge > 1.0 - REACHED_GAUGE_TOLERANCE {
+            if facet.reach > 1.0 - REACH_TOLERANCE {
                 break;
             }
         }
@@ -89,7 +89,8 @@ impl<const D: usize> Body<'_, D> {
         self.in_basis(&best)
     }
 
-    /// Adds to the coefficients of independent generators with room what makes up for a residual, as far as the room goes.
+    /// Adds to the coefficients of independent generators with room what makes up for a residual, as far as the room
+    /// goes.
     fn improve(&self, residual: &[f64; D], deltas: &mut [f64]) -> bool {
         let rank = self.scaled.rank;
         let roomy: Vec<[f64; D]> = self

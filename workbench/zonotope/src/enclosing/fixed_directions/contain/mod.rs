@@ -1,8 +1,8 @@
 //! Stage: from a guess of centre and coefficients to a zonotope that contains every point, exactly.
 //!
-//! The centre is rounded to doubles first and stays. For each point, coefficients δ with Σ δ_i c_i v_i ≈ point − p come from the
-//! facet that its ray from the centre meets. Where the point is missed, the coefficients c of a basis of directions are enlarged by
-//! the most that any point misses along each of them.
+//! The centre is rounded to doubles first and stays. For each point, coefficients δ with Σ δ_i c_i v_i ≈ point − p come
+//! from the facet that its ray from the centre meets. Where the point is missed, the coefficients c of a basis of
+//! directions are enlarged by the most that any point misses along each of them.
 //!
 //! | file | what it does | for which points |
 //! |---|---|---|
@@ -34,10 +34,12 @@ use crate::zonotope::ray_exit::{Exit, FacetMap, dot};
 use body::Body;
 use thickened::Thickened;
 
-/// A point whose ray leaves beyond it by less than this, relatively, is near the boundary: its residual is computed exactly.
-const BOUNDARY_GAUGE_MARGIN: f64 = 1e-9;
+/// A point whose ray leaves beyond it by less than this, relatively, is near the boundary: its residual is computed
+/// exactly.
+const BOUNDARY_REACH_MARGIN: f64 = 1e-9;
 
-/// A generator shorter than this, beside the longest, is left out: the others, enlarged, reach what it would have reached.
+/// A generator shorter than this, beside the longest, is left out: the others, enlarged, reach what it would have
+/// reached.
 const NEGLIGIBLE_LENGTH: f64 = 1e-14;
 
 /// A zonotope around all points of a problem.
@@ -87,7 +89,8 @@ pub(super) fn contain<const D: usize>(
     Ok(Container { zonotope, worst })
 }
 
-/// The coefficients with 0 for generators that are negligible beside the longest: in a search for a facet they are noise.
+/// The coefficients with 0 for generators that are negligible beside the longest: in a search for a facet they are
+/// noise.
 fn without_negligible<const D: usize>(scaled: &Scaled<D>, coefficients: Vec<f64>) -> Vec<f64> {
     let lengths = || {
         scaled
@@ -115,7 +118,7 @@ fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> (V
         let q: [f64; D] = std::array::from_fn(|i| {
             body.scaled.coordinates.get(i).map_or(0.0, |&c| body.scaled.difference(point[c], body.center[c]))
         });
-        let is_clear = |exit: Exit<D>| exit.gauge > 1.0 + BOUNDARY_GAUGE_MARGIN && body.is_clear(&q, &exit, &extents);
+        let is_clear = |exit: Exit<D>| exit.reach > 1.0 + BOUNDARY_REACH_MARGIN && body.is_clear(&q, &exit, &extents);
         if is_good && map.exit(&q).is_some_and(is_clear) {
             continue;
         }

@@ -71,9 +71,9 @@ mod tests {
         let basis = [(0, [1.0, 0.0, 0.0]), (1, [0.0, 1.0, 0.0]), (2, [0.0, 0.0, 2.0])];
         let mut thickened = Thickened::new(3, &generators, basis.into_iter());
         let point = [0.5, 0.5, 1e-16];
-        assert!(thickened.facet(0, &point).is_none_or(|facet| facet.gauge < 1e-3));
+        assert!(thickened.facet(0, &point).is_none_or(|facet| facet.reach < 1e-3));
         let facet = thickened.facet(1, &point).expect("they span");
-        assert!((facet.gauge - 2.0).abs() < 1e-12);
+        assert!((facet.reach - 2.0).abs() < 1e-12);
         assert!(facet.coefficients[..2].iter().all(|c| (c - 1.0).abs() < 1e-12));
         assert_eq!(Thickened::new(3, &basis.map(|(_, v)| v), basis.into_iter()).steps(), 1);
     }

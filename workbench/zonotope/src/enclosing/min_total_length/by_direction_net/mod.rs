@@ -6,21 +6,24 @@
 //! ratio that it proves is often far better than 1 + ε.
 //!
 //! # Source
-//! Section 4.3, Theorem 4.7 ([`Net::Paper`]): a net of mesh ε/d and the axes. A generator w = |w| u is v |w| plus a
-//! rest of length ≤ |w| ε / d that the axes carry, so the ratio is at most 1 + ε. [`Net::Cells`] needs O(ε^{−(d−1)/2})
-//! directions: u lies in the cone of a cell whose corners v_j are within a distance δ of it, u · v_j ≥ 1 − δ²/2, so u =
-//! Σ α_j v_j with Σ α_j ≤ 1 / (1 − δ²/2), and [−u, u] lies in the sum of the segments α_j [−v_j, v_j].
+//! Section 4.3, Theorem 4.7 ([`Net::Paper`]): a net of mesh ε/d and the axes. Some direction v of the net differs from
+//! the direction u of a generator w by at most ε/d, so w is |w| v and a rest of length at most |w| ε/d. The axes carry
+//! the rest, and the ratio is at most 1 + ε. [`Net::Cells`] needs only O(ε^{−(d−1)/2}) directions. There u lies in the
+//! cone of a cell, and every corner v_j of the cell is within some δ of u, so that u · v_j ≥ 1 − δ²/2. Hence u = Σ α_j
+//! v_j with α_j ≥ 0 and Σ α_j ≤ 1 / (1 − δ²/2), and the segment [−u, u] lies in the sum of the segments α_j [−v_j,
+//! v_j].
 //!
 //! # Method
-//! 1. The affine hull of the points, coordinates of ordinary size; the net in as many dimensions.
-//! 2. The least zonotope along a part of the net ([`fixed_directions`](crate::enclosing::fixed_directions)); the
-//!    directions that its multipliers load beyond their limit join, until none does.
-//! 3. Its multipliers, and the farthest vertex of their zonotope: the lower bound for all directions.
-//! 4. Generators rounded; what they miss of any point is added along the axes.
+//! 1. Take coordinates of ordinary size in the affine hull of the points, and the net for its dimension.
+//! 2. Solve the linear program along a part of the net ([`fixed_directions`](crate::enclosing::fixed_directions)). Add
+//!    directions whose dual constraints the multipliers violate, and repeat until there are none.
+//! 3. Divide the multipliers by the distance of the farthest vertex of Σ [−1, 1] λ_j: the lower bound for all
+//!    directions.
+//! 4. Round the generators, and add along the axes the most that they miss of any point.
 //!
 //! # Complexity
-//! d (d/ε)^{d−1} directions and the axes for the paper's net, O(ε^{−(d−1)/2}) for the other; a pass over them and the
-//! time of the method for fixed directions, of which there are few, for each of some rounds.
+//! d (d/ε)^{d−1} directions and the axes for the paper's net, O(ε^{−(d−1)/2}) for the other. Each of some rounds takes
+//! a pass over the directions and the time of the method for fixed directions with the part of them that has joined.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.
@@ -33,13 +36,14 @@
 //! [`NonFinite`](super::MinLengthError::NonFinite), [`Empty`](super::MinLengthError::Empty) ⇔ the points are not
 //! finite, or none; [`BadEpsilon`](super::MinLengthError::BadEpsilon) ⇔ ε not in (0, 1);
 //! [`TooManyDirections`](super::MinLengthError::TooManyDirections) ⇔ the net has more than 3000;
-//! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length is no double.
+//! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length exceeds the largest double.
 //!
 //! # Panics
 //! Never.
 //!
 //! # Checked by
-//! [`in_the_plane`](super::in_the_plane) for D = 2; the ratio proves itself.
+//! [`in_the_plane`](super::in_the_plane) for D = 2; in any dimension the crate `verifier` checks the proof of the
+//! ratio.
 //!
 //! # Example
 //! ```
@@ -55,12 +59,13 @@ mod along_net;
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::conclude::validate;
 use super::direction_net::Net;
-use along_net::least_along;
+use along_net::min_length_along_net;
 
 /// Nets of more directions than this are refused.
 const DIRECTION_LIMIT: usize = 3000;
 
-/// The least zonotope along a net for the precision ε.
+/// The shortest zonotope along a net for the precision ε, whose length is within 1 + ε of the least over all
+/// directions.
 ///
 /// # Errors
 /// When the points or ε are refused, or the net is too large.
@@ -74,5 +79,5 @@ pub fn min_length_by_net<const D: usize>(
     if size > DIRECTION_LIMIT {
         return Err(MinLengthError::TooManyDirections(size));
     }
-    least_along(points, |rank| net.directions(rank, epsilon), epsilon)
+    min_length_along_net(points, |rank| net.directions(rank, epsilon), epsilon)
 }

@@ -1,42 +1,48 @@
-//! The state of a set generation: the points that have a multiplier, their vertex sets, and what a look at all points finds.
+//! The members of a set generation: the points that have a multiplier so far. A zonotope of the sets has them as
+//! vertices by construction; all other points have to be looked at to find those outside.
 
 use std::collections::BTreeSet;
 
 use super::interior::scalar::{Scalar, values};
 use super::vertex_sets::VertexSets;
 use crate::enclosing::fixed_directions::balanced;
-use crate::enclosing::min_total_length::box_coordinates::{BoxCoordinates, Sight};
+use crate::enclosing::min_total_length::box_coordinates::{BoxCoordinates, Position};
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::zonotope::ray_exit::dot;
 
-/// After a look at all points at least this many of those outside may join.
+/// In a round up to this many points become members, or a quarter as many as there are members if that is more.
 const LEAST_JOINING_LIMIT: usize = 16;
 
-/// A generator shorter than this beside the longest, in box coordinates, is left out: it is noise in a search for a facet.
+/// A generator shorter than this in box coordinates, relative to the longest, is left out: it is rounding noise, which
+/// hinders the search for a facet.
 const NEGLIGIBLE_LENGTH: f64 = 1e-12;
 
-/// A point whose ray leaves before it by more than this, relatively, is outside.
-const GAUGE_ROUNDING: f64 = 1e-14;
+/// A point is outside if the ray to it leaves the zonotope at a multiple of the point that is below 1 by more than
+/// this.
+const REACH_ROUNDING: f64 = 1e-14;
 
-/// The points that have a multiplier, with their vertex sets.
+/// The points that have a multiplier, and the vertex sets with their variables.
 pub(super) struct Members<'a, R, const D: usize> {
     pub(super) frame: &'a Frame<D>,
     pub(super) coordinates: &'a BoxCoordinates<'a, D>,
     pub(super) sets: VertexSets<'a, R, D>,
-    /// The places of these points in the frame, in the order of the multipliers.
+    /// The places of the members in the frame's list of points, in the order of their multipliers.
     pub(super) places: Vec<usize>,
+    /// Whether each point of the frame is a member.
     is_member: Vec<bool>,
 }
 
-/// What a look at all points found.
-pub(super) struct Look<const D: usize> {
-    /// The factor by which the generators must be longer to contain all points.
+/// The points outside a zonotope.
+pub(super) struct PointsOutside<const D: usize> {
+    /// The least factor, not below 1, by which the generators have to be lengthened to contain all points.
     pub(super) stretch: f64,
-    /// The points outside, the farthest first, with the normals of the facets that they see.
-    pub(super) outside: Vec<(usize, [f64; D])>,
+    /// The places of the points outside, the farthest first, with the normals of the facets that their rays leave
+    /// through.
+    pub(super) points: Vec<(usize, [f64; D])>,
 }
 
 impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
+    /// The members at given places, in the order of the points of `sets`.
     pub(super) fn new(
         frame: &'a Frame<D>,
         coordinates: &'a BoxCoordinates<'a, D>,
@@ -62,7 +68,7 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         far.1
     }
 
-    /// Adds a point that is farthest along a normal, unless it has a multiplier already.
+    /// Makes the point at a place, farthest along a normal, a member unless it is one.
     pub(super) fn add(&mut self, point: usize, normal: &[f64; D]) {
         if std::mem::replace(&mut self.is_member[point], true) {
             return;
@@ -74,7 +80,8 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         self.places.push(point);
     }
 
-    /// Adds the points that are farthest along the facets that points outside see.
+    /// Makes members of the points that are farthest along the normals of points outside; those, not the points outside
+    /// themselves, are vertices of the convex hull.
     pub(super) fn add_outside(&mut self, outside: Vec<(usize, [f64; D])>) {
         let mut added = BTreeSet::new();
         for (_, normal) in outside {
@@ -87,26 +94,26 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         }
     }
 
-    /// The multipliers in doubles with the places of their points, changed by rounding so that they add up to zero exactly.
+    /// The multipliers in doubles with the places of their points, rounded so that they add up to zero exactly.
     pub(super) fn balanced_multipliers(&self) -> Vec<(usize, [f64; D])> {
         let multipliers = self.places.iter().copied().zip(self.sets.multipliers.iter().map(values));
         balanced(&multipliers.collect::<Vec<_>>())
     }
 
-    /// The centre, from which the first point is the sum of all generators away, and the generators that are not negligible with
-    /// the places of their sets.
+    /// The centre of the zonotope of the sets' generators, the sets whose generators are not negligible, and these
+    /// generators. The first point p_0 is in no set, so the centre is p_0 + Σ g_T.
     pub(super) fn zonotope(&self, generators: Vec<[f64; D]>) -> ([f64; D], Vec<usize>, Vec<[f64; D]>) {
         let first = self.places.first().map_or([0.0; D], |&j| self.frame.points[j]);
         let center = generators.iter().fold(first, |sum, g| std::array::from_fn(|c| sum[c] + g[c]));
         let size = |g: &[f64; D]| self.coordinates.size(g);
         let longest = generators.iter().map(size).fold(0.0, f64::max);
         let is_long = |(_, g): &(usize, [f64; D])| size(g) > NEGLIGIBLE_LENGTH * longest;
-        let (places, long) = generators.into_iter().enumerate().filter(is_long).unzip();
-        (center, places, long)
+        let (sets, long) = generators.into_iter().enumerate().filter(is_long).unzip();
+        (center, sets, long)
     }
 
-    /// The coefficients, of magnitude `size`, of the points that have a multiplier: of one sign for the sets that contain the point,
-    /// of the other for those that do not.
+    /// For each member the coefficients of the generators of some sets that place it: `size` for the sets that contain
+    /// it, −`size` for the others.
     pub(super) fn witnesses(&self, sets: &[usize], size: f64) -> Vec<(usize, Vec<f64>)> {
         let mut signs = vec![vec![-size; sets.len()]; self.places.len()];
         for (column, &set) in sets.iter().enumerate() {
@@ -117,24 +124,24 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         self.places.iter().copied().zip(signs).collect()
     }
 
-    /// Looks at all points that have no multiplier; the others are vertices of the zonotope.
-    pub(super) fn look(&self, center: [f64; D], generators: &[[f64; D]]) -> Look<D> {
+    /// The points outside a zonotope, of those that are no members.
+    pub(super) fn points_outside(&self, center: [f64; D], generators: &[[f64; D]]) -> PointsOutside<D> {
         let mut least: f64 = 1.0;
         let mut outside = Vec::new();
         let others = (0..self.is_member.len()).filter(|&j| !self.is_member[j]);
-        for (j, sight) in self.coordinates.sights(center, generators, others) {
-            let (gauge, normal) = match sight {
-                Sight::Facet { gauge, normal } => (gauge, normal),
-                Sight::OffSpan { normal } => (0.0, normal),
-                Sight::Center => continue,
+        for (j, position) in self.coordinates.positions(center, generators, others) {
+            let (reach, normal) = match position {
+                Position::Facet { reach, normal } => (reach, normal),
+                Position::OffSpan { normal } => (0.0, normal),
+                Position::Center => continue,
             };
-            least = least.min(gauge);
-            if gauge < 1.0 - GAUGE_ROUNDING {
-                outside.push((gauge, j, normal));
+            least = least.min(reach);
+            if reach < 1.0 - REACH_ROUNDING {
+                outside.push((reach, j, normal));
             }
         }
         outside.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let outside = outside.into_iter().map(|(_, j, normal)| (j, normal)).collect();
-        Look { stretch: 1.0 / least, outside }
+        let points = outside.into_iter().map(|(_, j, normal)| (j, normal)).collect();
+        PointsOutside { stretch: 1.0 / least, points }
     }
 }

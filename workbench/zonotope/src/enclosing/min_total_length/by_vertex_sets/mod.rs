@@ -1,52 +1,72 @@
-//! Minimum total length zonotope, by adding the directions that the dual zonotope names, to any precision.
+//! Minimum total length zonotope over all directions, to any precision, by adding constraints of the dual program as
+//! its solutions violate them.
 //!
 //! # Statement
-//! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains every point exactly, its total
-//! length (the sum of the half-lengths of its generators), and a lower bound for all zonotopes around the points, whose ratio is
-//! at most 1 + ε unless the search ends before (half a minute of work: in space more than about 500 points that the zonotope touches; a centre in doubles for points far from the
-//! origin; rounding below 1e-9, and at 1e-9 now and then where points are nearer to each other than 1e-6 of the body): the ratio is always proven and told, and so is
-//! whether it is at most 1 + ε ([`Outcome`]).
+//! Input: points of R^D, at least one, finite; a precision ε in (0, 1). Output: a zonotope in doubles that contains
+//! every point exactly, its total length (the sum of the half-lengths of its generators), and a lower bound of the
+//! total lengths of all zonotopes around the points. The ratio of the two is always proven. It is at most 1 + ε unless
+//! the search ends before, and [`Outcome`] says whether it is. The search ends before in these cases:
+//! - it has taken about half a minute of work, which in space takes more than about 500 points on the zonotope's
+//!   boundary;
+//! - the points are so far from the origin that rounding the centre to doubles costs more than ε;
+//! - ε is below 1e-9, where rounding decides. At ε = 1e-9 this happens to some inputs with points nearer to each other
+//!   than 1e-6 of the body.
 //!
 //! # Source
-//! The problem of Section 4.3, over all directions rather than a net. The dual: vectors λ_j at the points with Σ λ_j = 0 that maximise Σ λ_j · p_j while
-//! Σ_j |λ_j · v| ≤ 1 for every unit vector v, that is, while the zonotope Σ [−1, 1] λ_j lies in the unit ball. A vertex of it is 2 Σ_{j ∈ T} λ_j for a set T of points on one
-//! side of a plane; |2 Σ_{j ∈ T} λ_j| ≤ 1 is a round constraint, and its multiplier a generator whose direction is free. So columns are sets, not directions.
+//! The problem of Section 4.3, over all directions where the paper takes a net of them. The dual program has a vector
+//! λ_j for each point, with Σ λ_j = 0, and maximises Σ λ_j · p_j while Σ_j |λ_j · v| ≤ 1 for every unit vector v: the
+//! zonotope Σ [−1, 1] λ_j has to lie in the unit ball. A vertex of that zonotope is 2 Σ_{j ∈ T} λ_j for a set T of
+//! points, those whose multipliers lie on one side of a plane through the origin. So |2 Σ_{j ∈ T} λ_j| ≤ 1 is a
+//! second-order cone constraint for each set T, and the multiplier of the constraint is a generator whose direction is
+//! free. That is why constraints for sets are added here, where a method that adds directions would need ever more of
+//! them near the best ones.
 //!
 //! # Method
-//! 1. Points in a simplex of others are left out: what contains those contains them.
-//! 2. The affine hull of the points. In a plane: the centre O with the shortest zonogon, by cutting off half-planes; edges give the generators, turns of the boundary the multipliers.
-//! 3. Else begin with a box around the points and two opposite multipliers, which are nearly the answer for a thin body; then with a coarse net (space) or the farthest points along
-//!    the axes, their multipliers, and some sets T.
-//! 4. A step of an interior point method (primal and dual at once, scaled after Nesterov and Todd, corrected after Mehrotra) for the sets so far, which may begin beyond their
-//!    limits; it yields multipliers, and generators for which every point with a multiplier is a vertex, after what they still miss is shared out among them in proportion to their lengths.
-//! 5. The vertices of Σ [−1, 1] λ_j: the farthest one, at distance ρ, proves the lower bound Σ λ_j · p_j / ρ; those farther than 1, or nearer to it than the gap, are sets to add.
-//!    The generator of a new set begins no longer than the body is along it and than the points that it parts are near each other. Points outside the zonotope are added; one
-//!    near another joins its sets. Where vertices are far beyond 1 then, the gap is widened. Lengthened until it contains all points the zonotope is an upper bound. Sets that bear
-//!    least of what they were expected to are forgotten. Again from 4 until the bounds are within ε.
-//! 6. Generators rounded; what they miss of any point is added along the axes.
-//! 7. Where the ratio is still above 1 + ε: all of that anew in pairs of doubles.
+//! 1. Leave out points that lie in a simplex of others: every zonotope around the others contains them.
+//! 2. Take coordinates in the affine hull of the points. Two opposite multipliers at two points far apart are a first
+//!    lower bound, nearly the best one for a thin body. In a plane, find the centre of the shortest zonogon by cutting
+//!    planes; edges are the generators, turns of the boundary the multipliers. Then go to 6.
+//! 3. Begin with the smallest box around the points as the zonotope. In space, begin with the points, multipliers and
+//!    vertices that a coarse net of directions yields; in other dimensions with the farthest points along the axes,
+//!    multipliers of zero, and a set for each point alone.
+//! 4. Take a step of a primal–dual interior-point method (Nesterov and Todd's scaling, Mehrotra's predictor and
+//!    corrector) for the sets so far. It yields multipliers, and generators of a zonotope that has every point with a
+//!    multiplier as a vertex; residuals of the generators are shared out among them in proportion to their lengths.
+//! 5. Find the vertices of Σ [−1, 1] λ_j. The farthest one, at distance ρ, proves the lower bound Σ λ_j · p_j / ρ.
+//!    Vertices farther than 1, or nearer to 1 than the duality gap, add their sets. Find the points outside the
+//!    zonotope: the generators lengthened to contain them are an upper bound, and some of these points get a
+//!    multiplier. If the new constraints are violated by much more than the gap, widen the gap. Forget the sets whose
+//!    generators fell shortest of their expected length. Repeat from 4 until the bounds are within ε.
+//! 6. Round the generators, and add along the axes the most that they miss of any point.
+//! 7. If the ratio is still above 1 + ε, repeat steps 3 to 6 with pairs of doubles.
 //!
 //! # Complexity
-//! With m points that have a multiplier and K sets (at most 4 d m): a step costs O((d m)³ + d² m Δ), Δ the number of points by which neighbouring sets differ, some ten for
-//! each set; the vertices O(m^{d−1} log m), a look at all n points a facet search each. Some ten to hundred steps. In a plane O(n log n) for each of some fifty centres. Leaving out
-//! points: some passes over at most 500 points for each. Pairs of doubles make a step some fifty times as dear. The number of steps has no useful bound.
+//! n points, m of them with a multiplier, K sets (at most 4 d m, or 1000 if that is more). A step costs O((d m)³ + d² m
+//! (K + Δ)), where Δ counts the points by which neighbouring sets differ, some ten for each set. The vertices cost
+//! O(m^{d−1} log m), and each look at the points takes a search for a facet for each of the n points. There are some
+//! ten to hundred steps; their number has no useful bound. In a plane the method takes O(n log n) for each of some
+//! fifty centres. Leaving out points takes some passes over at most 500 points for each point. A step with pairs of
+//! doubles costs about fifty times as much.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.
 //!
 //! # Numerics
-//! Containment is exact; `length` is rounded up, `lower_bound` down with all rounding errors of the vertices accounted for. Points nearer to a subspace than
-//! a relative 1e-13 are treated as flat.
+//! Containment is exact; `length` is rounded up, and `lower_bound` is rounded down after all rounding errors of the
+//! vertices are accounted for. Points nearer to a subspace than a relative 1e-13 are treated as points of it, and the
+//! generators along the axes make up for that.
 //!
 //! # Errors
-//! [`NonFinite`](super::MinLengthError::NonFinite), [`Empty`](super::MinLengthError::Empty) ⇔ the points are not finite, or none; [`BadEpsilon`](super::MinLengthError::BadEpsilon) ⇔ ε not in (0, 1);
-//! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length is no double.
+//! [`NonFinite`](super::MinLengthError::NonFinite), [`Empty`](super::MinLengthError::Empty) ⇔ the points are not
+//! finite, or none; [`BadEpsilon`](super::MinLengthError::BadEpsilon) ⇔ ε not in (0, 1);
+//! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ a length exceeds the largest double.
 //!
 //! # Panics
 //! Never.
 //!
 //! # Checked by
-//! [`in_the_plane`](super::in_the_plane) for D = 2; [`verify`](super::verify) on answers; vertices of zonotopes, whose own length is the optimum; the ratio proves itself.
+//! [`in_the_plane`](super::in_the_plane) for D = 2; vertices of zonotopes, whose own length is the optimum; the check
+//! of such answers in the crate `verifier`, which proves ratio and containment anew.
 //!
 //! # Example
 //! ```
@@ -69,14 +89,14 @@ mod vertex_sets;
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
 use super::conclude::{around_equal_points, conclude, proven, validate};
 use super::frame::Frame;
-use super::in_the_plane::least_in_plane;
-use super::lower_bound::Best;
+use super::in_the_plane::min_length_in_plane;
+use super::lower_bound::BestBound;
 use crate::numeric::double_double::DoubleDouble;
 use crate::tally::Tally;
 use crate::zonotope::ray_exit::dot;
 use interior::scalar::Scalar;
 use outer_points::outer_points;
-use set_generation::least_by_vertex_sets;
+use set_generation::min_length_by_set_generation;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible.
 ///
@@ -89,7 +109,7 @@ pub fn min_length_enclosing<const D: usize>(
     min_length_enclosing_counted(points, epsilon, &mut ())
 }
 
-/// As [`min_length_enclosing`], counting operations: points read and rounds.
+/// Returns what [`min_length_enclosing`] returns and counts points read and rounds.
 ///
 /// # Errors
 /// When the points or ε are refused.
@@ -108,30 +128,32 @@ pub fn min_length_enclosing_counted<const D: usize>(
     Ok(answer)
 }
 
+/// The answer for points none of which is known to lie in a simplex of others.
 fn around_outer<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,
     tally: &mut impl Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let frame = Frame::new(points);
-    let mut best = Best::none();
-    if let Some(pull) = frame.long.first() {
-        best.improve(frame.rank(), &frame.points, opposite_pulls(&frame.points, pull), f64::INFINITY);
+    let mut best = BestBound::none();
+    if let Some(longest) = frame.long.first() {
+        best.improve(frame.rank(), &frame.points, opposite_multipliers(&frame.points, longest), f64::INFINITY);
     }
     match frame.rank() {
         0 => around_equal_points(points),
         2 => {
-            let (inner, progress) = least_in_plane(&frame, epsilon, &mut best);
+            let (inner, progress) = min_length_in_plane(&frame, epsilon, &mut best);
             let directions = inner.generators.len();
             conclude(points, &frame, inner, &best, progress, directions, epsilon)
         }
         _ => {
             let mut work = 0.0;
-            let answer = around_hull::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
+            let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             if answer.outcome == Outcome::WithinEpsilon {
                 return Ok(answer);
             }
-            let other = around_hull::<DoubleDouble, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
+            let other =
+                around_by_set_generation::<DoubleDouble, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
             let directions = answer.directions + other.directions;
             let shorter = if other.length < answer.length { other } else { answer };
             let around = (shorter.zonotope, shorter.length);
@@ -140,21 +162,22 @@ fn around_outer<const D: usize>(
     }
 }
 
-/// Around points that span three dimensions or more, with steps in numbers of some precision.
-fn around_hull<R: Scalar, const D: usize>(
+/// The answer by set generation, for points that span one dimension, or three and more, with steps in the scalar `R`.
+fn around_by_set_generation<R: Scalar, const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
     epsilon: f64,
-    best: &mut Best<D>,
+    best: &mut BestBound<D>,
     work: &mut f64,
     tally: &mut impl Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    let found = least_by_vertex_sets::<R, D>(frame, epsilon, best, work, tally);
+    let found = min_length_by_set_generation::<R, D>(frame, epsilon, best, work, tally);
     conclude(points, frame, found.inner, best, found.progress, found.sets, epsilon)
 }
 
-/// Multipliers that pull the two points farthest along a direction apart: they prove half the distance of these, which is nearly all of a thin body's length.
-fn opposite_pulls<const D: usize>(points: &[[f64; D]], direction: &[f64; D]) -> Vec<(usize, [f64; D])> {
+/// Two opposite multipliers, at the two points that are farthest apart along a direction. They prove that half the
+/// distance of these points is a lower bound, and for a thin body that is nearly the least total length.
+fn opposite_multipliers<const D: usize>(points: &[[f64; D]], direction: &[f64; D]) -> Vec<(usize, [f64; D])> {
     let height = |j: &usize| dot(&points[*j], direction);
     let ends = (0..points.len()).fold((0, 0), |(low, high), j| {
         (if height(&j) < height(&low) { j } else { low }, if height(&j) > height(&high) { j } else { high })

@@ -1,8 +1,11 @@
-//! Leaves out points that lie in a simplex of others: what contains those contains them.
+//! Leaves out points that lie in a simplex of others: every zonotope around the others contains them.
 //!
-//! From a point o far out, q − o = Σ α_i (e_i − o) with α ≥ 0 and least Σ α_i is a linear program over the points kept
-//! so far, with as many rows as dimensions. Its basis is a simplex with o; when Σ α_i < 1 and q is in it by exact
-//! signs, q is left out, else it is kept. Points far from the middle come first.
+//! Let o be the point farthest from the mean, the apex of all simplices. For another point q, the least Σ α_i with q −
+//! o = Σ α_i (e_i − o) and α_i ≥ 0, over points e_i kept so far, is a linear program with as many rows as dimensions.
+//! The points of an optimal basis are a simplex with o, and it contains q if Σ α_i ≤ 1. So q is left out if Σ α_i < 1
+//! in floating point and exact signs confirm that it is inside the simplex. Points far from the mean are taken first,
+//! as they are likely corners. The exact convex hull would leave out more points, but in higher dimensions it costs
+//! more than the search.
 
 use std::cmp::Ordering;
 
@@ -10,25 +13,26 @@ use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::ray_exit::{dot, inverse};
 
-/// Fewer points than this are all kept: the programs would cost more than the points.
+/// Fewer points than this are all kept: their linear programs would cost more than the points cost the search.
 const LEAST_POINT_COUNT: usize = 48;
 
-/// The search for a simplex around one point ends after this many pivots; the point is kept then.
+/// The search for a simplex around a point ends after this many pivots, and the point is kept.
 const PIVOT_LIMIT: usize = 60;
 
-/// The cost of an axis that stands in for a point in a basis, where a point costs 1: no axis stays if points can take
-/// its place.
+/// The cost of an axis that stands in for a point in the first basis, where a point costs 1: no axis stays in an
+/// optimal basis if points can replace it.
 const AXIS_COST: f64 = 1e6;
 
-/// The corners of simplices are this many points, those kept first. If by then more than seven of eight points were
-/// kept, all others are.
+/// Only this many points, the first ones kept, are corners of simplices. If more points are kept, and they are more
+/// than seven eighths of the points seen, all further points are kept.
 const CORNER_LIMIT: usize = 500;
 
-/// Coefficients below this are taken for zero: such a point is kept.
+/// Coefficients below this count as zero; a point with such a coefficient is near the boundary of the simplex and is
+/// kept.
 const LEAST_COEFFICIENT: f64 = 1e-9;
 
-/// The places of the points that are not proven to lie in a simplex of others; all of them where they are few or do not
-/// span the space.
+/// The places of the points that are not proven to lie in a simplex of others, without duplicates. Where points are few
+/// or do not span the space, only duplicates are left out.
 pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
     let all = || distinct(points, (0..points.len()).collect());
     if points.len() < LEAST_POINT_COUNT || D < 3 {
@@ -70,7 +74,7 @@ pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
     distinct(points, kept)
 }
 
-/// The first of all equal points each, in their order.
+/// Of equal points the place of the first, in increasing order.
 fn distinct<const D: usize>(points: &[[f64; D]], mut places: Vec<usize>) -> Vec<usize> {
     let order = |a: &usize, b: &usize| points[*a].partial_cmp(&points[*b]).unwrap_or(Ordering::Equal).then(a.cmp(b));
     places.sort_unstable_by(order);
@@ -79,9 +83,9 @@ fn distinct<const D: usize>(points: &[[f64; D]], mut places: Vec<usize>) -> Vec<
     places
 }
 
-/// Points that make up a simplex with the origin which holds q, within rounding.
+/// The corners of a simplex with the origin that contains q but for rounding.
 fn simplex_around<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> Option<[usize; D]> {
-    // Axes with the signs of q, which no answer may need, come first.
+    // The first basis is the axes with the signs of q, marked by `usize::MAX`: artificial corners that have to leave.
     let mut basis = [usize::MAX; D];
     let mut columns: [[f64; D]; D] =
         std::array::from_fn(|a| std::array::from_fn(|c| if a == c { 1f64.copysign(q[c]) } else { 0.0 }));
@@ -127,7 +131,7 @@ fn is_in_simplex<const D: usize>(q: &[f64; D], apex: &[f64; D], corners: &[[f64;
     let q = difference(q);
     let whole = determinant(&rows);
     let mut rest = whole.clone();
-    // Cramer's rule: the coefficients of the corners and, for the apex, what they leave of 1.
+    // Cramer's rule yields the coefficients of the corners; the apex has what they leave of 1.
     let is_within = (0..D).all(|i| {
         let replaced: Vec<Vec<Dyadic>> =
             rows.iter().enumerate().map(|(r, row)| if r == i { q.clone() } else { row.clone() }).collect();
@@ -138,11 +142,13 @@ fn is_in_simplex<const D: usize>(q: &[f64; D], apex: &[f64; D], corners: &[[f64;
     is_within && !whole.is_zero() && rest.sign() == whole.sign()
 }
 
+/// The determinant of a square matrix.
 fn determinant(rows: &[Vec<Dyadic>]) -> Dyadic {
     let columns: Vec<usize> = (0..rows.len()).collect();
     minor(rows, &columns)
 }
 
+/// The determinant of the rows in some columns, as many as rows, by expansion along the first row.
 fn minor(rows: &[Vec<Dyadic>], columns: &[usize]) -> Dyadic {
     let Some((row, rest)) = rows.split_first() else { return Dyadic::new(1.into(), 0) };
     columns.iter().enumerate().fold(Dyadic::zero(), |sum, (i, &column)| {
@@ -162,7 +168,7 @@ mod tests {
         let mut points: Vec<[f64; 3]> = Vec::new();
         for x in side {
             for y in side {
-                // FrameZonotope points off the planes of corners.
+                // Inner points are moved off the planes through corners.
                 let off = |c: f64, by: f64| if c.abs() < 2.0 { c + by } else { c };
                 points.extend(side.map(|z| [off(x, 0.1 * y + 0.02), off(y, 0.13 * z + 0.03), off(z, 0.07 * x + 0.05)]));
             }
@@ -171,12 +177,13 @@ mod tests {
         let corner = |p: &[f64; 3]| p.iter().all(|c| c.abs() == 2.0);
         assert!((0..points.len()).filter(|&j| corner(&points[j])).all(|j| kept.contains(&j)));
         let inner = |p: &[f64; 3]| p.iter().all(|c| c.abs() < 1.5);
-        // Ties end a search now and then: such a point is kept.
+        // Ties end the search for some inner points, which are kept.
         assert!(kept.iter().filter(|&&j| inner(&points[j])).count() <= 2, "{kept:?}");
         let corners = [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
         assert!(is_in_simplex(&[1.0, 1.0, 1.0], &[0.0; 3], &corners));
         assert!(!is_in_simplex(&[2.0, 1.0, 1.0], &[0.0; 3], &corners));
     }
+
     #[test]
     fn of_equal_points_the_first_is_kept() {
         assert_eq!(outer_points(&[[1.0, 0.0], [0.0, 2.0], [1.0, -0.0], [0.0, 2.0], [3.0, 3.0]]), [0, 1, 4]);

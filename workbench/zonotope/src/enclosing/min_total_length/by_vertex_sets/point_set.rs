@@ -1,4 +1,5 @@
-//! Sets of points as bits, and an order of them in which neighbours differ by few points.
+//! Sets of points as bits, and the order of sets in the reflected binary code, in which neighbours differ by few
+//! points.
 
 /// A set of points given by their places, one bit each.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -34,31 +35,33 @@ impl PointSet {
         places_of_bits(self.0.iter().copied())
     }
 
-    /// The points by which this set and another differ, in increasing order, each with whether it belongs to this one.
+    /// The points by which this set and the one before it differ, in increasing order, each with whether it belongs to
+    /// this one.
     pub(super) fn changes_since(&self, before: &Self) -> impl Iterator<Item = (usize, bool)> {
         let changed = self.0.iter().zip(&before.0).map(|(a, b)| a ^ b);
         places_of_bits(changed).map(|point| (point, self.contains(point)))
     }
 
-    /// The place of the set in the reflected binary code, in which neighbours differ by one point.
-    pub(super) fn place_in_code(&self) -> Vec<u64> {
+    /// The rank of the set among all sets in the reflected binary code (Gray code), in which neighbours differ by one
+    /// point.
+    pub(super) fn rank_in_code(&self) -> Vec<u64> {
         let mut is_reflected = false;
         let decoded = self.0.iter().map(|&word| {
-            let mut place = word;
+            let mut rank = word;
             for shift in [1, 2, 4, 8, 16, 32] {
-                place ^= place >> shift;
+                rank ^= rank >> shift;
             }
             if is_reflected {
-                place = !place;
+                rank = !rank;
             }
-            is_reflected = place & 1 == 1;
-            place
+            is_reflected = rank & 1 == 1;
+            rank
         });
         decoded.collect()
     }
 }
 
-/// The places of the bits of a row of words that are set.
+/// The places of the ones among the bits of some words, in increasing order.
 fn places_of_bits(words: impl Iterator<Item = u64>) -> impl Iterator<Item = usize> {
     words.enumerate().flat_map(|(word, bits)| {
         let next = |&left: &u64| (left & (left - 1) != 0).then_some(left & left.wrapping_sub(1));
@@ -73,7 +76,7 @@ mod tests {
 
     #[test]
     fn the_code_passes_all_sets_one_point_at_a_time() {
-        // of points 0, 63 and 64: the highest bit of the first word counts most
+        // All sets of the points 0, 63 and 64, which lie in two words.
         let points = [0, 63, 64];
         let mut sets: Vec<PointSet> = (0..8)
             .map(|choice| {
@@ -82,7 +85,7 @@ mod tests {
                 set
             })
             .collect();
-        sets.sort_by_cached_key(PointSet::place_in_code);
+        sets.sort_by_cached_key(PointSet::rank_in_code);
         for pair in sets.windows(2) {
             assert_eq!(pair[1].changes_since(&pair[0]).count(), 1);
         }

@@ -1,4 +1,4 @@
-//! The points and sets that a set generation begins with.
+//! The points and sets that set generation begins with.
 
 use super::interior::scalar::Scalar;
 use super::members::Members;
@@ -8,19 +8,21 @@ use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::direction_net::{Net, cell_corners};
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
-use crate::enclosing::min_total_length::lower_bound::Best;
+use crate::enclosing::min_total_length::lower_bound::BestBound;
 
-/// The ε of the direction net whose optimum the generation begins with.
+/// The ε of the direction net whose optimum set generation begins with.
 const COARSE_NET_EPSILON: f64 = 0.1;
 
-/// The relative precision of that optimum.
+/// The relative precision to which the program along the coarse net is solved.
 const COARSE_NET_PRECISION: f64 = 1e-6;
 
-/// The beginning: in space the optimum along a coarse net, elsewhere or where that fails the farthest points along the axes.
+/// The members that set generation begins with: in space those of the optimum along a coarse net; in other dimensions,
+/// or if that fails, the farthest points along the axes. The bounds of the net's optimum are kept in `best` and
+/// `inner`.
 pub(super) fn start<'a, R: Scalar, const D: usize>(
     frame: &'a Frame<D>,
     coordinates: &'a BoxCoordinates<'a, D>,
-    best: &mut Best<D>,
+    best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
 ) -> Members<'a, R, D> {
     let rank = frame.rank();
@@ -39,12 +41,13 @@ pub(super) fn start<'a, R: Scalar, const D: usize>(
     members
 }
 
-/// The points that the least zonotope along a coarse net touches, with their multipliers and the sets that bound these: those of
-/// far vertices, and those along about four times as many directions as there are points.
+/// The points on the boundary of the shortest zonotope along a coarse net, with their multipliers. The sets are those
+/// of the vertices of Σ [−1, 1] λ_j outside the unit ball, and those of a finer net with about twelve directions for
+/// each point, so that the first steps do not leave the unit ball far. `None` if the program for the net fails.
 fn from_net<'a, R: Scalar, const D: usize>(
     frame: &'a Frame<D>,
     coordinates: &'a BoxCoordinates<'a, D>,
-    best: &mut Best<D>,
+    best: &mut BestBound<D>,
     inner: &mut FrameZonotope<D>,
 ) -> Option<Members<'a, R, D>> {
     let rank = frame.rank();

@@ -1,14 +1,16 @@
-//! The points that have a multiplier, and the sets of them that bound the multipliers.
+//! The points that have a multiplier, and the sets of them whose constraints bound the multipliers.
 //!
-//! The multipliers λ_j with Σ λ_j = 0 must satisfy Σ_j |λ_j · v| ≤ 1 for every unit vector v. The left side is the largest of
-//! 2 Σ_{j ∈ T} λ_j · v over all sets T of points, so the condition says that |w_T| ≤ 1 for every T, with w_T = 2 Σ_{j ∈ T} λ_j: one
-//! second-order cone constraint for each set. The multiplier of the constraint is a generator g_T, of which the points of T are at
-//! one end and the others at the other; unlike a direction of a net it turns freely. Only the sets of vertices count: those that a
-//! plane through the origin cuts off from the multipliers as vectors, on the side of a vertex of Σ [−1, 1] λ_j.
+//! The multipliers λ_j with Σ λ_j = 0 must satisfy Σ_j |λ_j · v| ≤ 1 for every unit vector v. The left side is the
+//! largest of 2 Σ_{j ∈ T} λ_j · v over all sets T of points. So the condition says that |w_T| ≤ 1 for every T, with
+//! w_T = 2 Σ_{j ∈ T} λ_j: one second-order cone constraint for each set. The multiplier of that constraint is a
+//! generator g_T, with the points of T at its one end and the others at its other end; unlike a direction of a net it
+//! turns freely. Only few sets matter, those for which w_T is a vertex of Σ [−1, 1] λ_j: a plane through the origin
+//! parts the multipliers of their points from the other multipliers.
 //!
-//! For each set the slack (τ_T, w_T) and the dual variable (t_T, −g_T) lie in the cone of [`ConeVector`]s. At the optimum
-//! p_j − p_0 = Σ_{T ∋ j} 2 g_T for every point, τ_T = 1, and Σ t_T = Σ λ_j · p_j. The sets are kept in the order of a reflected
-//! binary code, in which neighbours differ by few points.
+//! For each set the slack (τ_T, w_T) and the dual variable (t_T, −g_T) lie in the cone of [`ConeVector`]s. At the
+//! optimum τ_T = 1, p_j − p_0 = Σ_{T ∋ j} 2 g_T for every point, and Σ t_T = Σ λ_j · p_j. The sets are kept in the
+//! order of a reflected binary code, in which neighbours differ by few points: the Schur complement of a step is summed
+//! up by these differences.
 
 use std::collections::BTreeSet;
 
@@ -17,56 +19,60 @@ use super::interior::scalar::{Scalar, dot, plus, real, values, zero};
 use super::point_set::PointSet;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 
-/// A set of points with the slack of its constraint and the dual variable.
+/// A set of points, with the slack and the dual variable of its constraint.
 #[derive(Debug, Clone)]
 pub(super) struct VertexSet<R, const D: usize> {
     pub(super) points: PointSet,
     pub(super) slack: ConeVector<R, D>,
     pub(super) dual: ConeVector<R, D>,
-    /// The length that its generator was expected to have when the set joined.
+    /// The length that the generator was expected to have when the set was added.
     expected_length: f64,
 }
 
-/// Points with their multipliers, and the sets of them found so far.
+/// The dual program so far: points with their multipliers, and sets of the points with their variables.
 pub(super) struct VertexSets<'a, R, const D: usize> {
     coordinates: &'a BoxCoordinates<'a, D>,
     pub(super) rank: usize,
     /// The points relative to the first one, which lies in no set.
     pub(super) points: Vec<[R; D]>,
-    /// The same in box coordinates.
+    /// The points relative to the first one, in box coordinates.
     box_points: Vec<[f64; D]>,
     pub(super) multipliers: Vec<[R; D]>,
     pub(super) sets: Vec<VertexSet<R, D>>,
+    /// The sets that have been added and not been dropped.
     known: BTreeSet<PointSet>,
-    /// The central-path parameter: slack · dual of a new set.
+    /// The parameter μ of the central path, near which a new set begins: its slack times its dual variable is μ.
     pub(super) mu: f64,
     /// Roughly the least total length of a zonotope around the points.
     pub(super) length: f64,
-    /// Roughly how many multiplications and additions were spent so far.
+    /// About how many multiplications and additions the steps have taken so far.
     pub(super) work: f64,
 }
 
-/// At most this many sets are kept for each coordinate of a multiplier,
+/// At most this many sets are kept for each coordinate of a multiplier.
 const SETS_PER_COORDINATE: usize = 4;
 
-/// and never fewer than this many.
+/// Up to this many sets are kept however few multipliers there are.
 const SETS_ALWAYS_KEPT: usize = 1000;
 
-/// The generator of a new set begins shorter by this factor than what there is room for: begun longer it has to shrink, which takes
-/// an interior-point method more steps than growing.
+/// The generator of a new set begins shorter by this factor than the body and the distances of its points allow. If it
+/// began longer it would have to shrink, which takes an interior-point method more steps than growing.
 const FIRST_LENGTH_DIVISOR: f64 = 15.0;
 
-/// Two points nearer to each other than this, in box coordinates, count as this far apart: the rest is rounding.
+/// Points nearer to each other than this in box coordinates count as this far apart: smaller distances are rounding
+/// errors.
 const LEAST_BOX_DISTANCE: f64 = 1e-14;
 
-/// A new point joins the sets of its nearest point instead of those along its normal where that puts it nearer by this factor.
+/// A new point joins the sets of its nearest point, not those along its normal, if their generators then miss it by
+/// less than the other ones by this factor.
 const NEIGHBOUR_PREFERENCE: f64 = 10.0;
 
-/// The duality gap at the beginning, as a multiple of the length.
+/// The duality gap at the beginning, relative to the expected length.
 const FIRST_RELATIVE_GAP: f64 = 0.5;
 
 impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
-    /// The first point alone with the multiplier 0; `length` is roughly what is to be expected.
+    /// The program with the first point alone, its multiplier 0, and no sets; `length` is roughly the least total
+    /// length to be expected.
     pub(super) fn new(rank: usize, coordinates: &'a BoxCoordinates<'a, D>, length: f64) -> Self {
         Self {
             coordinates,
@@ -82,7 +88,8 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         }
     }
 
-    /// Points with multipliers, and the sets on the positive side of some directions.
+    /// The program with given points and multipliers, the set of each point alone, and the sets of some directions
+    /// ([`add_set_along`](Self::add_set_along)).
     pub(super) fn with_multipliers(
         rank: usize,
         coordinates: &'a BoxCoordinates<'a, D>,
@@ -105,8 +112,8 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         sets
     }
 
-    /// Adds a point with the multiplier 0, given with the first point and the normal of the facet that it sees. Its own set is added,
-    /// which keeps its multiplier bounded.
+    /// Adds a point with the multiplier 0 and the set of it alone, whose constraint bounds the multiplier. The point is
+    /// given with the first point and the normal along which it is farthest.
     pub(super) fn add_point(&mut self, point: &[f64; D], first: &[f64; D], normal: &[f64; D]) {
         let place = self.points.len();
         let relative = difference(point, first);
@@ -124,8 +131,8 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         self.add_single(place);
     }
 
-    /// Which sets a new point joins: those whose generators point along its normal, or those of the point nearest to it where that
-    /// puts it much nearer to its place.
+    /// For each set whether a new point joins it. The point joins the sets with w_T · normal > 0, as it is farthest
+    /// along the normal, unless the generators place it much better if it joins the sets of the point nearest to it.
     fn joined_sets(&self, point: &[R; D], normal: &[f64; D]) -> Vec<bool> {
         let normal = real(normal);
         let along_normal: Vec<bool> = self.sets.iter().map(|set| dot(&set.slack.rest, &normal).value() > 0.0).collect();
@@ -141,14 +148,15 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         if NEIGHBOUR_PREFERENCE * missed(&of_nearest) < missed(&along_normal) { of_nearest } else { along_normal }
     }
 
+    /// Adds the set of one point alone.
     fn add_single(&mut self, point: usize) {
         let mut own = PointSet::with_room_for(self.points.len());
         own.insert(point);
         self.add_set(own);
     }
 
-    /// Adds the set of the points whose multipliers are on the same side of a direction; whether it is new. The direction is that of
-    /// a vertex of Σ [−1, 1] λ_j.
+    /// Adds the set of a direction v: the points whose λ_j · v has not the sign of that of the first point, which lies
+    /// in no set. For a vertex v of Σ [−1, 1] λ_j the set's w_T is v or −v. Returns whether there was a new set to add.
     pub(super) fn add_set_along(&mut self, direction: &[f64; D]) -> bool {
         let direction = real(direction);
         let of_first = dot(&self.multipliers[0], &direction).value() > 0.0;
@@ -163,14 +171,19 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         !is_empty && self.add_set(set)
     }
 
+    /// Adds a set with its slack and dual variable on the central path, both inside the cone even if |w_T| > 1. The
+    /// head of the slack is so large that the generator is no longer than expected. Returns whether the set is new.
     fn add_set(&mut self, points: PointSet) -> bool {
         if !self.known.insert(points.clone()) {
             return false;
         }
         let w = doubled_sum(&points, &self.multipliers);
         let square = dot(&w, &w);
-        let along =
-            if square.value() > 0.0 { self.coordinates.segment(&values(&w)) } else { self.length / self.rank as f64 };
+        let along = if square.value() > 0.0 {
+            self.coordinates.half_length_along(&values(&w))
+        } else {
+            self.length / self.rank as f64
+        };
         let expected_length =
             along * self.separation(&points).min(1.0 / self.points.len() as f64) / FIRST_LENGTH_DIVISOR;
         let square = square + R::from(self.mu / expected_length);
@@ -180,7 +193,7 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         true
     }
 
-    /// The least distance of a point of a set from one outside it, in box coordinates.
+    /// The least distance in box coordinates of a point of a set from a point that is not in it.
     fn separation(&self, set: &PointSet) -> f64 {
         let mut least = f64::INFINITY;
         for j in set.members() {
@@ -194,7 +207,8 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         least.sqrt().max(LEAST_BOX_DISTANCE)
     }
 
-    /// Brings the sets into their order, and of too many drops those whose generators are shortest beside what was expected.
+    /// Sorts the sets by the reflected binary code. If there are too many, drops those whose generators are shortest
+    /// relative to their expected lengths, but no set of a single point.
     pub(super) fn prune(&mut self) {
         let most = (SETS_PER_COORDINATE * self.rank * self.points.len()).max(SETS_ALWAYS_KEPT);
         if self.sets.len() > most {
@@ -204,11 +218,11 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
             self.sets.retain(|set| relative_length(set) > *least || set.points.is_single());
             self.known = self.sets.iter().map(|set| set.points.clone()).collect();
         }
-        self.sets.sort_by_cached_key(|set| set.points.place_in_code());
+        self.sets.sort_by_cached_key(|set| set.points.rank_in_code());
     }
 
-    /// Moves slacks and dual variables towards the central path until the duality gap is no less than this. The multipliers and the
-    /// generators stay.
+    /// Raises the heads of slacks and dual variables until the duality gap is at least `gap` and every set's slack
+    /// times its dual variable is at least its share of that. The multipliers and the generators do not change.
     pub(super) fn recentre(&mut self, gap: f64) {
         let mu = gap / self.sets.len() as f64;
         if mu <= self.mu {
@@ -225,7 +239,7 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
         }
     }
 
-    /// The multipliers after a part of a step; that of the first point makes their sum zero.
+    /// The multipliers after a part of a step; the multiplier of the first point is chosen so that they add up to zero.
     pub(super) fn stepped_multipliers(&self, part: R, step: &[[R; D]]) -> Vec<[R; D]> {
         let others = self.multipliers[1..].iter().zip(step).map(|(multiplier, step)| plus(multiplier, part, step));
         let mut multipliers: Vec<[R; D]> = std::iter::once(zero()).chain(others).collect();
@@ -234,17 +248,17 @@ impl<'a, R: Scalar, const D: usize> VertexSets<'a, R, D> {
     }
 }
 
-/// 2 Σ over a set.
+/// Twice the sum of the vectors of the points in a set.
 pub(super) fn doubled_sum<R: Scalar, const D: usize>(set: &PointSet, vectors: &[[R; D]]) -> [R; D] {
     set.members().fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j]))
 }
 
-/// 2 Σ over a set, of vectors that begin with that of the second point.
+/// Twice the sum of the vectors of the points in a set, for vectors of all points but the first, which lies in no set.
 pub(super) fn doubled_sum_after_first<R: Scalar, const D: usize>(set: &PointSet, vectors: &[[R; D]]) -> [R; D] {
     set.members().fold(zero(), |sum, j| plus(&sum, R::from(2.0), &vectors[j - 1]))
 }
 
-/// p − first.
+/// The vector from the first point to a point.
 fn difference<R: Scalar, const D: usize>(p: &[f64; D], first: &[f64; D]) -> [R; D] {
     plus(&real(p), R::from(-1.0), &real(first))
 }

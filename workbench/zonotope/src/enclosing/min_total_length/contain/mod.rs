@@ -1,8 +1,10 @@
-//! Makes generators in doubles contain every point, exactly.
+//! Generators in doubles, and the proof in exact arithmetic that they contain every point.
 //!
-//! For each point coefficients δ in [−1, 1] are known, or come from the facet that its ray meets. What Σ δ_i g_i misses
-//! of the point is bounded in each coordinate; generators along the axes, as long as the most that any point misses,
-//! make up for it.
+//! For each point there are coefficients δ_i in [−1, 1] with center + Σ δ_i g_i near the point: the search knows them,
+//! or the facet that the point's ray meets yields them. The coordinates of the difference are computed exactly, or
+//! bounded. Generators along the axes, as long as the largest such coordinate of any point, make the zonotope contain
+//! all points. That is why the search above may be in floating point, and why its generators are never changed to fit:
+//! the axes cost the length about as much as rounding did.
 
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;
@@ -15,17 +17,18 @@ use super::box_coordinates::BoxCoordinates;
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
 use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
-use coefficients::Settling;
+use coefficients::CoefficientRefinement;
 
-/// A generator shorter than this, beside the longest and in box coordinates, is left out: noise in every search for a
-/// facet.
+/// A generator shorter than this in box coordinates, relative to the longest, is left out: it is rounding noise, which
+/// hinders the search for a facet.
 const NEGLIGIBLE_LENGTH: f64 = 1e-12;
 
-/// Up to this many products are taken exactly; beyond that their rounding errors are bounded.
+/// Up to this many products δ_i g_i are computed exactly; the rounding errors of more products are bounded instead,
+/// which is faster and costs a little length.
 const EXACT_PRODUCTS: usize = 400_000;
 
-/// A zonotope around all points like one in the frame, and an upper bound of its total length: the generators rounded,
-/// and along the axes what they miss of any point. `None` beyond the range of doubles.
+/// A zonotope in doubles that contains all points exactly, from a zonotope in the frame, and an upper bound of its
+/// total length. `None` if a number leaves the range of doubles.
 pub(super) fn around<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
@@ -44,9 +47,10 @@ pub(super) fn around<const D: usize>(
     if !generators.iter().flatten().chain(&extents).all(|c| c.is_finite()) {
         return None;
     }
-    // Being inside does not depend on coordinates; thin bodies are easier to search where they are not thin.
-    let settling = Settling::new(&coordinates, frame.rank(), &used);
-    let mut descent = FacetDescent::new(frame.rank(), &settling.in_box);
+    // Coefficients do not depend on coordinates; in box coordinates, where no body is thin, they are found more
+    // precisely.
+    let refinement = CoefficientRefinement::new(&coordinates, frame.rank(), &used);
+    let mut descent = FacetDescent::new(frame.rank(), &refinement.in_box);
     let mut witness_of: Vec<Option<&[f64]>> = vec![None; points.len()];
     for (point, deltas) in witnesses {
         witness_of[*point] = Some(deltas);
@@ -55,11 +59,11 @@ pub(super) fn around<const D: usize>(
         let searched = || {
             let ray = std::array::from_fn(|c| inside[c] - center[c]);
             let scaled = |facet: Facet<D>| {
-                let reach = facet.gauge.max(1.0);
+                let reach = facet.reach.max(1.0);
                 facet.coefficients.iter().map(|delta| delta / reach).collect()
             };
             let nearly = descent.facet(&coordinates.vector(&ray)).map_or_else(|| vec![0.0; used.len()], scaled);
-            settling.settled(&ray, nearly)
+            refinement.refined(&ray, nearly)
         };
         let deltas = witness.map_or_else(searched, |deltas| {
             deltas.iter().zip(inner).filter(|(_, g)| !is_noise(g)).map(|(delta, _)| *delta).collect()
@@ -94,7 +98,7 @@ pub(super) fn around<const D: usize>(
     length.is_finite().then_some((zonotope, length))
 }
 
-/// Σ |g_i|, rounded up.
+/// The total length Σ |g_i|, rounded up.
 pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
     let lengths = generators.iter().map(|g| {
         let largest = g.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
@@ -104,15 +108,15 @@ pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
         }
         let unit = g.map(|c| c / largest);
         let factor = dot(&unit, &unit).sqrt() * (1.0 + 8.0 * D as f64 * UNIT);
-        // As a double the product might be denormal, with few bits.
+        // The product is exact: as a double it might be denormal, with few bits.
         &Dyadic::from_f64(largest) * &Dyadic::from_f64(factor)
     });
     let length = rounded_towards(&lengths.fold(Dyadic::zero(), |sum, length| sum + length), f64::INFINITY);
     if length < f64::MIN_POSITIVE { tiny_length_above(generators) } else { length }
 }
 
-/// The same for lengths among the least doubles: these are so far apart that a factor above 1 may cost a whole step, so roots are taken of the
-/// exact squares.
+/// The total length rounded up, for generators as short as the least doubles: these are so far apart that a factor
+/// above 1 may cost a whole step between them, so each length is the root of an exact square.
 fn tiny_length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
     let square = |g: &[f64; D]| g.iter().map(|c| Dyadic::from_f64(*c)).fold(Dyadic::zero(), |sum, c| sum + &c * &c);
     let length = generators.iter().map(|g| square(g).root_above()).fold(Dyadic::zero(), |sum, length| sum + length);

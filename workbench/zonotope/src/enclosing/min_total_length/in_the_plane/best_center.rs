@@ -1,54 +1,63 @@
-//! The plane: the best centre, and with it the generators and the multipliers, without a linear program.
+//! The shortest zonogon around points of the plane, by cutting planes for its centre: generators, and multipliers for
+//! the proof, without a linear program.
 //!
-//! With the centre O fixed the best zonogon is the convex hull of the points and their reflections in O; its half-edges
-//! are the generators. Where the unit tangent turns from t to t' at a vertex, half their difference pulls at the point
-//! there: such multipliers λ_j load no direction by more than 1, as a tangent that turns by π passes each value twice,
-//! and they add up to −∇ of the length at O. So Σ λ_j · (p_j − x) is a lower bound of the length for any centre x,
-//! exact at O, and averages of the multipliers at several centres whose sums cancel are multipliers for the proof.
+//! With the centre O fixed the smallest zonogon is the convex hull of the points and their reflections in O, and its
+//! half-edges are the generators. Let the unit tangent turn from t to t' at a vertex p_j of the hull; then (t − t') / 2
+//! is the multiplier λ_j of the point. These multipliers have two properties:
+//! - Σ |λ_j · v| ≤ 1 for every unit vector v. The sum is at most half the total variation of t · v, which is 2 while t
+//!   turns by π, and each pair of opposite vertices is counted once.
+//! - Σ λ_j · (p_j − x) is a lower bound of the length for every centre x, and it is the length for x = O. So −Σ λ_j is
+//!   a subgradient of the length at O.
 //!
-//! The length is convex in O: each gradient cuts off a part of the plane, and the next O is the centroid of what is
-//! left.
+//! The length is a convex function of O, so each gradient cuts off the half-plane where the length is greater. The next
+//! centre is the centroid of what is left: each cut takes at least four ninths of that area, and the method needs no
+//! step size. The multipliers of one centre do not add up to zero in general, but averages of several centres'
+//! multipliers do, and these prove the lower bound.
 
 use crate::enclosing::fixed_directions::balanced;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
-use crate::enclosing::min_total_length::lower_bound::Best;
+use crate::enclosing::min_total_length::lower_bound::BestBound;
 use crate::hull::convex_hull;
 use crate::zonotope::ray_exit::dot;
 
-/// The length at one centre: length(x) ≥ height + slope · x.
+/// An affine lower bound of the length as a function of the centre x, length(x) ≥ height + slope · x, with equality at
+/// the centre whose zonogon it comes from; and the multipliers that prove it.
 struct Cut<const D: usize> {
     slope: [f64; 2],
     height: f64,
     multipliers: Vec<(usize, [f64; D])>,
 }
 
-/// More centres than this are not tried: the part of the plane that is left is as small as rounding by then.
+/// At most this many centres are tried: the part of the plane that is left is as small as rounding by then.
 const CENTER_LIMIT: usize = 160;
 
-/// The centre is sought in the points' bounding box, scaled by this factor about its middle.
+/// The search for the centre begins with the points' bounding box, scaled by this factor about its middle.
 const BOX_ENLARGEMENT: f64 = 1.125;
 
-/// At most this many cuts, the last ones, are combined into multipliers.
-const COMBINED_CUT_LIMIT: usize = 48;
+/// Multipliers are averaged over at most this many cuts, the last ones.
+const AVERAGED_CUT_LIMIT: usize = 48;
 
-/// A slope with smaller coordinates counts as zero, and so does the sine of an angle if it is smaller.
+/// A slope whose coordinates are all smaller than this counts as zero, and slopes count as parallel if the tangent of
+/// their angle is no larger.
 const NEGLIGIBLE_SLOPE: f64 = 1e-15;
 
-/// The coefficients of the vertices are kept as witnesses if there are at most this many.
+/// The coefficients that place the vertices are kept as witnesses if there are at most this many.
 const WITNESS_LIMIT: usize = 1 << 20;
 
-/// The price of each unit by which a sum of multipliers fails to cancel: some point of the frame has to bear that unit.
+/// The loss of lower bound that is assumed for each unit by which a sum of multipliers differs from zero: balancing
+/// them puts the difference on one point of the frame.
 const REMAINDER_COST: f64 = 4.0;
 
-/// The cuts are combined once in this many rounds.
-const ROUNDS_PER_COMBINATION: usize = 8;
+/// Multipliers are averaged in each round whose number is a multiple of this.
+const ROUNDS_PER_AVERAGE: usize = 8;
 
-/// The best zonogon in the plane of the frame; best lengths and lower bounds as they come nearer.
-pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
+/// The shortest zonogon found around the points of a frame of rank 2, and the least length and the greatest lower bound
+/// each time that multipliers were averaged.
+pub(in crate::enclosing::min_total_length) fn min_length_in_plane<const D: usize>(
     frame: &Frame<D>,
     epsilon: f64,
-    best: &mut Best<D>,
+    best: &mut BestBound<D>,
 ) -> (FrameZonotope<D>, Vec<[f64; 2]>) {
     let points: Vec<[f64; 2]> = frame.points.iter().map(|p| [p[0], p[1]]).collect();
     let hull = hull_of(&points);
@@ -57,10 +66,11 @@ pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
         ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
     });
     let mut target = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
-    // The best centre may lie on the edge of the box; cuts from both sides of it are needed to prove that.
+    // The best centre may lie on the boundary of the bounding box, where the proof needs cuts from both sides; so the
+    // first polygon is larger.
     let [x, y] = [0, 1].map(|c| BOX_ENLARGEMENT * (high[c] - low[c]) / 2.0);
     let corner = |a: f64, b: f64| [target[0] + a * x, target[1] + b * y];
-    let mut place = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    let mut region = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
     let mut cuts: Vec<Cut<D>> = Vec::new();
     let mut inner =
         FrameZonotope { upper: f64::INFINITY, center: [0.0; D], generators: Vec::new(), witnesses: Vec::new() };
@@ -76,14 +86,14 @@ pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
             inner = FrameZonotope { upper, center, generators, witnesses: Vec::new() };
             shortest = Some(zonogon);
         }
-        place = part_below(&place, target, cut.slope);
+        region = part_below(&region, target, cut.slope);
         let is_flat = cut.slope == [0.0; 2];
         cuts.push(cut);
-        let next = centroid(&place);
-        if round % ROUNDS_PER_COMBINATION == 0 || is_flat || next.is_none() || round == CENTER_LIMIT {
-            let last = &cuts[cuts.len().saturating_sub(COMBINED_CUT_LIMIT)..];
-            if let Some(pulls) = combined(last) {
-                best.improve(2, &frame.points, balanced(&pulls), f64::INFINITY);
+        let next = centroid(&region);
+        if round % ROUNDS_PER_AVERAGE == 0 || is_flat || next.is_none() || round == CENTER_LIMIT {
+            let last = &cuts[cuts.len().saturating_sub(AVERAGED_CUT_LIMIT)..];
+            if let Some(unbalanced) = averaged(last) {
+                best.improve(2, &frame.points, balanced(&unbalanced), f64::INFINITY);
             }
             progress.push([inner.upper, best.lower]);
             if inner.upper <= (1.0 + 0.5 * epsilon) * best.lower {
@@ -99,19 +109,22 @@ pub(in crate::enclosing::min_total_length) fn least_in_plane<const D: usize>(
     (inner, progress)
 }
 
-/// The least zonogon with a given centre.
+/// The smallest zonogon around points with a given centre: the convex hull of the points and their reflections.
 struct Zonogon {
-    /// The vertices: places in the hull of the points, those of their reflections after them.
+    /// The vertices, counterclockwise. With h vertices of the points' hull, k < h is vertex k of that hull, and h + k
+    /// is its reflection.
     boundary: Vec<usize>,
-    /// Half the edges that follow them.
+    /// Half of the edge that follows each vertex.
     edges: Vec<[f64; 2]>,
-    /// How many points the hull has.
+    /// The number h of vertices of the points' hull.
     own: usize,
-    /// Rounding may tell a vertex from its opposite; then both halves of the edges count by half.
+    /// Whether the second half of the boundary is the reflection of the first. Rounding may drop a vertex and keep its
+    /// reflection; then every edge of the whole boundary is taken with half its length.
     is_symmetric: bool,
 }
 
 impl Zonogon {
+    /// The zonogon with a centre around points, given with the vertices of their hull.
     fn around(points: &[[f64; 2]], hull: &[usize], center: [f64; 2]) -> Self {
         let own = hull.iter().map(|&j| [points[j][0] - center[0], points[j][1] - center[1]]);
         let around: Vec<[f64; 2]> = own.clone().chain(own.map(|p| p.map(|c| -c))).collect();
@@ -128,6 +141,7 @@ impl Zonogon {
         Self { boundary, edges, own, is_symmetric }
     }
 
+    /// The cut at the zonogon's centre.
     fn cut<const D: usize>(&self, points: &[[f64; 2]], hull: &[usize]) -> Cut<D> {
         let count = self.edges.len();
         let unit = |e: &[f64; 2]| {
@@ -139,7 +153,7 @@ impl Zonogon {
         for (k, &vertex) in self.boundary.iter().enumerate() {
             let (before, after) = (tangents[(k + count - 1) % count], tangents[k]);
             let point = hull[vertex % self.own];
-            // Each point with its reflection is there twice.
+            // A point and its reflection are both vertices, so each counts half: a quarter of the turn.
             let share = if vertex >= self.own { -0.25 } else { 0.25 };
             let multiplier = [share * (before[0] - after[0]), share * (before[1] - after[1])];
             cut.slope = [cut.slope[0] - multiplier[0], cut.slope[1] - multiplier[1]];
@@ -149,17 +163,20 @@ impl Zonogon {
         cut
     }
 
+    /// The half-edges that are the generators, and the factor by which each is multiplied.
     fn used(&self) -> (&[[f64; 2]], f64) {
         if self.is_symmetric { (&self.edges[..self.edges.len() / 2], 1.0) } else { (&self.edges, 0.5) }
     }
 
+    /// The generators, in the coordinates of the frame.
     fn generators<const D: usize>(&self) -> Vec<[f64; D]> {
         let (edges, factor) = self.used();
         edges.iter().filter(|e| **e != [0.0; 2]).map(|e| in_space(e, factor)).collect()
     }
 
-    /// The coefficients of those points that are vertices opposite their reflections: 1 for the edges from one to the
-    /// other, −1 for those back. None where these are too many.
+    /// For each point that is a vertex, as is its reflection, the coefficients of the generators that place it: 1 for
+    /// the edges from the reflection to the point, counterclockwise, and −1 for the others. Empty if they would be too
+    /// many.
     fn witnesses(&self, hull: &[usize]) -> Vec<(usize, Vec<f64>)> {
         let (edges, _) = self.used();
         if edges.len() * self.own > WITNESS_LIMIT {
@@ -180,21 +197,23 @@ impl Zonogon {
     }
 }
 
+/// A multiple of a vector of the plane as a vector of the frame.
 fn in_space<const D: usize>(v: &[f64; 2], factor: f64) -> [f64; D] {
     std::array::from_fn(|c| if c < 2 { factor * v[c] } else { 0.0 })
 }
 
-/// The average of multipliers at three centres whose sums cancel that proves most.
-fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
+/// The weighted average of the multipliers of one, two or three cuts whose slopes cancel that proves the greatest lower
+/// bound; `None` if no slopes cancel.
+fn averaged<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
     let cross = |i: usize, j: usize| cuts[i].slope[0] * cuts[j].slope[1] - cuts[i].slope[1] * cuts[j].slope[0];
-    let mut most: Option<(f64, [(usize, f64); 3])> = None;
+    let mut best: Option<(f64, [(usize, f64); 3])> = None;
     let mut offer = |shares: [(usize, f64); 3]| {
         let height = shares.iter().map(|&(i, share)| share * cuts[i].height).sum::<f64>();
         let left = |c: usize| shares.iter().map(|&(i, share)| share * cuts[i].slope[c]).sum::<f64>().abs();
-        // Slopes that are nearly parallel cancel badly.
+        // Slopes that are nearly parallel cancel only up to rounding, which costs the bound.
         let worth = height - REMAINDER_COST * (left(0) + left(1));
-        if worth.is_finite() && most.as_ref().is_none_or(|m| worth > m.0) {
-            most = Some((worth, shares));
+        if worth.is_finite() && best.as_ref().is_none_or(|b| worth > b.0) {
+            best = Some((worth, shares));
         }
     };
     for i in 0..cuts.len() {
@@ -216,7 +235,7 @@ fn combined<const D: usize>(cuts: &[Cut<D>]) -> Option<Vec<(usize, [f64; D])>> {
             }
         }
     }
-    let (_, shares) = most?;
+    let (_, shares) = best?;
     let multipliers = shares.into_iter().flat_map(|(i, share)| {
         cuts[i].multipliers.iter().map(move |(point, multiplier)| (*point, multiplier.map(|c| c * share)))
     });
@@ -240,7 +259,7 @@ fn part_below(polygon: &[[f64; 2]], at: [f64; 2], slope: [f64; 2]) -> Vec<[f64; 
     part
 }
 
-/// The centroid of a convex polygon; `None` if it has no area to speak of.
+/// The centroid of a convex polygon; `None` if its area is not positive in floating point.
 fn centroid(polygon: &[[f64; 2]]) -> Option<[f64; 2]> {
     let (first, rest) = polygon.split_first()?;
     let (mut area, mut moment) = (0.0, [0.0; 2]);

@@ -1,17 +1,17 @@
 //! Dense symmetric positive semidefinite systems of equations, by a blocked Cholesky factorisation.
 //!
-//! An unknown that depends on those before it stays zero, which a plain factorisation refuses; and the scalar may be a pair of doubles.
-//! For these two reasons no library is used.
+//! The factorisation leaves an unknown at zero if its row depends on the rows before it, where a plain factorisation
+//! fails; and it works in any [`Scalar`], also in pairs of doubles. For these two reasons no library is used.
 
 use super::scalar::{BLOCK, Scalar};
 
-/// The pivot of an unknown that depends on those before it: so large that the unknown stays zero.
+/// The pivot of an unknown whose row depends on the rows before it: so large that the unknown becomes zero.
 const DEPENDENT_PIVOT: f64 = 1e100;
 
-/// Rows that are worked on together: each earlier row is read once for all of them.
+/// The number of rows that are factored together: each earlier row is read once for all of them.
 const PANEL: usize = 16;
 
-/// The lower half of a symmetric matrix, row after row, filled up with rows of the identity.
+/// The lower half of a symmetric matrix, row after row. Rows of the identity fill it up to a whole number of blocks.
 pub(super) struct Cholesky<R> {
     unknowns: usize,
     size: usize,
@@ -22,6 +22,7 @@ pub(super) struct Cholesky<R> {
 pub(super) struct Factor<R>(Cholesky<R>);
 
 impl<R: Scalar> Cholesky<R> {
+    /// The zero matrix for a number of unknowns.
     pub(super) fn zero(unknowns: usize) -> Self {
         let size = unknowns.next_multiple_of(BLOCK);
         let mut matrix = Self { unknowns, size, entries: vec![R::from(0.0); size * size] };
@@ -36,11 +37,12 @@ impl<R: Scalar> Cholesky<R> {
         self.entries[row * self.size + column] = entry;
     }
 
+    /// The entries of a row before the column `end`.
     fn row(&self, row: usize, end: usize) -> &[R] {
         &self.entries[row * self.size..][..end]
     }
 
-    /// The factor; `None` if the matrix has no positive diagonal.
+    /// The factor; `None` if a diagonal entry is not positive, or an entry is not a number.
     pub(super) fn factor(mut self) -> Option<Factor<R>> {
         for panel in (0..self.size).step_by(PANEL) {
             let end = (panel + PANEL).min(self.size);
@@ -61,7 +63,7 @@ impl<R: Scalar> Cholesky<R> {
         Some(Factor(self))
     }
 
-    /// The factor's entries in two columns, for a block of rows below them.
+    /// Computes the factor's entries in two columns, for a block of rows whose columns before these are done.
     fn eliminate(&mut self, row: usize, column: usize) {
         let rows = std::array::from_fn(|i| self.row(row + i, column));
         let sums = R::products(rows, [self.row(column, column), self.row(column + 1, column)]);
@@ -74,7 +76,8 @@ impl<R: Scalar> Cholesky<R> {
         }
     }
 
-    /// The rest of a row, from the column at which its block begins.
+    /// Computes the rest of a row of the factor, from the column at which its block begins to the diagonal. `None` if
+    /// the matrix's diagonal entry is not positive, or the pivot is not a number.
     fn finish(&mut self, row: usize, block: usize) -> Option<()> {
         for column in block..row {
             let rest = self.row(row, row)[column] - R::product(self.row(row, column), self.row(column, column));
@@ -93,7 +96,7 @@ impl<R: Scalar> Cholesky<R> {
 }
 
 impl<R: Scalar> Factor<R> {
-    /// The solution for a right side.
+    /// The solution of the equations for a right side.
     pub(super) fn solve(&self, right: &[R]) -> Vec<R> {
         let Self(matrix) = self;
         let mut x = right.to_vec();
@@ -129,7 +132,7 @@ mod tests {
 
     #[test]
     fn the_solution_of_the_least_of_two_indices() {
-        // min(i, j) + 1 is the covariance of sums of i + 1 steps: the inverse is that of second differences
+        // The entries are min(i, j) + 1; the inverse of such a matrix takes second differences.
         for size in [1, 3, 4, 17, 50] {
             let mut matrix = Cholesky::zero(size);
             for row in 0..size {
@@ -145,9 +148,11 @@ mod tests {
             }
         }
     }
+
     #[test]
     fn pairs_solve_what_doubles_cannot() {
-        // the matrix of 1 / (i + j + 1), scaled to whole numbers; its condition is 10^16 for twelve unknowns
+        // Hilbert's matrix of 1 / (i + j + 1), scaled to whole numbers; its condition number is 10^16 for twelve
+        // unknowns.
         let size = 12;
         let multiple = (1..2 * size as u64).fold(1, |m, k| m * k / greatest_divisor(m, k));
         let off = |x: &[f64]| x.iter().map(|x| (x - 1.0).abs()).fold(0.0, f64::max);

@@ -1,11 +1,13 @@
 //! The second-order cone x_0 ≥ |(x_1 … x_d)| and its Jordan algebra.
 //!
-//! The cone is its own dual. Its interior is where the determinant xᵀ J x, J = diag(1, −1 … −1), and x_0 are positive. The Jordan
-//! product a ∘ b = (a · b, a_0 b' + b_0 a') has the unit (1, 0) and the inverse x⁻¹ = J x / xᵀ J x.
+//! The cone is its own dual. A vector x is in its interior if x_0 and the determinant xᵀ J x are positive, where J =
+//! diag(1, −1 … −1). The Jordan product a ∘ b = (a · b, a_0 b' + b_0 a') has the unit (1, 0) and the inverse x⁻¹ = J x
+//! / xᵀ J x.
 
 use super::scalar::{Scalar, dot, plus, zero};
 
-/// A vector (x_0, x') with its first coordinate apart: in the cone just when the head is at least the length of the rest.
+/// A vector (x_0, x') with the head x_0 and the rest x'. It is in the cone if the head is at least the length of the
+/// rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::enclosing::min_total_length::by_vertex_sets) struct ConeVector<R, const D: usize> {
     pub(in crate::enclosing::min_total_length::by_vertex_sets) head: R,
@@ -33,7 +35,7 @@ impl<R: Scalar, const D: usize> ConeVector<R, D> {
         Self { head: self.head * factor, rest: self.rest.map(|c| c * factor) }
     }
 
-    /// J x.
+    /// The vector J x, whose rest is negated.
     pub(super) fn reflected(&self) -> Self {
         Self { head: self.head, rest: self.rest.map(|c| -c) }
     }
@@ -44,12 +46,13 @@ impl<R: Scalar, const D: usize> ConeVector<R, D> {
         (self.head - length) * (self.head + length)
     }
 
-    /// The dual variable μ s⁻¹ that goes with a slack s on the central path.
+    /// The dual variable z = μ s⁻¹ of this slack s on the central path, where s ∘ z = (μ, 0).
     pub(in crate::enclosing::min_total_length::by_vertex_sets) fn dual_at(&self, mu: R) -> Self {
         self.reflected().times(mu / self.determinant())
     }
 
-    /// The step along a direction at which the boundary of the cone is met; infinite if it never is.
+    /// The multiple of a direction that leads from this vector, inside the cone, to the boundary of the cone; infinite
+    /// if every multiple stays inside.
     pub(in crate::enclosing::min_total_length::by_vertex_sets) fn reach(&self, direction: &Self) -> f64 {
         let none = R::from(0.0);
         let a = direction.head * direction.head - dot(&direction.rest, &direction.rest);
@@ -63,7 +66,7 @@ impl<R: Scalar, const D: usize> ConeVector<R, D> {
     }
 }
 
-/// a ∘ b.
+/// The Jordan product a ∘ b.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) fn jordan<R: Scalar, const D: usize>(
     a: &ConeVector<R, D>,
     b: &ConeVector<R, D>,

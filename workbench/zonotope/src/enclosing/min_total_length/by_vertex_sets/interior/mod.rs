@@ -1,41 +1,47 @@
-//! The interior-point method for the vertex sets: a primal–dual predictor–corrector method for a second-order cone program.
+//! The interior-point method for the vertex sets: a primal–dual predictor–corrector method for a second-order cone
+//! program.
 //!
 //! # The program
 //! With Q the second-order cone { (x_0, x') : x_0 ≥ |x'| }, p_0 the first point and λ_j the multipliers of the others:
 //!
 //! - maximise Σ λ_j · (p_j − p_0) such that the slack s_T = (1, w_T), w_T = 2 Σ_{j ∈ T} λ_j, lies in Q for every set T;
-//! - its dual: minimise Σ t_T such that Σ_{T ∋ j} 2 g_T = p_j − p_0 for every j and z_T = (t_T, −g_T) lies in Q. The g_T are the
-//!   generators of a zonotope of which every p_j is a vertex, and Σ t_T bounds its total length.
+//! - its dual: minimise Σ t_T such that Σ_{T ∋ j} 2 g_T = p_j − p_0 for every j and z_T = (t_T, −g_T) lies in Q. The
+//!   g_T are the generators of a zonotope of which every p_j is a vertex, and Σ t_T bounds its total length.
 //!
-//! The duality gap is Σ s_T · z_T. On the central path s_T ∘ z_T = (μ, 0) for every T, ∘ the Jordan product of the cone. The slack may
-//! begin with a head τ_T above 1, so a new set whose constraint is violated starts inside Q; steps bring τ_T to 1.
+//! The duality gap is Σ s_T · z_T. On the central path s_T ∘ z_T = (μ, 0) for every T, where ∘ is the Jordan product of
+//! the cone. The head τ_T of a slack may begin above 1, so that the slack of a new set is inside Q even if its
+//! constraint is violated; the steps bring τ_T to 1.
 //!
 //! # A step
-//! Both variables of a set are seen through their Nesterov–Todd scaling W ([`scaling`]), in which they coincide. The predictor is
-//! the Newton step for μ = 0; how much of it stays in the cone tells the μ to aim at, and the corrector adds the second-order term
-//! that the predictor neglects. Eliminating slacks and dual variables leaves equations in the λ_j with the Schur complement
-//! H = Σ_T a_T a_Tᵀ ⊗ W_T⁻², a_T the vector with 2 for the points of T ([`schur`]), factored by Cholesky.
+//! The Nesterov–Todd scaling W of a set ([`scaling`]) maps its slack and its dual variable to the same point, so that
+//! neither is preferred. The predictor is the Newton step for μ = 0. The duality gap after the part of it that stays in
+//! the cone determines the μ to aim at, and the corrector adds the second-order term that the predictor neglects.
+//! Elimination of slacks and dual variables leaves equations in the λ_j with the Schur complement H = Σ_T a_T a_Tᵀ ⊗
+//! W_T⁻², where a_T is the vector with 2 for the points of T and 0 for the others ([`schur`]). H is factored by
+//! Cholesky's method.
 //!
 //! # Source
-//! Y. Nesterov and M. Todd, Self-scaled barriers and interior-point methods for convex programming, 1997, and Primal–dual
-//! interior-point methods for self-scaled cones, 1998, for the scaling; S. Mehrotra, On the implementation of a primal–dual
-//! interior point method, 1992, for predictor and corrector; the formulas for the second-order cone are those of L. Vandenberghe,
-//! The CVXOPT linear and quadratic cone program solvers, 2010. Departures: variables begin off the equations τ_T = 1 and stay there
-//! only as long as steps are cut short; after each step the residuals of the generators are removed directly ([`residuals`]), since
-//! they, not the iterates, become the zonotope.
+//! Y. Nesterov and M. Todd, Self-scaled barriers and interior-point methods for convex programming, 1997, and
+//! Primal–dual interior-point methods for self-scaled cones, 1998, for the scaling; S. Mehrotra, On the implementation
+//! of a primal–dual interior point method, 1992, for predictor and corrector; the formulas for the second-order cone
+//! are those of L. Vandenberghe, The CVXOPT linear and quadratic cone program solvers, 2010. There are two departures.
+//! First, the variables begin off the equations τ_T = 1, and satisfy them after the first whole step of the slacks.
+//! Second, after each step the residuals of the generators are removed directly ([`residuals`]), since these
+//! generators, and not the dual variables of the iteration, become the zonotope.
 //!
 //! # Exactness
-//! None is needed here. What a step returns is proved elsewhere: the multipliers by the vertices of their zonotope, the generators
-//! by containment. Precision is: near the optimum H is ill-conditioned, for needles and clusters of points beyond what doubles
-//! resolve. So all of it is generic in its [`scalar::Scalar`], and can be run again in pairs of doubles.
+//! The method need not be exact: its multipliers are proved by the vertices of their zonotope, and its generators by
+//! containment. But it needs precision. Near the optimum H is ill-conditioned, for needles and clusters of points
+//! beyond what doubles resolve. So the method is generic in its [`scalar::Scalar`], and can be run again with pairs of
+//! doubles.
 //!
 //! | file | what it holds |
 //! |---|---|
 //! | [`scalar`] | the scalar: doubles, or pairs of doubles |
-//! | [`cone`] | vectors of the cone, the Jordan product, the way to the boundary |
+//! | [`cone`] | vectors of the cone, the Jordan product, the step to the boundary |
 //! | [`scaling`] | the Nesterov–Todd scaling |
 //! | [`schur`] | the Schur complement |
-//! | [`cholesky`] | its factor |
+//! | [`cholesky`] | the Cholesky factor of the Schur complement |
 //! | [`newton`] | the equations of a step and their solution |
 //! | [`residuals`] | generators without residuals |
 
@@ -53,31 +59,32 @@ use newton::{Equations, Step};
 use scalar::{Scalar, values};
 use scaling::Scaling;
 
-/// A step ends before the boundary of the cone by this share of the way to it.
+/// A step that would leave the cone ends before its boundary, by this share of the way to the boundary.
 const BOUNDARY_SHARE: f64 = 0.02;
 
-/// The residual that generators may keep, as a share of the duality gap that is aimed at.
+/// The residual that the generators may keep, as a share of the least duality gap that a step may aim at.
 const RESIDUAL_SHARE: f64 = 0.01;
 
-/// No step aims at less than this share of the present μ.
+/// No step aims at a μ below this share of the present one.
 const GREATEST_REDUCTION: f64 = 1e-4;
 
-/// The work of enumerating the vertices of the multipliers' zonotope, for each of m^(rank − 1) cells, in multiplications.
+/// The work of enumerating the vertices of Σ [−1, 1] λ_j, in multiplications for each of about m^(rank − 1) vertices.
 const VERTEX_WORK: f64 = 30.0;
 
-/// What is known after a step.
+/// The generators and the gap after a step; the multipliers are in the [`VertexSets`].
 pub(super) struct Stepped<const D: usize> {
-    /// Generators with Σ_{T ∋ j} 2 g_T = p_j − p_0 but for rounding.
+    /// Generators with Σ_{T ∋ j} 2 g_T = p_j − p_0 but for small residuals.
     pub(super) generators: Vec<[f64; D]>,
-    /// The largest residual of any point along each axis.
+    /// The magnitude of the largest residual of a point along each axis.
     pub(super) missed: [f64; D],
-    /// The average of slack · dual.
+    /// The average of slack · dual over the sets: the duality gap divided by their number.
     pub(super) mu: f64,
 }
 
 impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
-    /// One predictor–corrector step towards the optimum for the sets as they are, but not below a least μ; `None` where rounding takes
-    /// a slack or a dual variable out of the cone, or the Schur complement is not positive definite.
+    /// One predictor–corrector step towards the optimum for the present sets, which aims at no μ below `least_mu`.
+    /// `None` if rounding has taken a slack or a dual variable out of the cone, or the equations of the step have no
+    /// finite solution.
     pub(super) fn step(&mut self, least_mu: f64) -> Option<Stepped<D>> {
         let scalings: Vec<Scaling<R, D>> =
             self.sets.iter().map(|set| Scaling::new(&set.slack, &set.dual)).collect::<Option<_>>()?;
@@ -90,7 +97,8 @@ impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
         let count = self.sets.len() as f64;
         let mu = self.sets.iter().map(|set| set.slack.dot(&set.dual).value()).sum::<f64>() / count;
 
-        // The predictor aims at μ = 0. How much of it stays in the cone tells what μ the corrector can aim at.
+        // The predictor aims at μ = 0. The gap after the part of it that stays in the cone says what μ the corrector
+        // can aim at.
         let aims: Vec<ConeVector<R, D>> = self.sets.iter().map(|set| ConeVector::zero().minus(&set.dual)).collect();
         let first = equations.solve(&residual, &aims)?;
         let [of_slack, of_dual] = self.reach(&first).map(R::from);
@@ -135,7 +143,8 @@ impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
         Some(Stepped { generators: generators.iter().map(values).collect(), missed, mu })
     }
 
-    /// Which part of a step keeps all slacks inside the cone, and which all dual variables; at most the whole step.
+    /// The part of a step that keeps all slacks inside the cone, and the part that keeps all dual variables inside;
+    /// each is at most 1.
     fn reach(&self, step: &Step<R, D>) -> [f64; 2] {
         let mut reach = [f64::INFINITY; 2];
         for (set, (slack, dual)) in self.sets.iter().zip(&step.variables) {

@@ -1,7 +1,9 @@
 //! The linear equations of a Newton step and their solution.
 //!
-//! A step (Δλ, Δs, Δz) closes the residuals Σ_{T ∋ j} 2 g_T = p_j − p_0, brings every τ_T to 1, and obeys Δz + W⁻² Δs = aim, the
-//! linearised centrality in coordinates of z. Δs and Δz follow from Δλ, which solves H Δλ = right side.
+//! A step (Δλ, Δs, Δz) satisfies three equations: it makes the residuals p_j − p_0 − Σ_{T ∋ j} 2 g_T zero, it brings
+//! every τ_T to 1, and Δz + W⁻² Δs is a given vector, the aim. The last equation is the central path's, linearised and
+//! multiplied by W⁻¹: for the predictor the aim is −z, for the corrector it also holds μ and the second-order term. Δs
+//! and Δz follow from Δλ, which solves H Δλ = right side.
 
 use super::cholesky::Factor;
 use super::cone::ConeVector;
@@ -24,8 +26,8 @@ pub(super) struct Step<R, const D: usize> {
 }
 
 impl<R: Scalar, const D: usize> Equations<'_, R, D> {
-    /// The step that closes a residual, brings every τ_T to 1, and changes each dual variable by its aim less W⁻² times the change of
-    /// the slack.
+    /// The step that makes a residual zero and brings every τ_T to 1, with Δz = aim − W⁻² Δs for each set. `None` if it
+    /// is not finite.
     pub(super) fn solve(&self, residual: &[[R; D]], aims: &[ConeVector<R, D>]) -> Option<Step<R, D>> {
         let aims: Vec<ConeVector<R, D>> = self
             .sets
@@ -50,7 +52,7 @@ impl<R: Scalar, const D: usize> Equations<'_, R, D> {
         Some(Step { multipliers, variables })
     }
 
-    /// H⁻¹ times a right side, refined once; `None` where it is not finite.
+    /// H⁻¹ times a right side, refined once by its residual; `None` if it is not finite.
     fn solve_schur(&self, right: &[[R; D]]) -> Option<Vec<[R; D]>> {
         let rank = self.sets.rank;
         let solved = |right: &[[R; D]]| -> Vec<[R; D]> {
@@ -70,7 +72,7 @@ impl<R: Scalar, const D: usize> Equations<'_, R, D> {
         sum.iter().flatten().all(|c| c.value().is_finite()).then_some(sum)
     }
 
-    /// Adds 2 v_T to the sum of each point of T.
+    /// Adds twice the vector of each set T to the sums of the points of T.
     fn add_to_members(&self, sums: &mut [[R; D]], vectors: impl Iterator<Item = [R; D]>) {
         for (set, vector) in self.sets.sets.iter().zip(vectors) {
             for j in set.points.members() {
@@ -79,7 +81,8 @@ impl<R: Scalar, const D: usize> Equations<'_, R, D> {
         }
     }
 
-    /// The generators of dual variables, changed as little as the scaling allows so that they close a residual.
+    /// The generators of dual variables, changed so that a residual becomes zero; of all such changes Δz this has the
+    /// least Σ |W Δz|². `None` if it is not finite.
     pub(super) fn corrected(&self, residual: &[[R; D]], duals: &[ConeVector<R, D>]) -> Option<Vec<[R; D]>> {
         let multipliers = self.solve_schur(residual)?;
         let sets = self.sets.sets.iter().zip(&self.scalings).zip(duals);
@@ -91,6 +94,7 @@ impl<R: Scalar, const D: usize> Equations<'_, R, D> {
     }
 }
 
+/// The vector with a head of zero.
 fn headless<R: Scalar, const D: usize>(rest: [R; D]) -> ConeVector<R, D> {
     ConeVector { head: R::from(0.0), rest }
 }

@@ -1,20 +1,21 @@
 //! Generators without residuals: Σ_{T ∋ j} 2 g_T = p_j − p_0 up to rounding.
 //!
-//! To first order it does not matter which generators make up for a residual r: as each points along its w_T, that changes their
-//! total length by Σ λ_j · r_j. So the generators are changed in proportion to their lengths, which leaves short ones short.
+//! To first order it does not matter which generators make up for the residuals r_j: as every generator g_T points
+//! along its w_T, the change adds Σ λ_j · r_j to their total length in any case. So the generators are changed in
+//! proportion to their lengths, which leaves short ones short.
 
 use super::cholesky::Cholesky;
 use super::scalar::{Scalar, dot, plus, values, zero};
 use crate::enclosing::min_total_length::by_vertex_sets::vertex_sets::{VertexSets, doubled_sum_after_first};
 
-/// Generators are corrected at most this often by their residuals.
+/// The residuals are removed at most this many times in sequence.
 const CORRECTION_LIMIT: usize = 4;
 
-/// In corrections a generator counts as no shorter than this beside the longest.
+/// A generator's weight in a correction is its length, but no less than this share of the longest one's.
 const LEAST_WEIGHT: f64 = 1e-6;
 
 impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
-    /// The residual p_j − p_0 − Σ_{T ∋ j} 2 g_T of each point after the first, given the vectors −g_T.
+    /// The residual p_j − p_0 − Σ_{T ∋ j} 2 g_T of each point after the first, for the negated generators −g_T.
     pub(super) fn residual(&self, negated: impl Iterator<Item = [R; D]>) -> Vec<[R; D]> {
         let mut left = self.points[1..].to_vec();
         for (set, vector) in self.sets.iter().zip(negated) {
@@ -25,8 +26,8 @@ impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
         left
     }
 
-    /// Generators changed in proportion to their lengths where they miss more than tolerance, and what they miss of any point along each axis. To first order it does not
-    /// matter which generators make up for a residual r: as each points along its w_T, that changes their length by Σ λ_j · r_j.
+    /// The generators, changed in proportion to their lengths if their residuals exceed a tolerance, and the magnitude
+    /// of the largest residual that is left along each axis.
     pub(super) fn without_residual(&self, mut generators: Vec<[R; D]>, tolerance: f64) -> (Vec<[R; D]>, [f64; D]) {
         let count = self.points.len() - 1;
         let mut factor = None;
@@ -55,22 +56,22 @@ impl<R: Scalar, const D: usize> VertexSets<'_, R, D> {
                 factor = self.weighted_gram(&weights).factor().map(|factor| (factor, weights));
             }
             let Some((factor, weights)) = &factor else { break };
-            let mut turned = vec![zero(); count];
+            let mut solution = vec![zero(); count];
             for axis in 0..self.rank {
                 let right: Vec<R> = left.iter().map(|v| v[axis]).collect();
-                for (turned, x) in turned.iter_mut().zip(factor.solve(&right)) {
-                    turned[axis] = x;
+                for (solution, x) in solution.iter_mut().zip(factor.solve(&right)) {
+                    solution[axis] = x;
                 }
             }
             for ((set, generator), weight) in self.sets.iter().zip(&mut generators).zip(weights) {
-                *generator = plus(generator, R::from(*weight), &doubled_sum_after_first(&set.points, &turned));
+                *generator = plus(generator, R::from(*weight), &doubled_sum_after_first(&set.points, &solution));
             }
         }
         let (_, missed, generators) = best.expect("there is a first one");
         (generators, missed)
     }
 
-    /// Σ weight_T a_T a_Tᵀ.
+    /// The matrix Σ weight_T a_T a_Tᵀ, where a_T is the vector with 2 for the points of T and 0 for the others.
     fn weighted_gram(&self, weights: &[f64]) -> Cholesky<R> {
         let count = self.points.len() - 1;
         let mut sums = vec![R::from(0.0); count * count];

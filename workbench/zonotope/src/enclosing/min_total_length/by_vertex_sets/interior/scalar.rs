@@ -6,10 +6,10 @@ use wide::f64x2;
 
 use crate::numeric::double_double::DoubleDouble;
 
-/// This many rows are multiplied with two others at once.
+/// The number of rows in a block whose products with two other rows are computed at once.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) const BLOCK: usize = 4;
 
-/// A floating-point number.
+/// A floating-point number in which the interior-point method computes.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
     Copy
     + PartialOrd
@@ -20,18 +20,19 @@ pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
     + Mul<Output = Self>
     + Div<Output = Self>
 {
-    /// A pivot below this, relative to its diagonal entry, is what rounding left of zero.
+    /// A pivot below this, relative to its diagonal entry, counts as zero: it is the rounding error of one.
     const PIVOT_TOLERANCE: f64;
 
-    /// The cost of a product and a sum, relative to those of doubles.
+    /// The cost of a multiplication and an addition, relative to that for doubles.
     const RELATIVE_COST: f64;
 
+    /// The square root.
     fn sqrt(self) -> Self;
 
     /// The nearest double.
     fn value(self) -> f64;
 
-    /// The products of some rows with two others, all of the same even length.
+    /// The dot products of the rows of a block with two other rows, all of the same even length.
     fn products(rows: [&[Self]; BLOCK], others: [&[Self]; 2]) -> [[Self; 2]; BLOCK] {
         rows.map(|row| others.map(|other| Self::product(row, other)))
     }
@@ -81,7 +82,7 @@ impl Scalar for f64 {
         sums.map(|pair| pair.map(|sum| sum.to_array().iter().sum()))
     }
 
-    /// The dot product, in eight partial sums.
+    /// The dot product of two rows of equal length, in eight partial sums, which the processor can take side by side.
     fn product(a: &[f64], b: &[f64]) -> f64 {
         let (mut a, mut b) = (a.chunks_exact(8), b.chunks_exact(8));
         let mut sums = [0.0; 8];
@@ -95,23 +96,24 @@ impl Scalar for f64 {
     }
 }
 
+/// The zero vector.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) fn zero<R: Scalar, const D: usize>() -> [R; D] {
     [R::from(0.0); D]
 }
 
-/// A vector of doubles.
+/// A vector of doubles as a vector of scalars.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) fn real<R: Scalar, const D: usize>(v: &[f64; D]) -> [R; D] {
     v.map(R::from)
 }
 
-/// The nearest doubles.
+/// The doubles nearest to the scalars of a vector.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) fn values<R: Scalar, const D: usize>(
     v: &[R; D],
 ) -> [f64; D] {
     v.map(R::value)
 }
 
-/// a · b.
+/// The dot product a · b.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) fn dot<R: Scalar, const D: usize>(
     a: &[R; D],
     b: &[R; D],
@@ -119,7 +121,7 @@ pub(in crate::enclosing::min_total_length::by_vertex_sets) fn dot<R: Scalar, con
     a.iter().zip(b).fold(R::from(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
-/// a + factor · b.
+/// The vector a + factor · b.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) fn plus<R: Scalar, const D: usize>(
     a: &[R; D],
     factor: R,

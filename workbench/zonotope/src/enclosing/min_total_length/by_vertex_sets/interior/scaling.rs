@@ -1,24 +1,27 @@
 //! The Nesterov–Todd scaling of the second-order cone.
 //!
-//! For a slack s and a dual variable z inside the cone there is one symmetric automorphism W of the cone with W z = W⁻¹ s. Seen
-//! through it both are the same point, and a Newton step towards s ∘ z = μ treats both alike.
-//! W = β (2 v vᵀ − J) with vᵀ J v = 1.
+//! For a slack s and a dual variable z inside the cone there is exactly one symmetric automorphism W of the cone with W
+//! z = W⁻¹ s. In its coordinates both are the same point, so a Newton step towards s ∘ z = μ treats slack and dual
+//! variable alike. It has the form W = β (2 v vᵀ − J) with vᵀ J v = 1.
 
 use super::cone::ConeVector;
 use super::scalar::{Scalar, dot};
 
 /// The Nesterov–Todd scaling W of a slack and a dual variable.
 pub(super) struct Scaling<R, const D: usize> {
+    /// The factor β of W.
     beta: R,
-    /// w̄ with W² = β² (2 w̄ w̄ᵀ − J).
+    /// The vector w̄ with W² = β² (2 w̄ w̄ᵀ − J).
     square: ConeVector<R, D>,
+    /// The vector v with W = β (2 v vᵀ − J).
     root: ConeVector<R, D>,
-    /// W z = W⁻¹ s.
+    /// The scaled point W z = W⁻¹ s of both variables.
     pub(super) both: ConeVector<R, D>,
 }
 
 impl<R: Scalar, const D: usize> Scaling<R, D> {
-    /// `None` where one of them is not inside the cone.
+    /// The scaling of a slack and a dual variable; `None` if one of them is not inside the cone, or the scaling is not
+    /// finite.
     pub(super) fn new(slack: &ConeVector<R, D>, dual: &ConeVector<R, D>) -> Option<Self> {
         let (of_slack, of_dual) = (slack.determinant(), dual.determinant());
         let [half, one, two] = [0.5, 1.0, 2.0].map(R::from);
@@ -37,33 +40,33 @@ impl<R: Scalar, const D: usize> Scaling<R, D> {
         (is_positive && scaling.both.dot(&scaling.both).value().is_finite()).then_some(scaling)
     }
 
-    /// W x.
+    /// The product W x.
     pub(super) fn apply(&self, x: &ConeVector<R, D>) -> ConeVector<R, D> {
         let along = R::from(2.0) * self.root.dot(x);
         self.root.times(along).minus(&x.reflected()).times(self.beta)
     }
 
-    /// W⁻¹ x.
+    /// The product W⁻¹ x.
     pub(super) fn undo(&self, x: &ConeVector<R, D>) -> ConeVector<R, D> {
         let back = self.root.reflected();
         let along = R::from(2.0) * back.dot(x);
         back.times(along).minus(&x.reflected()).times(R::from(1.0) / self.beta)
     }
 
-    /// W⁻² x.
+    /// The product W⁻² x.
     pub(super) fn undo_twice(&self, x: &ConeVector<R, D>) -> ConeVector<R, D> {
         let back = self.square.reflected();
         let along = R::from(2.0) * back.dot(x);
         back.times(along).minus(&x.reflected()).times(R::from(1.0) / (self.beta * self.beta))
     }
 
-    /// An entry of W⁻², without heads.
+    /// An entry of W⁻² in the rows and columns after those of the head.
     pub(super) fn entry(&self, a: usize, b: usize) -> R {
         let identity = R::from(if a == b { 1.0 } else { 0.0 });
         (identity + R::from(2.0) * self.square.rest[a] * self.square.rest[b]) / (self.beta * self.beta)
     }
 
-    /// x with (W z) ∘ x = right, where a ∘ b = (a · b, a_0 b' + b_0 a').
+    /// The vector x with (W z) ∘ x = right, for the Jordan product ∘.
     pub(super) fn divided(&self, right: &ConeVector<R, D>) -> ConeVector<R, D> {
         let both = &self.both;
         let head = (both.head * right.head - dot(&both.rest, &right.rest)) / both.determinant();

@@ -1,7 +1,9 @@
 //! The Schur complement H = Σ_T a_T a_Tᵀ ⊗ W_T⁻² of a step, from running sums.
 //!
-//! The row of a point in H is the sum of W_T⁻² a_T over all T that contain it, which is the difference of two running sums for each
-//! run of consecutive sets that contain it. Neighbours in the order of the sets differ by few points, so runs are long and few.
+//! The row of a point in H is the sum of W_T⁻² a_T over all T that contain it. For each run of consecutive sets that
+//! contain the point this is the difference of two running sums. Neighbours in the order of the sets differ by few
+//! points, so runs are long and few, and this takes far fewer additions than a sum over the sets for each pair of
+//! points.
 
 use super::cholesky::Cholesky;
 use super::scalar::Scalar;
