@@ -6,7 +6,7 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 
-/// What came of it.
+/// The outcome: a zonotope, or the proof that there is none.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Enclosure<const D: usize> {
     /// A zonotope that contains every point exactly.
@@ -24,16 +24,16 @@ pub struct DirectedZonotope<const D: usize> {
     pub coefficients: Vec<f64>,
     /// Σ w_i c_i, rounded up.
     pub value: f64,
-    /// A number that Σ w_i c_i is not below for any zonotope along the directions that contains the points.
+    /// A lower bound of Σ w_i c_i for all zonotopes along the directions that contain the points.
     pub lower_bound: f64,
-    /// What proves the lower bound.
+    /// The multipliers that prove the lower bound.
     pub multipliers: Vec<Multiplier<D>>,
-    /// What it took.
+    /// The effort that the method took.
     pub effort: Effort,
 }
 
-/// The multiplier λ_j of a point j in the dual program. Multipliers with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for each direction
-/// prove Σ w_i c_i ≥ Σ λ_j · p_j.
+/// The multiplier λ_j of a point j in the dual program. Multipliers with Σ λ_j = 0 and Σ_j |λ_j · v_i| ≤ w_i for each
+/// direction prove Σ w_i c_i ≥ Σ λ_j · p_j.
 ///
 /// For if p_j = p + Σ b_ij v_i with |b_ij| ≤ c_i, then Σ λ_j · p_j = Σ_ij b_ij λ_j · v_i ≤ Σ_i c_i Σ_j |λ_j · v_i|.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,14 +44,14 @@ pub struct Multiplier<const D: usize> {
     pub vector: [Rational; D],
 }
 
-/// What a method took.
+/// The effort that a method took.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Effort {
     /// Rows of the last linear program: normals, or equations and bounds.
     pub rows: usize,
-    /// How often a linear program was solved.
+    /// The number of times that a linear program was solved.
     pub rounds: usize,
-    /// Passes over all points.
+    /// The number of passes over all points.
     pub passes: usize,
     /// Whether rational arithmetic had to find the optimum.
     pub exact: bool,
@@ -75,8 +75,8 @@ pub struct ExactOptimum<const D: usize> {
     pub center: [Rational; D],
     /// The coefficients c_i, none negative.
     pub coefficients: Vec<Rational>,
-    /// The multipliers that prove that nothing is smaller: points j with vectors λ_j, Σ λ_j = 0, Σ_j |λ_j · v_i| ≤ w_i for every
-    /// direction, and Σ λ_j · p_j the value.
+    /// The multipliers that prove that no value is smaller: points j with vectors λ_j such that Σ λ_j = 0,
+    /// Σ_j |λ_j · v_i| ≤ w_i for every direction, and Σ λ_j · p_j is the value.
     pub multipliers: Vec<(usize, [Rational; D])>,
 }
 
@@ -104,8 +104,8 @@ impl<const D: usize> DirectedZonotope<D> {
         if self.value == self.lower_bound { 0.0 } else { (self.value - self.lower_bound) / self.lower_bound }
     }
 
-    /// A zonotope with generators in doubles that contains this one: the products c_i v_i rounded, and up to D generators along the axes for
-    /// what rounding may have lost. O(k D).
+    /// A zonotope with generators in doubles that contains this one: the products c_i v_i rounded, and up to D
+    /// generators along the axes that make up for the rounding. O(k D).
     ///
     /// `None` where a product leaves the range of doubles.
     pub fn zonotope(&self, problem: &FixedDirections<'_, D>) -> Option<Zonotope<D>> {

@@ -1,33 +1,35 @@
 //! Smallest zonotope along given directions, by the criss-cross method on all facet normals in rationals: the truth.
 //!
 //! # Statement
-//! Input: points of R^D, directions, weights ≥ 0. Output: the least Σ w_i c_i over all zonotopes { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 }
-//! that contain the points, with a centre p, coefficients c ≥ 0 and multipliers that attain it, all exact; `None` when no zonotope
-//! along the directions contains the points. Zero, parallel and repeated directions are legal, and so are fewer than D of them.
+//! Input: points of R^D, directions, weights ≥ 0. Output: the least Σ w_i c_i over all zonotopes { p + Σ δ_i c_i v_i
+//! : |δ_i| ≤ 1 } that contain the points, with a centre p, coefficients c ≥ 0 and multipliers that attain it, all
+//! exact; `None` when no zonotope along the directions contains the points. Zero, parallel and repeated directions are
+//! legal, and so are fewer than D of them.
 //!
 //! # Source
-//! Section 4.2 for the problem. The linear program is the support form: a zonotope along the directions contains the points just
-//! when Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for every facet normal u, that is, for a normal of each d − 1 independent
-//! directions, both ways. The criss-cross method is that of Terlaky (1985) with the least-index rule.
+//! Section 4.2 for the problem. The linear program is the support form: a zonotope along the directions contains the
+//! points just when Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for every facet normal u, that is, for a normal of each
+//! d − 1 independent directions, both ways. The criss-cross method is that of Terlaky (1985) with the least-index rule.
 //!
 //! # Method
 //! 1. The span of the directions; a point off the affine span through the first point proves that there is no zonotope.
 //! 2. In coordinates of the span, a normal of every (d − 1)-subset of the directions, both ways.
-//! 3. A dictionary that expresses the slack of every normal by p and c. Each coordinate of p, which has no sign to keep, is
-//!    exchanged for a slack and then stays expressed for good.
-//! 4. Until the dictionary is feasible and optimal, the variable of least index that violates either is exchanged: a negative basic
-//!    variable for the first one that can raise it, or a nonbasic one with negative cost for the first one that it lowers.
+//! 3. A dictionary that expresses the slack of every normal by p and c. Each coordinate of p, which has no sign to
+//!    keep, is exchanged for a slack and then stays expressed for good.
+//! 4. Until the dictionary is feasible and optimal, the variable of least index that violates either is exchanged: a
+//!    negative basic variable for the first one that can raise it, or a nonbasic one with negative cost for the first
+//!    one that it lowers.
 //!
 //! # Complexity
-//! n points, k directions spanning d dimensions: m = 2 C(k, d − 1) normals, each O(n + k) rational operations; then exchanges of
-//! O(m (k + d)) each, whose number has no polynomial bound. For k up to about 8.
+//! n points, k directions spanning d dimensions: m = 2 C(k, d − 1) normals, each O(n + k) rational operations; then
+//! exchanges of O(m (k + d)) each, whose number has no polynomial bound. For k up to about 8.
 //!
 //! # Shapes
 //! `points`: n × D; `directions`: k × D; `coefficients`: half-lengths in units of their directions.
 //!
 //! # Numerics
-//! Everything is exact rational arithmetic. No code is shared with [`rational`](super::rational), the method that the others fall
-//! back on: that one solves the dual program by the simplex method.
+//! Everything is exact rational arithmetic. No code is shared with [`rational`](super::rational), the method that the
+//! others fall back on: that one solves the dual program by the simplex method.
 //!
 //! # Errors
 //! None: the problem is valid by construction.
@@ -36,8 +38,8 @@
 //! Never.
 //!
 //! # Checked by
-//! Weak duality: primal and dual solution are feasible and have the same value; hand-worked examples; the paper's own program, in
-//! which no normal occurs.
+//! Weak duality: primal and dual solution are feasible and have the same value; hand-worked examples; the paper's own
+//! program, in which no normal occurs.
 //!
 //! # Example
 //! ```
@@ -195,7 +197,8 @@ fn magnitude(value: Rational) -> Rational {
 
 /// Σ w_i c_i and the basic variables as affine functions of the nonbasic ones.
 ///
-/// The variables are the coordinates of p, which are free, then c, then the slack of each constraint; all but the first are ≥ 0.
+/// The variables are the coordinates of p, which are free, then c, then the slack of each constraint; all but the first
+/// are ≥ 0.
 struct Dictionary {
     rank: usize,
     /// The index of the variable that each row expresses, and of the one that each column but the first stands for.
@@ -231,8 +234,8 @@ impl Dictionary {
         self.try_solve().expect("a zonotope along directions that span contains the points")
     }
 
-    /// The optimum; `None` when nothing is feasible. The value must be bounded below, and the constraints must determine the free
-    /// variables.
+    /// The optimum; `None` when nothing is feasible. The value must be bounded below, and the constraints must
+    /// determine the free variables.
     fn try_solve(mut self) -> Option<Solution> {
         for free in 0..self.rank {
             let is_slack = |row: &usize| self.basic[*row] >= self.rank && !self.rows[*row][free + 1].is_zero();
@@ -245,7 +248,8 @@ impl Dictionary {
         Some(self.solution())
     }
 
-    /// The row and the column of the exchange that the violation of least index asks for; no column when nothing is feasible.
+    /// The row and the column of the exchange that the violation of least index asks for; no column when nothing is
+    /// feasible.
     fn violation(&self) -> Option<(usize, Option<usize>)> {
         let objective = self.rows.len() - 1;
         let negative = |row: &usize| self.basic[*row] >= self.rank && self.rows[*row][0] < Rational::ZERO;
@@ -308,8 +312,9 @@ mod tests {
         least_length(&FixedDirections::new(points, directions, &vec![1.0; directions.len()]).expect("valid"))
     }
 
-    /// Section 4.2 as printed: minimise Σ w_i c_i with p_j = p + Σ b_ij v_i and |b_ij| ≤ c_i. No normal occurs in it. The unknowns
-    /// c_i − b_ij and c_i + b_ij are slacks, and the equations are pairs of opposite inequalities; `None` when nothing is feasible.
+    /// Section 4.2 as printed: minimise Σ w_i c_i with p_j = p + Σ b_ij v_i and |b_ij| ≤ c_i. No normal occurs in it.
+    /// The unknowns c_i − b_ij and c_i + b_ij are slacks, and the equations are pairs of opposite inequalities; `None`
+    /// when nothing is feasible.
     fn paper<const D: usize>(points: &[[f64; D]], directions: &[[f64; D]], weights: &[f64]) -> Option<Rational> {
         let (n, k) = (points.len(), directions.len());
         let rational = |v: f64| Dyadic::from_f64(v).to_rational();

@@ -1,11 +1,12 @@
-//! The farthest of many points along each of some normals, with the points read once.
+//! The farthest of many points along each of several normals, with the points read from memory once.
 
 use crate::zonotope::ray_exit::dot;
 
-/// So many points are looked at together: their coordinates stay in the nearest memory while all normals pass over them.
+/// The number of points that are looked at together: their coordinates stay in the cache while all normals pass over
+/// them.
 const BLOCK: usize = 256;
 
-/// Heights that are compared side by side.
+/// The number of heights that are compared side by side.
 const LANES: usize = 8;
 
 /// A point and its height along a normal.
@@ -15,7 +16,8 @@ pub(crate) struct Far {
     pub(crate) point: usize,
 }
 
-/// For each normal the lowest and the highest of some points, of several the first. O(n) for each, in one pass over the points.
+/// For each normal the lowest and the highest of the points at some places; where several points are equally far, the
+/// first of them. O(n) for each normal, in one pass over the points.
 pub(crate) fn farthest<const D: usize>(
     points: &[[f64; D]],
     mut places: impl Iterator<Item = usize>,
@@ -30,7 +32,7 @@ pub(crate) fn farthest<const D: usize>(
         block.extend(places.by_ref().take(BLOCK));
         let Some(&first) = block.first() else { return found };
         for i in 0..BLOCK {
-            // The last block is filled up with its first point.
+            // Copies of its first point fill up the last block.
             let point = &points[block.get(i).copied().unwrap_or(first)];
             for (column, c) in columns.iter_mut().zip(point) {
                 column[i] = *c;

@@ -1,7 +1,9 @@
 //! A proven lower bound from the multipliers of a program over normals, however they were found.
 //!
-//! A normal u with multiplier y_u whose farthest point is j unbalanced at j with y_u u. Rounded to multiples of one power of two the multipliers add up to
-//! zero exactly; divided by the most that a direction is loaded with, they are within all limits.
+//! A normal u whose row has the multiplier y_u, and whose farthest point is j, contributes y_u u to the multiplier λ_j
+//! of that point. Rounded to multiples of one power of two the multipliers λ_j add up to zero exactly. Divided by the
+//! largest quotient of Σ_j |λ_j · v_i| and w_i they satisfy all dual constraints Σ_j |λ_j · v_i| ≤ w_i. So no property
+//! of the program's solution has to be trusted.
 
 use super::answer::Multiplier;
 use super::problem::FixedDirections;
@@ -12,17 +14,19 @@ use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::ray_exit::dot;
 
-/// Multipliers in doubles that add up to zero exactly: pairs of a point and a vector.
+/// Multipliers in doubles that add up to zero exactly, pairs of a point and a vector, from vectors at points that do so
+/// nearly. The vectors at one point are added up, all are rounded, and the longest makes up for the others. Empty if
+/// all are zero or one is not finite.
 pub(crate) fn balanced<const D: usize>(unbalanced: &[(usize, [f64; D])]) -> Vec<(usize, [f64; D])> {
     let mut sorted = unbalanced.to_vec();
     sorted.sort_by_key(|(point, _)| *point);
     let mut multipliers: Vec<(usize, [f64; D])> = Vec::with_capacity(sorted.len());
-    for (point, pull) in sorted {
+    for (point, vector) in sorted {
         match multipliers.last_mut() {
             Some((last, multiplier)) if *last == point => {
-                *multiplier = std::array::from_fn(|c| multiplier[c] + pull[c])
+                *multiplier = std::array::from_fn(|c| multiplier[c] + vector[c])
             }
-            _ => multipliers.push((point, pull)),
+            _ => multipliers.push((point, vector)),
         }
     }
     let total: f64 = multipliers.iter().map(|(_, f)| f.iter().fold(0.0, |max: f64, c| max.max(c.abs()))).sum();
@@ -43,34 +47,36 @@ pub(crate) fn balanced<const D: usize>(unbalanced: &[(usize, [f64; D])]) -> Vec<
     multipliers
 }
 
-/// The proven bound, in units of the input, and its multipliers; none where a direction that costs nothing is loaded.
+/// The proven bound in units of the input, and the multipliers that prove it, from vectors at points that add up to
+/// nearly zero. The bound is zero, without multipliers, if some λ_j · v_i differs from zero for a direction of weight
+/// zero.
 pub(crate) fn proven_bound<const D: usize>(
     problem: &FixedDirections<'_, D>,
     scaled: &Scaled<D>,
     unbalanced: &[(usize, [f64; D])],
 ) -> (Dyadic, Vec<Multiplier<D>>) {
     let multipliers = balanced(unbalanced);
-    let mut share = f64::INFINITY;
+    let mut factor = f64::INFINITY;
     let rounding = 1.0 + (multipliers.len() + 2 * D + 8) as f64 * UNIT;
     for direction in &scaled.directions {
-        let load: f64 = multipliers.iter().map(|(_, f)| dot(f, &direction.vector).abs()).sum();
-        // A sum of products may vanish only by rounding or underflow; half the least normal number covers the latter.
+        let activity: f64 = multipliers.iter().map(|(_, f)| dot(f, &direction.vector).abs()).sum();
+        // The sum may be zero by rounding or underflow only. The second term bounds rounding, the third one underflow.
         let sizes =
             multipliers.iter().map(|(_, f)| f.iter().zip(&direction.vector).map(|(a, b)| (a * b).abs()).sum::<f64>());
-        let load = load + 4.0 * UNIT * D as f64 * sizes.sum::<f64>() + f64::MIN_POSITIVE;
-        share = share.min(direction.weight / (load * rounding) * (1.0 - 2.0 * UNIT));
+        let activity = activity + 4.0 * UNIT * D as f64 * sizes.sum::<f64>() + f64::MIN_POSITIVE;
+        factor = factor.min(direction.weight / (activity * rounding) * (1.0 - 2.0 * UNIT));
     }
-    if multipliers.is_empty() || share.is_nan() || share <= 0.0 || share == f64::INFINITY {
+    if multipliers.is_empty() || factor.is_nan() || factor <= 0.0 || factor == f64::INFINITY {
         return (Dyadic::zero(), Vec::new());
     }
-    let share = Dyadic::from_f64(share).scaled(scaled.weight_exponent);
+    let factor = Dyadic::from_f64(factor).scaled(scaled.weight_exponent);
     let mut bound = Dyadic::zero();
     let mut proof = Vec::with_capacity(multipliers.len());
     let first = problem.points()[0].map(Dyadic::from_f64);
     for (point, multiplier) in multipliers {
         let mut vector: [Rational; D] = std::array::from_fn(|_| Rational::ZERO);
         for (component, &c) in multiplier.iter().zip(&scaled.coordinates) {
-            let exact = &Dyadic::from_f64(*component) * &share;
+            let exact = &Dyadic::from_f64(*component) * &factor;
             bound = bound + &exact * &(Dyadic::from_f64(problem.points()[point][c]) - first[c].clone());
             vector[c] = exact.to_rational();
         }

@@ -1,4 +1,4 @@
-//! The methods in doubles by name.
+//! The registry of the methods in doubles, for callers that choose one by name.
 
 use super::answer::Enclosure;
 use super::by_row_generation;
@@ -73,7 +73,7 @@ impl Method {
         }
     }
 
-    /// Whether the method works in a dimension: all of them do from the line on.
+    /// Whether the method works in a dimension: every method works in every dimension from 1 on.
     pub fn works_in(self, dimension: usize) -> bool {
         dimension >= 1
     }
@@ -81,7 +81,7 @@ impl Method {
     /// The smallest zonotope along the directions around the points, counting operations.
     ///
     /// # Errors
-    /// When a coefficient of the answer is no double.
+    /// When a coefficient of the answer exceeds the largest double.
     pub fn solve<const D: usize>(
         self,
         problem: &FixedDirections<'_, D>,

@@ -1,31 +1,35 @@
 //! Problem: the smallest zonotope along given directions around a set of points.
 //!
-//! Minimise Σ w_i c_i over centres p and coefficients c_i ≥ 0 such that { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } contains every point. With
-//! unit vectors and unit weights that is the total length. It is a linear program, and feasible just when no difference of two points
-//! leaves the span of the directions.
+//! Minimise Σ w_i c_i over centres p and coefficients c_i ≥ 0 such that { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } contains
+//! every point. With unit vectors v_i and unit weights w_i the value is the total length. The problem is a linear
+//! program, and it is feasible just when every difference of two points lies in the span of the directions.
 //!
 //! | method | time | notes |
 //! |---|---|---|
-//! | [`brute_force`] | criss-cross method on 2 C(k, d − 1) normals in rationals | the truth |
-//! | [`rational`] | simplex method on C(k, d − 1) normals in rationals | the optimum in rationals; the fallback of the three below |
+//! | [`brute_force`] | criss-cross method on 2 C(k, d − 1) normals in rationals | the truth that all methods are held to |
+//! | [`rational`] | simplex method on 2 C(k, d − 1) normals in rationals | the optimum in rationals; the three methods below fall back on it |
 //! | [`papers_program`] | O(n k^{d−1}), then the engine on k n' + k + d unknowns | Section 4.2 as printed |
 //! | [`support_form`] | O(n k^{d−1}), then the engine on k + d unknowns, 2 C(k, d − 1) rows | all normals at once |
-//! | [`by_row_generation`] | a few passes over the points, pivots of O((k + d)²) | normals as they are needed; the default |
+//! | [`by_row_generation`] | a few passes over the points, pivots of O((k + d)²) | normals are added as points violate them; the default |
 //!
-//! n points, k directions, d dimensions, n' extreme points. The last three are those of [`Method`]: their answers contain the points
-//! exactly and prove their lower bounds, which [`verify`] checks. The two in the middle need an engine for
-//! linear programs, whose answer is only where they begin.
+//! Here n is the number of points, k of directions, d of dimensions, and n' of extreme points. The last three methods
+//! are those of [`Method`]: their answers contain the points exactly and prove their lower bounds, and the crate
+//! `verifier` checks both. [`papers_program`] and [`support_form`] need an engine for linear programs; its answer is
+//! where they begin, not what they return.
 //!
 //! # The way from directions to a zonotope
-//! 1. `solve`: the steps that the methods share, in order; read it first.
-//! 2. `span`, `scaled`: coordinates of the span, of ordinary size, and one direction for each line.
-//! 3. `by_row_generation/generation` and `normal_simplex`: the linear program over the normals found so far, in doubles.
-//! 4. [`zonotope::ray_exit`](crate::zonotope): the facet that a point outside sees, whose normal joins the program.
-//! 5. `lower_bound`: multipliers that add up to zero exactly.
-//! 6. `contain`: every point inside, exactly.
+//! 1. `solve` holds the steps that the methods share, in order; it is the file to read first.
+//! 2. `span` and `scaled` take coordinates of the directions' span, of ordinary size, and one direction for each line.
+//! 3. `by_row_generation/generation` and `normal_simplex` solve the linear program over the normals found so far, in
+//!    doubles.
+//! 4. [`zonotope::ray_exit`](crate::zonotope) finds the facet through which the ray to a point outside leaves; its
+//!    normal joins the program.
+//! 5. `lower_bound` rounds the multipliers so that they add up to zero exactly, and computes the bound that they prove.
+//! 6. `contain` enlarges coefficients until every point is inside, exactly.
 //!
-//! That is all for ordinary input. Three pieces serve the rest, each behind one function: `contain/flat_center` (directions that do not
-//! span the space), `contain/thickened` (flat and needle-shaped bodies) and `rational/refine` (small problems whose bounds do not meet).
+//! That is all for ordinary input. Three pieces serve the rest, each behind one function: `contain/flat_center` for
+//! directions that do not span the space, `contain/thickened` for flat and needle-shaped bodies, and `rational/refine`
+//! for small problems whose bounds do not meet.
 
 #[cfg(feature = "linear-programming")]
 mod all_normals;

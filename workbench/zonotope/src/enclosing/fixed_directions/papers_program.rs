@@ -1,25 +1,26 @@
 //! Smallest zonotope along given directions, by the linear program of Section 4.2 as it is printed.
 //!
 //! # Statement
-//! As [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
+//! The statement of [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
 //!
 //! # Source
-//! Section 4.2, Theorem 4.6: minimise Σ c_i subject to p_j = p + Σ b_ij v_i and −c_i ≤ b_ij ≤ c_i for the points
-//! extreme along a facet normal. Departures: weights w_i; coordinates of the span, without which too few points would
-//! be found extreme.
+//! Section 4.2, Theorem 4.6: minimise Σ c_i subject to p_j = p + Σ b_ij v_i and −c_i ≤ b_ij ≤ c_i for the points that
+//! are extreme along a facet normal. There are two departures. The directions have weights w_i. And the extreme points
+//! are found in coordinates of the directions' span: if the span is not the whole space, the normals of the space find
+//! too few of them.
 //!
 //! # Method
-//! 1. The extreme points by the scan over all facet normals.
-//! 2. The program in the unknowns p, c and b, by the given engine: a guess.
-//! 3. The facets that the extreme points nearly touch at the guess begin the method by row generation, which ends on an
-//!    exact footing.
+//! 1. Find the extreme points by the scan over all facet normals.
+//! 2. Solve the program in the unknowns p, c and b by the engine: a guess.
+//! 3. The facets that the extreme points nearly touch at the guess are where the method by row generation begins, whose
+//!    answer is proven.
 //!
 //! # Complexity
-//! n points, k directions: O(n k^{d−1}) for n' = O(k^{d−1}) extreme points, then a program of (k + 1) n' + d unknowns;
+//! n points, k directions: O(n k^{d−1}) for n' = O(k^{d−1}) extreme points, then a program of k n' + k + d unknowns;
 //! the paper's bound is O(k^{O(d)}).
 //!
 //! # Shapes
-//! As [`by_row_generation`](super::by_row_generation).
+//! Those of [`by_row_generation`](super::by_row_generation).
 //!
 //! # Numerics
 //! The engine's answer is used only to choose normals; an engine that fails costs time, not correctness.
@@ -31,7 +32,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force); [`verify`](super::verify) on every answer.
+//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```
@@ -54,11 +55,11 @@ use super::span::Span;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::zonotope::ray_exit::FacetDescent;
 
-/// A point whose ray leaves the zonotope at less than this multiple may touch it at the optimum.
+/// A point whose ray leaves the zonotope at a smaller multiple of it than this may lie on its boundary at the optimum.
 const LARGEST_TOUCHING_REACH: f64 = 1.0 + 1e-6;
 
-/// The points that the program is about, in increasing order: the scan of all points along all C(k, d − 1) facet
-/// normals, none if the directions do not span the differences of the points.
+/// The extreme points that the program has constraints for, in increasing order: the farthest points along all C(k, d
+/// − 1) facet normals, both ways. Empty if the directions do not span the differences of the points.
 pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<usize> {
     let span = Span::of(problem.directions());
     if span.first_departure(problem.points()).is_some() || span.dimension() == 0 {
@@ -69,10 +70,10 @@ pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Ve
     extreme_points(scaled.rank, &scaled.points, &directions, &mut ())
 }
 
-/// The smallest zonotope along the directions around the points, by way of the given engine.
+/// The smallest zonotope along the directions around the points, with the help of an engine.
 ///
 /// # Errors
-/// When a coefficient of the answer is no double.
+/// When a coefficient of the answer exceeds the largest double.
 pub fn min_length_by_papers_program<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,

@@ -1,11 +1,12 @@
-//! The question: points, directions and what a unit along each direction costs.
+//! The problem: points, directions, and the weight of a unit along each direction.
 
 use thiserror::Error;
 
 use crate::numeric::non_finite::NonFinite;
 
-/// Points of R^D, directions and the weight of each: a problem that exists is valid, at least one point and no number but finite ones,
-/// no weight negative. Directions may be zero, parallel, repeated, and fewer than D; weights may be zero.
+/// Points of R^D, directions and the weight of each direction. A value of this type is valid: it has at least one
+/// point, all numbers are finite, and no weight is negative. Directions may be zero, parallel, repeated, and fewer than
+/// D; weights may be zero.
 #[derive(Debug, Clone, Copy)]
 pub struct FixedDirections<'a, const D: usize> {
     points: &'a [[f64; D]],
@@ -26,9 +27,9 @@ pub enum FixedDirectionsError {
     /// There are not as many weights as directions.
     #[error("{weights} weights for {directions} directions")]
     WeightCount {
-        /// How many directions.
+        /// The number of directions.
         directions: usize,
-        /// How many weights.
+        /// The number of weights.
         weights: usize,
     },
     /// A weight is below zero.
@@ -48,7 +49,8 @@ impl<'a, const D: usize> FixedDirections<'a, D> {
     /// A problem from its parts. O(n + k).
     ///
     /// # Errors
-    /// What is wrong with them: a number that is not finite before anything else.
+    /// The first of these that is wrong: a number is not finite, the numbers of weights and directions differ, a weight
+    /// is negative, there are no points.
     pub fn new(
         points: &'a [[f64; D]],
         directions: &'a [[f64; D]],

@@ -1,9 +1,9 @@
-//! The problem as the floating-point methods see it: in coordinates of the span, points and directions of ordinary
-//! size, one direction for each line.
+//! The problem as the methods in floating point see it: in coordinates of the directions' span, with points and
+//! directions of ordinary size, and one direction for each line.
 //!
-//! Every factor is a power of two, so scaling is exact but where a number underflows; what the methods return is a
-//! guess, proved or widened in the units of the input. Of parallel directions the cheapest serves for all: c_i v_i is
-//! what counts, and it costs w_i c_i.
+//! Every factor is a power of two, so scaling is exact unless a number underflows. What the methods return is a guess,
+//! which is proved or enlarged in the units of the input. Of parallel directions only the cheapest is kept: a generator
+//! c_i v_i costs w_i c_i, and the cheapest direction makes the same generator for less.
 
 use std::cmp::Ordering;
 
@@ -14,29 +14,32 @@ use crate::numeric::scaling::{PowerOfTwo, binary_exponent, scale_by_power_of_two
 
 /// A direction that is kept: v = `vector` · 2^`exponent` in the coordinates of the span.
 pub(crate) struct KeptDirection<const D: usize> {
-    /// Its index in the problem.
+    /// The index of the direction in the problem.
     pub(crate) index: usize,
-    /// Scaled so that its largest coordinate lies in [1, 2).
+    /// The direction scaled so that the magnitude of its largest coordinate lies in [1, 2).
     pub(crate) vector: [f64; D],
     pub(crate) exponent: i64,
-    /// The weight of a unit of `vector`, of ordinary size.
+    /// The weight of a coefficient of `vector`, scaled by the same power of two for all directions so that the least
+    /// positive one is about 1.
     pub(crate) weight: f64,
 }
 
-/// Points, directions and weights for the methods; the first `rank` coordinates count, the others are zero.
+/// Points, directions and weights in scaled coordinates, of which the first `rank` are those of the span and the others
+/// are zero.
 pub(crate) struct Scaled<const D: usize> {
     pub(crate) rank: usize,
-    /// The coordinates of the problem that the first `rank` ones here stand for.
+    /// The pivot coordinates of the span: scaled coordinate i is coordinate `coordinates[i]` of the problem.
     pub(crate) coordinates: Vec<usize>,
     /// (point − first point) / 2^`exponent`, rounded.
     pub(crate) points: Vec<[f64; D]>,
+    /// Lengths in scaled coordinates times 2^exponent are lengths of the input.
     pub(crate) exponent: i64,
     pub(crate) directions: Vec<KeptDirection<D>>,
-    /// Weights here are those of the problem, for unit vectors here, over 2^`weight_exponent`.
+    /// The scaled weights times 2^weight_exponent are the problem's weights of the scaled vectors.
     pub(crate) weight_exponent: i64,
 }
 
-/// A problem with the exact span of its directions and in scaled coordinates.
+/// A problem together with the exact span of its directions and its scaled form.
 #[derive(Clone, Copy)]
 pub(crate) struct Setting<'a, const D: usize> {
     pub(crate) problem: &'a FixedDirections<'a, D>,
@@ -45,7 +48,7 @@ pub(crate) struct Setting<'a, const D: usize> {
 }
 
 impl<const D: usize> Scaled<D> {
-    /// p − q in the units of the points here, rounded once.
+    /// The difference p − q of two coordinates of the problem in scaled units, rounded once.
     pub(crate) fn difference(&self, p: f64, q: f64) -> f64 {
         scaled_difference(p, q, -self.exponent)
     }
@@ -54,7 +57,8 @@ impl<const D: usize> Scaled<D> {
         let coordinates = span.pivots().to_vec();
         let inside = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| coordinates.get(i).map_or(0.0, |&c| v[c])) };
         let first = inside(&problem.points()[0]);
-        // A difference that overflows is taken of halves; halves of the smallest doubles would be rounded.
+        // Where a difference overflows, it is taken of halved coordinates; elsewhere not, since halving rounds the
+        // smallest doubles.
         let difference = |p: &[f64; D], half: bool| -> [f64; D] {
             let p = inside(p);
             std::array::from_fn(|i| if half { p[i] / 2.0 - first[i] / 2.0 } else { p[i] - first[i] })
@@ -87,6 +91,7 @@ impl<const D: usize> Scaled<D> {
 /// uses the true weights.
 const RELATIVE_WEIGHT_LIMIT: f64 = 1e100;
 
+/// Of the directions on each line through the origin the cheapest, its weight yet to be filled in.
 fn cheapest_of_each_line<const D: usize>(
     problem: &FixedDirections<'_, D>,
     inside: &impl Fn(&[f64; D]) -> [f64; D],
@@ -111,18 +116,19 @@ fn cheapest_of_each_line<const D: usize>(
     kept
 }
 
-/// Whether a filter leaves it open that two vectors are parallel: the largest coordinates of both lie in [1, 2).
+/// A filter in floating point: false only if two vectors, whose largest coordinates lie in [1, 2), are not parallel.
 fn nearly_parallel<const D: usize>(a: &[f64; D], b: &[f64; D]) -> bool {
     let [aa, ab, bb] = [(a, a), (a, b), (b, b)].map(|(x, y)| x.iter().zip(y).map(|(p, q)| p * q).sum::<f64>());
     ab * ab >= (1.0 - 1e-10) * aa * bb
 }
 
+/// Whether two vectors are parallel, exactly.
 fn parallel<const D: usize>(a: &[f64; D], b: &[f64; D]) -> bool {
     let (a, b) = (a.map(Dyadic::from_f64), b.map(Dyadic::from_f64));
     (0..D).all(|i| (0..i).all(|j| &a[i] * &b[j] == &a[j] * &b[i]))
 }
 
-/// Whether direction `a` costs less for its length than `b`, which is parallel to it.
+/// Whether a generator along direction `a` costs less than the same generator along `b`, which is parallel to it.
 fn is_cheaper<const D: usize>(problem: &FixedDirections<'_, D>, a: usize, b: usize) -> bool {
     let (v, w) = (problem.directions()[a], problem.directions()[b]);
     let Some(axis) = (0..D).find(|&c| v[c] != 0.0) else { return false };

@@ -1,12 +1,12 @@
-//! The steps that all methods in floating point share: from the normals that a method begins with to a proven answer.
+//! The steps that all methods in floating point share, from the normals that a method begins with to a proven answer.
 //!
 //! The steps in the order of the code, each with the file that takes it:
-//! 1. the span of the directions, exactly, and points off it: `span`;
-//! 2. coordinates of ordinary size, one direction for each line: `scaled`;
-//! 3. normals and coefficients, guessed in doubles: `by_row_generation`;
-//! 4. multipliers that add up to zero exactly, and the lower bound that they prove: `lower_bound`;
-//! 5. centre and coefficients in doubles that contain every point: `contain`;
-//! 6. where the bounds are apart and the problem is small, the optimum in rationals: `rational`.
+//! 1. `span` finds the span of the directions exactly, and a point off it if there is one;
+//! 2. `scaled` takes coordinates of ordinary size, and one direction for each line;
+//! 3. `by_row_generation` guesses normals, centre and coefficients in doubles;
+//! 4. `lower_bound` rounds the multipliers so that they add up to zero exactly, and computes the bound that they prove;
+//! 5. `contain` finds centre and coefficients in doubles with which every point is inside, exactly;
+//! 6. `rational` finds the optimum in rationals where the bounds do not meet and the problem is small.
 
 use super::answer::{DirectedZonotope, Effort, Enclosure, OffSpan};
 use super::by_row_generation::Generation;
@@ -20,15 +20,15 @@ use super::span::{Span, rational};
 use crate::enclosing::outward::rounded_towards;
 use crate::tally::Tally;
 
-/// Solves from the normals that `seed` adds on: it gets the generation that begins with the axes as normals, adds those that a
-/// method knows beforehand, and returns how many rows the method's own program had.
+/// Solves a problem. A method that knows normals beforehand adds them in `add_known_normals`: it is called with the
+/// generation that begins with the axes as normals, and returns the number of rows of the method's own program.
 ///
 /// # Errors
-/// When a coefficient of the answer is no double.
+/// When a coefficient of the answer exceeds the largest double.
 pub(super) fn solve_with<const D: usize, T: Tally>(
     problem: &FixedDirections<'_, D>,
     tally: &mut T,
-    seed: impl FnOnce(&Scaled<D>, &mut Generation<'_, D>, &mut T) -> Result<usize, FixedDirectionsError>,
+    add_known_normals: impl FnOnce(&Scaled<D>, &mut Generation<'_, D>, &mut T) -> Result<usize, FixedDirectionsError>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
     let span = Span::of(problem.directions());
     if let Some(departure) = span.first_departure(problem.points()) {
@@ -48,8 +48,9 @@ pub(super) fn solve_with<const D: usize, T: Tally>(
     let vectors = scaled.directions.iter().map(|d| d.vector).collect();
     let weights = scaled.directions.iter().map(|d| d.weight).collect();
     let mut generation = Generation::new(scaled.rank, &scaled.points, vectors, weights, tally);
-    let given_rows = seed(&scaled, &mut generation, tally)?;
-    // A generation that gets stuck has a guess all the same. It is contained as any other, and the bounds tell how good it is.
+    let given_rows = add_known_normals(&scaled, &mut generation, tally)?;
+    // A generation that gets stuck leaves a guess all the same. It is proven like any other, and the bounds say how
+    // good it is.
     let _ = generation.run(tally);
     let mut answer = prove(Setting { problem, scaled: &scaled, span: &span }, &mut generation)?;
     answer.effort.rows = answer.effort.rows.max(given_rows);

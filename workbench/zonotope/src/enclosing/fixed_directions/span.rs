@@ -1,7 +1,8 @@
-//! The span of the directions, exactly: coordinates that tell its vectors apart, and functionals that vanish on it.
+//! The span of the directions, exactly: the coordinates that determine its vectors, and functionals that vanish on it.
 //!
-//! Elimination brings the directions to a basis in reduced echelon form: basis vector i is 1 in its pivot coordinate and 0 in those of the others.
-//! So a vector of the span is known by its pivot coordinates, and each other coordinate is a fixed combination of them.
+//! Elimination brings the directions to a basis in reduced echelon form: each basis vector is 1 in its own pivot
+//! coordinate and 0 in the pivot coordinates of the others. So the pivot coordinates of a vector of the span determine
+//! it, and each other coordinate is a fixed combination of them.
 
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -15,7 +16,8 @@ pub(crate) struct Span<const D: usize> {
     pivots: Vec<usize>,
 }
 
-/// Two points whose difference leaves the span, with a functional that proves it: zero on the span, not zero on the difference.
+/// A point whose difference from the first point is not in the span. The functional proves it: it is zero on the span
+/// and not zero on the difference.
 pub(crate) struct Departure<const D: usize> {
     pub(crate) point: usize,
     pub(crate) functional: [Rational; D],
@@ -27,7 +29,7 @@ pub(crate) fn rational(value: f64) -> Rational {
 }
 
 impl<const D: usize> Span<D> {
-    /// The span of vectors; O(k D²) exact operations, none once it is the whole space.
+    /// The span of vectors, in O(k D²) exact operations; vectors after the whole space is spanned cost none.
     pub(crate) fn of(vectors: &[[f64; D]]) -> Self {
         let mut span = Self { basis: Vec::new(), pivots: Vec::new() };
         for vector in vectors {
@@ -39,6 +41,7 @@ impl<const D: usize> Span<D> {
         span
     }
 
+    /// Extends the span by a vector.
     fn extend(&mut self, mut vector: [Rational; D]) {
         for (basis, &pivot) in self.basis.iter().zip(&self.pivots) {
             subtract(&mut vector, basis, pivot);
@@ -84,7 +87,8 @@ impl<const D: usize> Span<D> {
             .collect()
     }
 
-    /// The first point whose difference from the first one leaves the span. O(n D) exact operations, none if the span is the whole space.
+    /// The first point whose difference from point 0 is not in the span. O(n D²) exact operations, none if the span is
+    /// the whole space.
     pub(crate) fn first_departure(&self, points: &[[f64; D]]) -> Option<Departure<D>> {
         let functionals = self.annihilators();
         let (first, others) = points.split_first()?;
@@ -101,7 +105,7 @@ impl<const D: usize> Span<D> {
     }
 }
 
-/// Makes the pivot coordinate of a vector zero.
+/// Subtracts the multiple of a basis vector that makes the pivot coordinate of a vector zero.
 fn subtract<const D: usize>(vector: &mut [Rational; D], basis: &[Rational; D], pivot: usize) {
     let factor = vector[pivot].clone();
     if factor.is_zero() {

@@ -1,23 +1,24 @@
 //! Smallest zonotope along given directions, by one linear program in k + d unknowns over all facet normals.
 //!
 //! # Statement
-//! As [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
+//! The statement of [`by_row_generation`](super::by_row_generation): the same answer, with the same proofs.
 //!
 //! # Source
-//! Section 4.2, in the unknowns p and c alone: Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for every normal u of d − 1
-//! directions, both ways.
+//! Section 4.2, in the unknowns p and c alone: Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for the normals u of all d − 1
+//! directions, and for −u.
 //!
 //! # Method
-//! 1. Enumerate the normals, in coordinates of the span; for each the farthest point both ways.
-//! 2. One linear program with all rows, by the given engine: a guess.
-//! 3. The rows that are nearly tight at the guess begin the method by row generation, which ends on an exact footing.
+//! 1. Enumerate the normals in coordinates of the span, and find the farthest point along each normal and its opposite.
+//! 2. Solve one linear program with all rows by the engine: a guess.
+//! 3. The rows that are nearly tight at the guess are where the method by row generation begins, whose answer is
+//!    proven.
 //!
 //! # Complexity
 //! n points, k directions: O(n k^{d−1}) for the rows, 2 C(k, d − 1) rows of k + d entries, then what the engine takes;
 //! space O(k^d).
 //!
 //! # Shapes
-//! As [`by_row_generation`](super::by_row_generation).
+//! Those of [`by_row_generation`](super::by_row_generation).
 //!
 //! # Numerics
 //! The engine's answer is used only to choose rows; an engine that fails costs time, not correctness.
@@ -29,7 +30,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force); [`verify`](super::verify) on every answer.
+//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```
@@ -50,13 +51,13 @@ use super::solve::solve_with;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::zonotope::ray_exit::dot;
 
-/// A row whose two sides differ by less than this, in coordinates of size 1, may be tight at the optimum.
+/// A row whose two sides differ by less than this in scaled coordinates may be tight at the optimum.
 const TIGHTNESS_TOLERANCE: f64 = 1e-6;
 
-/// The smallest zonotope along the directions around the points, by way of the given engine.
+/// The smallest zonotope along the directions around the points, with the help of an engine.
 ///
 /// # Errors
-/// When a coefficient of the answer is no double.
+/// When a coefficient of the answer exceeds the largest double.
 pub fn min_length_by_support_form<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,

@@ -4,8 +4,8 @@
 //! it is a quarter of the perimeter. The methods shorten a zonotope until a lower bound proves that it is within 1 + ε
 //! of the least total length. The lower bound comes from the dual program, whose variables are multipliers λ_j of the
 //! points with Σ λ_j = 0: while Σ_j |λ_j · v| ≤ 1 for every unit vector v, no zonotope around the points has a total
-//! length below Σ λ_j · p_j. For if p_j = c + Σ_i δ_ij g_i with |δ_ij| ≤ 1, then Σ λ_j · p_j = Σ_i Σ_j δ_ij λ_j · g_i ≤
-//! Σ_i |g_i|.
+//! length below Σ λ_j · p_j. For if p_j = c + Σ_i δ_ij g_i with |δ_ij| ≤ 1, then Σ λ_j · p_j = Σ_i Σ_j δ_ij
+//! λ_j · g_i ≤ Σ_i |g_i|.
 //!
 //! | method | time | notes |
 //! |---|---|---|

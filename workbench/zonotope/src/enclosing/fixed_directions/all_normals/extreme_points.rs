@@ -6,8 +6,8 @@ use super::normals::facet_normals;
 use crate::enclosing::fixed_directions::farthest::farthest;
 use crate::tally::{Operation, Tally};
 
-/// For every facet normal of the directions, both ways, the farthest point: the scan of Theorem 4.6, O(n k^{d−1}). In increasing order. Ties and
-/// near ties are decided by rounded heights.
+/// The farthest point along every facet normal of the directions and along its opposite, in increasing order: the scan
+/// of Theorem 4.6, O(n k^{d−1}). Ties and near ties are decided by rounded heights, which suits a guess.
 pub(crate) fn extreme_points<const D: usize>(
     rank: usize,
     points: &[[f64; D]],

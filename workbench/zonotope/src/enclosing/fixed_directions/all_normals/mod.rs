@@ -1,4 +1,4 @@
-//! The facet normals of all zonotopes along some directions, enumerated, and what the points look like along them.
+//! The facet normals of all zonotopes along some directions, enumerated, and the points that are extreme along them.
 
 mod extreme_points;
 mod normals;

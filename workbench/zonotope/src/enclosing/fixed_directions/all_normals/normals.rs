@@ -2,7 +2,8 @@
 
 use crate::zonotope::ray_exit::dot;
 
-/// Unit normals, up to sign, of the independent (rank − 1)-subsets of vectors whose first `rank` coordinates count; rounded. C(k, rank − 1) of them.
+/// The rounded unit normals, one of each pair of opposite ones, of the independent (rank − 1)-subsets of k directions
+/// whose coordinates beyond the first `rank` are zero. There are at most C(k, rank − 1) of them.
 pub(crate) fn facet_normals<const D: usize>(rank: usize, directions: &[[f64; D]]) -> Vec<[f64; D]> {
     let mut found = Vec::new();
     let Some(size) = rank.checked_sub(1) else { return found };

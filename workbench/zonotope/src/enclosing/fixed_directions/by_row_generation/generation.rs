@@ -1,5 +1,5 @@
-//! Normals as they are needed: solve, find the points outside the zonotope so far and the facets that they see, add
-//! those normals, repeat.
+//! Row generation: solve the program for the normals so far, find points outside its zonotope, add the normals of the
+//! facets through which their rays leave, and repeat.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,46 +8,53 @@ use crate::enclosing::fixed_directions::farthest::{Far, farthest};
 use crate::tally::{Operation, Tally};
 use crate::zonotope::ray_exit::{FacetMap, dot};
 
-/// A program over normals together with the points that it is about.
+/// A program over normals, with the points that it is for and the facets met so far.
 pub(crate) struct Generation<'a, const D: usize> {
     rank: usize,
     points: &'a [[f64; D]],
     directions: Vec<[f64; D]>,
     pub(crate) map: FacetMap<D>,
     pub(crate) program: NormalProgram<D>,
-    /// The points that have been far along some normal: they are looked at first.
+    /// The working set: a sample of many points, and the points that have been farthest along a normal. All of its
+    /// points are inside before the others are looked at.
     working: Vec<usize>,
+    /// Whether each point is in the working set.
     is_working: Vec<bool>,
-    /// The facets whose normals are there, with the point that was farthest.
-    seen: BTreeSet<([usize; D], bool, usize)>,
-    /// A point outside by less than this, relatively, is inside.
+    /// The facets whose normals have been added, each with its side and the point that was farthest along the normal.
+    added: BTreeSet<([usize; D], bool, usize)>,
+    /// A point outside by less than this, relative to the total length of the generators, counts as inside.
     precision: f64,
+    /// The number of programs solved.
     pub(crate) rounds: usize,
+    /// The number of passes over all points.
     pub(crate) passes: usize,
 }
 
-/// A point outside the zonotope, and the facet that it sees.
-struct Outside<const D: usize> {
+/// A facet through which the ray to a point outside the zonotope leaves.
+struct ViolatedFacet<const D: usize> {
+    /// The height of that point above the facet; of several points, of the highest.
     depth: f64,
+    /// The facet's unit normal, away from the centre.
     normal: [f64; D],
+    /// The directions that span the facet, and on which of the two sides of the zonotope it is.
     key: ([usize; D], bool),
 }
 
-/// After this many rounds rounding errors must be what keeps the search from ending.
+/// Row generation gives up after this many rounds: only rounding errors can keep it from ending then.
 const ROUND_LIMIT: usize = 2000;
 
-/// A point whose ray leaves the zonotope beyond this multiple is inside whatever rounding did.
+/// A point whose ray leaves the zonotope at a greater multiple of it than this is inside in spite of rounding errors.
 const CERTAINLY_INSIDE_REACH: f64 = 1.0 + 1e-9;
 
-/// Of many points about this many are looked at first.
+/// The working set begins with about this many of the points if there are at least four times as many.
 const SAMPLE_SIZE: usize = 2048;
 
-/// The length, beside the longest generator, that directions with the coefficient 0 get, so that all of them span the
-/// space.
-const LEAST_RELATIVE_LENGTH: f64 = 1e-12;
+/// The least coefficient in a search for facets, relative to the largest one: directions with the coefficient 0 get
+/// this one, so that the generators span the space.
+const LEAST_RELATIVE_COEFFICIENT: f64 = 1e-12;
 
 impl<'a, const D: usize> Generation<'a, D> {
-    /// Begins with the coordinate axes as normals, both ways.
+    /// The generation that begins with the coordinate axes and their opposites as normals.
     pub(crate) fn new(
         rank: usize,
         points: &'a [[f64; D]],
@@ -71,7 +78,7 @@ impl<'a, const D: usize> Generation<'a, D> {
             directions,
             working: Vec::new(),
             is_working: vec![false; points.len()],
-            seen: BTreeSet::new(),
+            added: BTreeSet::new(),
             precision: 1e-14,
             rounds: 0,
             passes: 1,
@@ -83,7 +90,7 @@ impl<'a, const D: usize> Generation<'a, D> {
             generation.work_on(row.point);
             generation.program.add_row(row);
         }
-        // Of many points some are looked at first, so that few passes over all of them are needed.
+        // A sample in the working set saves passes over all points.
         let stride = points.len() / SAMPLE_SIZE;
         if stride >= 4 {
             (0..points.len()).step_by(stride).for_each(|point| generation.work_on(point));
@@ -91,6 +98,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         generation
     }
 
+    /// Adds a point to the working set.
     fn work_on(&mut self, point: usize) {
         if !std::mem::replace(&mut self.is_working[point], true) {
             self.working.push(point);
@@ -110,41 +118,42 @@ impl<'a, const D: usize> Generation<'a, D> {
         }
     }
 
-    /// How precisely the programs are solved from now on, relatively; finest at first.
+    /// Sets the relative precision to which the programs are solved from now on; it begins with the finest.
     pub(crate) fn set_precision(&mut self, precision: f64) {
         self.precision = precision;
         self.program.precision = precision;
     }
 
+    /// The directions of the program.
     pub(crate) fn directions(&self) -> &[[f64; D]] {
         &self.directions
     }
 
-    /// Solves until no point is outside by more than rounding.
+    /// Solves and adds normals until no point is outside by more than the precision.
     pub(crate) fn run(&mut self, tally: &mut impl Tally) -> Result<(), Stuck> {
         for _ in 0..ROUND_LIMIT {
             self.rounds += 1;
             tally.add(Operation::SearchStep, 1);
             self.program.optimize()?;
-            let mut outside = self.outside(false, tally);
-            let over_all = outside.is_empty() && self.working.len() < self.points.len();
+            let mut violated = self.violated_facets(false, tally);
+            let over_all = violated.is_empty() && self.working.len() < self.points.len();
             if over_all {
                 self.passes += 1;
-                outside = self.outside(true, tally);
+                violated = self.violated_facets(true, tally);
             }
-            if !self.add_facets(outside, over_all, tally) && !self.program.restore_weights() {
+            if !self.add_facets(violated, over_all, tally) && !self.program.restore_weights() {
                 return Ok(());
             }
         }
         Err(Stuck)
     }
 
-    /// The facets that points outside see, each once, the one with the deepest first: of the points that mattered so
-    /// far, or of the others.
-    fn outside(&mut self, others: bool, tally: &mut impl Tally) -> Vec<Outside<D>> {
+    /// The facets through which the rays to points outside leave, each once, in the order of decreasing depth: for the
+    /// points of the working set, or for the `others`.
+    fn violated_facets(&mut self, others: bool, tally: &mut impl Tally) -> Vec<ViolatedFacet<D>> {
         let (center, coefficients) = (self.program.center(), self.program.coefficients());
         let longest = coefficients.iter().fold(0.0, |max: f64, c| max.max(*c));
-        let least = if longest > 0.0 { LEAST_RELATIVE_LENGTH * longest } else { LEAST_RELATIVE_LENGTH };
+        let least = if longest > 0.0 { LEAST_RELATIVE_COEFFICIENT * longest } else { LEAST_RELATIVE_COEFFICIENT };
         let coefficients: Vec<f64> = coefficients.iter().map(|c| c.max(least)).collect();
         let lengths = self.directions.iter().zip(&coefficients).map(|(v, c)| dot(v, v).sqrt() * c);
         let rounding = self.precision * (1.0 + lengths.sum::<f64>());
@@ -152,10 +161,10 @@ impl<'a, const D: usize> Generation<'a, D> {
         let (points, is_working, working) = (self.points, &self.is_working, &self.working);
         let count = if others { points.len() - working.len() } else { working.len() };
         tally.add(Operation::PointRead, count as u64);
-        let unseen = (0..points.len()).filter(|&j| others && !is_working[j]);
-        let seen = working.iter().copied().filter(|_| !others);
-        let mut deepest: BTreeMap<([usize; D], bool), Outside<D>> = BTreeMap::new();
-        for j in unseen.chain(seen) {
+        let outside_set = (0..points.len()).filter(|&j| others && !is_working[j]);
+        let of_set = working.iter().copied().filter(|_| !others);
+        let mut deepest: BTreeMap<([usize; D], bool), ViolatedFacet<D>> = BTreeMap::new();
+        for j in outside_set.chain(of_set) {
             let ray: [f64; D] = std::array::from_fn(|c| points[j][c] - center[c]);
             let Some(exit) = self.map.exit(&ray).filter(|exit| exit.reach < CERTAINLY_INSIDE_REACH) else { continue };
             let normal = exit.normal;
@@ -164,22 +173,23 @@ impl<'a, const D: usize> Generation<'a, D> {
             if depth > rounding {
                 let upward = normal.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0);
                 let key = (exit.basis, upward);
-                if deepest.get(&key).is_none_or(|outside| outside.depth < depth) {
-                    deepest.insert(key, Outside { depth, normal, key });
+                if deepest.get(&key).is_none_or(|facet| facet.depth < depth) {
+                    deepest.insert(key, ViolatedFacet { depth, normal, key });
                 }
             }
         }
-        let mut found: Vec<Outside<D>> = deepest.into_values().collect();
+        let mut found: Vec<ViolatedFacet<D>> = deepest.into_values().collect();
         found.sort_by(|a, b| b.depth.total_cmp(&a.depth));
         found
     }
 
-    /// Adds the normals of facets; whether any of them is new.
-    fn add_facets(&mut self, outside: Vec<Outside<D>>, over_all: bool, tally: &mut impl Tally) -> bool {
+    /// Adds the normals of facets with the farthest points along them: of the working set, or `over_all` points.
+    /// Returns whether any of them is new.
+    fn add_facets(&mut self, violated: Vec<ViolatedFacet<D>>, over_all: bool, tally: &mut impl Tally) -> bool {
         let most = 2 * (self.rank + self.directions.len()) + 20;
         let mut is_new = false;
-        let outside: Vec<Outside<D>> = outside.into_iter().take(most).collect();
-        let normals: Vec<[f64; D]> = outside.iter().map(|outside| outside.normal).collect();
+        let violated: Vec<ViolatedFacet<D>> = violated.into_iter().take(most).collect();
+        let normals: Vec<[f64; D]> = violated.iter().map(|facet| facet.normal).collect();
         let count = if over_all { self.points.len() } else { self.working.len() };
         tally.add(Operation::PointRead, (count * normals.len()) as u64);
         let far = if over_all {
@@ -187,8 +197,8 @@ impl<'a, const D: usize> Generation<'a, D> {
         } else {
             farthest(self.points, self.working.iter().copied(), &normals)
         };
-        for (Outside { normal, key, .. }, [_, high]) in outside.into_iter().zip(far) {
-            if self.seen.insert((key.0, key.1, high.point)) {
+        for (ViolatedFacet { normal, key, .. }, [_, high]) in violated.into_iter().zip(far) {
+            if self.added.insert((key.0, key.1, high.point)) {
                 self.work_on(high.point);
                 self.program.add_row(row_of(normal, high));
                 is_new = true;
@@ -198,6 +208,7 @@ impl<'a, const D: usize> Generation<'a, D> {
     }
 }
 
+/// The row of a normal and the farthest point along it.
 fn row_of<const D: usize>(normal: [f64; D], far: Far) -> NormalRow<D> {
     NormalRow { normal, height: far.height, point: far.point }
 }

@@ -1,44 +1,62 @@
-//! Smallest zonotope along given directions, in k + d unknowns, with normals found as they are needed: the default.
+//! Smallest zonotope along given directions, by one linear program in k + d unknowns to which facet normals are added
+//! as points violate their constraints: the default.
 //!
 //! # Statement
-//! Input: points of R^D, at least one, directions and weights ≥ 0. Output: centre p and coefficients c ≥ 0 in doubles such that every point lies in
-//! { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } exactly, with Σ w_i c_i and a proven lower bound of it; or the proof that a difference of two points leaves the span of the directions.
-//! Zero, parallel and repeated directions are legal; of parallel ones the cheapest is used. The optimum need not be unique.
+//! Input: points of R^D, at least one, directions v_i and weights w_i ≥ 0. Output: a centre p and coefficients c_i ≥ 0
+//! in doubles such that every point lies in { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 } exactly, with Σ w_i c_i and a proven
+//! lower bound of it; or the proof that a difference of two points is not in the span of the directions. Zero, parallel
+//! and repeated directions are legal; of parallel ones the cheapest is used. The optimum need not be unique.
 //!
 //! # Source
-//! Section 4.2, Theorem 4.6. Departures: the unknowns are p and c alone, with a constraint Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for facet normals u; the
-//! normals are not enumerated; directions that do not span are handled in their span.
+//! Section 4.2, Theorem 4.6. There are three departures. The unknowns are p and c alone, with the
+//! constraint Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for facet normals u: a program in the paper's unknowns b_ij grows
+//! with the number of points. The normals are not enumerated, since few of them matter. And directions that do not span
+//! the space are handled in their span.
 //!
 //! # Method
-//! 1. The span exactly; points off it make the problem infeasible. One direction for each line, coordinates of ordinary size.
-//! 2. Begin with the axes as normals, and of many points with some two thousand. Solve by a revised simplex method that keeps its basis when normals are added.
-//! 3. For each point that mattered so far, and when these are inside for each point, the facet that its ray from the centre meets. Which directions span a facet does not depend
-//!    on coefficients: facets met before are kept with their neighbours, and a ray is followed from one met near it. A point outside adds the normal of
-//!    its facet, with the farthest point along it; for all such normals together the points are read once. Again from 2 until no point is outside.
-//! 4. Round the centre, in a flat span to doubles of that span that it costs least to move it to, nearly (lattice reduction); prove each point inside, and enlarge the coefficients of a basis of directions by what any point still misses.
-//! 5. The multipliers pull at the points with multipliers that add up to zero; scaled to the limits w_i they prove the lower bound.
-//! 6. Small programs whose bounds differ by more than rounding are solved again in rationals.
+//! 1. Find the span of the directions exactly; a point off it proves that the problem is infeasible. Take coordinates
+//!    of ordinary size in the span, and one direction for each line.
+//! 2. Begin with the axes as normals. Solve the program for the normals so far by a revised simplex method, which keeps
+//!    its basis when normals are added.
+//! 3. For each point of a working set, find the facet through which its ray from the centre leaves; if all of these
+//!    points are inside, for every other point. The working set holds the points that have been farthest along a normal
+//!    and, of many points, a sample of about two thousand. Which directions span a facet does not depend on the
+//!    coefficients, so facets are kept with their neighbours, and a ray is followed from the facet of a ray near it. A
+//!    point outside adds the normal of its facet, with the farthest point along it; the points are read once for all
+//!    such normals together. Repeat from 2 until no point is outside.
+//! 4. Round the centre to doubles. If the span is not the whole space, it has to be a point of the span, and lattice
+//!    reduction finds one that costs little. Prove each point inside, or enlarge the coefficients of a basis of
+//!    directions by what it misses.
+//! 5. Round the multipliers of the points so that they add up to zero, and divide them so that they satisfy the dual
+//!    constraints: the lower bound.
+//! 6. Solve a small program in rationals if its bounds differ by more than rounding.
 //!
 //! # Complexity
-//! n points, k directions, r rows found (in practice a few times k + d), f ≤ min(2 C(k, d − 1), points looked at) facets met: a pass costs O(n d²) and O(k d) for each facet, both a few
-//! times over, the farthest points O(n) for each normal that a pass adds, a pivot O((k + d)²), space O(n + r k + f k). The paper: O(n k^{d−1}) for all normals and a program of k n' + k + d unknowns.
+//! n points, k directions, r rows found (in practice a few times k + d), f facets met, at most min(2 C(k, d − 1),
+//! points looked at). A pass over the points costs O(n d²), and O(k d) for each facet, both a few times over. The
+//! farthest points cost O(n) for each normal that a pass adds, and a pivot O((k + d)²). Space is O(n + r k + f k). The
+//! paper takes O(n k^{d−1}) for all normals, and a program of k n' + k + d unknowns for n' extreme points.
 //!
 //! # Shapes
-//! `points`: n × D, any order, duplicates allowed; `directions`: k × D of any length; `coefficients`: half-lengths in units of their directions.
+//! `points`: n × D, any order, duplicates allowed; `directions`: k × D of any length; `coefficients`: half-lengths in
+//! units of their directions.
 //!
 //! # Numerics
-//! Whether there is an answer is decided exactly, and so is that every point is inside. The relative gap is about 1e-14 for 20 directions, 5e-14 for 200, where they are neither nearly
-//! dependent nor points far from the origin for their spread; it is always proven by `lower_bound`. For flat point sets the centre must be a point of doubles in their affine
-//! span; where none is near the optimal one the gap says so. A direction of weight zero is certified only in small programs.
+//! Whether there is an answer is decided exactly, and every point is inside exactly. The relative gap is always proven
+//! by `lower_bound`. It is about 1e-14 for 20 directions and 5e-14 for 200, unless directions are nearly dependent or
+//! the points are far from the origin for their spread. If the span is not the whole space, the centre must be a point
+//! of doubles in the affine span of the points; where none is near the optimal centre, the gap shows it. A direction of
+//! weight zero is certified only in small programs.
 //!
 //! # Errors
-//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double. All else is refused when the problem is made.
+//! [`OutOfRange`](super::FixedDirectionsError::OutOfRange) ⇔ a coefficient or the value exceeds the largest double. The
+//! constructor of the problem refuses all other input.
 //!
 //! # Panics
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force); [`verify`](super::verify) on every answer.
+//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```
@@ -65,17 +83,17 @@ pub(crate) use generation::Generation;
 /// The smallest zonotope along the directions around the points.
 ///
 /// # Errors
-/// When a coefficient of the answer is no double.
+/// When a coefficient of the answer exceeds the largest double.
 pub fn min_length_along<const D: usize>(
     problem: &FixedDirections<'_, D>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
     min_length_along_counted(problem, &mut ())
 }
 
-/// As [`min_length_along`], counting operations: points read and rounds.
+/// Returns what [`min_length_along`] returns and counts points read and rounds.
 ///
 /// # Errors
-/// When a coefficient of the answer is no double.
+/// When a coefficient of the answer exceeds the largest double.
 pub fn min_length_along_counted<const D: usize>(
     problem: &FixedDirections<'_, D>,
     tally: &mut impl Tally,

@@ -1,4 +1,4 @@
-//! Bases of directions, long generators first, and their inverse.
+//! Bases of directions with long generators, and the exact inverses of their matrices.
 
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::Scaled;
@@ -6,7 +6,8 @@ use crate::enclosing::fixed_directions::span::{Span, rational};
 use crate::numeric::Rational;
 use crate::zonotope::ray_exit::dot;
 
-/// Independent vectors, long ones first: indices, as many as the first `rank` coordinates allow.
+/// The indices of at most `rank` vectors that are independent but for rounding: each is the one farthest from the span
+/// of those before.
 pub(super) fn independent<const D: usize>(rank: usize, vectors: &[[f64; D]]) -> Vec<usize> {
     let mut rest = vectors.to_vec();
     let mut chosen = Vec::with_capacity(rank);
@@ -30,7 +31,8 @@ pub(super) fn independent<const D: usize>(rank: usize, vectors: &[[f64; D]]) -> 
     chosen
 }
 
-/// A basis of directions with long generators, independent beyond doubt; by exact elimination where floating point leaves any.
+/// A basis of directions, preferably with long generators, proven independent by exact elimination. If those that
+/// floating point chooses are dependent, exact elimination chooses the first independent ones.
 pub(in crate::enclosing::fixed_directions) fn long_basis<const D: usize>(
     problem: &FixedDirections<'_, D>,
     scaled: &Scaled<D>,
@@ -60,7 +62,8 @@ pub(in crate::enclosing::fixed_directions) fn long_basis<const D: usize>(
     basis
 }
 
-/// The inverse of the matrix with the basis for columns, row by row, in units of the input.
+/// The rows of the inverse of the matrix whose columns are the vectors of the basis, in coordinates of the input,
+/// exactly.
 pub(in crate::enclosing::fixed_directions) fn exact_inverse<const D: usize>(
     problem: &FixedDirections<'_, D>,
     scaled: &Scaled<D>,

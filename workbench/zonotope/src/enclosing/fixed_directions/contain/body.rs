@@ -8,7 +8,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::ray_exit::inverse;
 
-/// A zonotope along the kept directions of a problem.
+/// A zonotope along the kept directions of a problem, whose containment of points is proved.
 pub(super) struct Body<'a, const D: usize> {
     pub(super) problem: &'a FixedDirections<'a, D>,
     pub(super) scaled: &'a Scaled<D>,
@@ -17,14 +17,15 @@ pub(super) struct Body<'a, const D: usize> {
     pub(super) coefficients: Vec<f64>,
     /// The generators in the scaled coordinates, rounded.
     pub(super) generators: Vec<[f64; D]>,
-    /// Independent kept directions that span what all of them span, those with long generators preferred.
+    /// A basis of the directions' span: kept directions, preferably those with long generators.
     pub(super) basis: Vec<usize>,
-    /// The inverse of the matrix of the basis in doubles, for the scaled coordinates, and exactly, for those of the input.
+    /// The inverse of the basis's matrix in scaled coordinates, in doubles.
     pub(super) basis_inverse: [[f64; D]; D],
+    /// The inverse of the basis's matrix in the coordinates of the input, exactly.
     pub(super) exact_inverse: Vec<Vec<Rational>>,
 }
 
-/// The generators in the scaled coordinates, from coefficients there.
+/// The generators in scaled coordinates, rounded, from coefficients in scaled units.
 pub(in crate::enclosing::fixed_directions) fn generators<const D: usize>(
     scaled: &Scaled<D>,
     coefficients: &[f64],
@@ -33,6 +34,7 @@ pub(in crate::enclosing::fixed_directions) fn generators<const D: usize>(
 }
 
 impl<'a, const D: usize> Body<'a, D> {
+    /// The zonotope with a centre and coefficients in units of the input.
     pub(super) fn new(
         problem: &'a FixedDirections<'a, D>,
         scaled: &'a Scaled<D>,
@@ -61,8 +63,8 @@ impl<'a, const D: usize> Body<'a, D> {
         scale_by_power_of_two(self.coefficients[direction], exponent)
     }
 
-    /// The magnitudes of the coordinates of a vector in the basis, exactly.
-    pub(super) fn in_basis(&self, vector: &[Dyadic]) -> Vec<Rational> {
+    /// The magnitudes of the coordinates of a vector with respect to the basis, exactly.
+    pub(super) fn magnitudes_in_basis(&self, vector: &[Dyadic]) -> Vec<Rational> {
         let vector: Vec<Rational> = vector.iter().map(Dyadic::to_rational).collect();
         let entry = |row: &Vec<Rational>| row.iter().zip(&vector).fold(Rational::ZERO, |sum, (m, v)| sum + m * v);
         let entries = self.exact_inverse.iter().map(entry);

@@ -1,15 +1,17 @@
 //! The quick proof that a point is inside: an error bound in doubles, for points clear of the boundary.
 //!
-//! A ray that leaves beyond its point shows coefficients δ well within [−1, 1]. What Σ δ_i c_i v_i misses of the point, rounding
-//! errors included, is expressed in the basis of directions; where it fits between |δ| and 1 there, the point is inside.
+//! If the ray to a point leaves the zonotope well beyond the point, there are coefficients δ_i well within [−1, 1]
+//! with Σ δ_i c_i v_i near the point. What the sum misses of the point, rounding errors included, is bounded in the
+//! coordinates of the basis. Where each bound fits between |δ_i| and 1, changes of the basis's coefficients make up for
+//! the miss, so the point is inside.
 
 use super::body::Body;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::zonotope::ray_exit::{Exit, dot};
 
 impl<const D: usize> Body<'_, D> {
-    /// Whether the residual of a point q relative to the centre fits between the coefficients and 1 in the basis. `extents` bounds the
-    /// sums of the generators along each axis.
+    /// Whether the residual of a point, given relative to the centre as `q`, certainly fits between the coefficients of
+    /// the basis and ±1. `extents` bounds the sums of the generators' magnitudes along each axis.
     pub(super) fn is_clear(&self, q: &[f64; D], exit: &Exit<D>, extents: &[f64; D]) -> bool {
         let rank = self.scaled.rank;
         let count = self.generators.len() as f64;
@@ -25,7 +27,8 @@ impl<const D: usize> Body<'_, D> {
         })
     }
 
-    /// Whether the rounded inverse times the basis differs from the identity by so little that it bounds the exact inverse.
+    /// Whether the rounded inverse times the matrix of the basis is near the identity, so that
+    /// [`is_clear`](Self::is_clear) may take it for the exact inverse.
     pub(super) fn basis_inverse_is_good(&self) -> bool {
         let rank = self.scaled.rank;
         (0..rank).all(|i| {

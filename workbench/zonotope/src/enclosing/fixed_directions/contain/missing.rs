@@ -1,7 +1,8 @@
-//! What the zonotope misses of a point near its boundary, exactly and as little as can be found.
+//! What the zonotope misses of a point near its boundary: the exact residual of the best coefficients found.
 //!
-//! Coefficients for the point come from the facet that its ray meets, if need be of a thickened zonotope, then from one
-//! or two corrections by their own exact residual. The residual that is left is taken in the basis of directions.
+//! Coefficients for the point come from the facet through which its ray leaves the zonotope or, if it leaves before the
+//! point, thickened ones; one or two corrections make up for their exact residual. The residual that is left is
+//! expressed in the basis of directions, whose coefficients make up for it.
 
 use super::basis::independent;
 use super::body::Body;
@@ -10,17 +11,18 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::ray_exit::{dot, inverse};
 
-/// A ray that leaves short of its point by less than this, relatively, counts as having reached it.
+/// A ray counts as reaching its point if it leaves at a multiple of the point that is below 1 by less than this.
 const REACH_TOLERANCE: f64 = 1e-12;
 
-/// A residual longer than this beside the point's distance from the centre is worth a search in rationals.
+/// A residual longer than this, relative to the point's distance from the centre, is worth a search in rationals.
 const LARGE_RESIDUAL: f64 = 1e-9;
 
 /// The rational program for one point is solved for at most this many directions.
 const RATIONAL_DIRECTION_LIMIT: usize = 12;
 
 impl<const D: usize> Body<'_, D> {
-    /// What the best coefficients found for a point miss of it, in the basis, exactly.
+    /// The magnitudes, with respect to the basis, of the exact residual that the best coefficients found for a point
+    /// leave.
     pub(super) fn least_missing(
         &self,
         point: &[f64; D],
@@ -53,7 +55,7 @@ impl<const D: usize> Body<'_, D> {
         least.map_or_else(|| vec![Rational::ZERO; self.scaled.rank], |(_, missing)| missing)
     }
 
-    /// The longest of what is missing along each direction of the basis, roughly.
+    /// The largest of the magnitudes of a residual with respect to the basis, in scaled units and rounded.
     fn size(&self, missing: &[Rational]) -> f64 {
         let exponents = self.basis.iter().map(|&b| self.scaled.directions[b].exponent);
         let sizes = missing.iter().zip(exponents).map(|(m, exponent)| {
@@ -63,7 +65,8 @@ impl<const D: usize> Body<'_, D> {
         sizes.fold(0.0, f64::max)
     }
 
-    /// What Σ δ_i c_i v_i misses of a point, in the basis, exactly; the coefficients are improved first.
+    /// The magnitudes, with respect to the basis, of the exact residual of coefficients for a point, which are improved
+    /// first.
     fn missing(&self, point: &[f64; D], deltas: &mut [f64]) -> Vec<Rational> {
         let rank = self.scaled.rank;
         let mut best = self.residual(point, deltas);
@@ -86,11 +89,11 @@ impl<const D: usize> Body<'_, D> {
             deltas.copy_from_slice(&improved);
             best = residual;
         }
-        self.in_basis(&best)
+        self.magnitudes_in_basis(&best)
     }
 
-    /// Adds to the coefficients of independent generators with room what makes up for a residual, as far as the room
-    /// goes.
+    /// Changes the coefficients of independent generators so that they make up for a residual, as far as ±1 allows;
+    /// generators with much room below ±1 are preferred. False if there are too few independent ones.
     fn improve(&self, residual: &[f64; D], deltas: &mut [f64]) -> bool {
         let rank = self.scaled.rank;
         let roomy: Vec<[f64; D]> = self

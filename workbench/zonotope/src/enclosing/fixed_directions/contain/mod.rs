@@ -1,18 +1,19 @@
 //! Stage: from a guess of centre and coefficients to a zonotope that contains every point, exactly.
 //!
-//! The centre is rounded to doubles first and stays. For each point, coefficients δ with Σ δ_i c_i v_i ≈ point − p come
-//! from the facet that its ray from the centre meets. Where the point is missed, the coefficients c of a basis of
-//! directions are enlarged by the most that any point misses along each of them.
+//! The centre is rounded to doubles first and not changed after that. For each point, coefficients δ_i in [−1, 1]
+//! with Σ δ_i c_i v_i near point − p come from the facet through which its ray from the centre leaves. Some points are
+//! missed by a little; then the coefficients c_i of a basis of directions are enlarged by the most that any point
+//! misses along each of them.
 //!
 //! | file | what it does | for which points |
 //! |---|---|---|
 //! | `body` | the zonotope with a basis of directions and its inverse | |
 //! | `clear` | proves a point inside by an error bound in doubles | nearly all |
 //! | `missing` | the exact residual of the best coefficients | near the boundary |
-//! | `thickened` | coefficients from zonotopes with longer short generators | of flat and needle-shaped bodies |
+//! | `thickened` | coefficients from zonotopes whose short generators are lengthened | of flat and needle-shaped bodies |
 //! | `rational_coefficients` | coefficients by a linear program in rationals | where floating point finds none |
 //! | `basis` | independent directions with long generators | |
-//! | `flat_center` | a centre in doubles of the affine span of the points | of problems in a proper subspace |
+//! | `flat_center` | a centre in doubles in the affine span of the points | of problems in a proper subspace |
 
 mod basis;
 mod body;
@@ -34,26 +35,27 @@ use crate::zonotope::ray_exit::{Exit, FacetMap, dot};
 use body::Body;
 use thickened::Thickened;
 
-/// A point whose ray leaves beyond it by less than this, relatively, is near the boundary: its residual is computed
-/// exactly.
+/// A point is near the boundary if its ray leaves at a multiple of it that exceeds 1 by less than this; its residual is
+/// computed exactly.
 const BOUNDARY_REACH_MARGIN: f64 = 1e-9;
 
-/// A generator shorter than this, beside the longest, is left out: the others, enlarged, reach what it would have
-/// reached.
+/// A generator shorter than this, relative to the longest, is left out; the enlarged coefficients of the others make up
+/// for it.
 const NEGLIGIBLE_LENGTH: f64 = 1e-14;
 
-/// A zonotope around all points of a problem.
+/// A zonotope that contains all points of a problem, and the point that it was enlarged for.
 pub(super) struct Container<const D: usize> {
     /// The zonotope; its lower bound is yet to be filled in.
     pub(super) zonotope: DirectedZonotope<D>,
-    /// The point for which a coefficient was enlarged most, if one was.
+    /// A point for which a coefficient was enlarged by as much as for any other, if one was enlarged.
     pub(super) worst: Option<usize>,
 }
 
-/// The zonotope with a given centre that contains every point, its coefficients at least those given in scaled units.
+/// A zonotope with a given centre that contains every point, from a guess of its coefficients in scaled units: they are
+/// enlarged where a point needs it.
 ///
 /// # Errors
-/// When a coefficient is no double.
+/// When a coefficient exceeds the largest double.
 pub(super) fn contain<const D: usize>(
     problem: &FixedDirections<'_, D>,
     scaled: &Scaled<D>,
@@ -89,8 +91,8 @@ pub(super) fn contain<const D: usize>(
     Ok(Container { zonotope, worst })
 }
 
-/// The coefficients with 0 for generators that are negligible beside the longest: in a search for a facet they are
-/// noise.
+/// The coefficients, with 0 for generators that are negligible relative to the longest: they are rounding noise, which
+/// hinders the search for a facet.
 fn without_negligible<const D: usize>(scaled: &Scaled<D>, coefficients: Vec<f64>) -> Vec<f64> {
     let lengths = || {
         scaled
@@ -103,7 +105,8 @@ fn without_negligible<const D: usize>(scaled: &Scaled<D>, coefficients: Vec<f64>
     lengths().zip(coefficients).map(kept).collect()
 }
 
-/// For each direction of the basis how much larger its coefficient must be, and the point that needs most.
+/// For each direction of the basis the enlargement of its coefficient with which every point is inside, and the last
+/// point for which one of them grew.
 fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> (Vec<Rational>, Option<usize>) {
     let rank = body.scaled.rank;
     let mut enlargements = vec![Rational::ZERO; rank];
@@ -154,7 +157,7 @@ pub(crate) fn below(exact: &Rational) -> f64 {
     value
 }
 
-/// Σ w_i c_i, rounded up; infinite above the largest double.
+/// The value Σ w_i c_i, rounded up; infinite above the largest double.
 pub(crate) fn value_above(weights: &[f64], coefficients: &[f64]) -> f64 {
     let sum = weights.iter().zip(coefficients).fold(Dyadic::zero(), |sum, (&w, &c)| {
         if w == 0.0 || c == 0.0 { sum } else { sum + &Dyadic::from_f64(w) * &Dyadic::from_f64(c) }

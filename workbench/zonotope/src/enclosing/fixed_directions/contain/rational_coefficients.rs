@@ -1,4 +1,4 @@
-//! The last resort for one point: coefficients by a linear program in rationals, for problems of few directions.
+//! Coefficients for one point by a linear program in rationals: the last resort, for problems with few directions.
 
 use super::body::Body;
 use crate::enclosing::fixed_directions::rational::simplex::{Column, maximize};
@@ -6,7 +6,7 @@ use crate::enclosing::fixed_directions::span::rational;
 use crate::numeric::Rational;
 
 impl<const D: usize> Body<'_, D> {
-    /// Coefficients from the rational program: what Σ δ_i c_i v_i misses of point − p, in the basis, costs least.
+    /// Coefficients, rounded to doubles, for which enlarging the basis by the residual costs least.
     pub(super) fn rational_coefficients(&self, point: &[f64; D]) -> Vec<f64> {
         let coordinates = &self.scaled.coordinates;
         let count = self.generators.len();
@@ -27,8 +27,9 @@ impl<const D: usize> Body<'_, D> {
             add(usize::MAX, &|a| along(b, a), &-weight(b));
             add(usize::MAX, &|a| -along(b, a), &-weight(b));
         }
-        // Whole at once the basis reaches the point for less than this, so to reach it always pays.
-        let whole = self.in_basis(&self.residual(point, &[]));
+        // The last variable is the share of the point that is reached. Enlarging the basis alone reaches the whole
+        // point for less than `cost`, so the optimum reaches it.
+        let whole = self.magnitudes_in_basis(&self.residual(point, &[]));
         let cost = self.basis.iter().zip(whole).fold(Rational::ONE, |sum, (&b, x)| sum + weight(b) * x);
         add(count, &|a| rational(self.center[a]) - rational(point[a]), &cost);
         let Some(optimum) = maximize(&columns, &vec![Rational::ONE; count + 1], coordinates.len()) else {

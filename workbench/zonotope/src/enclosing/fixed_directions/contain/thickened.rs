@@ -1,29 +1,35 @@
 //! Coefficients for points near the boundary of a zonotope that may be flat, or nearly so.
 //!
-//! From a flat zonotope a ray that leaves its plane by no more than rounding departs at once, though the point is
-//! reached but for that rounding. So where a ray departs before its point, the search is repeated with the shortest
-//! generators of a basis thickened, step by step, and the coefficients are used for the zonotope as it is.
+//! If a point is off the plane of a flat zonotope by no more than rounding, its ray leaves the zonotope at the centre,
+//! although coefficients reach the point but for that rounding. So where a ray leaves before its point, the search is
+//! repeated with the shortest generators of a basis lengthened, step by step. The coefficients found are used with the
+//! zonotope as it is.
 
 use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
 
-/// A zonotope and thickened ones, each with room for the search.
+/// A zonotope and thickened versions of it, each with its own search for facets.
 pub(crate) struct Thickened<'a, const D: usize> {
     rank: usize,
     generators: &'a [[f64; D]],
     /// The generators that are thickened, as vectors of length 1.
     basis: Vec<(usize, [f64; D])>,
-    /// The least lengths of the basis, one for each step.
+    /// For each step the least length of a generator of the basis; zero for the first.
     least: Vec<f64>,
     descents: Vec<FacetDescent<D>>,
 }
 
-/// The least lengths that are tried, relative to the longest generator: from the first by this factor up to the last.
+/// The first least length that is tried, relative to the longest generator.
 const FIRST_RELATIVE_LENGTH: f64 = 1e-13;
+
+/// The factor by which each least length exceeds the one before.
 const LENGTH_GROWTH: f64 = 16.0;
+
+/// No least length above this is tried, relative to the longest generator.
 const LAST_RELATIVE_LENGTH: f64 = 1e-3;
 
 impl<'a, const D: usize> Thickened<'a, D> {
-    /// The zonotope of generators, to be thickened along a basis of independent vectors that belong to them.
+    /// The zonotope of generators, thickened along a basis: generators' indices with vectors along them, which the
+    /// generators of length zero take their directions from.
     pub(crate) fn new(rank: usize, generators: &'a [[f64; D]], basis: impl Iterator<Item = (usize, [f64; D])>) -> Self {
         let length = |v: &[f64; D]| dot(v, v).sqrt();
         let longest = generators.iter().map(length).fold(0.0, f64::max);
@@ -39,12 +45,12 @@ impl<'a, const D: usize> Thickened<'a, D> {
         Self { rank, generators, basis, least, descents: Vec::new() }
     }
 
-    /// How many zonotopes there are: the one given and the thickened ones.
+    /// The number of zonotopes, the given one and the thickened ones.
     pub(crate) fn steps(&self) -> usize {
         self.least.len()
     }
 
-    /// As [`FacetDescent::facet`] for one of them, the first being the one given.
+    /// What [`FacetDescent::facet`] finds for one of the zonotopes, of which the first is the given one.
     pub(crate) fn facet(&mut self, step: usize, point: &[f64; D]) -> Option<Facet<D>> {
         while self.descents.len() <= step {
             let least = self.least[self.descents.len()];

@@ -1,23 +1,24 @@
-//! Smallest zonotope along given directions, by the simplex method in rationals on the dual program of all facet normals.
+//! Smallest zonotope along given directions, by the simplex method in rationals on the dual program of all facet
+//! normals.
 //!
 //! # Statement
-//! Input: points of R^D, directions, weights ≥ 0. Output: the least Σ w_i c_i over all zonotopes { p + Σ δ_i c_i v_i : |δ_i| ≤ 1 }
-//! that contain the points, with p and c ≥ 0 where it is attained, exactly; `None` when no zonotope along the directions contains
-//! them. Zero, parallel and repeated directions are legal, and so are fewer than D of them.
+//! Input: points of R^D, directions, weights ≥ 0. Output: the least Σ w_i c_i over all zonotopes { p + Σ δ_i c_i v_i
+//! : |δ_i| ≤ 1 } that contain the points, with p and c ≥ 0 where it is attained, exactly; `None` when no zonotope along
+//! the directions contains them. Zero, parallel and repeated directions are legal, and so are fewer than D of them.
 //!
 //! # Source
-//! Section 4.2, in k + d unknowns: every facet normal of every zonotope along the directions is, up to sign, a normal of d − 1 of
-//! them, so the points are inside just when Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for all these u and −u.
+//! Section 4.2, in k + d unknowns. Every facet normal of a zonotope along the directions is, up to sign, a normal of
+//! d − 1 of them. So the points are inside just when Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for all these u and −u.
 //!
 //! # Method
-//! 1. The span of the directions in rationals; a point off the affine span proves that there is no zonotope.
-//! 2. In coordinates of the span: the normals of all (d − 1)-subsets as vectors of minors, both signs.
-//! 3. The dual program, maximise Σ y_u h(u) with Σ y_u |u · v_i| ≤ w_i and Σ y_u u = 0, by the simplex method with Bland's rule,
-//!    which cannot cycle. Its prices are c and p.
+//! 1. Find the span of the directions in rationals; a point off the affine span proves that there is no zonotope.
+//! 2. In coordinates of the span, compute the normals of all (d − 1)-subsets as vectors of minors, with both signs.
+//! 3. Solve the dual program, maximise Σ y_u h(u) with Σ y_u |u · v_i| ≤ w_i and Σ y_u u = 0, by the simplex method
+//!    with Bland's rule, which cannot cycle. Its prices are c and p.
 //!
 //! # Complexity
-//! n points, k directions spanning d dimensions: C(k, d − 1) normals, each O(n + k) rational operations; then the pivots,
-//! O(k · C(k, d − 1)) each. The other methods fall back on it for up to some hundred normals.
+//! n points, k directions spanning d dimensions: C(k, d − 1) normals, each O(n + k) rational operations; then the
+//! pivots, O(k · C(k, d − 1)) each. The other methods fall back on it for up to some hundred normals.
 //!
 //! # Shapes
 //! `points`: n × D; `directions`: k × D; `coefficients`: half-lengths in units of their directions.
@@ -55,7 +56,8 @@ use simplex::{Column, maximize};
 
 pub(super) use refine::refine;
 
-/// The least Σ w_i c_i and where it is taken; `None` when no zonotope along the directions contains the points.
+/// The least Σ w_i c_i with a centre, coefficients and multipliers that attain it; `None` when no zonotope along the
+/// directions contains the points.
 pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>) -> Option<ExactOptimum<D>> {
     let span = Span::of(problem.directions());
     if span.first_departure(problem.points()).is_some() {

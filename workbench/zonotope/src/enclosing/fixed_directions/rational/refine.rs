@@ -1,7 +1,8 @@
-//! The fallback of the other methods: small problems whose bounds do not meet are solved in rationals.
+//! The fallback of the methods in floating point: small problems whose bounds do not meet are solved in rationals.
 //!
-//! The program is solved for the points that mattered so far. Its optimum proves the lower bound; rounded and contained, it is a
-//! candidate for the zonotope. Where a point needed the candidate enlarged, that point joins and the program is solved again.
+//! The program is solved for an active set of points. Its optimum proves a lower bound; rounded, and enlarged until it
+//! contains all points, it is a candidate for the answer. A point for which the candidate was enlarged joins the active
+//! set, and the program is solved again.
 
 use super::min_length_in_rationals;
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
@@ -19,10 +20,11 @@ const RATIONAL_NORMAL_LIMIT: usize = 130;
 /// The rational program is solved for at most this many points.
 const RATIONAL_POINT_LIMIT: usize = 80;
 
-/// Improves an answer until its bounds are tight or the problem is too large. `active` are points that mattered, not none.
+/// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
+/// least one point.
 ///
 /// # Errors
-/// When a coefficient is no double.
+/// When a coefficient exceeds the largest double.
 pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
     setting: Setting<'_, D>,
     mut active: Vec<usize>,
@@ -75,10 +77,11 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
     }
 }
 
-/// Centres in doubles for an exact optimum, the most promising first, and its coefficients in scaled units, rounded.
+/// Candidates for the centre in doubles, the most promising first, and the coefficients in scaled units, rounded, for
+/// an exact optimum.
 ///
-/// Where directions that cost nothing suffice, they are taken twice as long around the first point: then no rounding of a centre
-/// costs anything.
+/// If the optimum is zero, directions of weight zero reach all points. Then the coefficients are doubled and the first
+/// point is the centre: from there they reach all points as well, and rounding the centre costs nothing.
 fn candidates<const D: usize>(setting: Setting<'_, D>, optimum: &ExactOptimum<D>) -> (Vec<[f64; D]>, Vec<f64>) {
     let Setting { problem, scaled, .. } = setting;
     let is_free = optimum.value.is_zero();
@@ -98,7 +101,8 @@ fn candidates<const D: usize>(setting: Setting<'_, D>, optimum: &ExactOptimum<D>
     (centers, coefficients)
 }
 
-/// C(k, rank − 1), the number of facet normals up to sign in general position, or the largest number if that overflows.
+/// The number C(k, rank − 1) of facet normals up to sign of k directions in general position, or the largest number if
+/// that overflows.
 fn normal_count(k: usize, rank: usize) -> usize {
     let size = rank.saturating_sub(1);
     if size > k {

@@ -1,11 +1,12 @@
-//! The simplex method in rationals: for small programs, the exact optimum.
+//! The simplex method in rationals, which finds the exact optimum of small programs.
 //!
-//! Maximise Σ gain_j y_j over y ≥ 0 with inequalities · y ≤ bounds (no bound negative) and equalities · y = 0. The point y = 0 is feasible,
-//! so there is no first phase; Bland's rule keeps the method from cycling, however many rows are tight at once.
+//! It maximises Σ gain_j y_j over y ≥ 0 with inequalities · y ≤ bounds, where no bound is negative, and
+//! equalities · y = 0. The point y = 0 is feasible, so there is no first phase. Bland's rule keeps the method from
+//! cycling, however many rows are tight at once.
 
 use crate::numeric::Rational;
 
-/// One unknown y_j: its entries in the inequalities, in the equalities, and what a unit of it gains.
+/// The column of an unknown y_j: its entries in the inequalities and in the equalities, and the gain of a unit of it.
 pub(crate) struct Column {
     pub(crate) inequalities: Vec<Rational>,
     pub(crate) equalities: Vec<Rational>,
@@ -15,22 +16,23 @@ pub(crate) struct Column {
 /// An optimum with the prices that prove it.
 pub(crate) struct Optimum {
     pub(crate) value: Rational,
-    /// One for each unknown.
+    /// The value of each unknown.
     pub(crate) solution: Vec<Rational>,
-    /// One for each inequality, none negative.
+    /// The price of each inequality; no price is negative.
     pub(crate) inequality_prices: Vec<Rational>,
-    /// One for each equality.
+    /// The price of each equality.
     pub(crate) equality_prices: Vec<Rational>,
 }
 
-/// The tableau: each row holds the unknowns, one slack for each inequality and one artificial unknown for each equality, then the right-hand side.
-/// The last row holds the reduced gains with their signs turned, and the value.
+/// The tableau. A row holds the entries of the unknowns, of one slack for each inequality and of one artificial unknown
+/// for each equality, then the right-hand side. The last row holds the negated reduced gains, then the value.
 struct Tableau {
     rows: Vec<Vec<Rational>>,
     basis: Vec<usize>,
 }
 
 impl Tableau {
+    /// Makes a column basic in a row.
     fn pivot(&mut self, row: usize, column: usize) {
         let inverse = Rational::ONE / &self.rows[row][column];
         for entry in &mut self.rows[row] {
@@ -81,7 +83,8 @@ pub(crate) fn maximize(columns: &[Column], bounds: &[Rational], equalities: usiz
     rows.push(objective);
     let mut tableau = Tableau { rows, basis: (unknowns..unknowns + height).collect() };
     for row in inequalities..height {
-        // The right-hand side is zero, so any entry will do, whatever its sign; without one the row says nothing.
+        // The right-hand side is zero, so any nonzero entry can be the pivot, whatever its sign; a row without one is
+        // 0 = 0.
         if let Some(column) = (0..unknowns).find(|&c| !tableau.rows[row][c].is_zero()) {
             tableau.pivot(row, column);
         }
@@ -121,7 +124,7 @@ mod tests {
 
     #[test]
     fn a_program_by_hand() {
-        // maximise 3a + 2b with a + b ≤ 4, a + 3b ≤ 6, a ≤ 3: a = 3, b = 1
+        // Maximise 3a + 2b with a + b ≤ 4, a + 3b ≤ 6, a ≤ 3: the optimum is a = 3, b = 1.
         let columns = [column(&[1, 1, 1], &[], 3), column(&[1, 3, 0], &[], 2)];
         let optimum = maximize(&columns, &numbers(&[4, 6, 3]), 0).expect("bounded");
         assert_eq!(optimum.value, Rational::from(11));
@@ -131,7 +134,7 @@ mod tests {
 
     #[test]
     fn equalities_have_prices_and_a_gain_may_have_no_bound() {
-        // maximise a − b with a = b, a ≤ 5
+        // Maximise 3a − b with a = b and a ≤ 5.
         let columns = [column(&[1], &[1], 3), column(&[0], &[-1], -1)];
         let optimum = maximize(&columns, &numbers(&[5]), 1).expect("bounded");
         assert_eq!(

@@ -1,11 +1,11 @@
 //! Leaves out points that lie in a simplex of others: every zonotope around the others contains them.
 //!
-//! Let o be the point farthest from the mean, the apex of all simplices. For another point q, the least Σ α_i with q −
-//! o = Σ α_i (e_i − o) and α_i ≥ 0, over points e_i kept so far, is a linear program with as many rows as dimensions.
-//! The points of an optimal basis are a simplex with o, and it contains q if Σ α_i ≤ 1. So q is left out if Σ α_i < 1
-//! in floating point and exact signs confirm that it is inside the simplex. Points far from the mean are taken first,
-//! as they are likely corners. The exact convex hull would leave out more points, but in higher dimensions it costs
-//! more than the search.
+//! Let o be the point farthest from the mean, the apex of all simplices. For another point q, the least Σ α_i with
+//! q − o = Σ α_i (e_i − o) and α_i ≥ 0, over points e_i kept so far, is a linear program with as many rows as
+//! dimensions. The points of an optimal basis are a simplex with o, and it contains q if Σ α_i ≤ 1. So q is left out
+//! if Σ α_i < 1 in floating point and exact signs confirm that it is inside the simplex. Points far from the mean are
+//! taken first, as they are likely corners. The exact convex hull would leave out more points, but in higher dimensions
+//! it costs more than the search.
 
 use std::cmp::Ordering;
 

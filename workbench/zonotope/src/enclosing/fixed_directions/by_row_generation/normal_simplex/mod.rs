@@ -1,14 +1,16 @@
 //! The linear program over normals in doubles: a revised simplex method on its dual, to which normals may be added.
 //!
-//! Minimise Σ w_i c_i with Σ c_i |u · v_i| + u · p ≥ h(u) for the normals u found so far. The dual, maximise Σ y_u h(u) with
-//! Σ y_u u = 0 and Σ y_u |u · v_i| ≤ w_i, has as many rows as there are coordinates and directions, however many normals there are;
-//! its prices are p and c. A new normal is a new column that may enter the basis, so the basis of the round before is kept. The
-//! weights are perturbed until the last rounds, so that ties do not stall the method. What it finds is a guess that its users prove.
+//! The program is to minimise Σ w_i c_i with Σ c_i |u · v_i| + u · p ≥ h(u) for the normals u found so far, where h(u)
+//! is the height of the farthest point. Its dual is solved here: maximise Σ y_u h(u) with Σ y_u u = 0
+//! and Σ y_u |u · v_i| ≤ w_i. The dual has as many constraints as there are coordinates and directions, however many
+//! normals there are, and its prices are p and c. A new normal is a new column, so the basis of the round before stays
+//! feasible. The weights are perturbed until the last rounds, so that ties do not stall the method. The optimum is a
+//! guess, which the callers prove.
 //!
 //! | file | what it does |
 //! |---|---|
-//! | `mod` | the program, its pivots, and the turns of dual and primal steps |
-//! | `pricing` | which variable enters and which leaves |
+//! | `mod` | the program, its pivots, and the alternation of primal and dual pivots |
+//! | `pricing` | which variable enters the basis and which leaves it |
 //! | `refactor` | the inverse of the basis, computed anew |
 
 mod pricing;
@@ -16,47 +18,54 @@ mod refactor;
 
 use crate::zonotope::ray_exit::dot;
 
-/// A normal with how far the points reach along it.
+/// A normal with the farthest point along it: a row of the program, and a column of the dual.
 #[derive(Clone, Debug)]
 pub(crate) struct NormalRow<const D: usize> {
-    /// Of length 1, within rounding.
+    /// The normal u, of length 1 but for rounding.
     pub(crate) normal: [f64; D],
-    /// The height of `point` along the normal.
+    /// The height h(u) of `point` along the normal.
     pub(crate) height: f64,
+    /// The farthest point along the normal.
     pub(crate) point: usize,
 }
 
+/// A variable of the dual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Basic {
+    /// The multiplier y_u of a normal.
     Normal(usize),
+    /// The slack of the constraint of a direction.
     Slack(usize),
 }
 
-/// The method gave up: rounding errors, or more steps than any sensible program needs.
+/// The method gave up, because of rounding errors or after more pivots than a program of the size should need.
 #[derive(Debug)]
 pub(crate) struct Stuck;
 
+/// The dual program with a basis.
 pub(crate) struct NormalProgram<const D: usize> {
     rank: usize,
     directions: Vec<[f64; D]>,
     weights: Vec<f64>,
-    perturbed: bool,
+    /// Whether the weights are perturbed.
+    is_perturbed: bool,
     rows: Vec<NormalRow<D>>,
-    /// For each normal its coordinates, then |u · v_i| for each direction.
+    /// The column of each normal in the dual: its coordinates, then |u · v_i| for each direction.
     entries: Vec<Vec<f64>>,
     basis: Vec<Basic>,
     normal_is_basic: Vec<bool>,
     slack_is_basic: Vec<bool>,
     /// The inverse of the basis matrix: a row for each basic variable, a column for each coordinate and direction.
     inverse: Vec<Vec<f64>>,
+    /// The values of the basic variables.
     values: Vec<f64>,
-    /// The centre p, then the coefficients c.
+    /// The prices of the dual's constraints: the centre p, then the coefficients c.
     prices: Vec<f64>,
-    /// Pivots since the inverse was computed anew.
-    fresh: usize,
-    /// Pivots so far.
+    /// The number of pivots since the inverse was computed anew.
+    pivots_since_inverse: usize,
+    /// The number of pivots so far.
     pivots: u64,
-    /// A reduced gain below this, relatively, is rounding.
+    /// A reduced gain below this, relative to the terms that it is the sum of, counts as zero.
     pub(crate) precision: f64,
 }
 
@@ -66,14 +75,15 @@ const FINEST_PRECISION: f64 = 1e-14;
 /// The inverse is computed anew after this many pivots.
 const PIVOTS_PER_INVERSE: usize = 120;
 
-/// Dual and primal pivots take turns, each time with a new inverse, at most this often.
-const TURN_LIMIT: usize = 12;
+/// Dual and primal pivots alternate, each time with a new inverse, at most this many times.
+const ALTERNATION_LIMIT: usize = 12;
 
-/// A weight is perturbed by less than this, relatively.
+/// The perturbation of a weight is below this, relative to the weight.
 const WEIGHT_PERTURBATION: f64 = 1e-7;
 
 impl<const D: usize> NormalProgram<D> {
-    /// The program of some directions, begun with the axes as normals: y = 0 and all slacks make the first basis.
+    /// The program for directions and their weights. The first basis is the normals along the axes, at y = 0, and all
+    /// slacks.
     pub(crate) fn new(rank: usize, axes: Vec<NormalRow<D>>, directions: Vec<[f64; D]>, weights: Vec<f64>) -> Self {
         let size = rank + directions.len();
         let mut program = Self {
@@ -86,10 +96,10 @@ impl<const D: usize> NormalProgram<D> {
             prices: vec![0.0; size],
             directions,
             weights,
-            perturbed: true,
+            is_perturbed: true,
             rows: Vec::new(),
             entries: Vec::new(),
-            fresh: 0,
+            pivots_since_inverse: 0,
             pivots: 0,
             precision: FINEST_PRECISION,
         };
@@ -101,23 +111,27 @@ impl<const D: usize> NormalProgram<D> {
         program
     }
 
+    /// The number of constraints of the dual, and of basic variables.
     fn size(&self) -> usize {
         self.basis.len()
     }
 
+    /// The centre p.
     pub(crate) fn center(&self) -> [f64; D] {
         std::array::from_fn(|c| if c < self.rank { self.prices[c] } else { 0.0 })
     }
 
+    /// The coefficients c.
     pub(crate) fn coefficients(&self) -> &[f64] {
         &self.prices[self.rank..]
     }
 
+    /// The normals that have been added, in their order.
     pub(crate) fn rows(&self) -> &[NormalRow<D>] {
         &self.rows
     }
 
-    /// The normals that count at the optimum, with their multipliers y_u.
+    /// The normals with positive multipliers y_u, and these.
     pub(crate) fn multipliers(&self) -> impl Iterator<Item = (&NormalRow<D>, f64)> {
         self.basis.iter().zip(&self.values).filter_map(|(basic, &y)| match basic {
             Basic::Normal(j) if y > 0.0 => Some((&self.rows[*j], y)),
@@ -125,7 +139,7 @@ impl<const D: usize> NormalProgram<D> {
         })
     }
 
-    /// Adds a normal; it may enter the basis from now on.
+    /// Adds a normal, which may enter the basis from now on.
     pub(crate) fn add_row(&mut self, row: NormalRow<D>) {
         let coordinates = row.normal[..self.rank].iter().copied();
         self.entries.push(coordinates.chain(self.directions.iter().map(|v| dot(&row.normal, v).abs())).collect());
@@ -133,40 +147,43 @@ impl<const D: usize> NormalProgram<D> {
         self.normal_is_basic.push(false);
     }
 
-    /// Takes the true weights from now on; whether they had been perturbed.
+    /// Replaces perturbed weights by the true ones, and returns whether the weights were perturbed.
     pub(crate) fn restore_weights(&mut self) -> bool {
-        let perturbed = std::mem::replace(&mut self.perturbed, false);
+        let was_perturbed = std::mem::replace(&mut self.is_perturbed, false);
         if self.refactor().is_err() {
             self.values = self.solve_values();
         }
-        perturbed
+        was_perturbed
     }
 
+    /// The right side of a constraint of the dual: zero for a coordinate, the weight of a direction.
     fn bound(&self, constraint: usize) -> f64 {
         let Some(i) = constraint.checked_sub(self.rank) else { return 0.0 };
-        // Multiples of the golden ratio are spread evenly over [0, 1).
+        // The fractional parts of multiples of the golden ratio are spread evenly over [0, 1).
         let spread = (i as f64 + 1.0) * 0.618_033_988_749_894_9;
-        let perturbation = if self.perturbed { WEIGHT_PERTURBATION * (spread - spread.floor()) } else { 0.0 };
+        let perturbation = if self.is_perturbed { WEIGHT_PERTURBATION * (spread - spread.floor()) } else { 0.0 };
         self.weights[i] * (1.0 + perturbation)
     }
 
+    /// The values of the basic variables, by the inverse.
     fn solve_values(&self) -> Vec<f64> {
         let bounds: Vec<f64> = (0..self.size()).map(|i| self.bound(i)).collect();
         self.inverse.iter().map(|row| product(row, &bounds)).collect()
     }
 
-    /// The optimum for the normals and directions seen so far.
+    /// Moves to the optimal basis for the normals so far.
     pub(crate) fn optimize(&mut self) -> Result<(), Stuck> {
         let most = 12 * (self.size() + self.rows.len()) as u64 + 2000;
         let end = self.pivots + most;
-        if self.fresh >= PIVOTS_PER_INVERSE {
+        if self.pivots_since_inverse >= PIVOTS_PER_INVERSE {
             self.refactor()?;
         }
-        // Rounding may undo one step with the other: what is left after some turns is within it.
-        for _ in 0..TURN_LIMIT {
+        // Rounding may let primal pivots undo dual ones and the other way round; what is left after some alternations
+        // is within rounding.
+        for _ in 0..ALTERNATION_LIMIT {
             self.make_feasible(end)?;
             self.improve(end)?;
-            if self.fresh == 0 {
+            if self.pivots_since_inverse == 0 {
                 break;
             }
             self.refactor()?;
@@ -174,7 +191,7 @@ impl<const D: usize> NormalProgram<D> {
         Ok(())
     }
 
-    /// Primal pivots: while a normal or slack has a positive reduced gain, it enters.
+    /// Primal pivots: a variable enters the basis while one has a positive reduced gain.
     fn improve(&mut self, end: u64) -> Result<(), Stuck> {
         let mut candidates: Vec<Basic> = Vec::new();
         loop {
@@ -194,13 +211,13 @@ impl<const D: usize> NormalProgram<D> {
             if self.pivots > end {
                 return Err(Stuck);
             }
-            if self.fresh >= PIVOTS_PER_INVERSE {
+            if self.pivots_since_inverse >= PIVOTS_PER_INVERSE {
                 self.refactor()?;
             }
         }
     }
 
-    /// Dual pivots: while a basic value is negative, it leaves.
+    /// Dual pivots: a variable leaves the basis while one has a negative value.
     fn make_feasible(&mut self, end: u64) -> Result<(), Stuck> {
         loop {
             let scale = self.values.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
@@ -233,12 +250,13 @@ impl<const D: usize> NormalProgram<D> {
             if self.pivots > end {
                 return Err(Stuck);
             }
-            if self.fresh >= PIVOTS_PER_INVERSE {
+            if self.pivots_since_inverse >= PIVOTS_PER_INVERSE {
                 self.refactor()?;
             }
         }
     }
 
+    /// Replaces a basic variable by an entering one, whose column is given, and updates inverse and values.
     fn pivot(&mut self, leaving: usize, entering: Basic, column: &[f64]) {
         let head = column[leaving];
         let mut row = std::mem::take(&mut self.inverse[leaving]);
@@ -264,7 +282,7 @@ impl<const D: usize> NormalProgram<D> {
             Basic::Normal(j) => self.normal_is_basic[j] = true,
             Basic::Slack(i) => self.slack_is_basic[i] = true,
         }
-        self.fresh += 1;
+        self.pivots_since_inverse += 1;
         self.pivots += 1;
     }
 }

@@ -1,14 +1,14 @@
-//! Which variable enters the basis, and which leaves it.
+//! Pricing: which variable enters the basis, and which leaves it.
 
 use super::{Basic, NormalProgram, product};
 
-/// This many promising variables are priced between two looks at all of them.
+/// The number of variables with the largest gains that are priced again and again before all variables are.
 const CANDIDATE_COUNT: usize = 24;
 
 impl<const D: usize> NormalProgram<D> {
-    /// The reduced gain, if it is more than rounding.
+    /// The reduced gain of a variable; `None` if it is not positive or may be rounding.
     pub(super) fn reduced_gain(&self, basic: Basic) -> Option<f64> {
-        let (gain, doubt) = match basic {
+        let (gain, rounding) = match basic {
             Basic::Slack(i) => {
                 let price = self.prices[self.rank + i];
                 (-price, 0.1 * self.precision)
@@ -23,9 +23,10 @@ impl<const D: usize> NormalProgram<D> {
                 (gain, self.precision * (size + 0.01))
             }
         };
-        (gain > doubt).then_some(gain)
+        (gain > rounding).then_some(gain)
     }
 
+    /// Whether a variable is in the basis.
     pub(super) fn is_basic(&self, basic: Basic) -> bool {
         match basic {
             Basic::Normal(j) => self.normal_is_basic[j],
@@ -33,11 +34,13 @@ impl<const D: usize> NormalProgram<D> {
         }
     }
 
+    /// The candidate with the largest reduced gain, and the gain; `None` if no candidate has one.
     pub(super) fn best_of(&self, candidates: &[Basic]) -> Option<(Basic, f64)> {
         let gains = candidates.iter().filter(|b| !self.is_basic(**b)).filter_map(|&b| Some((b, self.reduced_gain(b)?)));
         gains.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// The variables with the largest reduced gains of all, [`CANDIDATE_COUNT`] at most.
     pub(super) fn promising(&self) -> Vec<Basic> {
         let all = (0..self.rows.len()).map(Basic::Normal).chain((0..self.directions.len()).map(Basic::Slack));
         let mut gains: Vec<(Basic, f64)> =
@@ -47,7 +50,7 @@ impl<const D: usize> NormalProgram<D> {
         gains.into_iter().map(|(b, _)| b).collect()
     }
 
-    /// The inverse times the column of a variable.
+    /// The column of a variable, multiplied by the inverse of the basis.
     pub(super) fn column(&self, entering: Basic) -> Vec<f64> {
         match entering {
             Basic::Slack(i) => self.inverse.iter().map(|row| row[self.rank + i]).collect(),
@@ -55,7 +58,8 @@ impl<const D: usize> NormalProgram<D> {
         }
     }
 
-    /// The ratio test in two passes: of the rows that are nearly the first to reach zero, the one with the largest pivot.
+    /// The row of the variable that leaves the basis, by a ratio test in two passes: of the rows whose values reach
+    /// zero first but for rounding, the one with the largest pivot. `None` if no value falls.
     pub(super) fn leaving(&self, column: &[f64]) -> Option<usize> {
         let largest = column.iter().fold(0.0, |max: f64, v| max.max(v.abs()));
         let scale = self.values.iter().fold(0.0, |max: f64, v| max.max(v.abs()));

@@ -1,8 +1,11 @@
-//! The inverse of the basis, computed anew with values and prices: only the block of basic normals and tight directions is dense.
+//! The inverse of the basis, values and prices, computed anew.
+//!
+//! The basic slacks are columns of the identity. So only a block has to be inverted, that of the basic normals and of
+//! the tight constraints, which have no basic slack.
 
 use super::{Basic, NormalProgram, Stuck, add_multiple, product};
 
-/// Values and prices are refined this often by what they leave of their equations.
+/// The number of times that values and prices are refined by the residuals of their equations.
 const REFINEMENTS: usize = 2;
 
 impl<const D: usize> NormalProgram<D> {
@@ -20,7 +23,7 @@ impl<const D: usize> NormalProgram<D> {
         if tight.len() != normals.len() {
             return Err(Stuck);
         }
-        // Row t: constraint t over the basic normals.
+        // Row t of the block holds the entries of tight constraint t for the basic normals.
         let block: Vec<Vec<f64>> =
             tight.iter().map(|&t| normals.iter().map(|&(_, j)| self.entries[j][t]).collect()).collect();
         let block = dense_inverse(block).ok_or(Stuck)?;
@@ -51,7 +54,7 @@ impl<const D: usize> NormalProgram<D> {
         for &(at, j) in &normals {
             add_multiple(&mut prices, self.rows[j].height, &self.inverse[at]);
         }
-        // What the tight directions and the tight normals still miss.
+        // Values are refined by the residuals of the tight constraints, prices by those of the basic normals.
         for _ in 0..REFINEMENTS {
             let missing = |&t: &usize| {
                 self.bound(t) - normals.iter().map(|&(at, j)| self.values[at] * self.entries[j][t]).sum::<f64>()
@@ -67,7 +70,7 @@ impl<const D: usize> NormalProgram<D> {
             }
         }
         self.prices = prices;
-        self.fresh = 0;
+        self.pivots_since_inverse = 0;
         if self.prices.iter().chain(&self.values).all(|v| v.is_finite()) { Ok(()) } else { Err(Stuck) }
     }
 }

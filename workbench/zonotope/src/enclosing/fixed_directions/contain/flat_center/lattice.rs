@@ -1,32 +1,36 @@
-//! The whole solution of linear equations that is nearest to a place, but for a small factor.
+//! An integer solution of linear equations that is near a target, in the norm of a linear image: nearly the nearest.
 //!
-//! Column operations of Euclid's kind bring the whole solutions to a basis; the basis is reduced (Lenstra, Lenstra, Lovász), in whole numbers, for the norm of an
-//! image; then the nearest plane of each of its vectors is taken in turn (Babai). A few dimensions only.
+//! Column operations as in Euclid's algorithm yield one integer solution and a basis of the lattice of the differences.
+//! The basis is reduced (Lenstra, Lenstra, Lovász) in integers, for the norm of the image. Then the solution is moved
+//! to the nearest plane of each basis vector in turn (Babai). The factor between the distance found and the least one
+//! grows exponentially with the dimension, which is small here.
 
 use dashu_int::IBig;
 use dashu_int::ops::{DivEuclid, UnsignedAbs};
 
 use crate::numeric::linear::sum_of_products;
 
-/// A whole vector with the image that its length is measured by.
+/// An integer vector of the lattice with its image, whose length is the vector's norm.
 #[derive(Debug, Clone)]
-struct Member {
-    place: Vec<IBig>,
+struct LatticeVector {
+    coordinates: Vec<IBig>,
     image: Vec<IBig>,
 }
 
-impl Member {
+impl LatticeVector {
+    /// Subtracts a multiple of another vector.
     fn subtract(&mut self, factor: &IBig, other: &Self) {
-        let own = self.place.iter_mut().chain(&mut self.image);
-        for (v, o) in own.zip(other.place.iter().chain(&other.image)) {
+        let own = self.coordinates.iter_mut().chain(&mut self.image);
+        for (v, o) in own.zip(other.coordinates.iter().chain(&other.image)) {
             *v -= factor * o;
         }
     }
 }
 
-/// A whole x with row · (x, 1) = 0 for every row whose linear image is near a target; `None` if no whole x solves the equations.
+/// An integer vector x with row · (x, 1) = 0 for every row, whose image is near a target; `None` if no integer vector
+/// solves the equations.
 ///
-/// No vector of the solutions' lattice may have the image 0.
+/// The image must be linear, and zero for no nonzero difference of two solutions.
 pub(super) fn near(
     dimension: usize,
     rows: &[Vec<IBig>],
@@ -45,21 +49,22 @@ pub(super) fn near(
     if origin[dimension] != IBig::ONE {
         return None;
     }
-    let member = |mut place: Vec<IBig>| {
-        place.truncate(dimension);
-        Member { image: image(&place), place }
+    let with_image = |mut coordinates: Vec<IBig>| {
+        coordinates.truncate(dimension);
+        LatticeVector { image: image(&coordinates), coordinates }
     };
-    let mut members: Vec<Member> = columns.into_iter().map(member).collect();
-    reduce(&mut members);
-    let mut origin = member(origin);
+    let mut vectors: Vec<LatticeVector> = columns.into_iter().map(with_image).collect();
+    reduce(&mut vectors);
+    let mut origin = with_image(origin);
     origin.image.iter_mut().zip(target).for_each(|(v, t)| *v -= t);
-    let last = members.len();
-    members.push(origin);
-    shorten(&mut members, last);
-    members.pop().map(|nearest| nearest.place)
+    let last = vectors.len();
+    vectors.push(origin);
+    shorten(&mut vectors, last);
+    vectors.pop().map(|nearest| nearest.coordinates)
 }
 
-/// Combines columns until a functional vanishes on all but one, which is taken out; `None` if it vanishes on all.
+/// Combines columns until a functional is zero on all but one of them, and takes that one out; `None` if it is zero on
+/// all.
 fn split_off(columns: &mut Vec<Vec<IBig>>, functional: impl Fn(&[IBig]) -> IBig) -> Option<Vec<IBig>> {
     let mut values: Vec<IBig> = columns.iter().map(|column| functional(column)).collect();
     loop {
@@ -77,15 +82,15 @@ fn split_off(columns: &mut Vec<Vec<IBig>>, functional: impl Fn(&[IBig]) -> IBig)
     }
 }
 
-/// Makes independent vectors short and nearly orthogonal.
-fn reduce(members: &mut [Member]) {
+/// Reduces independent vectors, so that they become short and nearly orthogonal.
+fn reduce(vectors: &mut [LatticeVector]) {
     let mut k = 1;
-    while k < members.len() {
-        let rows = shorten(members, k);
+    while k < vectors.len() {
+        let rows = shorten(vectors, k);
         let before = if k < 2 { IBig::ONE } else { rows[k - 2][k - 2].clone() };
         let (own, last) = (&rows[k], &rows[k - 1][k - 1]);
         if IBig::from(4) * (&own[k] * before + &own[k - 1] * &own[k - 1]) < IBig::from(3) * last * last {
-            members.swap(k - 1, k);
+            vectors.swap(k - 1, k);
             k = (k - 1).max(1);
         } else {
             k += 1;
@@ -93,29 +98,31 @@ fn reduce(members: &mut [Member]) {
     }
 }
 
-/// Takes from a vector the whole multiples of those before it that leave it shortest; the determinants of [`gram`] after that.
-fn shorten(members: &mut [Member], k: usize) -> Vec<Vec<IBig>> {
-    let mut rows = gram(&members[..=k]);
+/// Subtracts from vector k integer multiples of the vectors before it, the last one first, so that its coefficients
+/// with respect to the orthogonalised vectors are at most 1/2. Returns the [`gram`] rows after that.
+fn shorten(vectors: &mut [LatticeVector], k: usize) -> Vec<Vec<IBig>> {
+    let mut rows = gram(&vectors[..=k]);
     for j in (0..k).rev() {
         let twice = IBig::from(2) * &rows[j][j];
         let factor = (IBig::from(2) * &rows[k][j] + &rows[j][j]).div_euclid(&twice);
         if factor != IBig::ZERO {
-            let (others, own) = members.split_at_mut(k);
+            let (others, own) = vectors.split_at_mut(k);
             own[0].subtract(&factor, &others[j]);
-            rows = gram(&members[..=k]);
+            rows = gram(&vectors[..=k]);
         }
     }
     rows
 }
 
-/// In row i, place j ≤ i: the coefficient of orthogonalised vector j in vector i, times the determinant of the products of the first j + 1
-/// vectors; that determinant itself for j = i. All whole.
-fn gram(members: &[Member]) -> Vec<Vec<IBig>> {
-    let mut rows: Vec<Vec<IBig>> = Vec::with_capacity(members.len());
-    for (i, member) in members.iter().enumerate() {
+/// Gram and Schmidt's coefficients without fractions. Let d_j be the determinant of the inner products of the first
+/// j + 1 vectors. Entry j of row i is d_i for j = i; for j < i it is d_j times the coefficient of orthogonalised vector
+/// j in vector i, which is an integer, too.
+fn gram(vectors: &[LatticeVector]) -> Vec<Vec<IBig>> {
+    let mut rows: Vec<Vec<IBig>> = Vec::with_capacity(vectors.len());
+    for (i, vector) in vectors.iter().enumerate() {
         let mut row: Vec<IBig> = Vec::with_capacity(i + 1);
         for j in 0..=i {
-            let mut entry = sum_of_products(&member.image, &members[j].image);
+            let mut entry = sum_of_products(&vector.image, &vectors[j].image);
             for k in 0..j {
                 let other = if j == i { &row[k] } else { &rows[j][k] };
                 let divisor = if k == 0 { IBig::ONE } else { rows[k - 1][k - 1].clone() };
@@ -144,7 +151,7 @@ mod tests {
 
     #[test]
     fn the_nearest_on_a_line() {
-        // 3 x + 5 y = 1: (2, −1) + t (5, −3)
+        // The solutions of 3 x + 5 y = 1 are (2, −1) + t (5, −3).
         let same = |x: &[IBig]| x.to_vec();
         assert_eq!(near(2, &[whole(&[3, 5, -1])], same, &whole(&[100, -60])), Some(whole(&[102, -61])));
         assert_eq!(near(2, &[whole(&[6, 10, -1])], same, &whole(&[0, 0])), None);
@@ -153,7 +160,7 @@ mod tests {
 
     #[test]
     fn a_norm_that_is_far_from_even() {
-        // the lattice of all points, its distances by x + 1000 y and 1000 y: near (0, 1/2) are points far along x
+        // The image (2 x − 2001 y, y) of the lattice of all points: points far along x have short images.
         let image = |x: &[IBig]| vec![&x[0] * IBig::from(2) - &x[1] * IBig::from(2001), x[1].clone()];
         let found = near(2, &[], image, &whole(&[1, 7])).expect("all points solve no equations");
         let [a, b] = [0, 1].map(|k| &image(&found)[k] - &whole(&[1, 7])[k]);
@@ -162,10 +169,11 @@ mod tests {
 
     #[test]
     fn reduced_vectors_are_short() {
-        let members = [[1, 1, 1], [-1, 0, 2], [3, 5, 6]].map(|v| Member { place: whole(&v), image: whole(&v) });
-        let mut members = members.to_vec();
-        reduce(&mut members);
-        let lengths: Vec<IBig> = members.iter().map(|m| sum_of_products(&m.image, &m.image)).collect();
+        let vectors =
+            [[1, 1, 1], [-1, 0, 2], [3, 5, 6]].map(|v| LatticeVector { coordinates: whole(&v), image: whole(&v) });
+        let mut vectors = vectors.to_vec();
+        reduce(&mut vectors);
+        let lengths: Vec<IBig> = vectors.iter().map(|m| sum_of_products(&m.image, &m.image)).collect();
         assert_eq!(lengths, whole(&[1, 2, 5]));
     }
 }

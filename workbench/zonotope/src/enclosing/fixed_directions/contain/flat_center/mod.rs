@@ -1,8 +1,9 @@
-//! A centre in doubles from which the directions reach the points.
+//! A centre in doubles from which zonotopes along the directions can contain the points.
 //!
-//! Where the directions span less than the whole space, few doubles lie in the affine span of the points; where they
-//! nearly do, the nearest doubles may be far in terms of what the directions take to reach them. So among those on a
-//! grid the nearest is sought in these terms.
+//! The centre must lie in the affine span of the points. If the directions span less than the whole space, few points
+//! of doubles do. If they nearly do, the nearest point of doubles may be far in another measure: by how much it makes
+//! the coefficients larger. So among the points of a grid in the affine span the nearest in that measure is sought, by
+//! lattice reduction.
 
 mod lattice;
 
@@ -18,30 +19,30 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::binary_exponent;
 
-/// A small coordinate is not made finer than this many bits below the largest one's last.
+/// The grid of a small coordinate has at most this many bits below the last bit of the largest coordinate.
 const EXTRA_BIT_LIMIT: i64 = 60;
 
-/// A grid whose nearest point is no double is made coarser; at most this many grids are tried.
+/// At most this many grids are tried, each coarser than the one before, until the nearest point is one of doubles.
 const GRID_LIMIT: usize = 8;
 
-/// At most this many of the points are tried as the centre.
+/// At most this many points of the problem are tried as the centre.
 const TRIED_POINT_LIMIT: usize = 64;
 
-/// What a miss along a direction of weight zero counts for, beside one along the cheapest direction that has a weight.
+/// The cost of a miss along a direction of weight zero, relative to the least positive weight of the basis.
 const FREE_DIRECTION_SHARE: f64 = 1e-6;
 
-/// The place of a centre in the affine span of the points, and what it costs to miss it.
+/// The place that a centre should have in the affine span of the points, and the cost of missing it.
 struct Target<'a, const D: usize> {
     problem: &'a FixedDirections<'a, D>,
     span: &'a Span<D>,
-    /// The coordinates of the span.
+    /// The place in the pivot coordinates of the span.
     place: Vec<Rational>,
-    /// The rows of a linear map of the span's coordinates, independent: a miss costs as much as the length of its
-    /// image.
+    /// The independent rows of a linear map of the pivot coordinates. The cost of a miss is the length of its image.
     cost: Vec<Vec<Rational>>,
 }
 
-/// The nearest doubles to a centre in scaled coordinates of the whole space.
+/// The first point, moved by a vector in scaled coordinates and rounded to the nearest doubles in its pivot
+/// coordinates. If the directions do not span the space, it need not lie in the affine span of the points.
 pub(in crate::enclosing::fixed_directions) fn nearest_doubles<const D: usize>(
     problem: &FixedDirections<'_, D>,
     scaled: &Scaled<D>,
@@ -56,8 +57,8 @@ pub(in crate::enclosing::fixed_directions) fn nearest_doubles<const D: usize>(
     center
 }
 
-/// Doubles in the affine span of the points from which the directions with coefficients other than zero have least to
-/// make up for, nearly, in place of an exact centre.
+/// A point of doubles in the affine span of the points that costs little to take in place of an exact centre:
+/// coefficients of a basis with long generators, enlarged by the difference, cost nearly the least.
 pub(in crate::enclosing::fixed_directions) fn cheapest_center<const D: usize>(
     Setting { problem, scaled, span }: Setting<'_, D>,
     exact: &[Rational; D],
@@ -66,7 +67,7 @@ pub(in crate::enclosing::fixed_directions) fn cheapest_center<const D: usize>(
     let basis = long_basis(problem, scaled, &generators(scaled, coefficients));
     let weights = basis.iter().map(|&b| rational(problem.weights()[scaled.directions[b].index]));
     let weights: Vec<Rational> = weights.collect();
-    // Along a direction of weight zero the centre may be missed by more, but not by anything.
+    // A miss along a direction of weight zero costs little, but it costs something, so that the norm has no kernel.
     let least = weights.iter().filter(|w| !w.is_zero()).min();
     let free = least.map_or(Rational::ONE, |least| least * rational(FREE_DIRECTION_SHARE));
     let mut cost = exact_inverse(problem, scaled, &basis);
@@ -79,8 +80,7 @@ pub(in crate::enclosing::fixed_directions) fn cheapest_center<const D: usize>(
 }
 
 impl<const D: usize> Target<'_, D> {
-    /// Doubles in the affine span of the points that it costs little to miss the place by; in the worst case one of the
-    /// points.
+    /// The cheapest candidate for the centre: the point of the grid, or one of the first points of the problem.
     fn center(&self) -> [f64; D] {
         let miss = |center: &[f64; D]| {
             let image = self.image(&self.span.pivots().iter().map(|&c| rational(center[c])).collect::<Vec<_>>());
@@ -93,12 +93,13 @@ impl<const D: usize> Target<'_, D> {
         least.map_or(self.problem.points()[0], |(_, center)| center)
     }
 
+    /// The image of a vector in pivot coordinates under the cost's linear map.
     fn image(&self, coordinates: &[Rational]) -> Vec<Rational> {
         let entry = |row: &Vec<Rational>| row.iter().zip(coordinates).fold(Rational::ZERO, |sum, (a, x)| sum + a * x);
         self.cost.iter().map(entry).collect()
     }
 
-    /// The nearest point of the finest grid whose nearest point is one of doubles.
+    /// The point nearest to the place, of the finest grid for which it is a point of doubles.
     fn on_a_grid(&self) -> Option<[f64; D]> {
         let first = self.problem.points()[0].map(rational);
         let shift: Vec<Rational> = self.place.iter().zip(self.span.pivots()).map(|(p, &c)| p - &first[c]).collect();
@@ -120,7 +121,7 @@ impl<const D: usize> Target<'_, D> {
                 let pivots = self.span.pivots().iter();
                 row.iter().zip(pivots).map(|(a, &c)| a * &units[c]).collect()
             });
-            // together, so that all have one denominator
+            // The cost and the target are made whole together, by the same multiple.
             let mut cost: Vec<Vec<IBig>> = whole(cost.chain([self.image(&self.place)]));
             let target = cost.pop()?;
             let image = |x: &[IBig]| {
@@ -147,7 +148,7 @@ impl<const D: usize> Target<'_, D> {
 /// The exponent of the least denormal number.
 const LEAST_EXPONENT: i64 = -1074;
 
-/// The same multiple of all numbers, the least that makes them whole.
+/// All numbers times the least common multiple of their denominators.
 fn whole(rows: impl IntoIterator<Item = Vec<Rational>>) -> Vec<Vec<IBig>> {
     let rows: Vec<Vec<Rational>> = rows.into_iter().collect();
     let multiple = rows.iter().flatten().fold(Rational::ONE, |multiple, v| {

@@ -1,8 +1,8 @@
 //! The second-order cone x_0 ≥ |(x_1 … x_d)| and its Jordan algebra.
 //!
-//! The cone is its own dual. A vector x is in its interior if x_0 and the determinant xᵀ J x are positive, where J =
-//! diag(1, −1 … −1). The Jordan product a ∘ b = (a · b, a_0 b' + b_0 a') has the unit (1, 0) and the inverse x⁻¹ = J x
-//! / xᵀ J x.
+//! The cone is its own dual. A vector x is in its interior if x_0 and the determinant xᵀ J x are positive, where
+//! J = diag(1, −1 … −1). The Jordan product a ∘ b = (a · b, a_0 b' + b_0 a') has the unit (1, 0) and the inverse
+//! x⁻¹ = J x / xᵀ J x.
 
 use super::scalar::{Scalar, dot, plus, zero};
 

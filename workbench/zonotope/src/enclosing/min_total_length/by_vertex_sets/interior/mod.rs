@@ -16,8 +16,8 @@
 //! The Nesterov–Todd scaling W of a set ([`scaling`]) maps its slack and its dual variable to the same point, so that
 //! neither is preferred. The predictor is the Newton step for μ = 0. The duality gap after the part of it that stays in
 //! the cone determines the μ to aim at, and the corrector adds the second-order term that the predictor neglects.
-//! Elimination of slacks and dual variables leaves equations in the λ_j with the Schur complement H = Σ_T a_T a_Tᵀ ⊗
-//! W_T⁻², where a_T is the vector with 2 for the points of T and 0 for the others ([`schur`]). H is factored by
+//! Elimination of slacks and dual variables leaves equations in the λ_j with the Schur complement H = Σ_T a_T
+//! a_Tᵀ ⊗ W_T⁻², where a_T is the vector with 2 for the points of T and 0 for the others ([`schur`]). H is factored by
 //! Cholesky's method.
 //!
 //! # Source
