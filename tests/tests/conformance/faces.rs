@@ -45,7 +45,7 @@ fn check_counts<const D: usize>(generators: &[[f64; D]], truth: &[BTreeSet<SignV
     let rank = truth.len() - 1;
     assert_eq!(counts.affine_dimension, rank);
     assert_eq!(counts.vertices, truth[0].len() as u64);
-    let found = vertices_and_facets(generators);
+    let found = vertices_and_facets(&body);
     assert!(found.vertices.iter().eq(&truth[0]));
     if rank > 0 {
         assert_eq!([counts.edges, counts.facets], [truth[1].len() as u64, truth[rank - 1].len() as u64]);

@@ -56,6 +56,7 @@ use crate::lad::of_generators::{self, goal::Goal};
 use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_pruning};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::non_finite::NonFinite;
 use crate::tally::Tally;
 use crate::zonotope::query::Query;
 
@@ -67,15 +68,8 @@ const SEED: u64 = 0x11;
 #[non_exhaustive]
 pub enum LineFitError {
     /// A coordinate or a weight is NaN or infinite.
-    #[error("point {point}: {field} is {value}, not a finite number")]
-    NonFinite {
-        /// The point.
-        point: usize,
-        /// "x", "y" or "the weight".
-        field: &'static str,
-        /// Its value.
-        value: f64,
-    },
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// A weight is below zero.
     #[error("point {point}: the weight {weight} is negative")]
     NegativeWeight {
@@ -167,24 +161,21 @@ fn are_finite_with_weight(points: &[[f64; 3]], weight: f64) -> bool {
 }
 
 fn problem_of(points: &[[f64; 3]]) -> Result<LadProblem<'static>, LineFitError> {
+    for (point, &[x, y, weight]) in points.iter().enumerate() {
+        NonFinite::check_fields("point", point, &[("x", x), ("y", y), ("the weight", weight)])?;
+    }
     let line = |&[x, y, weight]: &[f64; 3]| WeightedLine { normal: [x, 1.0], offset: -y, weight };
     let lines: Vec<WeightedLine> = points.iter().map(line).collect();
-    LadProblem::new(&lines, [0.0, 0.0]).map_err(|error| LineFitError::of(error, points.len()))
+    LadProblem::new(&lines, [0.0, 0.0]).map_err(LineFitError::of)
 }
 
 impl LineFitError {
-    /// The kernel's refusal in terms of points; there is no linear term to refuse.
-    fn of(error: LadError, count: usize) -> Self {
+    /// The kernel's refusal of the lines of points, in terms of the points.
+    fn of(error: LadError) -> Self {
         match error {
-            LadError::NonFinite { line, coefficient: "offset", value } => {
-                Self::NonFinite { point: line, field: "y", value: -value }
-            }
-            LadError::NonFinite { line, coefficient: "weight", value } => {
-                Self::NonFinite { point: line, field: "the weight", value }
-            }
-            LadError::NonFinite { line, value, .. } => Self::NonFinite { point: line, field: "x", value },
+            LadError::NonFinite(number) => Self::NonFinite(number),
             LadError::NegativeWeight { line, weight } => Self::NegativeWeight { point: line, weight },
-            LadError::NonFiniteLinear { .. } | LadError::TooMany { .. } => Self::TooMany { count },
+            LadError::TooMany { count } => Self::TooMany { count },
         }
     }
 }
@@ -265,7 +256,7 @@ mod tests {
             let LineFitProof { problem, optimum } = fit.proof();
             let truth = brute_force::minimize(&problem).expect("bounded");
             prop_assert_eq!(fit.deviation(), truth.value);
-            prop_assert_eq!(optimum.exact_value(&problem), fit.deviation());
+            prop_assert_eq!(optimum.exact_value(&problem), Some(fit.deviation()));
             prop_assert_eq!(verify(&problem, &LadOutcome::Optimal(optimum)), Ok(()));
             let [slope, intercept] = fit.exact();
             let exact = |v: f64| Rational::try_from(v).expect("finite");
@@ -293,10 +284,12 @@ mod tests {
     fn refusals_name_the_point() {
         let good = [0.0, 0.0, 1.0];
         let refused = fit(&[good, [0.0, f64::INFINITY, 1.0]]).expect_err("not finite");
-        assert_eq!(refused, LineFitError::NonFinite { point: 1, field: "y", value: f64::INFINITY });
+        assert_eq!(refused.to_string(), "point 1: y is inf, not a finite number");
         let refused = fit(&[good, good, [0.0, 0.0, -1.0]]).expect_err("negative");
         assert_eq!(refused, LineFitError::NegativeWeight { point: 2, weight: -1.0 });
         let nan = fit(&[good, [f64::NAN, 0.0, 1.0], good]).expect_err("not a number");
-        assert!(matches!(nan, LineFitError::NonFinite { point: 1, field: "x", .. }));
+        assert_eq!(nan.to_string(), "point 1: x is NaN, not a finite number");
+        let first = fit(&[[0.0, 0.0, -1.0], [0.0, 0.0, f64::NAN]]).expect_err("not a number");
+        assert_eq!(first.to_string(), "point 1: the weight is NaN, not a finite number");
     }
 }

@@ -5,21 +5,15 @@ use thiserror::Error;
 use super::line::ExactLine;
 use super::lines::{LineArrangement, LineSource};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::non_finite::NonFinite;
 
 /// Why a set of lines is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ArrangementError {
-    /// A coefficient is NaN or infinite; the first such in the order of the input.
-    #[error("line {line}, coefficient {coefficient} is {value}")]
-    NonFinite {
-        /// The line.
-        line: usize,
-        /// 0, 1 or 2 for a, b or c of a x + b y + c = 0.
-        coefficient: usize,
-        /// Its value.
-        value: f64,
-    },
+    /// A coefficient a, b or c of a line a x + b y + c = 0 is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// There are more lines than a 32-bit index can name.
     #[error("{count} lines are more than the {} that an index can name", u32::MAX)]
     TooMany {
@@ -51,9 +45,8 @@ impl LineArrangement<'static> {
         if u32::try_from(rows.len()).is_err() {
             return Err(ArrangementError::TooMany { count: rows.len() });
         }
-        let coefficients = rows.as_flattened();
-        if let Some(at) = coefficients.iter().position(|value| !value.is_finite()) {
-            return Err(ArrangementError::NonFinite { line: at / 3, coefficient: at % 3, value: coefficients[at] });
+        for (line, &[a, b, c]) in rows.iter().enumerate() {
+            NonFinite::check_fields("line", line, &[("a", a), ("b", b), ("c", c)])?;
         }
         Ok(Self::new(Box::new(Rows(rows.to_vec())), &mut ()))
     }

@@ -43,8 +43,9 @@
 //! # Ok::<(), zonotope::hull::HullError>(())
 //! ```
 
-use super::error::{HullError, check_count, check_finite};
+use super::error::{HullError, check_count};
 use super::polygon::{ConvexHull, PointIndex};
+use crate::numeric::non_finite::NonFinite;
 use crate::numeric::orientation::{Turn, orientation_counted};
 use crate::tally::Tally;
 
@@ -62,7 +63,7 @@ pub fn convex_hull(points: &[[f64; 2]]) -> Result<ConvexHull, HullError> {
 /// See the module.
 pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
     check_count(points.len())?;
-    check_finite(points)?;
+    NonFinite::check_list("point", points)?;
     let start = (0..points.len()).fold(0, |best, at| if points[at] < points[best] { at } else { best });
     let (mut vertices, mut indices) = (Vec::new(), Vec::new());
     let mut current = start;

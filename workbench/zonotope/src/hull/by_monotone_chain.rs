@@ -44,9 +44,10 @@
 //! # Ok::<(), zonotope::hull::HullError>(())
 //! ```
 
-use super::error::{HullError, check_count, check_finite};
+use super::error::{HullError, check_count};
 use super::polygon::{ConvexHull, PointIndex};
 use super::sites::{self, Site};
+use crate::numeric::non_finite::NonFinite;
 use crate::tally::Tally;
 
 /// The convex hull.
@@ -63,7 +64,7 @@ pub fn convex_hull(points: &[[f64; 2]]) -> Result<ConvexHull, HullError> {
 /// See the module.
 pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {
     check_count(points.len())?;
-    check_finite(points)?;
+    NonFinite::check_list("point", points)?;
     let mut sorted: Vec<Site> =
         points.iter().enumerate().map(|(at, &point)| Site { point, index: PointIndex::new(at) }).collect();
     sites::sort(&mut sorted);

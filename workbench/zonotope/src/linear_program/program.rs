@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::numeric::non_finite::NonFinite;
+
 /// Minimise Σ cost_j x_j subject to the rows and lower_j ≤ x_j ≤ upper_j.
 ///
 /// Costs, coefficients and right sides are finite; a bound may be infinite on the side that it leaves open; a row names
@@ -49,14 +51,9 @@ pub struct Row {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LinearProgramError {
-    /// A cost is NaN or infinite.
-    #[error("variable {variable}: the cost is {value}, not a finite number")]
-    NonFiniteCost {
-        /// The variable, from 0.
-        variable: usize,
-        /// Its cost.
-        value: f64,
-    },
+    /// A cost, a coefficient or the right side of a row is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// No number lies between the bounds of a variable.
     #[error("variable {variable}: no number lies between {lower} and {upper}")]
     EmptyBounds {
@@ -66,14 +63,6 @@ pub enum LinearProgramError {
         lower: f64,
         /// Its upper bound.
         upper: f64,
-    },
-    /// A coefficient or the right side of a row is NaN or infinite.
-    #[error("row {row} holds {value}, not a finite number")]
-    NonFiniteRow {
-        /// The row, from 0.
-        row: usize,
-        /// The value.
-        value: f64,
     },
     /// A row names a variable that does not exist.
     #[error("row {row} names variable {variable}, but there are {count}")]
@@ -114,9 +103,7 @@ impl LinearProgram {
     /// [`LinearProgramError`] names the first variable whose cost is not finite or whose bounds admit no number.
     pub fn new(variables: Vec<BoundedVariable>) -> Result<Self, LinearProgramError> {
         for (variable, &BoundedVariable { cost, lower, upper }) in variables.iter().enumerate() {
-            if !cost.is_finite() {
-                return Err(LinearProgramError::NonFiniteCost { variable, value: cost });
-            }
+            NonFinite::check_fields("variable", variable, &[("the cost", cost)])?;
             if !(lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY) {
                 return Err(LinearProgramError::EmptyBounds { variable, lower, upper });
             }
@@ -130,10 +117,10 @@ impl LinearProgram {
     /// [`LinearProgramError`] names what is wrong with the row; the program stays as it was.
     pub fn add_row(&mut self, row: Row) -> Result<(), LinearProgramError> {
         let (position, count) = (self.rows.len(), self.variables.len());
-        let mut values = row.terms.iter().map(|term| term.1).chain([row.right]);
-        if let Some(value) = values.find(|value| !value.is_finite()) {
-            return Err(LinearProgramError::NonFiniteRow { row: position, value });
+        for &(_, coefficient) in &row.terms {
+            NonFinite::check_fields("row", position, &[("a coefficient", coefficient)])?;
         }
+        NonFinite::check_fields("row", position, &[("the right side", row.right)])?;
         let mut named: Vec<usize> = row.terms.iter().map(|term| term.0).collect();
         named.sort_unstable();
         if let Some(&variable) = named.last().filter(|&&variable| variable >= count) {

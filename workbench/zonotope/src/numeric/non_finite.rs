@@ -41,6 +41,15 @@ pub enum Place {
         /// Which of them, from 0.
         index: usize,
     },
+    /// A number of an item in a list, where the item's numbers have names of their own.
+    Field {
+        /// What the list holds: "line".
+        noun: &'static str,
+        /// Which of them, from 0.
+        index: usize,
+        /// The number of that item: "offset".
+        field: &'static str,
+    },
     /// An entry of a matrix.
     Entry {
         /// The row, from 0.
@@ -56,6 +65,7 @@ impl fmt::Display for Place {
             Self::Named { vector, coordinate } => write!(f, "{vector}'s coordinate {coordinate}"),
             Self::Listed { noun, index, coordinate } => write!(f, "{noun} {index}, coordinate {coordinate}"),
             Self::Number { noun, index } => write!(f, "{noun} {index}"),
+            Self::Field { noun, index, field } => write!(f, "{noun} {index}: {field}"),
             Self::Entry { row, column } => write!(f, "the matrix's entry in row {row}, column {column}"),
         }
     }
@@ -88,6 +98,14 @@ impl NonFinite {
     pub(crate) fn check_numbers(noun: &'static str, numbers: &[f64]) -> Result<(), Self> {
         match numbers.iter().position(|c| !c.is_finite()) {
             Some(index) => Err(Self { place: Place::Number { noun, index }, value: numbers[index] }),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses an item of a list, if one of its named numbers is not finite.
+    pub(crate) fn check_fields(noun: &'static str, index: usize, fields: &[(&'static str, f64)]) -> Result<(), Self> {
+        match fields.iter().find(|(_, value)| !value.is_finite()) {
+            Some(&(field, value)) => Err(Self { place: Place::Field { noun, index, field }, value }),
             None => Ok(()),
         }
     }
@@ -135,6 +153,8 @@ mod tests {
         assert_eq!(text(NonFinite::check_numbers("weight", &[0.0, -inf])), "weight 1 is -inf, not a finite number");
         let entry = "the matrix's entry in row 1, column 1 is NaN, not a finite number";
         assert_eq!(text(NonFinite::check_matrix(&list)), entry);
+        let field = "line 3: offset is NaN, not a finite number";
+        assert_eq!(text(NonFinite::check_fields("line", 3, &[("weight", 1.0), ("offset", nan)])), field);
         assert_eq!(NonFinite::check_list("generator", &[[]]), Ok(()));
         // among more numbers than are looked at side by side
         let long: Vec<[f64; 3]> = (0..20).map(|i| [f64::from(i), -0.0, if i == 13 { nan } else { f64::MAX }]).collect();

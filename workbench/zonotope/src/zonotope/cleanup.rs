@@ -20,7 +20,7 @@ impl<const D: usize> Zonotope<D> {
     /// # Errors
     /// [`ZonotopeError::NonFinite`] if a sum leaves the range of doubles.
     pub fn with_parallel_generators_merged(&self) -> Result<Self, ZonotopeError> {
-        let directions = Directions::new(self.generators());
+        let directions = Directions::of_finite(self.generators());
         let mut loss = Loss::none();
         let sums = (0..directions.len()).map(|class| loss.round(&directions.exact_sum(class, self.generators())));
         let generators = sums.collect();

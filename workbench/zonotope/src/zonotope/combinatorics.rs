@@ -33,7 +33,7 @@ pub struct Combinatorics {
 /// With n directions of rank r: O(n log n) for r ≤ 2; O(n² log n) time and O(n) space for r = 3; as
 /// [`vertices_and_facets`] and n^r determinants for r ≥ 4.
 pub fn combinatorics<const D: usize>(body: &Zonotope<D>) -> Combinatorics {
-    let directions = Directions::new(body.generators());
+    let directions = Directions::of_finite(body.generators());
     let coordinates = Span::of_doubles(directions.representatives()).independent_coordinates();
     let count = directions.len() as u64;
     let full = coordinates.len() == D;
@@ -62,13 +62,13 @@ pub fn combinatorics<const D: usize>(body: &Zonotope<D>) -> Combinatorics {
             answer(counts.edges + 2 - facets, counts.edges, facets, &sizes, counts.volume)
         }
         _ => {
-            let faces = vertices_and_facets(body.generators());
+            let faces = vertices_and_facets(body);
             let mut sizes = BTreeMap::new();
             faces.facet_sizes.iter().for_each(|&size| *sizes.entry(size).or_insert(0) += 1);
             let sizes: Vec<(usize, u64)> = sizes.into_iter().collect();
             let [vertices, edges, facets] =
                 [faces.vertices.len(), faces.edge_count(), faces.facets.len()].map(|count| count as u64);
-            let volume = if full { total_volume(body.generators()) } else { Dyadic::zero() };
+            let volume = if full { total_volume(body) } else { Dyadic::zero() };
             answer(vertices, edges, facets, &sizes, volume)
         }
     }
@@ -105,7 +105,7 @@ mod tests {
         if rank < D {
             assert_eq!(counts.measure, Rational::ZERO);
         } else {
-            assert_eq!(counts.measure, total_volume(body.generators()).to_rational());
+            assert_eq!(counts.measure, total_volume(&body).to_rational());
         }
     }
 

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::non_finite::NonFinite;
 use crate::numeric::orientation::{Turn, cross_sign};
 
 /// A generator in its class of parallel ones.
@@ -24,8 +25,17 @@ pub struct Directions<const D: usize> {
 }
 
 impl<const D: usize> Directions<D> {
-    /// The classes of some generators of finite coordinates. O(n log n) exact comparisons.
-    pub fn new(generators: &[[f64; D]]) -> Self {
+    /// The classes of some generators. O(n log n) exact comparisons.
+    ///
+    /// # Errors
+    /// [`NonFinite`] names the first coordinate that is not finite.
+    pub fn new(generators: &[[f64; D]]) -> Result<Self, NonFinite> {
+        NonFinite::check_list("generator", generators)?;
+        Ok(Self::of_finite(generators))
+    }
+
+    /// The classes of generators whose coordinates are known to be finite.
+    pub(crate) fn of_finite(generators: &[[f64; D]]) -> Self {
         let upward = |g: &[f64; D]| g.iter().find(|&&c| c != 0.0).is_some_and(|&c| c > 0.0);
         let nonzero = generators.iter().enumerate().filter(|(_, g)| g.iter().any(|&c| c != 0.0));
         let mut turned: Vec<([f64; D], Member)> = nonzero
@@ -65,12 +75,18 @@ impl<const D: usize> Directions<D> {
     }
 
     /// The generators of a class.
+    ///
+    /// # Panics
+    /// If there is no such class: the number is not below [`len`](Self::len).
     pub fn members(&self, class: usize) -> &[Member] {
         &self.members[self.starts[class]..self.starts[class + 1]]
     }
 
     /// The sum of a class, every member turned like the representative: half of the edges along this direction.
     /// `generators` are those that the classes were made of.
+    ///
+    /// # Panics
+    /// If there is no such class, or the generators are others: too few, or not finite.
     pub fn exact_sum(&self, class: usize, generators: &[[f64; D]]) -> [Dyadic; D] {
         let mut sum = std::array::from_fn(|_| Dyadic::zero());
         for member in self.members(class) {
@@ -103,7 +119,7 @@ mod tests {
     #[test]
     fn parallel_generators_meet_in_one_class() {
         let generators = [[0.0, -2.0, 0.0], [1.0, 2.0, 3.0], [0.0, 0.0, 0.0], [-0.5, -1.0, -1.5], [0.0, 1e-300, 0.0]];
-        let directions = Directions::new(&generators);
+        let directions = Directions::of_finite(&generators);
         assert_eq!(directions.representatives(), [[1.0, 2.0, 3.0], [0.0, 2.0, 0.0]]);
         assert_eq!(
             directions.members(0),
@@ -111,7 +127,14 @@ mod tests {
         );
         assert_eq!(directions.exact_sum(0, &generators).map(|c| c.to_f64()), [1.5, 3.0, 4.5]);
         assert_eq!(directions.members(1).len(), 2);
-        assert!(Directions::new(&[[0.0]; 3]).is_empty());
+        assert!(Directions::of_finite(&[[0.0]; 3]).is_empty());
+    }
+
+    #[test]
+    fn generators_that_are_not_finite_are_refused() {
+        let refused = Directions::new(&[[0.0, 1.0], [1.0, f64::NAN]]).expect_err("NaN is no coordinate");
+        assert_eq!(refused.to_string(), "generator 1, coordinate 1 is NaN, not a finite number");
+        assert!(Directions::new(&[[f64::INFINITY]]).is_err());
     }
 
     proptest! {
@@ -122,7 +145,7 @@ mod tests {
         ) {
             let scaled: Vec<[f64; 4]> = generators.iter().zip(exponents)
                 .map(|(g, e)| g.map(|c| crate::numeric::scaling::scale_by_power_of_two(f64::from(c), e))).collect();
-            let directions = Directions::new(&scaled);
+            let directions = Directions::of_finite(&scaled);
             let mut class_of = vec![usize::MAX; generators.len()];
             for class in 0..directions.len() {
                 for member in directions.members(class) {

@@ -27,7 +27,7 @@ impl Measures {
         let fixed = |v: &Vec<f64>| -> [f64; D] { std::array::from_fn(|axis| v[axis]) };
         let generators: Vec<[f64; D]> = body.generators.iter().map(fixed).collect();
         let zeros = generators.iter().filter(|generator| **generator == [0.0; D]).count();
-        let directions = Directions::new(&generators).len();
+        let directions = Directions::new(&generators).expect("the file was read as finite numbers").len();
         let bounds = (0..D).map(|axis| {
             let sum = |sum: Dyadic, generator: &[f64; D]| sum + Dyadic::from_f64(generator[axis]).abs();
             let reach = generators.iter().fold(Dyadic::zero(), sum);

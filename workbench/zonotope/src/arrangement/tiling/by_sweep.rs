@@ -163,7 +163,7 @@ impl Sweep {
 
     /// A new vertex, one step below another.
     fn corner_below(&mut self, upper: CornerIndex, upward: &Upward) -> CornerIndex {
-        let start = &self.tiling.vertex(upper).exact_point;
+        let start = &self.tiling.vertices[upper.0 as usize].exact_point;
         let exact_point = [0, 1, 2].map(|axis| &start[axis] - &Dyadic::from_f64(upward.vector[axis]).scaled(1));
         self.tiling.vertices.push(Corner { exact_point });
         CornerIndex(self.tiling.vertices.len() as u32 - 1)

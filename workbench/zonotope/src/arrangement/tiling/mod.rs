@@ -40,19 +40,15 @@ pub struct EdgeIndex(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TileIndex(pub u32);
 
-/// The tiling of Q by the facets of the upper hull; the zonotope has its centre in the origin.
+/// The tiling of Q by the facets of the upper hull; the zonotope has its centre in the origin. An index in one of its parts is a position
+/// in one of its lists.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tiling {
-    /// The vertices; that of a face of the dual arrangement each.
-    pub vertices: Vec<Corner>,
-    /// The edges; that of a piece of a line each.
-    pub edges: Vec<Edge>,
-    /// The tiles in their order from left to right; that of a vertex of the dual arrangement each.
-    pub tiles: Vec<Tile>,
-    /// The left side of Q, from its top to its bottom vertex.
-    pub left_side: Vec<CornerIndex>,
-    /// The generators along it.
-    pub left_generators: Vec<usize>,
+    vertices: Vec<Corner>,
+    edges: Vec<Edge>,
+    tiles: Vec<Tile>,
+    left_side: Vec<CornerIndex>,
+    left_generators: Vec<usize>,
 }
 
 /// A vertex of the upper hull.
@@ -116,6 +112,31 @@ pub enum TilingError {
 }
 
 impl Tiling {
+    /// The vertices; that of a face of the dual arrangement each.
+    pub fn vertices(&self) -> &[Corner] {
+        &self.vertices
+    }
+
+    /// The edges; that of a piece of a line each.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// The tiles in their order from left to right; that of a vertex of the dual arrangement each.
+    pub fn tiles(&self) -> &[Tile] {
+        &self.tiles
+    }
+
+    /// The left side of Q, from its top to its bottom vertex.
+    pub fn left_side(&self) -> &[CornerIndex] {
+        &self.left_side
+    }
+
+    /// The generators along the left side of Q, from the top.
+    pub fn left_generators(&self) -> &[usize] {
+        &self.left_generators
+    }
+
     /// The separator L'_k, from the top to the bottom vertex of Q; `None` if there are fewer than k tiles. O(n + k).
     pub fn separator(&self, k: usize) -> Option<Vec<CornerIndex>> {
         let mut chain = self.left_side.clone();
@@ -143,25 +164,11 @@ impl Tiling {
         outline
     }
 
-    /// A vertex by its index.
-    pub fn vertex(&self, index: CornerIndex) -> &Corner {
-        &self.vertices[index.0 as usize]
-    }
-
-    /// An edge by its index.
-    pub fn edge(&self, index: EdgeIndex) -> &Edge {
-        &self.edges[index.0 as usize]
-    }
-
-    /// A tile by its index.
-    pub fn tile(&self, index: TileIndex) -> &Tile {
-        &self.tiles[index.0 as usize]
-    }
-
-    /// The middle of a tile, each coordinate within a relative 2^-50.
-    pub fn center(&self, tile: &Tile) -> [f64; 2] {
-        let [top, bottom] = [0, 2].map(|corner| &self.vertex(tile.corners[corner]).exact_point);
-        [0, 1].map(|axis| (&top[axis] + &bottom[axis]).scaled(-1).to_f64())
+    /// The middle of a tile, each coordinate within a relative 2^-50; `None` if there is no such tile.
+    pub fn center(&self, tile: TileIndex) -> Option<[f64; 2]> {
+        let [top, _, bottom, _] = self.tiles.get(tile.0 as usize)?.corners;
+        let [top, bottom] = [top, bottom].map(|corner| &self.vertices[corner.0 as usize].exact_point);
+        Some([0, 1].map(|axis| (&top[axis] + &bottom[axis]).scaled(-1).to_f64()))
     }
 }
 

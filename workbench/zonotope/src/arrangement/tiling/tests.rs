@@ -34,7 +34,7 @@ fn check(generators: &[Vector]) -> Result<(), TestCaseError> {
         let points: Vec<[Dyadic; 2]> = chain
             .iter()
             .map(|&corner| {
-                let [x, y, _] = tiling.vertex(corner).exact_point.clone();
+                let [x, y, _] = tiling.vertices[corner.0 as usize].exact_point.clone();
                 [x, y]
             })
             .collect();
@@ -85,6 +85,13 @@ fn what_is_not_in_general_position_is_named() {
     assert_eq!(tiling(&coplanar), Err(TilingError::Coplanar { generators: [0, 1, 3] }));
     let error = tiling(&[[0.0, 0.0, f64::INFINITY]]).expect_err("not finite");
     assert_eq!(error.to_string(), "generator 0, coordinate 2 is inf, not a finite number");
+}
+
+#[test]
+fn an_index_of_another_tiling_has_no_center() {
+    let tiling = tiling(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("general position");
+    assert_eq!(tiling.center(TileIndex(0)), Some([0.0, 0.0]));
+    assert_eq!((tiling.center(TileIndex(1)), tiling.separator(2)), (None, None));
 }
 
 #[test]

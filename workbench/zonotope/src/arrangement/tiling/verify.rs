@@ -125,7 +125,7 @@ fn check_tiles(tiling: &Tiling, lines: &[Line]) -> Result<BTreeMap<[usize; 2], T
             let Some(point) = crossing(&first.vector, &second.vector) else { continue };
             crossings += 1;
             let generators = [first.generator, second.generator];
-            let dual = tiles.get(&generators).map(|&tile| &tiling.tile(tile).exact_dual);
+            let dual = tiles.get(&generators).map(|&tile| &tiling.tiles[tile.0 as usize].exact_dual);
             if dual != Some(&point) {
                 return Err(IsomorphismError::Tile { generators });
             }
@@ -208,11 +208,11 @@ fn is_at(tiling: &Tiling, corner: CornerIndex, lines: &[Line], vectors: &[Space]
     let point = lines.iter().zip(signs).fold(start, |sum, (line, &sign)| {
         [0, 1, 2].map(|axis| if sign { &sum[axis] + &line.vector[axis] } else { &sum[axis] - &line.vector[axis] })
     });
-    tiling.vertex(corner).exact_point.each_ref().map(Dyadic::to_rational) == point
+    tiling.vertices[corner.0 as usize].exact_point.each_ref().map(Dyadic::to_rational) == point
 }
 
 fn check_shapes(tiling: &Tiling, vectors: &[Space]) -> Result<(), IsomorphismError> {
-    let point = |corner: CornerIndex| tiling.vertex(corner).exact_point.each_ref().map(Dyadic::to_rational);
+    let point = |corner: CornerIndex| tiling.vertices[corner.0 as usize].exact_point.each_ref().map(Dyadic::to_rational);
     let step = |from: CornerIndex, to: CornerIndex| {
         let (from, to) = (point(from), point(to));
         [0, 1, 2].map(|axis| (&to[axis] - &from[axis]) / Rational::from(2))
@@ -222,7 +222,7 @@ fn check_shapes(tiling: &Tiling, vectors: &[Space]) -> Result<(), IsomorphismErr
     for (position, tile) in tiling.tiles.iter().enumerate() {
         let Tile { corners: [top, left, bottom, right], edges, .. } = tile;
         let steps = [step(*left, *top), step(*bottom, *left), step(*bottom, *right), step(*right, *top)];
-        let mut generators = [0, 1].map(|edge| tiling.edge(edges[edge]).generator);
+        let mut generators = [0, 1].map(|edge| tiling.edges[edges[edge].0 as usize].generator);
         let is_parallelogram = steps[0] == steps[2] && steps[1] == steps[3];
         let fits = (0..2).all(|edge| steps[edge] == upward(&vectors[generators[edge]]));
         generators.sort_unstable();

@@ -64,7 +64,9 @@ pub fn height_counted(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Ta
     let lines: Vec<WeightedLine> = generators.iter().map(|&[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
     let problem = LadProblem::new(&lines, p0.map(|c| -c)).expect("the coordinates are finite, weights are 1");
     Ok(match minimize_counted(&problem, SEED, tally) {
-        LadOutcome::Optimal(optimum) => Height::OverQ(optimum.exact_value(&problem)),
+        LadOutcome::Optimal(optimum) => {
+            Height::OverQ(optimum.exact_value(&problem).expect("the optimum is of this problem"))
+        }
         LadOutcome::Unbounded { direction } => Height::BesideQ(direction.map(|c| c.to_rational())),
     })
 }

@@ -23,6 +23,7 @@ pub use method::Method;
 
 use crate::arrangement::GeneratorError;
 use crate::numeric::Rational;
+use crate::numeric::non_finite::NonFinite;
 
 /// What is over a point of the plane.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,25 +38,29 @@ pub enum Height {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum HeightError {
-    /// A coordinate of a generator is not finite, or there are too many generators.
+    /// A coordinate of a generator or of the point is NaN or infinite.
     #[error(transparent)]
-    Generators(#[from] GeneratorError),
-    /// A coordinate of the point is NaN or infinite.
-    #[error("p0, coordinate {coordinate} is {value}, not a finite number")]
-    NonFinitePoint {
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
+    NonFinite(#[from] NonFinite),
+    /// There are more generators than a 32-bit index can name.
+    #[error("{count} generators are more than the {} that an index can name", u32::MAX)]
+    TooMany {
+        /// How many generators there are.
+        count: usize,
     },
+}
+
+impl From<GeneratorError> for HeightError {
+    fn from(error: GeneratorError) -> Self {
+        match error {
+            GeneratorError::NonFinite(number) => Self::NonFinite(number),
+            GeneratorError::TooMany { count } => Self::TooMany { count },
+        }
+    }
 }
 
 fn validate(generators: &[[f64; 3]], p0: [f64; 2]) -> Result<(), HeightError> {
     GeneratorError::check(generators)?;
-    match p0.iter().position(|value| !value.is_finite()) {
-        Some(coordinate) => Err(HeightError::NonFinitePoint { coordinate, value: p0[coordinate] }),
-        None => Ok(()),
-    }
+    Ok(NonFinite::check_vector("p0", &p0)?)
 }
 
 #[cfg(test)]

@@ -91,5 +91,5 @@ fn what_is_not_finite_is_refused() {
     let error = height(&[[0.0, f64::NAN, 1.0]], [0.0; 2]).expect_err("a generator");
     assert_eq!(error.to_string(), "generator 0, coordinate 1 is NaN, not a finite number");
     let error = height(&[[0.0, 1.0, 1.0]], [0.0, f64::INFINITY]).expect_err("the point");
-    assert_eq!(error.to_string(), "p0, coordinate 1 is inf, not a finite number");
+    assert_eq!(error.to_string(), "p0's coordinate 1 is inf, not a finite number");
 }

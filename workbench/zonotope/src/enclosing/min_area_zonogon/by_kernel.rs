@@ -92,7 +92,7 @@ pub fn min_area_enclosing_zonogon_with(
     let problem = bisectors.kernel_problem();
     let outcome = method.minimize(&problem, seed, tally);
     let optimum = outcome.into_optimum().expect("an area is never negative, so the objective is bounded");
-    let optimal_center = bisectors.frame.center_of(&optimum.homogeneous_point(&problem));
+    let optimal_center = bisectors.frame.center_of(&optimum.point_in(&problem));
     let kernel = Kernel { bisectors: &bisectors, problem: &problem, optimum: &optimum, center: &optimal_center };
     let mut rounded = Rounded::around(&RoundedCenter::nearest(&kernel), &bisectors, &hull, &farthest);
     if rounded.is_loose()

@@ -61,9 +61,10 @@ mod columns;
 mod interior;
 mod ring;
 
-use super::error::{HullError, check_count, check_finite};
+use super::error::{HullError, check_count};
 use super::polygon::ConvexHull;
 use super::sites;
+use crate::numeric::non_finite::NonFinite;
 use crate::tally::{Operation, Tally};
 use bounds::Bounds;
 use columns::Columns;
@@ -96,7 +97,7 @@ pub fn convex_hull_counted(points: &[[f64; 2]], tally: &mut impl Tally) -> Resul
     tally.add(Operation::PointRead, points.len() as u64);
     let Some(bounds) = Bounds::of(points) else {
         // finite unless the pass over the box was wrong about it, and then the hull is still right
-        check_finite(points)?;
+        NonFinite::check_list("point", points)?;
         return super::by_monotone_chain::convex_hull_counted(points, tally);
     };
     let outside = if points.len() <= DIRECT_SORT_LIMIT {

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::numeric::non_finite::NonFinite;
+
 /// One term weight · |normal · x + offset| of the objective.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WeightedPlane {
@@ -24,14 +26,9 @@ pub struct SpaceLadProblem {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SpaceLadError {
-    /// A coefficient or a weight is NaN or infinite.
-    #[error("plane {plane} holds {value}, not a finite number")]
-    NonFinite {
-        /// The plane, from 0.
-        plane: usize,
-        /// The value.
-        value: f64,
-    },
+    /// A coefficient or the weight of a plane, or a coefficient of the linear term, is NaN or infinite.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
     /// A weight is below zero.
     #[error("plane {plane}: the weight {weight} is negative")]
     NegativeWeight {
@@ -39,14 +36,6 @@ pub enum SpaceLadError {
         plane: usize,
         /// The weight.
         weight: f64,
-    },
-    /// A coefficient of the linear term is NaN or infinite.
-    #[error("the linear term's coordinate {coordinate} is {value}, not a finite number")]
-    NonFiniteLinear {
-        /// The coordinate, from 0.
-        coordinate: usize,
-        /// Its value.
-        value: f64,
     },
     /// There are more planes than a 32-bit index can name.
     #[error("{count} planes are more than the {} that an index can name", u32::MAX)]
@@ -62,16 +51,14 @@ impl SpaceLadProblem {
     /// # Errors
     /// [`SpaceLadError`] on the first number that is not finite, the first negative weight, or too many planes.
     pub fn new(planes: Vec<WeightedPlane>, linear: [f64; 3]) -> Result<Self, SpaceLadError> {
-        if let Some(coordinate) = linear.iter().position(|v| !v.is_finite()) {
-            return Err(SpaceLadError::NonFiniteLinear { coordinate, value: linear[coordinate] });
-        }
+        NonFinite::check_vector("the linear term", &linear)?;
         if u32::try_from(planes.len()).is_err() {
             return Err(SpaceLadError::TooMany { count: planes.len() });
         }
         for (plane, &WeightedPlane { normal: [x, y, z], offset, weight }) in planes.iter().enumerate() {
-            if let Some(value) = [x, y, z, offset, weight].into_iter().find(|v| !v.is_finite()) {
-                return Err(SpaceLadError::NonFinite { plane, value });
-            }
+            let fields =
+                [("normal x", x), ("normal y", y), ("normal z", z), ("offset", offset), ("weight", weight)];
+            NonFinite::check_fields("plane", plane, &fields)?;
             if weight < 0.0 {
                 return Err(SpaceLadError::NegativeWeight { plane, weight });
             }

@@ -63,7 +63,7 @@
 //!     .collect();
 //! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
 //! let outcome = by_pruning::minimize(&problem, 7);
-//! assert_eq!(outcome.optimum().unwrap().point(&problem), [499.0, 499.0]);
+//! assert_eq!(outcome.optimum().unwrap().point(&problem), Some([499.0, 499.0]));
 //! ```
 
 mod sample;

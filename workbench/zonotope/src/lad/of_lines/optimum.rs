@@ -89,45 +89,45 @@ impl LadOptimum {
     /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is
     /// the point nearest to the origin, in the plane the origin.
     ///
-    /// # Panics
-    /// If the minimiser names a line that the problem does not have. So do [`exact_point`](Self::exact_point),
-    /// [`point`](Self::point) and [`exact_value`](Self::exact_value); [`verify`](super::verify::verify) tells without a
-    /// panic.
-    pub fn homogeneous_point(&self, problem: &LadProblem) -> [Dyadic; 3] {
+    /// `None` if the optimum is of another problem: the minimiser names a line that this one does not have, or two that
+    /// are parallel here. So it is for [`exact_point`](Self::exact_point), [`point`](Self::point) and
+    /// [`exact_value`](Self::exact_value).
+    pub fn homogeneous_point(&self, problem: &LadProblem) -> Option<[Dyadic; 3]> {
+        let is_known = |line: LineIndex| line.position() < problem.len();
+        let are_known = match self.minimizer {
+            Minimizer::Vertex(first, second) => is_known(first) && is_known(second),
+            Minimizer::Line(line) => is_known(line),
+            Minimizer::Plane => true,
+        };
+        let point = are_known.then(|| self.point_in(problem));
+        point.filter(|[.., w]| w.sign().is_gt())
+    }
+
+    /// The minimiser in homogeneous coordinates, for the problem that was solved.
+    pub(crate) fn point_in(&self, problem: &LadProblem) -> [Dyadic; 3] {
         self.minimizer.homogeneous_point(|line| problem.exact_line(line))
     }
 
-    /// The exact minimiser.
-    ///
-    /// # Panics
-    /// If the minimiser names a line that the problem does not have, or two that are parallel there: the optimum is of
-    /// another problem.
-    pub fn exact_point(&self, problem: &LadProblem) -> [Rational; 2] {
-        let [x, y, w] = self.homogeneous_point(problem).map(|v| v.to_rational());
-        [x / &w, y / w]
+    /// The exact minimiser; `None` if the optimum is of another problem.
+    pub fn exact_point(&self, problem: &LadProblem) -> Option<[Rational; 2]> {
+        let [x, y, w] = self.homogeneous_point(problem)?.map(|v| v.to_rational());
+        Some([x / &w, y / w])
     }
 
-    /// The minimiser, each coordinate within a relative 2^-50; not finite where the two lines are parallel in this
-    /// problem.
-    ///
-    /// # Panics
-    /// If the minimiser names a line that the problem does not have.
-    pub fn point(&self, problem: &LadProblem) -> [f64; 2] {
-        let [x, y, w] = self.homogeneous_point(problem);
-        [x.ratio(&w), y.ratio(&w)]
+    /// The minimiser, each coordinate within a relative 2^-50; `None` if the optimum is of another problem.
+    pub fn point(&self, problem: &LadProblem) -> Option<[f64; 2]> {
+        let [x, y, w] = self.homogeneous_point(problem)?;
+        Some([x.ratio(&w), y.ratio(&w)])
     }
 
-    /// The exact minimum. O(n) exact operations.
-    ///
-    /// # Panics
-    /// If the minimiser names a line that the problem does not have, or two that are parallel there.
-    pub fn exact_value(&self, problem: &LadProblem) -> Rational {
-        let point = self.homogeneous_point(problem);
+    /// The exact minimum; `None` if the optimum is of another problem. O(n) exact operations.
+    pub fn exact_value(&self, problem: &LadProblem) -> Option<Rational> {
+        let point = self.homogeneous_point(problem)?;
         let [cx, cy] = problem.exact_linear();
         let linear = &cx * &point[0] + &cy * &point[1];
         let lines = (0..problem.len() as u32).map(LineIndex);
         let total = lines.fold(linear, |sum, line| sum + problem.exact_line(line).evaluate(&point).abs());
-        total.to_rational() / point[2].to_rational()
+        Some(total.to_rational() / point[2].to_rational())
     }
 }
 

@@ -33,10 +33,11 @@ fn check_outcome(
     let optimum = outcome.optimum();
     prop_assert!(optimum.is_some(), "{} says unbounded", name);
     let optimum = optimum.expect("just seen");
-    prop_assert_eq!(&optimum.exact_value(problem), &truth.value, "{}", name);
+    prop_assert_eq!(optimum.exact_value(problem), Some(truth.value.clone()), "{}", name);
     prop_assert_eq!(optimum.face_dimension, truth.face_dimension, "{}: {:?} {:?}", name, optimum, truth);
     if let Minimizer::Vertex(..) = optimum.minimizer {
-        prop_assert!(truth.minimizers.contains(&optimum.exact_point(problem)), "{}", name);
+        let point = optimum.exact_point(problem).expect("an optimum of this problem");
+        prop_assert!(truth.minimizers.contains(&point), "{}", name);
     }
     Ok(())
 }
@@ -129,7 +130,7 @@ fn large_instances_are_pruned_and_verified() {
         })
         .collect();
     let problem = LadProblem::new(&lines, [3.0, -40.0]).expect("finite lines");
-    let mut values: Vec<Rational> = Vec::new();
+    let mut values: Vec<Option<Rational>> = Vec::new();
     for method in Method::FAST {
         let outcome = method.minimize(&problem, 5, &mut ());
         assert_eq!(verify::verify(&problem, &outcome), Ok(()));
@@ -185,4 +186,18 @@ fn changed_outcomes_are_refused_without_a_panic() {
     // The outcome of this problem is none of a problem with fewer lines.
     let fewer = LadProblem::new(&lines[..1], [0.0, 0.0]).expect("finite lines");
     assert!(verify::verify(&fewer, &LadOutcome::Optimal(optimum.clone())).is_err());
+}
+
+#[test]
+fn an_optimum_of_another_problem_has_no_point() {
+    let line = |x: f64, y: f64, offset: f64| WeightedLine::unweighted([x, y], offset);
+    let problem = |lines: &[WeightedLine]| LadProblem::new(lines, [0.0, 0.0]).expect("finite lines");
+    let crossing = problem(&[line(1.0, 0.0, -1.0), line(0.0, 1.0, -2.0)]);
+    let outcome = Method::default().minimize(&crossing, 0, &mut ());
+    let optimum = outcome.optimum().expect("bounded");
+    assert_eq!(optimum.point(&crossing), Some([1.0, 2.0]));
+    for other in [problem(&[line(1.0, 0.0, 0.0)]), problem(&[line(1.0, 0.0, 0.0), line(2.0, 0.0, 1.0)])] {
+        assert_eq!((optimum.point(&other), optimum.exact_value(&other)), (None, None));
+        assert_eq!((optimum.exact_point(&other), optimum.homogeneous_point(&other)), (None, None));
+    }
 }

@@ -82,10 +82,7 @@ fn verify_optimum(problem: &LadProblem, optimum: &LadOptimum) -> Result<(), LadV
     if let Some(&line) = named.iter().chain(basis).find(|line| line.position() >= problem.len()) {
         return Err(LadVerifyError::UnknownLine { line });
     }
-    let point = optimum.homogeneous_point(problem);
-    if !point[2].sign().is_gt() {
-        return Err(LadVerifyError::NotAPoint);
-    }
+    let point = optimum.homogeneous_point(problem).ok_or(LadVerifyError::NotAPoint)?;
     let [mut gx, mut gy] = problem.exact_linear();
     for (line, &sign) in (0..).map(LineIndex).zip(signs) {
         let exact = problem.exact_line(line);

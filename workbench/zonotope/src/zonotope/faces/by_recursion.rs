@@ -1,9 +1,9 @@
 //! Vertices and facets in any dimension, by recursion on facets: a facet is a zonotope of the generators along it.
 //!
 //! # Statement
-//! Input: generators in R^D. Output: the facets of their zonotope and its vertices, as sign vectors (the coefficient of
-//! each generator, 1, −1 or, along a facet, none), each once, in lexicographic order; both within the affine hull. A
-//! point has one vertex and no facet.
+//! Input: a zonotope in R^D. Output: its facets and its vertices, as sign vectors (the coefficient of each generator, 1,
+//! −1 or, along a facet, none), each once, in lexicographic order; both within the affine hull. A point has one vertex
+//! and no facet.
 //!
 //! # Source
 //! Section 3: facets are defined by (d − 1)-tuples of generators. The paper assumes general position; here every tuple
@@ -23,7 +23,7 @@
 //! much as their own vertices.
 //!
 //! # Shapes
-//! `generators`: n × D, in any order, zero, parallel and dependent ones allowed.
+//! The body's generators: n × D, in any order, zero, parallel and dependent ones allowed.
 //!
 //! # Numerics
 //! Exact: minors and dot products of doubles as dyadic numbers.
@@ -32,19 +32,21 @@
 //! None.
 //!
 //! # Panics
-//! If a coordinate is not finite.
+//! Never.
 //!
 //! # Checked by
 //! `brute_force.rs` in dimensions 1 to 5, and the face lattice in space.
 //!
 //! # Example
 //! ```
-//! use zonotope::zonotope::faces::by_recursion::vertices_and_facets;
+//! use zonotope::{Zonotope, zonotope::faces::by_recursion::vertices_and_facets};
 //!
-//! let tesseract = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+//! let axes = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+//! let tesseract = Zonotope::new([0.0; 4], axes.to_vec())?;
 //! let faces = vertices_and_facets(&tesseract);
 //! assert_eq!((faces.vertices.len(), faces.edge_count(), faces.facets.len()), (16, 32, 8));
 //! assert!(faces.facet_sizes.iter().all(|&size| size == 8));
+//! # Ok::<(), zonotope::ZonotopeError>(())
 //! ```
 
 use std::cmp::Ordering;
@@ -55,6 +57,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{Span, determinant, exact, hyperplane_normal, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
 use crate::zonotope::directions::Directions;
+use crate::zonotope::implicit::Zonotope;
 
 type Vector = Vec<Dyadic>;
 
@@ -73,9 +76,9 @@ pub struct VerticesAndFacets {
     classes: Vec<Vec<usize>>,
 }
 
-/// The vertices and the facets of the zonotope of some generators.
-pub fn vertices_and_facets<const D: usize>(generators: &[[f64; D]]) -> VerticesAndFacets {
-    let directions = Directions::new(generators);
+/// The vertices and the facets of a zonotope.
+pub fn vertices_and_facets<const D: usize>(body: &Zonotope<D>) -> VerticesAndFacets {
+    let directions = Directions::of_finite(body.generators());
     let coordinates = Span::of_doubles(directions.representatives()).independent_coordinates();
     let chosen = |v: &[f64; D]| coordinates.iter().map(|&c| Dyadic::from_f64(v[c])).collect();
     let vectors: Vec<Vector> = directions.representatives().iter().map(chosen).collect();
@@ -93,7 +96,7 @@ pub fn vertices_and_facets<const D: usize>(generators: &[[f64; D]]) -> VerticesA
         vertices.insert(Vec::new());
     }
     let of_generators = |signs: &SignVector| {
-        let mut result = vec![Ordering::Equal; generators.len()];
+        let mut result = vec![Ordering::Equal; body.generators().len()];
         for (class, &sign) in signs.iter().enumerate() {
             for member in directions.members(class) {
                 result[member.generator] = if member.reversed { sign.reverse() } else { sign };
@@ -191,8 +194,8 @@ fn opposite(signs: &SignVector) -> SignVector {
 }
 
 /// The volume in R^D, exactly: 2^D Σ |det| over D-tuples of generators, n^D of them.
-pub fn total_volume<const D: usize>(generators: &[[f64; D]]) -> Dyadic {
-    let vectors: Vec<[Dyadic; D]> = generators.iter().map(|&g| exact(g)).collect();
+pub fn total_volume<const D: usize>(body: &Zonotope<D>) -> Dyadic {
+    let vectors: Vec<[Dyadic; D]> = body.generators().iter().map(|&g| exact(g)).collect();
     let mut sum = Dyadic::zero();
     for_each_subset(vectors.len(), D, |tuple| {
         let rows: Vec<&[Dyadic; D]> = tuple.iter().map(|&i| &vectors[i]).collect();

@@ -20,7 +20,7 @@ pub(in crate::zonotope) struct SpaceCounts {
 /// The counts of a zonotope of rank 3: every place of a circle begins one edge, and a facet belongs to the northernmost
 /// of its circles. O(n² log n) time, O(n) space, and O(n²) exact operations for the volume.
 pub(in crate::zonotope) fn space_counts(body: &Zonotope<3>, with_volume: bool) -> SpaceCounts {
-    let directions = Directions::new(body.generators());
+    let directions = Directions::of_finite(body.generators());
     let circles = Circles::new(directions.representatives());
     let half_edges = if with_volume { half_edges(&circles, &directions, body.generators()) } else { Vec::new() };
     let mut counts = SpaceCounts { edges: 0, facet_sizes: BTreeMap::new(), volume: Dyadic::zero() };

@@ -23,7 +23,7 @@ impl Zonotope<3> {
     /// Around each circle the generators south of it follow one another with positive determinants, so that prefix sums
     /// add them up: O(n²) exact operations after O(n² log n) comparisons, O(n) space.
     pub fn exact_volume(&self) -> Dyadic {
-        let directions = Directions::new(self.generators());
+        let directions = Directions::of_finite(self.generators());
         if directions.len() < 3 {
             return Dyadic::zero();
         }

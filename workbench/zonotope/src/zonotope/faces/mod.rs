@@ -85,7 +85,7 @@ pub fn faces(body: &Zonotope<3>) -> Result<Faces, FacesError> {
 /// # Errors
 /// [`FacesError::TooManyDirections`].
 pub fn faces_counted(body: &Zonotope<3>, tally: &mut impl Tally) -> Result<Faces, FacesError> {
-    let directions = Directions::new(body.generators());
+    let directions = Directions::of_finite(body.generators());
     match directions.len() {
         0 => Ok(Faces::Point(body.center())),
         1 => {

@@ -273,7 +273,8 @@ proptest! {
 
 fn check_recursion<const D: usize>(generators: &[[f64; D]]) {
     let truth = faces_by_dimension(generators);
-    let found = super::by_recursion::vertices_and_facets(generators);
+    let body = Zonotope::new([0.0; D], generators.to_vec()).expect("finite");
+    let found = super::by_recursion::vertices_and_facets(&body);
     assert_eq!(found.dimension, truth.len() - 1);
     assert!(found.vertices.iter().eq(&truth[0]), "{found:?}");
     if found.dimension > 0 {
@@ -325,7 +326,8 @@ proptest! {
     #[test]
     fn vertices_are_as_many_as_zaslavsky_says(four in few_vectors::<4>(9), space in generators()) {
         let four: Vec<[f64; 4]> = four.into_iter().filter(|v| *v != [0.0; 4]).collect();
-        let found = super::by_recursion::vertices_and_facets(&four);
+        let body = Zonotope::new([0.0; 4], four.clone()).expect("finite");
+        let found = super::by_recursion::vertices_and_facets(&body);
         prop_assert_eq!(found.vertices.len() as i64, cells_by_ranks(&four));
         let space: Vec<[f64; 3]> = space.into_iter().filter(|v| *v != [0.0; 3]).collect();
         if let Some(lattice) = lattice_of([0.0; 3], &space) {

@@ -45,7 +45,7 @@ pub(crate) fn optimum(
     let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &none, ExactChart::new(p.clone(), None));
     let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
     let optimum = outcome.optimum().ok_or(None)?;
-    let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
+    let direction = plane.direction(optimum.point_in(&plane.problem));
     let mut signs = DirectionSigns::new(query, &direction).all(&direction);
     for (&index, &sign) in indices.iter().zip(&optimum.certificate.signs) {
         signs[index] = sign;

@@ -49,7 +49,7 @@ impl ExactOptimum {
         let plane = ChartProblem::new(Vectors::all(query), &none, ExactChart::new(p.clone(), center));
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
-        let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
+        let direction = plane.direction(optimum.point_in(&plane.problem));
         let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
         Self::new(query, p, direction, optimum.certificate.signs.clone(), basis)
     }
@@ -96,7 +96,7 @@ impl ExactOptimum {
         );
         let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
         let optimum = outcome.optimum().ok_or(None)?;
-        let direction = plane.direction(optimum.homogeneous_point(&plane.problem));
+        let direction = plane.direction(optimum.point_in(&plane.problem));
         let own = &optimum.certificate.signs;
         let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
         if !is_inside {
