@@ -49,9 +49,10 @@ pub(super) fn method(case: &Case) -> Result<Method, String> {
 /// A hash of the minimiser, rounded, and of the dimension of the set of minimisers.
 pub(super) fn digest(problem: &LadProblem, outcome: &LadOutcome) -> u64 {
     match outcome {
-        LadOutcome::Optimal(optimum) => {
-            Digest::default().floats(&optimum.point(problem).expect("the optimum is of this problem")).word(u64::from(optimum.face_dimension)).finish()
-        }
+        LadOutcome::Optimal(optimum) => Digest::default()
+            .floats(&optimum.point(problem).expect("the optimum is of this problem"))
+            .word(u64::from(optimum.face_dimension))
+            .finish(),
         LadOutcome::Unbounded { direction } => {
             Digest::default().bytes(b"unbounded").floats(&[direction[0].to_f64(), direction[1].to_f64()]).finish()
         }

@@ -73,7 +73,7 @@ type Minimum = Option<(zonotope::numeric::Rational, u8)>;
 
 fn compare(method: Method, seed: u64, problem: &LadProblem, outcome: &LadOutcome) -> (String, Result<(), String>) {
     let of = |outcome: &LadOutcome| -> Minimum {
-        outcome.optimum().map(|optimum| (optimum.exact_value(problem), optimum.face_dimension))
+        outcome.optimum().and_then(|optimum| Some((optimum.exact_value(problem)?, optimum.face_dimension)))
     };
     let reference = if problem.len() <= TWIN_LIMIT {
         Method::BruteForce

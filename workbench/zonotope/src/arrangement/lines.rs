@@ -19,6 +19,9 @@ pub(crate) trait LineSource: Debug {
     fn len(&self) -> usize;
 
     /// The exact line with an index.
+    ///
+    /// # Panics
+    /// If there is no such line: the index is not below [`len`](Self::len).
     fn line(&self, index: u32) -> ExactLine;
 }
 
@@ -141,6 +144,9 @@ impl<'a> LineArrangement<'a> {
     }
 
     /// The exact line with an index.
+    ///
+    /// # Panics
+    /// If there is no such line: the index is not below [`len`](Self::len).
     pub fn exact_line(&self, line: LineIndex) -> ExactLine {
         self.source.line(line.0)
     }

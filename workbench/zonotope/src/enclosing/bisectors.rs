@@ -40,7 +40,7 @@ impl<'h> Bisectors<'h> {
     /// The lines of a hull, given the farthest vertex of each edge.
     ///
     /// # Panics
-    /// When `farthest` does not have one vertex for each edge of the hull.
+    /// When `farthest` does not have one vertex for each edge of the hull, or names one that the hull does not have.
     pub fn new(hull: &'h ConvexHull, farthest: &'h [FarthestVertex]) -> Self {
         assert_eq!(farthest.len(), hull.edge_count(), "one farthest vertex for each edge");
         Self { hull, farthest, frame: Frame::of(hull, farthest) }
@@ -62,6 +62,9 @@ impl<'h> Bisectors<'h> {
     }
 
     /// Two points of ℓ_t, rounded: the midpoints of P_s P_t and P_s P_{t+1}.
+    ///
+    /// # Panics
+    /// When the hull has no edge t.
     pub fn midpoints(&self, t: usize) -> [[f64; 2]; 2] {
         let vertices = self.hull.vertices();
         let far = self.hull.vertex(self.farthest[t].vertex());

@@ -163,6 +163,9 @@ impl<'h> CenteredZonogon<'h> {
     }
 
     /// A vertex of the boundary, exactly.
+    ///
+    /// # Panics
+    /// When the hull does not have the vertex: it is of another boundary.
     pub fn exact_vertex(&self, BoundaryVertex { vertex, reflected }: BoundaryVertex) -> [Dyadic; 2] {
         let point = self.hull.vertex(vertex);
         std::array::from_fn(|i| {

@@ -78,6 +78,9 @@ impl<const D: usize> Zonotope<D> {
 
     /// The support function in a direction of finite coordinates and an extreme vertex, exactly; where the direction is
     /// orthogonal to a generator, the vertex has it with coefficient 1. O(n) exact operations.
+    ///
+    /// # Panics
+    /// If a coordinate of the direction is NaN or infinite.
     pub fn support(&self, direction: [f64; D]) -> Support<D> {
         let direction = direction.map(Dyadic::from_f64);
         let mut point = self.center.map(Dyadic::from_f64);

@@ -82,6 +82,9 @@ impl<'a, const D: usize> Query<'a, D> {
     }
 
     /// A generator by its index.
+    ///
+    /// # Panics
+    /// If there is no such generator.
     pub fn generator(&self, index: usize) -> [f64; D] {
         let [first, second] = self.generators;
         if index < first.len() { first[index] } else { second[index - first.len()] }

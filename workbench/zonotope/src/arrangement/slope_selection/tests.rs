@@ -134,7 +134,7 @@ fn the_dual_of_a_cube_and_two_more() {
 fn values_that_are_not_finite_are_refused() {
     let rows = [[1.0, 0.0, 0.0], [0.0, f64::INFINITY, 0.0]];
     let error = LineArrangement::from_rows(&rows).expect_err("a coefficient is infinite");
-    assert_eq!(error.to_string(), "line 1, coefficient 1 is inf");
+    assert_eq!(error.to_string(), "line 1: b is inf, not a finite number");
 }
 
 fn random_rows(count: usize) -> Vec<[f64; 3]> {

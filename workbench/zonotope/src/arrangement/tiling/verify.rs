@@ -212,7 +212,8 @@ fn is_at(tiling: &Tiling, corner: CornerIndex, lines: &[Line], vectors: &[Space]
 }
 
 fn check_shapes(tiling: &Tiling, vectors: &[Space]) -> Result<(), IsomorphismError> {
-    let point = |corner: CornerIndex| tiling.vertices[corner.0 as usize].exact_point.each_ref().map(Dyadic::to_rational);
+    let point =
+        |corner: CornerIndex| tiling.vertices[corner.0 as usize].exact_point.each_ref().map(Dyadic::to_rational);
     let step = |from: CornerIndex, to: CornerIndex| {
         let (from, to) = (point(from), point(to));
         [0, 1, 2].map(|axis| (&to[axis] - &from[axis]) / Rational::from(2))

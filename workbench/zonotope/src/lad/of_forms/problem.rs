@@ -56,8 +56,7 @@ impl SpaceLadProblem {
             return Err(SpaceLadError::TooMany { count: planes.len() });
         }
         for (plane, &WeightedPlane { normal: [x, y, z], offset, weight }) in planes.iter().enumerate() {
-            let fields =
-                [("normal x", x), ("normal y", y), ("normal z", z), ("offset", offset), ("weight", weight)];
+            let fields = [("normal x", x), ("normal y", y), ("normal z", z), ("offset", offset), ("weight", weight)];
             NonFinite::check_fields("plane", plane, &fields)?;
             if weight < 0.0 {
                 return Err(SpaceLadError::NegativeWeight { plane, weight });
