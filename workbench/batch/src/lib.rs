@@ -13,7 +13,8 @@
 //! Methods that need an engine for linear programs are there with the feature `linear-programming`.
 //!
 //! ```
-//! let question = r#"{"id":"q","kind":"support","input":{"direction":[1,2],"center":[5,5],"generators":[[1,0],[0,1]]}}"#;
+//! let question =
+//!     r#"{"id":"q","kind":"support","input":{"direction":[1,2],"center":[5,5],"generators":[[1,0],[0,1]]}}"#;
 //! let answer = batch::answer(question);
 //! assert!(answer.contains(r#""result":{"value":18.0,"point":[6.0,6.0]}"#));
 //! assert!(matches!(batch::verify(question, &answer), batch::Verdict::Right(_)));

@@ -87,8 +87,8 @@ mod tests {
 
     #[test]
     fn an_answer_is_read_and_proved() {
-        let answer = r#"{"id":"t","kind":"min_area","method":"m","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]],
-            "lower_bound":4,"certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
+        let answer = r#"{"id":"t","kind":"min_area","method":"m","result":{"area":4,"center":[1,1],
+            "generators":[[1,0],[0,1]],"lower_bound":4,"certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
         assert!(matches!(verdict(QUESTION, answer), Verdict::Right(_)));
         let other = answer.replace("\"t\"", "\"s\"");
         assert_eq!(verdict(QUESTION, &other), Verdict::Wrong("the id is not the question's".into()));

@@ -37,7 +37,8 @@ fn plate(drawn: &DrawnFigure) -> String {
         Err(reason) => format!("<p class=\"missing\">Not drawn: {}</p>", Escaped(reason)),
     };
     format!(
-        "<figure id=\"figure-{}\">\n<div class=\"plate\">{drawing}</div>\n<figcaption><b>{}.</b> {}</figcaption>\n</figure>\n",
+        "<figure id=\"figure-{}\">\n<div class=\"plate\">{drawing}</div>\n\
+         <figcaption><b>{}.</b> {}</figcaption>\n</figure>\n",
         figure.id,
         prose(figure.title),
         prose(figure.caption)

@@ -53,7 +53,8 @@ pub fn times(evidence: &Evidence) -> String {
         let rows = evidence.records.times.iter().filter(|row| row.key.experiment == experiment.id);
         let void = rows.clone().filter(|row| !matches!(row.outcome, TimeOutcome::Valid { .. })).count();
         body.push_str(&format!(
-            "<section><h2>{}</h2>\n<p>{} repetitions, {void} of them void because the answer was wrong or missing.</p>\n",
+            "<section><h2>{}</h2>\n\
+             <p>{} repetitions, {void} of them void because the answer was wrong or missing.</p>\n",
             Escaped(experiment.title),
             grouped(rows.count() as u64)
         ));

@@ -37,7 +37,8 @@ fn support(input: &str) -> String {
 fn numbers_that_are_not_finite() {
     refused(&min_area(r#"[[0,0],[1,"NaN"]]"#), "non_finite", "point 2, coordinate 2 is NaN");
     refused(&min_area(r#"[["-Infinity",0]]"#), "non_finite", "point 1, coordinate 1 is -Infinity");
-    let first_of_all = r#"{"id":"q","kind":"support","method":"none","input":{"direction":[1,2,3],"generators":[[0,"NaN"]]},"more":1}"#;
+    let input = r#"{"direction":[1,2,3],"generators":[[0,"NaN"]]}"#;
+    let first_of_all = &format!(r#"{{"id":"q","kind":"support","method":"none","input":{input},"more":1}}"#);
     refused(first_of_all, "non_finite", "generator 1, coordinate 2 is NaN");
     let line = support(r#""direction":["Infinity",0],"center":[0,0],"generators":[]"#);
     refused(&line, "non_finite", "direction, coordinate 1 is Infinity");

@@ -35,7 +35,8 @@ fn questions() -> String {
     let lines = clouds.iter().enumerate().map(|(index, points)| {
         json!({"id": format!("cloud {index}"), "kind": "min_area", "input": {"points": points}}).to_string()
     });
-    let support = json!({"id": "s", "kind": "support", "input": {"direction": [1, -3], "center": [0.1, 0.2], "generators": [[1, 2], [3, 1], [0, -0.5]]}});
+    let input = json!({"direction": [1, -3], "center": [0.1, 0.2], "generators": [[1, 2], [3, 1], [0, -0.5]]});
+    let support = json!({"id": "s", "kind": "support", "input": input});
     lines.chain([support.to_string()]).collect::<Vec<_>>().join("\n")
 }
 

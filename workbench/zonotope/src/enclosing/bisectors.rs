@@ -1,12 +1,13 @@
-//! The lines ℓ_t of Section 4.1: where the centre must lie for a hull edge to be an edge of Z(O).
+//! The lines ℓ_t of Section 4.1, which bound where the centre must lie for a hull edge to be an edge of Z(O).
 //!
-//! For the edge from P_t to P_{t+1} with farthest vertex P_s, ℓ_t runs through the midpoints of P_s P_t and P_s P_{t+1}. The
-//! edge is an edge of Z(O) iff O is not to the right of ℓ_t. With X = 2O and e_t = P_{t+1} − P_t that is
-//! e_t × (X − P_s − P_t) ≥ 0, and the area of Z(O) is a constant plus ½ Σ_t |e_t × (X − P_s − P_t)|.
+//! For the edge from P_t to P_{t+1} with farthest vertex P_s, the line ℓ_t runs through the midpoints of P_s P_t and
+//! P_s P_{t+1}. The edge is an edge of Z(O) iff O is not to the right of ℓ_t. With X = 2O and e_t = P_{t+1} − P_t that
+//! is e_t × (X − P_s − P_t) ≥ 0, and the area of Z(O) is a constant plus ½ Σ_t |e_t × (X − P_s − P_t)|.
 //!
-//! Derivation. By central symmetry the area grows at the rate 2 |e_t| when O moves away from ℓ_t on the side where e_t is an edge of
-//! Z(O), and e_t does not matter on the other side: f(O) = C + 2 Σ_t max(0, e_t × (O − m_t)) with m_t on ℓ_t. Since
-//! max(0, d) = (d + |d|) / 2 and the edges of a polygon sum to zero, the linear parts cancel up to a constant.
+//! Derivation of the area f(O): let O move away from ℓ_t, on the side where e_t is an edge of Z(O). By central symmetry
+//! the area grows at the rate 2 |e_t|. On the other side of ℓ_t it does not depend on e_t. So f(O) = C + 2 Σ_t max(0,
+//! e_t × (O − m_t)) with m_t on ℓ_t. Since max(0, d) = (d + |d|) / 2 and the edges of a polygon add up to zero, the
+//! linear parts cancel up to a constant.
 
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
@@ -17,14 +18,13 @@ use crate::numeric::exact_sum::{ExactSum, exact_sum};
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
 
-/// The points of a hull scaled by a power of two to magnitude at most 1, and a reference near twice their middle.
-///
-/// A point O of the plane is x = 2 · 2^−scale · O − reference in the frame of the kernel.
+/// The frame of the kernel, in which a point O of the plane is x = 2 · 2^−scale · O − reference. The scale takes the
+/// points of the hull to magnitude at most 1, and the reference is near twice their middle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Frame {
     pub(crate) scale: i64,
     pub(crate) reference: [f64; 2],
-    /// Two powers of two with the product 2^−scale, which alone may be no double.
+    /// Two powers of two with the product 2^−scale; the product itself may leave the range of doubles.
     factors: [f64; 2],
 }
 
@@ -46,8 +46,8 @@ impl<'h> Bisectors<'h> {
         Self { hull, farthest, frame: Frame::of(hull, farthest) }
     }
 
-    /// The kernel problem whose objective at x is Σ_t |e_t × (X − P_s − P_t)| for the point O of x, divided by 4^scale. O(1): the lines are made as they
-    /// are read.
+    /// The kernel problem whose objective at the kernel point x of a point O is Σ_t |e_t × (X − P_s − P_t)| divided by
+    /// 4^scale. O(1), as the lines are made when they are read.
     pub fn kernel_problem(&self) -> LadProblem<'h> {
         let lines = Lines { hull: self.hull, farthest: self.farthest, frame: self.frame };
         LadProblem::from_made_lines(Box::new(lines), Box::new(lines))
@@ -61,7 +61,7 @@ impl<'h> Bisectors<'h> {
         [shifted(x, 0), shifted(y, 1), w.clone()]
     }
 
-    /// Two points of ℓ_t, rounded: the midpoints of P_s P_t and P_s P_{t+1}.
+    /// The midpoints of P_s P_t and P_s P_{t+1} on ℓ_t, rounded.
     ///
     /// # Panics
     /// When the hull has no edge t.
@@ -74,13 +74,15 @@ impl<'h> Bisectors<'h> {
 }
 
 impl Frame {
+    /// The frame for a hull and the farthest vertices of its edges.
     fn of(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
         let largest = largest_magnitude(hull.vertices().as_flattened());
         let scale = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1);
         let half = scale / 2;
         let factors = [-half, half - scale].map(|e| scale_by_power_of_two(1.0, e));
         let frame = Self { scale, reference: [0.0; 2], factors };
-        // The median over a few lines is near every P_s + P_t when the hull is nearly symmetric, and harmless otherwise.
+        // If the hull is nearly symmetric, the median over a few lines is near every P_s + P_t, so that offsets are
+        // small. Else any reference does.
         let step = farthest.len() / 32 + 1;
         let sums = (0..farthest.len()).step_by(step).map(|t| {
             let (a, b) = (frame.scaled(hull.vertices()[t]), frame.scaled(hull.vertex(farthest[t].vertex())));
@@ -95,13 +97,14 @@ impl Frame {
         Self { reference: [median(0), median(1)], ..frame }
     }
 
+    /// A point times 2^−scale.
     #[inline(always)]
     pub(crate) fn scaled(&self, point: [f64; 2]) -> [f64; 2] {
         let [x, y] = point;
         [x * self.factors[0] * self.factors[1], y * self.factors[0] * self.factors[1]]
     }
 
-    /// Whether scaling a point loses nothing to underflow.
+    /// Whether a point is scaled without underflow.
     fn scales_exactly(&self, point: [f64; 2]) -> bool {
         let scaled = self.scaled(point);
         let is_exact = |i: usize| {
@@ -110,22 +113,23 @@ impl Frame {
         is_exact(0) && is_exact(1)
     }
 
-    /// A length in the frame.
+    /// A length times 2^−scale.
     #[inline(always)]
     pub(crate) fn scaled_length(&self, length: f64) -> f64 {
         length * self.factors[0] * self.factors[1]
     }
 
-    /// Whether sums of four coordinates are finite and far above underflow.
+    /// Whether sums of four coordinates of the input neither overflow nor come near underflow.
     pub(crate) fn sums_are_doubles(&self) -> bool {
         (-900..1000).contains(&self.scale)
     }
 
+    /// A point times 2^−scale, exactly.
     pub(crate) fn exact(&self, point: [f64; 2]) -> [Dyadic; 2] {
         point.map(|v| Dyadic::from_f64(v).scaled(-self.scale))
     }
 
-    /// The point O of a kernel point, both in homogeneous coordinates.
+    /// The point O of a kernel point, the inverse of [`Bisectors::kernel_point`], both in homogeneous coordinates.
     pub(crate) fn center_of(&self, [x, y, w]: &[Dyadic; 3]) -> [Dyadic; 3] {
         let [rx, ry] = self.reference.map(Dyadic::from_f64);
         let unscale = |v: Dyadic| v.scaled(self.scale - 1);
@@ -133,16 +137,16 @@ impl Frame {
     }
 }
 
-/// a + b − r within 3 UNIT of the result, barring underflow.
+/// The sum a + b − r, within 3 UNIT of its value unless it underflows.
 ///
-/// The sum is taken as head + tail exactly. Where head − r is rounded at all it is not smaller than half of head, hence than the tail;
-/// where it is small it is exact.
+/// The sum a + b is head + tail exactly. If the difference head − r is rounded at all, it is not smaller than half of
+/// the head, hence not smaller than the tail. If it is smaller, it is exact.
 fn sum_from_reference(a: f64, b: f64, r: f64) -> f64 {
     let (head, tail) = exact_sum(a, b);
     (head - r) + tail
 }
 
-/// The lines of the kernel, from the points on which they depend.
+/// The lines ℓ_t in the frame of the kernel, made from the points of the hull when they are read.
 #[derive(Debug, Clone, Copy)]
 struct Lines<'h> {
     hull: &'h ConvexHull,
@@ -161,11 +165,13 @@ impl Lines<'_> {
         ([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]], d[0].abs().max(d[1].abs()))
     }
 
-    /// Each d is within 3 UNIT of its value, each edge coordinate within UNIT, and the offset takes two products and a difference.
+    /// The error of a row whose d has magnitude `spread`: each coordinate of d is within 3 UNIT of its value, each edge
+    /// coordinate within UNIT, and the offset takes two products and a difference.
     fn error(spread: f64) -> LineError {
         LineError { offset_relative: 0.0, offset_per_normal: 8.0 * UNIT * spread }
     }
 
+    /// The two vertices of an edge of the hull.
     fn ends(&self, t: usize) -> [[f64; 2]; 2] {
         let vertices = self.hull.vertices();
         [vertices[t], vertices[if t + 1 < vertices.len() { t + 1 } else { 0 }]]

@@ -7,7 +7,7 @@ use crate::hull::VertexIndex;
 pub struct BoundaryVertex {
     /// The vertex of the hull.
     pub vertex: VertexIndex,
-    /// Whether its reflection is meant.
+    /// Whether the vertex of the boundary is the reflection of the hull's vertex.
     pub reflected: bool,
 }
 
@@ -16,6 +16,7 @@ impl BoundaryVertex {
         Self { vertex: VertexIndex::new(vertex), reflected }
     }
 
+    /// The reflection of this vertex in the centre.
     pub(super) fn opposite(self) -> Self {
         Self { reflected: !self.reflected, ..self }
     }

@@ -1,17 +1,20 @@
-//! The smallest zonogon with a given centre around points of the plane: Z(O), as a sequence of hull vertices and their reflections.
+//! The smallest zonogon Z(O) with a given centre O around points of the plane, as a sequence of hull vertices and their
+//! reflections.
 //!
 //! # Statement
 //! Input: the convex hull of the points, the farthest vertex of each edge, a centre O. Output: the boundary of
-//! Z(O) = conv(P ∪ P'), P' = 2O − P, as a circular sequence of vertices P_i and P'_i; its runs are the paper's combinatorial description.
-//! Collinear neighbours may occur where an edge and a reflected vertex lie on one line. The hull of one point or two points gives
-//! the parallelogram (possibly flat) of the points and their reflections.
+//! Z(O) = conv(P ∪ P'), P' = 2O − P, as a circular sequence of vertices P_i and P'_i; its runs are the paper's
+//! combinatorial description. Neighbours in the sequence may be collinear where an edge and a reflected vertex lie on
+//! one line. For the hull of one or two points Z(O) is the parallelogram, possibly flat, of the points and their
+//! reflections.
 //!
 //! # Source
-//! Section 4.1, Z(O) and 𝒮. Departure: built in O(n) from the farthest vertices, without a second convex hull.
+//! Section 4.1, Z(O) and 𝒮. Departure: Z(O) is built in O(n) from the farthest vertices, without a second convex hull.
 //!
 //! # Method
-//! 1. The edges of the hull and of its reflection in the order of their directions, for half a turn (`half_turn.rs`).
-//! 2. The edges of the boundary, as far as they come up there; by symmetry half a turn suffices.
+//! 1. Walk over the edges of the hull and of its reflection in the order of their directions, for half a turn
+//!    (`half_turn.rs`).
+//! 2. Collect the edges of the boundary as the walk meets them; the other half follows by symmetry.
 //!
 //! # Complexity
 //! h hull vertices: O(h) time and space. The paper: O(n).
@@ -20,16 +23,17 @@
 //! The sequence has at most 2h vertices, counter-clockwise; the second half repeats the first with P and P' exchanged.
 //!
 //! # Numerics
-//! On which side of ℓ_t the centre lies is decided exactly.
+//! The side of ℓ_t on which the centre lies is decided exactly.
 //!
 //! # Errors
-//! None: a hull is valid; the centre's coordinates must be finite.
+//! None: a hull is valid by construction.
 //!
 //! # Panics
-//! If a coordinate of the centre is not finite.
+//! If a coordinate of the centre is not finite, or there is not one farthest vertex for each edge of the hull.
 //!
 //! # Checked by
-//! [`min_area_zonogon::brute_force`](super::min_area_zonogon::brute_force), whose area of Z(O) is that of an exact hull of all 2n points.
+//! [`min_area_zonogon::brute_force`](super::min_area_zonogon::brute_force), whose area of Z(O) is that of an exact hull
+//! of all 2n points.
 //!
 //! # Example
 //! ```
@@ -61,11 +65,11 @@ pub struct Run {
     pub first: VertexIndex,
     /// The last vertex, counter-clockwise from the first.
     pub last: VertexIndex,
-    /// Whether the reflections are meant.
+    /// Whether the run is of the reflections P'_i.
     pub reflected: bool,
 }
 
-/// The boundary of Z(O).
+/// The smallest zonogon Z(O) with a given centre around a hull, by its boundary.
 #[derive(Debug, Clone)]
 pub struct CenteredZonogon<'h> {
     hull: &'h ConvexHull,
@@ -82,7 +86,7 @@ impl<'h> CenteredZonogon<'h> {
         Self::new_counted(hull, farthest, center, &mut ())
     }
 
-    /// [`new`](Self::new), counting its operations: sides of lines and edges walked.
+    /// Returns what [`new`](Self::new) returns and counts the sides of lines and the edges of the boundary.
     ///
     /// # Panics
     /// As [`new`](Self::new).
@@ -101,8 +105,8 @@ impl<'h> CenteredZonogon<'h> {
         zonogon
     }
 
-    /// The zonogon whose exact centre, in homogeneous coordinates, lies on the given side of each ℓ_t: 1 or 0 where edge t belongs
-    /// to the boundary. `center` is the same centre, rounded.
+    /// The zonogon with a centre, given exactly in homogeneous coordinates and rounded. `sides[t]` is the side of ℓ_t
+    /// on which the centre lies: 1 or 0 if edge t is on the boundary, else −1.
     pub(crate) fn from_sides(
         hull: &'h ConvexHull,
         farthest: &[FarthestVertex],
@@ -116,7 +120,7 @@ impl<'h> CenteredZonogon<'h> {
         Self::of(&HalfTurn::new(hull, farthest, center, exact_center, sides))
     }
 
-    /// The zonogon of a walk.
+    /// The zonogon whose boundary a walk visits.
     pub(crate) fn of(half_turn: &HalfTurn<'h, '_>) -> Self {
         let mut starts = Starts(Vec::with_capacity(half_turn.hull().edge_count() + 2));
         half_turn.walk(&mut starts);
@@ -191,7 +195,7 @@ impl<'h> CenteredZonogon<'h> {
     }
 }
 
-/// The start of every edge of the boundary.
+/// The visitor that collects the start of every edge of the boundary.
 struct Starts(Vec<BoundaryVertex>);
 
 impl EdgeVisitor for Starts {

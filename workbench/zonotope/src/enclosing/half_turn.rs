@@ -1,13 +1,15 @@
-//! Half of the boundary of Z(O), edge by edge: the edges of the hull and of its reflection in the order of their directions, for half a
-//! turn from edge 0.
+//! A walk along half of the boundary of Z(O), edge by edge: over the edges of the hull and of its reflection in the
+//! order of their directions, for half a turn from edge 0.
 //!
-//! The edges of the lower chain, those that turn by less than π from edge 0, are met as they are, those of the upper chain
-//! reflected. In the direction normal to edge t the boundary of Z(O) is that edge if O is not to the right of ℓ_t, else the reflection of its
-//! farthest vertex, which is on the other chain. So at each edge the boundary is on one of the two chains, which the side of one line tells;
-//! where that changes from an edge to the next, a bridge leads from the vertex that has been reached on one chain to the one reached on the
-//! other.
+//! The lower chain is the edges of the hull that turn by less than π from edge 0; the upper chain is the other edges,
+//! and the walk meets their reflections. In the outward normal direction of an edge t of the hull, the boundary of Z(O)
+//! is that edge if O is not to the right of ℓ_t. Else it is the reflection of the edge's farthest vertex, which is on
+//! the other chain. So at each edge the side of one line decides which of the two chains the boundary follows. Where
+//! the chain changes from an edge to the next, a bridge leads from the vertex reached on one chain to the vertex
+//! reached on the other. That is why no second convex hull is computed.
 //!
-//! Where a centre on ℓ_t puts two parallel edges on one line, the face is spanned by the outermost of their four ends.
+//! A centre on ℓ_t may put an edge and the reflection of a parallel one on one line. Then the two outermost of their
+//! four ends span the edge of Z(O).
 
 use std::cmp::Ordering;
 
@@ -17,12 +19,12 @@ use crate::hull::antipodal::FarthestVertex;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
 
-/// What is done with the edges of half of the boundary, in counter-clockwise order.
+/// A visitor of the edges of half of the boundary, in counter-clockwise order.
 pub(crate) trait EdgeVisitor {
-    /// An edge along one of the hull, or of its reflection, from a vertex to another one of that kind.
+    /// Visits an edge between two vertices of the hull, or between the reflections of two.
     fn hull_edge(&mut self, from: BoundaryVertex, to: usize);
 
-    /// An edge from a vertex of the hull to a reflected one, or the other way round.
+    /// Visits an edge from a vertex of the hull to a reflected one, or from a reflected one to a vertex of the hull.
     fn bridge(&mut self, from: BoundaryVertex, to: usize);
 }
 
@@ -33,23 +35,23 @@ pub(crate) struct HalfTurn<'h, 'a> {
     farthest: &'a [FarthestVertex],
     center: [f64; 2],
     exact_center: &'a [Dyadic; 3],
-    /// Whether the centre's coordinates are doubles.
+    /// Whether the rounded centre is the exact one.
     center_is_double: bool,
     sides: &'a [i8],
 }
 
-/// How far a walk has come.
+/// The vertices that a walk has reached.
 struct Reached {
-    /// The vertex of the lower chain.
+    /// The vertex reached on the lower chain.
     lower: usize,
-    /// The vertex of the upper chain.
+    /// The vertex reached on the upper chain.
     upper: usize,
-    /// Whether the boundary is at that of the upper chain, reflected.
+    /// Whether the boundary is at the reflection of the upper chain's vertex, else at the lower chain's vertex.
     is_upper: bool,
 }
 
 impl Reached {
-    /// Crosses the bridge to the other chain, if that is the one wanted.
+    /// Visits the bridge to a chain unless the boundary is on it.
     #[inline(always)]
     fn switch(&mut self, to_upper: bool, visitor: &mut impl EdgeVisitor) {
         if self.is_upper != to_upper {
@@ -61,7 +63,8 @@ impl Reached {
 }
 
 impl<'h, 'a> HalfTurn<'h, 'a> {
-    /// `center` is the exact centre, given in homogeneous coordinates, rounded; `sides` is 1 or 0 where edge t belongs to the boundary.
+    /// The walk around a hull for a centre, given exactly in homogeneous coordinates and rounded. `sides[t]` is 1 or 0
+    /// if edge t of the hull is on the boundary, else −1.
     pub(crate) fn new(
         hull: &'h ConvexHull,
         farthest: &'a [FarthestVertex],
@@ -73,6 +76,7 @@ impl<'h, 'a> HalfTurn<'h, 'a> {
         Self { hull, farthest, center, exact_center, center_is_double, sides }
     }
 
+    /// The hull.
     pub(crate) fn hull(&self) -> &'h ConvexHull {
         self.hull
     }
@@ -82,12 +86,12 @@ impl<'h, 'a> HalfTurn<'h, 'a> {
         self.center
     }
 
-    /// Whether the centre is a double.
+    /// Whether the rounded centre is the exact one.
     pub(crate) fn center_is_double(&self) -> bool {
         self.center_is_double
     }
 
-    /// Visits half of the boundary, from a vertex to its reflection. O(h).
+    /// Visits the edges of half of the boundary, from a vertex to its reflection. O(h).
     #[inline(always)]
     pub(crate) fn walk(&self, visitor: &mut impl EdgeVisitor) {
         let first_upper = self.farthest[0].vertex().get();
@@ -125,35 +129,38 @@ impl<'h, 'a> HalfTurn<'h, 'a> {
         at.switch(!starts_upper, visitor);
     }
 
+    /// The next vertex of the hull, counter-clockwise.
     fn following(&self, vertex: usize) -> usize {
         if vertex + 1 < self.hull.edge_count() { vertex + 1 } else { 0 }
     }
 
-    /// Whether the opposite of an edge is parallel to it and the centre is midway between them.
+    /// Whether an edge is on one line with the reflection of the opposite edge: both are parallel, and the centre is
+    /// midway between them.
     #[inline(always)]
     fn is_collinear_pair(&self, edge: usize) -> bool {
         self.sides[edge] == 0 && self.farthest[edge].is_tied()
     }
 
-    /// Of an edge and the reflection of the opposite one on the same line: whether the reflected one starts first, and whether it ends last.
+    /// For an edge on one line with the reflection of the opposite one: whether the reflected edge starts first, and
+    /// whether it ends last.
     #[inline(never)]
     fn outermost_ends(&self, edge: usize, opposite: usize) -> [bool; 2] {
         let (end, opposite_end) = (self.following(edge), self.following(opposite));
         [
-            self.reflection_is_ahead(edge, opposite, edge) == Ordering::Less,
-            self.reflection_is_ahead(edge, opposite_end, end) == Ordering::Greater,
+            self.order_along(edge, opposite, edge) == Ordering::Less,
+            self.order_along(edge, opposite_end, end) == Ordering::Greater,
         ]
     }
 
-    /// Whether P'_a = P_b, where that is seen at a glance; `false` decides nothing.
-    fn meet_in_center(&self, a: usize, b: usize) -> bool {
+    /// A filter in floating point: true only if P'_a = P_b.
+    fn certainly_coincide(&self, a: usize, b: usize) -> bool {
         let (a, b) = (self.hull.vertices()[a], self.hull.vertices()[b]);
         self.center_is_double && (0..2).all(|i| exact_sum(a[i], b[i]) == (2.0 * self.center[i], 0.0))
     }
 
-    /// The sign of the scalar product of an edge with P'_a − P_b.
-    fn reflection_is_ahead(&self, edge: usize, a: usize, b: usize) -> Ordering {
-        if self.meet_in_center(a, b) {
+    /// The order along an edge of P'_a and P_b: the sign of the scalar product of the edge with P'_a − P_b.
+    fn order_along(&self, edge: usize, a: usize, b: usize) -> Ordering {
+        if self.certainly_coincide(a, b) {
             return Ordering::Equal;
         }
         let exact = |vertex: usize| self.hull.vertices()[vertex].map(Dyadic::from_f64);

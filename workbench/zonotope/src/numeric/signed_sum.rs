@@ -99,7 +99,8 @@ mod tests {
         #[test]
         fn sums_are_exact(values in proptest::collection::vec((value(), -1i8..2), 0..600)) {
             let sum = signed_sum(values.iter().map(|&(v, sign)| ([v, 1.0, -v], sign)));
-            let truth = values.iter().fold(Dyadic::zero(), |sum, &(v, sign)| sum + Dyadic::from_f64(f64::from(sign) * v));
+            let truth =
+                values.iter().fold(Dyadic::zero(), |sum, &(v, sign)| sum + Dyadic::from_f64(f64::from(sign) * v));
             prop_assert_eq!(&sum[0], &truth);
             prop_assert_eq!(&sum[2], &-truth);
             let count = values.iter().map(|(_, sign)| f64::from(*sign)).sum();

@@ -56,9 +56,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn it_is_what_adding_up_in_order_finds(weights in proptest::collection::vec(0u8..9, 1..50), target in 0u16..300) {
+        fn it_is_what_adding_up_in_order_finds(
+            weights in proptest::collection::vec(0u8..9, 1..50),
+            target in 0u16..300,
+        ) {
             // distinct keys in an order other than that of the list
-            let items: Vec<(i32, f64)> = weights.iter().enumerate().map(|(i, &w)| ((i * 37 % 101) as i32, f64::from(w))).collect();
+            let items: Vec<(i32, f64)> =
+                weights.iter().enumerate().map(|(i, &w)| ((i * 37 % 101) as i32, f64::from(w))).collect();
             let mut sorted = items.clone();
             sorted.sort_unstable_by_key(|item| item.0);
             let mut sum = 0.0;

@@ -171,7 +171,8 @@ mod tests {
             let back: [Dyadic; 3] = std::array::from_fn(|k| {
                 (0..3).fold(Dyadic::zero(), |s, i| s + Dyadic::from_f64(rows[i][k]) * Dyadic::from_f64(u[i]))
             });
-            let along = |v: &[f64; 3]| v.iter().zip(&back).fold(Dyadic::zero(), |s, (c, b)| s + &Dyadic::from_f64(*c) * b);
+            let along =
+                |v: &[f64; 3]| v.iter().zip(&back).fold(Dyadic::zero(), |s, (c, b)| s + &Dyadic::from_f64(*c) * b);
             let exact = a.generators().iter().fold(along(&a.center()), |s, g| s + along(g).abs());
             let image = a.linear_image(&rows).expect("finite");
             prop_assert!(height(&image, u) >= exact);

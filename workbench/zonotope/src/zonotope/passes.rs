@@ -218,16 +218,20 @@ mod tests {
         #[test]
         fn sums_keep_their_bounds((generators, direction) in vectors()) {
             let exact = |v: f64| Dyadic::from_f64(v);
-            let along = |v: &[f64; 3]| v.iter().zip(direction).fold(Dyadic::zero(), |s, (a, b)| s + exact(*a) * exact(b));
+            let along =
+                |v: &[f64; 3]| v.iter().zip(direction).fold(Dyadic::zero(), |s, (a, b)| s + exact(*a) * exact(b));
             let truth = generators.iter().fold(Dyadic::zero(), |s, g| s + along(g).abs());
             let extents = Extents::new(&generators);
             let value = absolute_sum(&generators, &direction);
             let error = extents.error(&direction, value);
             prop_assert!(error == f64::INFINITY || (exact(value) - truth.clone()).abs() <= exact(error));
 
-            let signs: Vec<bool> = generators.iter().map(|g| dot_or_plus_zero(g, &direction).is_sign_negative()).collect();
+            let signs: Vec<bool> =
+                generators.iter().map(|g| dot_or_plus_zero(g, &direction).is_sign_negative()).collect();
             let point: [Dyadic; 3] = std::array::from_fn(|k| {
-                generators.iter().zip(&signs).fold(Dyadic::zero(), |s, (g, &minus)| if minus { s - exact(g[k]) } else { s + exact(g[k]) })
+                generators.iter().zip(&signs).fold(Dyadic::zero(), |s, (g, &minus)| {
+                    if minus { s - exact(g[k]) } else { s + exact(g[k]) }
+                })
             });
             let gained = point.iter().zip(direction).fold(Dyadic::zero(), |s, (a, b)| s + a * &exact(b));
             prop_assert!(error == f64::INFINITY || truth - gained <= exact(error));

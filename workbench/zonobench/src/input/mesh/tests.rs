@@ -16,9 +16,11 @@ fn complaint(name: &str, content: impl AsRef<[u8]>) -> String {
 
 const CORNERS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, -3.0]];
 
-const OBJ: &str = "# a tetrahedron\nmtllib none.mtl\no t\nv 0 0 0\nv 2 0 0\nv 0 0.5 0\nv 0 0 -3e0\nusemtl m\nf 1 3 2\nf 1/ 2/ 4/\nf 2 3 4\n";
+const OBJ: &str = "# a tetrahedron\nmtllib none.mtl\no t\nv 0 0 0\nv 2 0 0\nv 0 0.5 0\nv 0 0 -3e0\nusemtl m\n\
+    f 1 3 2\nf 1/ 2/ 4/\nf 2 3 4\n";
 
-const PLY: &str = "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty double x\nproperty float y\nproperty double z\n\
+const PLY: &str = "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\n\
+    property double x\nproperty float y\nproperty double z\n\
     property uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
     0 0 0 9\n2 0 0 9\n0 0.5 0 9\n0 0 -3 9\n3 0 1 2\n";
 
@@ -50,7 +52,8 @@ fn binary_stl(header: &str) -> Vec<u8> {
 
 fn binary_ply(order: &str) -> Vec<u8> {
     let mut content = format!(
-        "ply\nformat binary_{order}_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+        "ply\nformat binary_{order}_endian 1.0\nelement vertex 4\n\
+         property float x\nproperty float y\nproperty float z\nend_header\n"
     )
     .into_bytes();
     for x in CORNERS.iter().flatten().map(|&x| x as f32) {

@@ -37,7 +37,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
     experiments: &["faces-scaling"],
     commands: &[(
-        "echo '{\"generators\":[[1,0,0],[0,1,0],[0,0,1],[1,1,1]]}' | cargo run --release -- inspect - --format json --svg body.svg",
+        "echo '{\"generators\":[[1,0,0],[0,1,0],[0,0,1],[1,1,1]]}' | \
+         cargo run --release -- inspect - --format json --svg body.svg",
         "counts, measures and draws a body: the rhombic dodecahedron",
     )],
 };

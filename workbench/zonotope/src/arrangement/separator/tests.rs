@@ -95,7 +95,9 @@ proptest! {
 
     #[test]
     fn generators_of_all_magnitudes(
-        generators in generators((lattice(), prop_oneof![Just(1e-300), Just(1e300), Just(1.0)]).prop_map(|(v, s)| v * s)),
+        generators in generators(
+            (lattice(), prop_oneof![Just(1e-300), Just(1e300), Just(1.0)]).prop_map(|(v, s)| v * s)
+        ),
     ) {
         check(&generators)?;
     }

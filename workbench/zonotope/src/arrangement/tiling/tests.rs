@@ -72,7 +72,8 @@ proptest! {
     ) {
         let level = level.into_iter().map(|(x, z)| [f64::from(x), 0.0, f64::from(z)]);
         let parallel = heights.into_iter().map(|z| [1.0, 2.0, z]);
-        let all: Vec<Vector> = generators.into_iter().chain(level).chain(parallel).chain([[0.0, 0.0, f64::from(vertical)]]).collect();
+        let all: Vec<Vector> =
+            generators.into_iter().chain(level).chain(parallel).chain([[0.0, 0.0, f64::from(vertical)]]).collect();
         check(&all)?;
     }
 }

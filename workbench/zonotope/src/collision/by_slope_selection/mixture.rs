@@ -165,12 +165,16 @@ mod tests {
         ) {
             let generators: Vec<[f64; 3]> = generators.iter().map(|v| v.map(f64::from)).collect();
             let upward: Vec<Upward> =
-                (0..).zip(&generators).map(|(generator, &vector)| Upward { generator, reversed: false, vector }).collect();
+                (0..)
+                    .zip(&generators)
+                    .map(|(generator, &vector)| Upward { generator, reversed: false, vector })
+                    .collect();
             let mut mixture = Mixture::new(generators.len());
             let mut sum = [0.0; 3];
             for (vertex, &weight) in weights.iter().enumerate() {
                 let sign = |i: usize| if signs[vertex * generators.len() + i] { 1i8 } else { -1 };
-                mixture.add(Dyadic::from_f64(weight.into()), upward.iter().enumerate().map(|(i, v)| (v, sign(i))), false);
+                let signed = upward.iter().enumerate().map(|(i, v)| (v, sign(i)));
+                mixture.add(Dyadic::from_f64(weight.into()), signed, false);
                 for (i, v) in generators.iter().enumerate() {
                     sum = [0, 1, 2].map(|axis| sum[axis] + f64::from(weight) * f64::from(sign(i)) * v[axis]);
                 }
@@ -180,7 +184,8 @@ mod tests {
             let scaled: Vec<[f64; 3]> = generators.iter().map(|v| v.map(|c| c * f64::from(total))).collect();
             let question = Query::new([0.0; 3], sum, &scaled).expect("finite");
             let total = Dyadic::from_f64(total.into());
-            let proofs = [mixture.witness(&question, &question.exact()), settled(&question, &mixture.classes(&total), &total)];
+            let proofs =
+                [mixture.witness(&question, &question.exact()), settled(&question, &mixture.classes(&total), &total)];
             for proof in proofs {
                 let fails = [Location::Inside(proof.clone()), Location::Boundary(proof)].map(|l| verify(&question, &l));
                 prop_assert!(fails.iter().any(Result::is_ok), "{:?}", fails);

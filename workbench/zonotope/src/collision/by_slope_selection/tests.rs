@@ -79,7 +79,11 @@ proptest! {
     }
 
     #[test]
-    fn around_lattice_bodies(g in several(coordinates(lattice())), signs in signs(), t in (0i32..5).prop_map(|t| f64::from(t) / 4.0)) {
+    fn around_lattice_bodies(
+        g in several(coordinates(lattice())),
+        signs in signs(),
+        t in (0i32..5).prop_map(|t| f64::from(t) / 4.0),
+    ) {
         check_around(&g, &signs, t)?;
     }
 
@@ -96,7 +100,12 @@ proptest! {
     }
 
     #[test]
-    fn around_segments(factors in proptest::collection::vec(lattice(), 0..5), v in coordinates(lattice()), signs in signs(), t in 0.0..1.0f64) {
+    fn around_segments(
+        factors in proptest::collection::vec(lattice(), 0..5),
+        v in coordinates(lattice()),
+        signs in signs(),
+        t in 0.0..1.0f64,
+    ) {
         let line: Vec<Vector> = factors.into_iter().map(|f| v.map(|c| f * c)).collect();
         check_around(&line, &signs, t)?;
     }
@@ -111,7 +120,12 @@ proptest! {
     }
 
     #[test]
-    fn around_bodies_of_one_magnitude(g in several(coordinates(-1.0..1.0f64)), s in scale(), signs in signs(), t in 0.0..1.0f64) {
+    fn around_bodies_of_one_magnitude(
+        g in several(coordinates(-1.0..1.0f64)),
+        s in scale(),
+        signs in signs(),
+        t in 0.0..1.0f64,
+    ) {
         let g: Vec<Vector> = g.into_iter().map(|v| v.map(|c| c * s)).collect();
         check_around(&g, &signs, t)?;
     }
@@ -126,7 +140,10 @@ proptest! {
 
     #[test]
     fn nudged_lattice_bodies(
-        g in several((coordinates(lattice()), coordinates(lattice())).prop_map(|(v, n)| [0, 1, 2].map(|i| v[i] * (1.0 + n[i] * f64::EPSILON)))),
+        g in several(
+            (coordinates(lattice()), coordinates(lattice()))
+                .prop_map(|(v, n)| [0, 1, 2].map(|i| v[i] * (1.0 + n[i] * f64::EPSILON)))
+        ),
         signs in signs(),
         t in 0.0..1.0f64,
     ) {
@@ -134,7 +151,11 @@ proptest! {
     }
 
     #[test]
-    fn distant_points(g in several(coordinates(lattice())), from in coordinates(lattice()), to in coordinates(lattice())) {
+    fn distant_points(
+        g in several(coordinates(lattice())),
+        from in coordinates(lattice()),
+        to in coordinates(lattice()),
+    ) {
         let from = from.map(|c| c * 1e16);
         let to = [0, 1, 2].map(|i| from[i] + to[i]);
         check(&g, from, to)?;

@@ -79,7 +79,10 @@ proptest! {
 
     #[test]
     fn bodies_in_a_vertical_plane(
-        g in proptest::collection::vec((lattice(), -1.0..1.0f64), 0..7), d in [lattice(), lattice()], signs in signs(), t in lattice(),
+        g in proptest::collection::vec((lattice(), -1.0..1.0f64), 0..7),
+        d in [lattice(), lattice()],
+        signs in signs(),
+        t in lattice(),
     ) {
         let g: Vec<[f64; 3]> = g.into_iter().map(|(x, z)| [x * d[0], x * d[1], z]).collect();
         check_around(&g, &signs, d.map(|c| c * t))?;

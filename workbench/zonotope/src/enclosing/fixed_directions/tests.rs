@@ -78,7 +78,8 @@ macro_rules! dimensions {
                 fn weights_may_be_zero(
                     points in lattice::<$d>(1..5), directions in lattice::<$d>(0..5), free in any::<[bool; 5]>(),
                 ) {
-                    let weights: Vec<f64> = free.iter().take(directions.len()).map(|f| f64::from(u8::from(!f))).collect();
+                    let weights: Vec<f64> =
+                        free.iter().take(directions.len()).map(|f| f64::from(u8::from(!f))).collect();
                     check(&points, &directions, &weights, TIGHT)?;
                 }
 
@@ -96,9 +97,15 @@ macro_rules! dimensions {
 
                 #[test]
                 fn flat_spans(
-                    basis in proptest::collection::vec(proptest::array::uniform((-255i16..256).prop_map(f64::from)), 1..$d.max(2)),
-                    points in proptest::collection::vec(proptest::array::uniform::<_, 4>((-2i8..3).prop_map(f64::from)), 2..8),
-                    others in proptest::collection::vec(proptest::array::uniform::<_, 4>((-2i8..3).prop_map(f64::from)), 0..5),
+                    basis in proptest::collection::vec(
+                        proptest::array::uniform((-255i16..256).prop_map(f64::from)), 1..$d.max(2)
+                    ),
+                    points in proptest::collection::vec(
+                        proptest::array::uniform::<_, 4>((-2i8..3).prop_map(f64::from)), 2..8
+                    ),
+                    others in proptest::collection::vec(
+                        proptest::array::uniform::<_, 4>((-2i8..3).prop_map(f64::from)), 0..5
+                    ),
                 ) {
                     let combined = |factors: &[f64; 4], unit: f64| -> [f64; $d] {
                         std::array::from_fn(|c| basis.iter().zip(factors).map(|(b, f)| b[c] * f).sum::<f64>() * unit)
@@ -111,7 +118,11 @@ macro_rules! dimensions {
                 }
 
                 #[test]
-                fn the_smallest_doubles(points in lattice::<$d>(1..7), directions in lattice::<$d>($least..$most), fine in 1i8..9) {
+                fn the_smallest_doubles(
+                    points in lattice::<$d>(1..7),
+                    directions in lattice::<$d>($least..$most),
+                    fine in 1i8..9,
+                ) {
                     let tiny = |v: [f64; $d]| v.map(|c| c * f64::from(fine) * f64::from_bits(1));
                     let points: Vec<[f64; $d]> = points.into_iter().map(tiny).collect();
                     let directions: Vec<[f64; $d]> = directions.into_iter().map(tiny).collect();
@@ -124,7 +135,8 @@ macro_rules! dimensions {
                     s in proptest::collection::vec(prop_oneof![Just(1e-150), Just(1e150), Just(1e-9), Just(1.0)], 12),
                 ) {
                     let points: Vec<[f64; $d]> = points.iter().zip(&s).map(|(p, s)| p.map(|c| c * s)).collect();
-                    let directions: Vec<[f64; $d]> = directions.iter().zip(&s[6..]).map(|(p, s)| p.map(|c| c * s)).collect();
+                    let directions: Vec<[f64; $d]> =
+                        directions.iter().zip(&s[6..]).map(|(p, s)| p.map(|c| c * s)).collect();
                     check(&points, &directions, &WEIGHTS[..directions.len()], PROVEN)?;
                 }
             }

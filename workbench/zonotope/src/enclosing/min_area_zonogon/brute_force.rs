@@ -1,8 +1,8 @@
 //! Minimum-area enclosing zonogon, by the area of Z(O) at every vertex of the arrangement of the lines ℓ_t: the truth.
 //!
 //! # Statement
-//! Input: points of the plane, at least one, finite. Output: the least area of a zonogon that contains them and every vertex of the
-//! arrangement at which it is taken, exactly; area 0 and no centre for points on a line.
+//! Input: points of the plane, at least one, finite. Output: the least area of a zonogon that contains them and every
+//! vertex of the arrangement at which it is taken, exactly; area 0 and no centre for points on a line.
 //!
 //! # Source
 //! Section 4.1: f is linear on each cell of the arrangement and has a minimum at a vertex.

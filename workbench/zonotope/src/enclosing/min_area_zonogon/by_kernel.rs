@@ -4,7 +4,7 @@
 //! Input: points of the plane, at least one, finite. Output: a zonogon in doubles that contains every point exactly, an
 //! upper bound of its area, a lower bound for every enclosing zonogon, the optimal centre exactly and its certificate.
 //! For points on a line the area is zero: the answer is their segment, where doubles can express it. The optimal centre
-//! need not be unique; the dimension of the set of optimal centres is told.
+//! need not be unique; the answer holds the dimension of the set of optimal centres.
 //!
 //! # Source
 //! Section 4.1, Theorem 4.5. Departures: the search over the arrangement is the kernel's (the paper's own search is one
@@ -12,7 +12,7 @@
 //! the certificate.
 //!
 //! # Method
-//! 1. Convex hull, farthest vertex of each edge, lines ℓ_t.
+//! 1. Compute the convex hull and the farthest vertex of each edge, which determine the lines ℓ_t.
 //! 2. The kernel minimises Σ |e_t × (X − P_s − P_t)|: the optimal centre and coefficients δ_t.
 //! 3. Round the centre to doubles, the best of the nearest ones, take Z(O) there, round it outward.
 //! 4. Lower bound: f(O) minus ½ Σ (|v_t| − δ_t v_t) with v_t = e_t × (2O − P_s − P_t), a sum over the few edges whose
@@ -39,7 +39,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force), [`verify`](super::verify) on every answer.
+//! [`brute_force`](super::brute_force); the check of such answers in the crate `verifier`.
 //!
 //! # Example
 //! ```

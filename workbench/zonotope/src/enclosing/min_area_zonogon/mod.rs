@@ -1,15 +1,16 @@
 //! Problem: the zonogon of least area that contains given points of the plane.
 //!
-//! A zonogon is a centrally symmetric polygon, so with the centre O fixed the smallest one is Z(O) = conv(P ∪ P'), P' the points
-//! reflected in O. Its area is a convex function of O, piecewise linear over the arrangement of the lines ℓ_t
-//! ([`bisectors`](super::bisectors)): up to a constant, a problem for the kernel [`lad`](crate::lad).
+//! A zonogon is a centrally symmetric polygon. So with the centre O fixed the smallest one is Z(O) = conv(P ∪ P'),
+//! where P' are the points reflected in O. Its area is a convex function of O, piecewise linear over the arrangement of
+//! the lines ℓ_t ([`bisectors`](super::bisectors)): up to a constant, a problem for the kernel [`lad`](crate::lad).
 //!
 //! | method | time | notes |
 //! |---|---|---|
-//! | [`brute_force`] | O(h² · n log n), exact rationals | every vertex of the arrangement; the truth |
+//! | [`brute_force`] | O(h² · n log n), exact rationals | every vertex of the arrangement; the truth that the methods are held to |
 //! | [`by_kernel`] | O(n log n) for the hull, then the kernel's | the default, with any method of the kernel |
 //!
-//! n points, h of them vertices of the hull. [`exact`] gives the optimum in rationals, [`verify`] checks an answer without trusting the methods.
+//! Here n is the number of points and h the number of the hull's vertices. [`exact`] gives the optimum in rationals,
+//! and the crate `verifier` checks answers without trusting the methods.
 
 mod answer;
 pub mod brute_force;

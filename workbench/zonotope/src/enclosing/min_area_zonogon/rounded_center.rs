@@ -1,4 +1,4 @@
-//! The optimal centre in doubles, and at most how much area that costs.
+//! The optimal centre rounded to doubles, and an upper bound of the area that this costs.
 //!
 //! With the coefficients δ_t of the certificate, f(O) exceeds its minimum by exactly ½ Σ (|v_t(O)| − δ_t v_t(O)). A
 //! term vanishes where δ_t is the sign of v_t(O), so only the lines between O and the optimum count, and those of the
@@ -17,9 +17,9 @@ use crate::numeric::dyadic::Dyadic;
 #[derive(Debug)]
 pub(super) struct RoundedCenter {
     point: [f64; 2],
-    /// On which side of each ℓ_t it lies.
+    /// The side of each ℓ_t on which the point lies.
     sides: Vec<i8>,
-    /// At least what f exceeds its minimum by there.
+    /// An upper bound of the excess of the area f at the point over its minimum.
     pub(super) gap: Dyadic,
 }
 
@@ -46,7 +46,7 @@ impl Kernel<'_, '_> {
     }
 }
 
-/// How many doubles on either side of the nearest one are looked at in each coordinate.
+/// The number of doubles on either side of the nearest one that are tried in each coordinate.
 const NEIGHBOURS: usize = 2;
 
 /// If at most this many lines pass between the candidates, each line is evaluated exactly at each candidate.

@@ -11,10 +11,11 @@ use crate::lad::LadCertificate;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 
-/// The answer around one point, or two that span all the others.
+/// The answer for points on a line, whose hull is one point, or two that span all the others.
 ///
-/// The segment itself where its midpoint and half-length are doubles; else, where its length is one, the segment from the first end that is
-/// twice as long; else the smallest zonogon that can be rounded around it, whose area is not zero.
+/// It is the segment between the two if its midpoint and its half-length are doubles. Else, if its length is one, it is
+/// the segment twice as long with the first point in its middle. Else it is the smallest zonogon around the segment
+/// that can be rounded to doubles, whose area is not zero.
 pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
     let (first, last) = (hull.vertices()[0], hull.vertices()[hull.vertex_count() - 1]);
     let exact_ends = [first, last].map(|p| p.map(Dyadic::from_f64));
@@ -46,12 +47,14 @@ pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
     }
 }
 
+/// A vector as doubles, if it is one.
 fn doubles(exact: &[Dyadic; 2]) -> Option<[f64; 2]> {
     let rounded = [exact[0].to_f64(), exact[1].to_f64()];
     let same = |i: usize| rounded[i].is_finite() && Dyadic::from_f64(rounded[i]).cmp(&exact[i]) == Ordering::Equal;
     (same(0) && same(1)).then_some(rounded)
 }
 
+/// The smallest zonogon with a centre around a segment, rounded outward, and its area, rounded up.
 fn rounded(hull: &ConvexHull, center: [f64; 2]) -> (Zonotope<2>, f64) {
     let frame = Bisectors::new(hull, &[]).frame;
     let rounded = round_outward_exactly(&CenteredZonogon::new(hull, &[], center), &frame);

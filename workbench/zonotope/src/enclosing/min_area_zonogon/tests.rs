@@ -82,7 +82,10 @@ proptest! {
     }
 
     #[test]
-    fn symmetric_points(points in proptest::collection::vec([lattice(), lattice()], 1..6), o in [lattice(), lattice()]) {
+    fn symmetric_points(
+        points in proptest::collection::vec([lattice(), lattice()], 1..6),
+        o in [lattice(), lattice()],
+    ) {
         let reflected = points.iter().map(|p| [o[0] - p[0], o[1] - p[1]]);
         let points: Vec<_> = points.iter().copied().chain(reflected).collect();
         check(&points)?;
@@ -94,7 +97,8 @@ proptest! {
         slope in prop_oneof![Just(1.0), Just(0.1), Just(0.3), Just(1e-12)],
     ) {
         let nudge = |v: f64, by: i64| f64::from_bits((v.to_bits() as i64 + by) as u64);
-        let points: Vec<_> = points.iter().map(|&(x, by)| [f64::from(x), nudge(1.0 + slope * f64::from(x), by)]).collect();
+        let points: Vec<_> =
+            points.iter().map(|&(x, by)| [f64::from(x), nudge(1.0 + slope * f64::from(x), by)]).collect();
         check(&points)?;
     }
 }

@@ -74,7 +74,8 @@ proptest! {
 
     #[test]
     fn the_vertices_of_a_box_give_the_box(half in [0.1..1.0f64, 0.1..1.0, 0.1..1.0]) {
-        let corner = |i: usize| -> [f64; 3] { std::array::from_fn(|c| if i >> c & 1 == 0 { half[c] } else { -half[c] }) };
+        let corner =
+            |i: usize| -> [f64; 3] { std::array::from_fn(|c| if i >> c & 1 == 0 { half[c] } else { -half[c] }) };
         let corners: Vec<[f64; 3]> = (0..8).map(corner).collect();
         let answer = check(&corners, 1e-7)?;
         let truth: f64 = half.iter().sum();

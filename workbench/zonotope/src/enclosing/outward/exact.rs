@@ -1,8 +1,10 @@
-//! Z(O) rounded outward with exact errors, and exact areas.
+//! Z(O) rounded outward with exact errors and exact areas.
 //!
-//! Where sums of coordinates leave the range of doubles a rounding may be as large as an edge, so each half-edge takes over what those before it
-//! have left behind. Let E_k be the sum of the first k errors g − γ, and E_n that of all. The vertex of Z(O) at which the first k edges have been
-//! walked is off by 2 E_k − E_n from a sum of ± g_k, a point of the rounded zonogon; so that, widened by max |2 E_k − E_n|, contains Z(O).
+//! Where sums of coordinates leave the range of doubles, a half-edge may be as short as its rounding error. There the
+//! error of each half-edge is carried on to the next one, so that errors do not add up. Let E_k be the sum of the first
+//! k errors g − γ, and E_n the sum of all. The vertex of Z(O) after the first k edges differs by 2 E_k − E_n from Σ ±
+//! g_i with the same signs, a point of the rounded zonogon. So that zonogon contains Z(O) if it is widened by max |2
+//! E_k − E_n| along each axis.
 
 use super::{Outward, above, rounded_towards, widened};
 use crate::enclosing::bisectors::Frame;
@@ -18,9 +20,10 @@ struct Rounded {
     error: f64,
 }
 
-/// Rounds Z(O) outward. O(h) exact operations.
+/// Z(O) rounded outward. O(h) exact operations.
 pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
-    let (mut generators, slack) = if frame.sums_are_doubles() { one_by_one(exact) } else { carried_on(exact) };
+    let (mut generators, slack) =
+        if frame.sums_are_doubles() { one_by_one(exact) } else { with_errors_carried_on(exact) };
     generators.retain(|generator| *generator != [0.0, 0.0]);
     let zonogon = widened(exact.center(), generators, slack);
     Outward {
@@ -30,7 +33,7 @@ pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
     }
 }
 
-/// Every half-edge rounded by itself, and the sums of the errors.
+/// Generators from half-edges that are rounded independently, and the sum of their errors along each axis, rounded up.
 fn one_by_one(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
     let rounding = Rounding { exact, doubled_center: exact.center().map(|v| 2.0 * v) };
     let half = exact.half_boundary();
@@ -47,8 +50,9 @@ fn one_by_one(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
     (generators, slack.map(|v| above(v * sums)))
 }
 
-/// Every half-edge rounded with what has been left behind, and how far a vertex may be off.
-fn carried_on(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
+/// Generators from half-edges that are rounded with the errors carried on, and the largest error of a vertex along each
+/// axis, rounded up.
+fn with_errors_carried_on(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
     let half = exact.half_boundary();
     let mut generators = vec![[0.0; 2]; half.len() - 1];
     let slack = [0, 1].map(|axis| {
@@ -69,12 +73,14 @@ fn carried_on(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) {
     (generators, slack)
 }
 
+/// The half-edges of Z(O), rounded with a bound on their errors.
 struct Rounding<'a, 'h> {
     exact: &'a CenteredZonogon<'h>,
     doubled_center: [f64; 2],
 }
 
 impl Rounding<'_, '_> {
+    /// A coordinate of half the edge between two vertices of the boundary.
     fn half_edge(&self, from: BoundaryVertex, to: BoundaryVertex, axis: usize) -> Rounded {
         let hull = self.exact.hull();
         let (a, b) = (hull.vertex(from.vertex)[axis], hull.vertex(to.vertex)[axis]);
@@ -92,7 +98,7 @@ impl Rounding<'_, '_> {
         Rounded { value: half, error: half_above(edge.error) + lost }
     }
 
-    /// 2 O − a − b.
+    /// The coordinate 2 O − a − b of a bridge from vertex a to the reflection of vertex b.
     fn bridge(&self, a: f64, b: f64, axis: usize) -> Rounded {
         let (sum, sum_tail) = exact_sum(a, b);
         let (head, head_tail) = exact_sum(self.doubled_center[axis], -sum);
@@ -102,12 +108,13 @@ impl Rounding<'_, '_> {
     }
 }
 
+/// The difference a − b.
 fn difference(a: f64, b: f64) -> Rounded {
     let (value, tail) = exact_sum(a, -b);
     Rounded { value, error: tail.abs() }
 }
 
-/// At least half of a non-negative double, zero staying zero.
+/// A bound above half of a non-negative double; zero for zero.
 fn half_above(value: f64) -> f64 {
     if value < f64::MIN_POSITIVE { value } else { value / 2.0 }
 }

@@ -1,11 +1,13 @@
-//! Z(O) in doubles: generators rounded so that the zonogon still contains every point, and its area enclosed.
+//! Z(O) in doubles: generators rounded so that their zonogon contains Z(O) and so every point, and bounds of both
+//! areas.
 //!
-//! Z(O) has half-edges γ_k; each is replaced by a generator g_k with |γ_k − g_k| ≤ ε_k in each coordinate. Then
-//! Σ [−1, 1] γ_k ⊂ Σ [−1, 1] g_k ⊕ box(Σ ε_k), so adding the box's two generators gives a zonogon that contains Z(O). It lies
-//! itself in Z(O) ⊕ box(2 Σ ε_k), which bounds its area.
+//! Let γ_k be the half-edges of Z(O). Each is replaced by a generator g_k with |γ_k − g_k| ≤ ε_k in each coordinate.
+//! Then Σ [−1, 1] γ_k ⊂ Σ [−1, 1] g_k ⊕ box(Σ ε_k), where box(a) is the box with half-widths a. So with the box's two
+//! generators added the zonogon contains Z(O). It lies itself in Z(O) ⊕ box(2 Σ ε_k), which bounds its area.
 //!
-//! Many edges in an ordinary range are rounded as they are met, with one bound for all errors ([`streaming`]); where that, or doubles at all, are
-//! not precise enough, errors are taken exactly and the areas are measured exactly ([`exact`]).
+//! Many edges in an ordinary range are rounded one by one during the walk around Z(O), with one bound for all errors
+//! ([`streaming`]). Where that bound is not precise enough, or sums of coordinates leave the range of doubles, errors
+//! and areas are computed exactly ([`exact`]).
 
 mod exact;
 mod streaming;
@@ -19,7 +21,7 @@ use crate::zonotope::Zonotope;
 
 pub(crate) use exact::round_outward as round_outward_exactly;
 
-/// A zonogon in doubles around Z(O), with areas.
+/// A zonogon in doubles that contains Z(O), with bounds of both areas.
 #[derive(Debug)]
 pub(crate) struct Outward {
     /// The zonogon that contains Z(O).
@@ -30,7 +32,7 @@ pub(crate) struct Outward {
     pub(crate) area_above: f64,
 }
 
-/// Rounds Z(O) outward. O(h).
+/// Z(O) rounded outward, for the centre and the sides of a walk around it. O(h).
 pub(crate) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Outward {
     streaming::round_outward(half_turn, frame)
         .unwrap_or_else(|| round_outward_exactly(&CenteredZonogon::of(half_turn), frame))
@@ -42,13 +44,13 @@ fn widened(center: [f64; 2], mut generators: Vec<[f64; 2]>, [a, b]: [f64; 2]) ->
     Zonotope::new(center, generators).expect("half-edges of finite points are finite")
 }
 
-/// 1 for a vertex of the hull, −1 for a reflected one.
+/// The factor 1 for a vertex of the hull and −1 for a reflected one.
 #[inline(always)]
 fn sense(vertex: BoundaryVertex) -> f64 {
     1.0 - 2.0 * f64::from(u8::from(vertex.reflected))
 }
 
-/// A double above a non-negative one, zero staying zero.
+/// The next double above a positive one; zero for zero.
 fn above(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { value.next_up() }
 }

@@ -1,8 +1,8 @@
-//! Z(O) rounded outward as its edges are met, in a range where nothing overflows: no list of them is made, and one
-//! bound holds for all errors.
+//! Z(O) rounded outward edge by edge during the walk around it, for coordinates in a range where nothing overflows. No
+//! list of the edges is made, and one bound holds for all errors.
 //!
-//! A half-edge is off by one rounding of the result and one of a far smaller tail. The area of Z(O) is Σ (vertex − O) ×
-//! (next vertex − vertex) over half the boundary; no term is negative.
+//! A half-edge is off by one rounding of the result and one of a far smaller tail. The area of Z(O)
+//! is Σ (vertex − O) × (next vertex − vertex) over half the boundary; no term is negative.
 
 use super::{Outward, above, rounded_towards, sense, widened};
 use crate::enclosing::bisectors::Frame;
@@ -12,13 +12,13 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
-/// Around hulls of at most this many edges Z(O) is rounded by exact arithmetic at once, which costs little there.
+/// For hulls of at most this many edges Z(O) is rounded in exact arithmetic, which costs little there.
 const EXACT_EDGE_LIMIT: usize = 64;
 
-/// An area whose relative error may exceed this is measured exactly.
+/// If the relative error of the area may exceed this, the area is computed exactly.
 const AREA_PRECISION: f64 = 5e-14;
 
-/// Rounds Z(O) outward. O(h). `None` where that is worth exact arithmetic.
+/// Z(O) rounded outward, in O(h). `None` where exact arithmetic is needed, or costs little.
 pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outward> {
     let hull = half_turn.hull();
     if hull.edge_count() <= EXACT_EDGE_LIMIT || !half_turn.center_is_double() || !frame.sums_are_doubles() {
@@ -28,7 +28,7 @@ pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outwa
         vertices: hull.vertices(),
         center: half_turn.center(),
         scale: frame.scaled_length(1.0),
-        // half the boundary has at most one edge for each of the hull
+        // Half the boundary has hardly more edges than the hull.
         generators: Vec::with_capacity(hull.vertex_count() + 3),
         extent: [0.0; 2],
         area: BlockedSum::default(),
@@ -37,14 +37,14 @@ pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outwa
     gathered.finish(frame)
 }
 
-/// Generators, the width and height that they span, and the area.
+/// The generators found so far on a walk, with the sums that bound their errors and the area.
 struct Gathered<'a> {
     vertices: &'a [[f64; 2]],
     center: [f64; 2],
-    /// A power of two that takes coordinates to magnitude 1.
+    /// The power of two that scales the largest coordinate to about 1.
     scale: f64,
     generators: Vec<[f64; 2]>,
-    /// Σ |half-edge|, scaled.
+    /// The sums of the magnitudes of the half-edges' coordinates, scaled.
     extent: [f64; 2],
     /// Half the area, scaled.
     area: BlockedSum,
@@ -64,11 +64,12 @@ impl Gathered<'_> {
         self.area.add(sense * (arm[0] * y - arm[1] * x));
     }
 
+    /// The zonogon and the areas; `None` if the area is not precise enough.
     fn finish(self, frame: &Frame) -> Option<Outward> {
         let Self { center, generators, extent, .. } = self;
         let sums = 1.0 + (8.0 + 2.0 * self.vertices.len() as f64) * UNIT;
         let extent = extent.map(|v| v * sums);
-        // each half-edge is off by at most 2 UNIT of it and the smallest double
+        // Each half-edge is off by at most 2 UNIT times its length and the smallest double.
         let unscaled = |v: f64| v / self.scale;
         let slack = extent.map(|v| above(unscaled(2.0 * UNIT * v) + (self.area.terms + 2) as f64 * f64::from_bits(1)));
         let [a, b] = slack.map(|v| 2.0 * frame.scaled_length(v));
@@ -111,10 +112,11 @@ impl EdgeVisitor for Gathered<'_> {
     }
 }
 
-/// A sum of differences of products, none of them negative, with a bound on its error when each factor is two roundings
-/// off.
+/// A sum of terms, none negative, each the difference of two products, with a bound on its error for factors that are
+/// two roundings off.
 ///
-/// Blocks of terms are summed plainly and joined to the total with their rounding errors carried along.
+/// The terms of a block are summed up in doubles; the block's sum joins the total, whose rounding errors are summed up
+/// beside it.
 #[derive(Default)]
 struct BlockedSum {
     total: f64,
@@ -131,21 +133,21 @@ impl BlockedSum {
         self.block += term;
         self.terms += 1;
         if self.terms.is_multiple_of(Self::BLOCK) {
-            self.settle();
+            self.join_block();
         }
     }
 
     #[inline(always)]
-    fn settle(&mut self) {
+    fn join_block(&mut self) {
         let (total, tail) = exact_sum(self.total, self.block);
         self.total = total;
         self.carried += tail;
         self.block = 0.0;
     }
 
-    /// The sum and a bound on its error; the products are together at most `magnitude`.
+    /// The sum and a bound on its error, for products whose magnitudes add up to at most `magnitude`.
     fn finish(mut self, magnitude: f64) -> (f64, f64) {
-        self.settle();
+        self.join_block();
         let sum = self.total + self.carried;
         let blocks = (self.terms / Self::BLOCK + 1) as f64;
         let additions = self.terms.min(Self::BLOCK) as f64 + 4.0 + blocks * blocks * UNIT;

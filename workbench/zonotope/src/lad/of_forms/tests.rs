@@ -54,12 +54,19 @@ proptest! {
     }
 
     #[test]
-    fn planes_of_all_magnitudes(planes in planes((lattice(), scale()).prop_map(|(v, s)| v * s), 7), linear in linear()) {
+    fn planes_of_all_magnitudes(
+        planes in planes((lattice(), scale()).prop_map(|(v, s)| v * s), 7),
+        linear in linear(),
+    ) {
         check(planes, linear)?;
     }
 
     #[test]
-    fn concurrent_planes(planes in planes(lattice(), 10), apex in [lattice(), lattice(), lattice()], linear in linear()) {
+    fn concurrent_planes(
+        planes in planes(lattice(), 10),
+        apex in [lattice(), lattice(), lattice()],
+        linear in linear(),
+    ) {
         let planes = planes
             .into_iter()
             .map(|plane| {
@@ -87,7 +94,8 @@ proptest! {
 
     #[test]
     fn flat_families(planes in planes(lattice(), 10), linear in linear()) {
-        let flat = planes.into_iter().map(|plane| WeightedPlane { normal: [plane.normal[0], plane.normal[1], 0.0], ..plane });
+        let flat =
+            planes.into_iter().map(|plane| WeightedPlane { normal: [plane.normal[0], plane.normal[1], 0.0], ..plane });
         check(flat.collect(), [linear[0], linear[1], 0.0])?;
     }
 }

@@ -203,7 +203,8 @@ mod tests {
                 prop_assert_eq!(sign, (&x * &y).cmp(&z) as i8);
             }
             for exponent in [0, -1, -60, -890, -1500] {
-                holds(p.scaled_down(exponent), &(Dyadic::from_f64(a.0).scaled(exponent).to_rational() / Dyadic::from_f64(a.1).to_rational()))?;
+                let numerator = Dyadic::from_f64(a.0).scaled(exponent).to_rational();
+                holds(p.scaled_down(exponent), &(numerator / Dyadic::from_f64(a.1).to_rational()))?;
             }
             let number = Dyadic::from_f64(a.0) * Dyadic::from_f64(b.0) - Dyadic::from_f64(c.0);
             holds(BoundedDoubleDouble::of(&number), &number.to_rational())?;

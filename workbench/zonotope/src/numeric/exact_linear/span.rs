@@ -187,7 +187,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn members_are_told_from_others(vectors in proptest::collection::vec(proptest::array::uniform4(-3i32..4), 0..4), other in proptest::array::uniform4(-3i32..4), weights in proptest::array::uniform4(-3i32..4)) {
+        fn members_are_told_from_others(
+            vectors in proptest::collection::vec(proptest::array::uniform4(-3i32..4), 0..4),
+            other in proptest::array::uniform4(-3i32..4),
+            weights in proptest::array::uniform4(-3i32..4),
+        ) {
             let exact = |v: &[i32; 4]| v.map(|c| Dyadic::from_f64(f64::from(c)));
             let vectors: Vec<[Dyadic; 4]> = vectors.iter().map(exact).collect();
             let span = Span::of(vectors.iter().cloned(), 4);
@@ -203,7 +207,10 @@ mod tests {
                     prop_assert!(sum_of_products(&direction, &exact(&other)).sign().is_gt());
                     prop_assert!(vectors.iter().all(|v| sum_of_products(&direction, v).is_zero()));
                 }
-                None => prop_assert_eq!(Span::of(vectors.iter().cloned().chain([exact(&other)]), 4).rank(), span.rank()),
+                None => {
+                    let extended = Span::of(vectors.iter().cloned().chain([exact(&other)]), 4);
+                    prop_assert_eq!(extended.rank(), span.rank());
+                }
             }
         }
     }

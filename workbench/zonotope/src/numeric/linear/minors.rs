@@ -73,7 +73,10 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_normal_is_orthogonal_to_its_rows(rows in proptest::array::uniform3(proptest::array::uniform4(-3i32..4)), v in proptest::array::uniform4(-3i32..4)) {
+        fn a_normal_is_orthogonal_to_its_rows(
+            rows in proptest::array::uniform3(proptest::array::uniform4(-3i32..4)),
+            v in proptest::array::uniform4(-3i32..4),
+        ) {
             let exact = |v: [i32; 4]| v.map(|c| Dyadic::from_f64(f64::from(c)));
             let (rows, v) = (rows.map(exact), exact(v));
             let normal = hyperplane_normal(&rows);
@@ -85,7 +88,10 @@ mod tests {
         }
 
         #[test]
-        fn in_space_it_is_the_cross_product(a in proptest::array::uniform3(-1.0..1.0f64), b in proptest::array::uniform3(-1.0..1.0f64)) {
+        fn in_space_it_is_the_cross_product(
+            a in proptest::array::uniform3(-1.0..1.0f64),
+            b in proptest::array::uniform3(-1.0..1.0f64),
+        ) {
             prop_assert_eq!(hyperplane_normal(&[a, b]), cross(&a, &b));
         }
     }

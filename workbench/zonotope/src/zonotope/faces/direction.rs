@@ -133,7 +133,14 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
         #[test]
-        fn signs_are_exact(a in vector(), b in vector(), c in vector(), near in any::<bool>(), k in -3i32..4, up in 0usize..4) {
+        fn signs_are_exact(
+            a in vector(),
+            b in vector(),
+            c in vector(),
+            near in any::<bool>(),
+            k in -3i32..4,
+            up in 0usize..4,
+        ) {
             let c = if near {
                 // nearly, often exactly, in the plane of a and b
                 let mut sum: [f64; 3] = std::array::from_fn(|i| a[i] + f64::from(k) * b[i]);
