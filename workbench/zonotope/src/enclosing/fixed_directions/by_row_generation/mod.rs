@@ -8,8 +8,8 @@
 //! and repeated directions are legal; of parallel ones the cheapest is used. The optimum need not be unique.
 //!
 //! # Source
-//! Section 4.2, Theorem 4.6. There are three departures. The unknowns are p and c alone, with the
-//! constraint Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for facet normals u: a program in the paper's unknowns b_ij grows
+//! Section 4.2, Theorem 4.6, with three departures. The unknowns are p and c alone, with the constraint
+//! Σ c_i |u · v_i| + u · p ≥ max_j u · p_j for facet normals u: a program in the paper's unknowns b_ij grows
 //! with the number of points. The normals are not enumerated, since few of them matter. And directions that do not span
 //! the space are handled in their span.
 //!
@@ -24,9 +24,9 @@
 //!    coefficients, so facets are kept with their neighbours, and a ray is followed from the facet of a ray near it. A
 //!    point outside adds the normal of its facet, with the farthest point along it; the points are read once for all
 //!    such normals together. Repeat from 2 until no point is outside.
-//! 4. Round the centre to doubles. If the span is not the whole space, it has to be a point of the span, and lattice
-//!    reduction finds one that costs little. Prove each point inside, or enlarge the coefficients of a basis of
-//!    directions by what it misses.
+//! 4. Round the centre to doubles. If the directions do not span the space, the centre has to lie in the affine span of
+//!    the points, and lattice reduction finds a point of doubles there that costs little. Prove each point inside, or
+//!    enlarge the coefficients of a basis of directions by what it misses.
 //! 5. Round the multipliers of the points so that they add up to zero, and divide them so that they satisfy the dual
 //!    constraints: the lower bound.
 //! 6. Solve a small program in rationals if its bounds differ by more than rounding.

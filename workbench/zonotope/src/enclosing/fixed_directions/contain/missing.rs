@@ -1,8 +1,8 @@
 //! What the zonotope misses of a point near its boundary: the exact residual of the best coefficients found.
 //!
-//! Coefficients for the point come from the facet through which its ray leaves the zonotope or, if it leaves before the
-//! point, thickened ones; one or two corrections make up for their exact residual. The residual that is left is
-//! expressed in the basis of directions, whose coefficients make up for it.
+//! Coefficients for the point come from the facet through which its ray leaves the zonotope; if it leaves before the
+//! point, from a facet of a thickened zonotope. One or two corrections make up for their exact residual. The residual
+//! that is left is expressed in the basis of directions, whose enlarged coefficients make up for it.
 
 use super::basis::independent;
 use super::body::Body;
