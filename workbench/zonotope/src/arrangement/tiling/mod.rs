@@ -40,8 +40,8 @@ pub struct EdgeIndex(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TileIndex(pub u32);
 
-/// The tiling of Q by the facets of the upper hull; the zonotope has its centre in the origin. An index in one of its parts is a position
-/// in one of its lists.
+/// The tiling of Q by the facets of the upper hull; the zonotope has its centre in the origin. An index in one of its
+/// parts is a position in one of its lists.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tiling {
     vertices: Vec<Corner>,

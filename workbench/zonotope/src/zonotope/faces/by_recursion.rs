@@ -1,9 +1,9 @@
 //! Vertices and facets in any dimension, by recursion on facets: a facet is a zonotope of the generators along it.
 //!
 //! # Statement
-//! Input: a zonotope in R^D. Output: its facets and its vertices, as sign vectors (the coefficient of each generator, 1,
-//! −1 or, along a facet, none), each once, in lexicographic order; both within the affine hull. A point has one vertex
-//! and no facet.
+//! Input: a zonotope in R^D. Output: its facets and its vertices, as sign vectors (the coefficient of each generator,
+//! 1, −1 or, along a facet, none), each once, in lexicographic order; both within the affine hull. A point has one
+//! vertex and no facet.
 //!
 //! # Source
 //! Section 3: facets are defined by (d − 1)-tuples of generators. The paper assumes general position; here every tuple

@@ -34,8 +34,8 @@ pub struct Zone(pub u32);
 /// Opposite faces have indices half of their number apart; the edges of a zone follow one another around the body.
 ///
 /// # Panics
-/// The methods that take a [`Vertex`], [`Edge`], [`Facet`] or [`Zone`] panic if this lattice has none of that index: it is of another
-/// lattice. An index below the count of its kind is always one of this lattice.
+/// The methods that take a [`Vertex`], [`Edge`], [`Facet`] or [`Zone`] panic if this lattice has none of that index: it
+/// is of another lattice. An index below the count of its kind is always one of this lattice.
 #[derive(Debug, Clone)]
 pub struct FaceLattice {
     pub(super) body: Zonotope<3>,
