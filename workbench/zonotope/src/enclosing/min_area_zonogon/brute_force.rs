@@ -8,11 +8,12 @@
 //! Section 4.1: f is linear on each cell of the arrangement and has a minimum at a vertex.
 //!
 //! # Method
-//! 1. Convex hull in rationals; for each edge the farthest vertex by comparing all.
-//! 2. At every crossing of two lines ℓ_t: f(O) = area of the convex hull of the points and their reflections in O.
+//! 1. Compute the convex hull in rationals, and for each edge the farthest vertex by comparing all vertices.
+//! 2. At every crossing O of two lines ℓ_t, compute f(O): the area of the convex hull of the hull's vertices and their
+//!    reflections in O. Keep the least.
 //!
 //! # Complexity
-//! h hull vertices: O(h³ log h) rational operations.
+//! n points, h hull vertices: O(n log n + h³ log h) rational operations.
 //!
 //! # Shapes
 //! `points`: n × 2, h up to about 20.
@@ -73,7 +74,7 @@ fn centered_area(points: &[Point], [ox, oy]: &Point) -> Rational {
     doubled / Rational::from(2)
 }
 
-/// A point of ℓ_t and its direction: the midpoint of P_s P_t, and e_t.
+/// The line ℓ_t: the midpoint of P_s P_t, a point on it, and e_t, its direction.
 fn bisector(hull: &[Point], t: usize) -> [Point; 2] {
     let (from, to) = (&hull[t], &hull[(t + 1) % hull.len()]);
     let edge = [&to[0] - &from[0], &to[1] - &from[1]];
@@ -83,6 +84,7 @@ fn bisector(hull: &[Point], t: usize) -> [Point; 2] {
     [[(&from[0] + &far[0]) / &half, (&from[1] + &far[1]) / &half], edge]
 }
 
+/// The crossing of two lines, each a point and a direction; `None` for parallel ones.
 fn meet([p, u]: &[Point; 2], [q, v]: &[Point; 2]) -> Option<Point> {
     let determinant = &u[0] * &v[1] - &u[1] * &v[0];
     (determinant != Rational::ZERO).then(|| {
@@ -91,6 +93,7 @@ fn meet([p, u]: &[Point; 2], [q, v]: &[Point; 2]) -> Option<Point> {
     })
 }
 
+/// The cross product of b − a and c − a.
 fn cross(a: &Point, b: &Point, c: &Point) -> Rational {
     (&b[0] - &a[0]) * (&c[1] - &a[1]) - (&b[1] - &a[1]) * (&c[0] - &a[0])
 }

@@ -1,4 +1,4 @@
-//! The optimum in rationals: no rounding at all.
+//! The exact optimum: the zonogon of least area in rationals, without rounding.
 
 use super::answer::MinAreaZonogon;
 use crate::enclosing::bisectors::Bisectors;
@@ -36,6 +36,7 @@ pub fn exact_optimum(answer: &MinAreaZonogon) -> ExactZonogon {
     ExactZonogon { center, generators, area }
 }
 
+/// A vertex of the boundary of Z(O) for the exact centre O.
 fn exact_vertex(answer: &MinAreaZonogon, center: &[Rational; 2], at: BoundaryVertex) -> [Rational; 2] {
     let point = answer.hull.vertex(at.vertex).map(|v| Dyadic::from_f64(v).to_rational());
     if !at.reflected {

@@ -6,7 +6,7 @@
 //!
 //! | method | time | notes |
 //! |---|---|---|
-//! | [`brute_force`] | O(h² · n log n), exact rationals | every vertex of the arrangement; the truth that the methods are held to |
+//! | [`brute_force`] | O(n log n + h³ log h), exact rationals | every vertex of the arrangement; the truth that the methods are held to |
 //! | [`by_kernel`] | O(n log n) for the hull, then the kernel's | the default, with any method of the kernel |
 //!
 //! Here n is the number of points and h the number of the hull's vertices. [`exact`] gives the optimum in rationals,

@@ -13,7 +13,7 @@ use crate::hull::antipodal::FarthestVertex;
 use crate::lad::{LadCertificate, LadOptimum, LadProblem};
 use crate::numeric::dyadic::Dyadic;
 
-/// A centre in doubles.
+/// A centre in doubles near the optimal one.
 #[derive(Debug)]
 pub(super) struct RoundedCenter {
     point: [f64; 2],
@@ -34,13 +34,14 @@ pub(super) struct Kernel<'a, 'h> {
 }
 
 impl Kernel<'_, '_> {
+    /// The doubles nearest to the optimal centre.
     fn rounded_center(&self) -> [f64; 2] {
         let [x, y, w] = self.center;
         // The centre lies between doubles, but rounding may take it beyond the largest one.
         [x.rounded_ratio(w), y.rounded_ratio(w)].map(|coordinate| coordinate.clamp(-f64::MAX, f64::MAX))
     }
 
-    /// A sum of values of lines, in the square of the unit of the input.
+    /// A sum of the kernel's line values as an area in units of the input.
     fn unscaled(&self, gap: Dyadic) -> Dyadic {
         gap.scaled(2 * self.bisectors.frame.scale)
     }
@@ -83,7 +84,7 @@ impl RoundedCenter {
         }
         let basis = certificate.basis_fractions(problem);
         let mut lines: Vec<usize> = near.iter().map(|&line| line as usize).collect();
-        // the sides of the lines nearby are still zero
+        // The sides of the lines nearby are zero so far.
         lines.extend(unlike_certificate(&sides, certificate).filter(|&line| sides[line] != 0));
         let gap_at = |kernel_point: &[Dyadic; 3]| {
             lines.iter().fold(Dyadic::zero(), |gap, &line| {
@@ -121,10 +122,10 @@ fn unlike_certificate<'a>(sides: &'a [i8], certificate: &'a LadCertificate) -> i
     })
 }
 
-/// Edges whose signs are compared at once.
+/// The number of lines whose sides are compared at once.
 const BLOCK: usize = 64;
 
-/// At least ½ (|value| − δ value), δ = numerator / denominator, and at most |value|.
+/// An upper bound of ½ (|value| − δ value) for δ = numerator / denominator, not above |value|.
 fn basis_term(value: &Dyadic, [numerator, denominator]: &[Dyadic; 2]) -> Dyadic {
     let size = value.clone().abs();
     let product = numerator * value;
@@ -142,7 +143,7 @@ fn basis_term(value: &Dyadic, [numerator, denominator]: &[Dyadic; 2]) -> Dyadic 
     }
 }
 
-/// A double with those next to it on both sides, as far as they are finite.
+/// A double and the finite doubles next to it on both sides.
 fn neighbours(value: f64) -> Vec<f64> {
     let below = std::iter::successors(Some(value), |v| Some(v.next_down())).skip(1).take(NEIGHBOURS);
     let above = std::iter::successors(Some(value), |v| Some(v.next_up())).skip(1).take(NEIGHBOURS);
