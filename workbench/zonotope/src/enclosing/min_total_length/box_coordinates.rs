@@ -1,7 +1,7 @@
 //! Coordinates in which the points of a frame reach equally far along every axis.
 //!
 //! Containment is the same in all coordinates, but in floating point it is hard to decide for a thin body. In box
-//! coordinates no body is thin. Lengths are not kept, so only containment is decided here.
+//! coordinates no body is thin. Lengths are not kept, so a total length is never measured in them.
 
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
@@ -18,7 +18,7 @@ pub(super) struct BoxCoordinates<'a, const D: usize> {
     high: [f64; D],
 }
 
-/// Where a point lies relative to a zonotope, as the ray from the centre to the point sees it.
+/// Where a point lies relative to a zonotope: where the ray from the centre to the point leaves it.
 pub(super) enum Position<const D: usize> {
     /// The ray leaves the zonotope at the multiple `reach` of the point, through a facet with this unit normal: the
     /// point is outside just when `reach` is below 1.
@@ -46,7 +46,7 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
         Self { frame, low: low.map(|v| v - rounding), high: high.map(|v| v + rounding) }
     }
 
-    /// The box as a zonotope, the first one around all points.
+    /// The box as a zonotope, with which set generation begins.
     pub(super) fn boxed(&self) -> FrameZonotope<D> {
         let mut inner =
             FrameZonotope { upper: 0.0, center: [0.0; D], generators: Vec::with_capacity(D), witnesses: Vec::new() };

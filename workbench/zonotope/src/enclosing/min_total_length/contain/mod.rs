@@ -3,8 +3,8 @@
 //! For each point there are coefficients δ_i in [−1, 1] with center + Σ δ_i g_i near the point: the search knows them,
 //! or the facet that the point's ray meets yields them. The coordinates of the difference are computed exactly, or
 //! bounded. Generators along the axes, as long as the largest such coordinate of any point, make the zonotope contain
-//! all points. That is why the search above may be in floating point, and why its generators are never changed to fit:
-//! the axes cost the length about as much as rounding did.
+//! all points. That is why the search above may be in floating point, and why its generators are not changed to fit:
+//! the axes add to the length about what the generators miss of the points, which is rounding.
 
 use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;

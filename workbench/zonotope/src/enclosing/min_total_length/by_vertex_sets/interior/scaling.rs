@@ -1,8 +1,8 @@
 //! The Nesterov–Todd scaling of the second-order cone.
 //!
-//! For a slack s and a dual variable z inside the cone there is exactly one symmetric automorphism W of the cone with W
-//! z = W⁻¹ s. In its coordinates both are the same point, so a Newton step towards s ∘ z = μ treats slack and dual
-//! variable alike. It has the form W = β (2 v vᵀ − J) with vᵀ J v = 1.
+//! For a slack s and a dual variable z inside the cone there is exactly one symmetric automorphism W of the cone such
+//! that W z and W⁻¹ s are the same point. In its coordinates slack and dual variable are equal, so a Newton step
+//! towards s ∘ z = μ treats both alike. It has the form W = β (2 v vᵀ − J) with vᵀ J v = 1.
 
 use super::cone::ConeVector;
 use super::scalar::{Scalar, dot};
