@@ -21,12 +21,14 @@ pub struct PosedZonotope<'a> {
 
 impl Zonotope<3> {
     /// The body where a pose puts it, without a copy of its generators. O(1).
+    #[inline]
     pub fn at(&self, pose: &Pose) -> PosedZonotope<'_> {
         PosedZonotope { body: self, pose: *pose }
     }
 }
 
 impl<'a> From<&'a Zonotope<3>> for PosedZonotope<'a> {
+    #[inline]
     fn from(body: &'a Zonotope<3>) -> Self {
         body.at(&Pose::IDENTITY)
     }
@@ -74,6 +76,7 @@ impl<'a> PosedZonotope<'a> {
     }
 
     /// How two bodies meet where their poses put them, with a proof. O(n) expected.
+    #[inline]
     pub fn intersection<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Location<3> {
         let other = other.into();
         locate_posed(&PosedQuery::between((self.body, &self.pose), (other.body, &other.pose)))

@@ -48,6 +48,16 @@ pub const DETERMINANT_3X3: f64 = 8.0 * UNIT;
 /// and products of these; 32 u exceeds that and the rounding of the bound.
 pub const PRODUCT_OF_ROUNDED_VECTORS: f64 = 32.0 * UNIT;
 
+/// Error of a 3 × 3 determinant of vectors of doubles, beside the product of their lengths |·|_1.
+///
+/// A term of the determinant goes through five roundings, and the products of coordinates add up to at most the product
+/// of the lengths.
+pub const DETERMINANT_OF_ROWS: f64 = 8.0 * UNIT;
+
+/// The same for rounded images of vectors under matrices, beside the product of bounds of their lengths: each image is
+/// off by at most 4 u times its bound, which takes 12 u of the product, and products of these.
+pub const DETERMINANT_OF_IMAGES: f64 = 32.0 * UNIT;
+
 /// What the nearest point of a simplex is taken to be off by rounding, beside the longest vertex: sixteen units in the
 /// last place.
 ///
@@ -74,6 +84,12 @@ pub const DIFFERENCE_OF_LEADING_DOUBLES: f64 = power_of_two(-48);
 /// Sizes of vectors between which the products of a few of them do not overflow, and their underflow is below the floor
 /// of every error bound: 2^-200 and 2^200.
 pub const MODERATE_SIZES: std::ops::Range<f64> = power_of_two(-200)..power_of_two(200);
+
+/// Sums of the magnitudes of a matrix's entries between which products with it neither overflow nor lose digits that
+/// count: 2^-60 and 2^60.
+///
+/// Times the larger end, what underflows of vectors of moderate size stays far below the floor of every error bound.
+pub const MATRIX_SIZES: std::ops::Range<f64> = power_of_two(-60)..power_of_two(60);
 
 /// Lengths between which no square leaves the range of doubles: 2^-500 and 2^500.
 pub const SQUARABLE_SIZES: std::ops::Range<f64> = power_of_two(-500)..power_of_two(500);
@@ -103,6 +119,12 @@ pub const CONE_ROUNDING: f64 = 8.0 * UNIT;
 /// A gauge that is certified in doubles is usually known to 2^-45 or better. A larger error means that terms of the
 /// support function cancelled, and then the exact optimum costs little more than the digits that it gives back.
 pub const GAUGE_ACCURACY: f64 = power_of_two(-36);
+
+/// The displacement between posed centres counts as known in doubles when no coordinate is off by more than this part of
+/// the largest coordinate.
+///
+/// It is well below [`GAUGE_ACCURACY`], so that what the doubles lack does not count in the gauge.
+pub const DISPLACEMENT_ACCURACY: f64 = power_of_two(-40);
 
 /// A vector that is shorter than this part of the longest one contributes less to a sum than rounding that sum to
 /// doubles takes off: 2^-64, some digits below the last place of the longest vector.

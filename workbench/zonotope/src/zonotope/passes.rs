@@ -37,10 +37,16 @@ pub fn absolute_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D
 }
 
 /// Σ |g · direction| with a bound on its error, in one pass that sums up the magnitudes as well.
-///
-/// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through
-/// few additions.
+#[inline]
 pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Bounded {
+    bounded_sum_near(generators, direction, 0.0)
+}
+
+/// The same along an exact direction of which no coordinate is farther than 4 u `size` from the given one.
+///
+/// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through few
+/// additions.
+pub(crate) fn bounded_sum_near(generators: &[[f64; 3]], direction: &[f64; 3], size: f64) -> Bounded {
     let [x, y, z] = *direction;
     // two generators in the order in which they lie in memory
     let wide = [[x, y], [z, x], [y, z]].map(f64x2::new);
@@ -70,7 +76,7 @@ pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Boun
     }
     let additions = (BLOCK + generators.len() / BLOCK + 8) as f64;
     let largest = direction.iter().fold(0.0f64, |m, c| m.max(c.abs()));
-    let error = UNIT * (additions * value + 4.0 * magnitude * largest) * (1.0 + 4.0 * additions * UNIT);
+    let error = UNIT * (additions * value + 4.0 * magnitude * (largest + size)) * (1.0 + 4.0 * additions * UNIT);
     Bounded { value, error: error + generators.len() as f64 * PRODUCT_UNDERFLOW }
 }
 

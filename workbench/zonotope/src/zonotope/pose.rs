@@ -42,6 +42,7 @@ impl Pose {
     ///
     /// # Errors
     /// [`PoseError`] names the first entry that is not finite.
+    #[inline]
     pub fn new(matrix: [[f64; 3]; 3], translation: [f64; 3]) -> Result<Self, PoseError> {
         NonFinite::check_matrix(&matrix)?;
         NonFinite::check_vector("the translation", &translation)?;
@@ -101,6 +102,12 @@ impl Pose {
         self.matrix
     }
 
+    /// The matrix, by rows, without a copy.
+    #[inline]
+    pub(crate) fn rows(&self) -> &[[f64; 3]; 3] {
+        &self.matrix
+    }
+
     /// The translation.
     pub fn translation(&self) -> [f64; 3] {
         self.translation
@@ -123,6 +130,17 @@ impl Pose {
     /// Mᵀ u, exactly.
     pub(crate) fn exact_transposed_image(&self, u: &ExactVector) -> ExactVector {
         [0, 1, 2].map(|k| dot(&exact(self.matrix.map(|row| row[k])), u))
+    }
+
+    /// M x + t, rounded; with each coordinate the sum of the magnitudes of what it is the sum of.
+    #[inline(always)]
+    pub(crate) fn rounded_point(&self, x: &[f64; 3]) -> [(f64, f64); 3] {
+        let coordinate = |row: &[f64; 3], t: f64| {
+            let [a, b, c] = [row[0] * x[0], row[1] * x[1], row[2] * x[2]];
+            (a + b + c + t, a.abs() + b.abs() + c.abs() + t.abs())
+        };
+        let ([a, b, c], [r, s, t]) = (&self.matrix, self.translation);
+        [coordinate(a, r), coordinate(b, s), coordinate(c, t)]
     }
 
     /// M x + t, exactly.

@@ -1,10 +1,16 @@
 //! A query about bodies of space under poses: where they stand is part of the question, and their generators are never
 //! copied.
 
+use std::sync::OnceLock;
+
 use super::implicit::Zonotope;
 use super::pose::Pose;
-use crate::numeric::exact_linear::{ExactVector, difference, exact};
+use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, difference};
+use crate::numeric::linear::max_norm;
 use crate::numeric::non_finite::NonFinite;
+use crate::numeric::tolerance::{DISPLACEMENT_ACCURACY, PRODUCT_UNDERFLOW, UNIT};
 
 /// Where is an exact displacement relative to the zonotope { Σ δ_i M g_i : |δ_i| ≤ 1 } of posed generators?
 ///
@@ -12,9 +18,12 @@ use crate::numeric::non_finite::NonFinite;
 /// second.
 #[derive(Debug, Clone)]
 pub struct PosedQuery<'a> {
-    displacement: ExactVector,
-    generators: [&'a [[f64; 3]]; 2],
+    /// The displacement leads from the image of the first point under the first pose to that of the second.
+    points: [[f64; 3]; 2],
     poses: [Pose; 2],
+    generators: [&'a [[f64; 3]]; 2],
+    /// Made when it is asked for: most questions are answered in doubles, and exact products cost more than those.
+    displacement: OnceLock<ExactVector>,
 }
 
 impl<'a> PosedQuery<'a> {
@@ -24,25 +33,49 @@ impl<'a> PosedQuery<'a> {
     /// [`NonFinite`] if a coordinate of the point is not finite.
     pub fn of_point(point: [f64; 3], body: &'a Zonotope<3>, pose: &Pose) -> Result<Self, NonFinite> {
         NonFinite::check_vector("the end", &point)?;
-        let displacement = difference(&exact(point), &pose.exact_point(body.center()));
-        Ok(Self::new(displacement, [body.generators(), &[]], [*pose, Pose::IDENTITY]))
+        Ok(Self::new([body.center(), point], [*pose, Pose::IDENTITY], [body.generators(), &[]]))
     }
 
     /// Intersection of two posed bodies (Lemma 5.1): from the image of the first one's centre to that of the second,
     /// relative to the posed generators of both. O(1).
     pub fn between(first: (&'a Zonotope<3>, &Pose), second: (&'a Zonotope<3>, &Pose)) -> Self {
         let [(a, from), (b, to)] = [first, second];
-        let displacement = difference(&to.exact_point(b.center()), &from.exact_point(a.center()));
-        Self::new(displacement, [a.generators(), b.generators()], [*from, *to])
+        Self::new([a.center(), b.center()], [*from, *to], [a.generators(), b.generators()])
     }
 
-    fn new(displacement: ExactVector, generators: [&'a [[f64; 3]]; 2], poses: [Pose; 2]) -> Self {
-        Self { displacement, generators, poses }
+    fn new(points: [[f64; 3]; 2], poses: [Pose; 2], generators: [&'a [[f64; 3]]; 2]) -> Self {
+        Self { points, poses, generators, displacement: OnceLock::new() }
     }
 
     /// The displacement, exactly: the image of a centre under a pose is seldom a vector of doubles.
     pub fn displacement(&self) -> &ExactVector {
-        &self.displacement
+        self.displacement.get_or_init(|| {
+            let [from, to] = [0, 1].map(|i| self.poses[i].exact_point(self.points[i]));
+            difference(&to, &from)
+        })
+    }
+
+    /// The displacement in doubles, with a bound of each coordinate's error that is small beside the largest
+    /// coordinate.
+    #[inline]
+    pub(crate) fn rounded_displacement(&self) -> BoundedVector {
+        let [[a, b, c], [d, e, f]] =
+            [self.poses[0].rounded_point(&self.points[0]), self.poses[1].rounded_point(&self.points[1])];
+        // a coordinate goes through five roundings
+        let difference = |(from, size): (f64, f64), (to, other): (f64, f64)| Bounded {
+            value: to - from,
+            error: 8.0 * UNIT * (size + other) + PRODUCT_UNDERFLOW,
+        };
+        let p = [difference(a, d), difference(b, e), difference(c, f)];
+        let limit = DISPLACEMENT_ACCURACY * max_norm(&[p[0].value, p[1].value, p[2].value]);
+        // false for NaN as well
+        let is_known = p[0].error < limit && p[1].error < limit && p[2].error < limit;
+        if is_known { p } else { self.rounded_from_exact() }
+    }
+
+    #[cold]
+    fn rounded_from_exact(&self) -> BoundedVector {
+        self.displacement().each_ref().map(rounded)
     }
 
     /// The generators as they are stored, in two runs.
@@ -55,6 +88,12 @@ impl<'a> PosedQuery<'a> {
         self.poses
     }
 
+    /// The pose of each run, without a copy.
+    #[inline]
+    pub(crate) fn own_poses(&self) -> &[Pose; 2] {
+        &self.poses
+    }
+
     /// How many generators there are.
     pub fn len(&self) -> usize {
         self.generators[0].len() + self.generators[1].len()
@@ -64,4 +103,11 @@ impl<'a> PosedQuery<'a> {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+}
+
+/// An exact number in doubles.
+fn rounded(exact: &Dyadic) -> Bounded {
+    let value = exact.to_f64();
+    let is_exact = value.is_finite() && Dyadic::from_f64(value) == *exact;
+    Bounded { value, error: if is_exact { 0.0 } else { 4.0 * f64::EPSILON * value.abs() + f64::from_bits(1) } }
 }

@@ -15,7 +15,8 @@
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lad::of_generators::span`); one of R^4 goes to
 //!    [`by_lad_in_r4`].
-//! 2. Where all that is asked is the location, a point far inside or far outside is told and proved first (`early`).
+//! 2. Where all that is asked is the location, a point far inside or far outside is told and proved first (`early`), of
+//!    bodies under poses as well.
 //! 3. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
 //!    which order.
 //! 4. Let 1 / λ be the gauge. Where λ < 1, the optimal direction u separates; it is rounded to doubles, which is
@@ -62,6 +63,7 @@ pub use facet::Facet;
 #[cfg(test)]
 mod tests;
 
+use self::early::posed::PosedRows;
 use super::{Gauge, Location, Query, by_lad_in_r4};
 use crate::lad::of_generators::generators::Posed;
 use crate::lad::of_generators::goal::Goal;
@@ -114,14 +116,19 @@ pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tall
 /// Where the displacement of a query about posed bodies lies, with a proof whose coefficients are those of the
 /// generators as they are stored.
 ///
-/// The proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M g_i|.
+/// The proof holds for the poses as the exact numbers that they are: Σ δ_i M g_i = p, or u · p > Σ |u · M g_i|. A pose
+/// that is new in each question costs little: what is clear is told by passes over the rows as they are stored, and the
+/// bounds of the matrices that a search needs are computed where there is one.
 pub fn locate_posed(query: &PosedQuery<'_>) -> Location<3> {
     locate_posed_counted(query, &mut ())
 }
 
 /// [`locate_posed`], counting its operations.
 pub fn locate_posed_counted(query: &PosedQuery<'_>, tally: &mut impl Tally) -> Location<3> {
-    Facet::find(&Posed::new(query), Goal::Location, tally).location_counted(tally)
+    match PosedRows::new(query).and_then(|rows| early::locate(&rows, tally)) {
+        Some(clear) => clear.location(),
+        None => Facet::find(&Posed::new(query), Goal::Location, tally).location_counted(tally),
+    }
 }
 
 /// The gauge of the displacement of a query about posed bodies, and where it lies.

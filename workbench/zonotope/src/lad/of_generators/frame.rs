@@ -7,6 +7,7 @@
 
 use super::cells::direction_cone::DirectionCone;
 use super::cells::sign_pass::FixedSum;
+use super::linear_map::LinearMap;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::{max_norm, sum_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, THIRTY_ROUNDINGS, UNIT};
@@ -65,9 +66,10 @@ impl Frame {
         self.relative_error
     }
 
-    /// M v, rounded.
-    pub(crate) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
-        self.pose.matrix().map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    /// The matrix, for passes in doubles.
+    #[inline]
+    pub(crate) fn map(&self) -> LinearMap<'_> {
+        LinearMap::of(&self.pose)
     }
 
     /// M v, exactly.
@@ -80,19 +82,13 @@ impl Frame {
         self.pose.exact_transposed_image(u)
     }
 
-    /// Mᵀ u, rounded.
-    fn pulled(&self, u: &[f64; 3]) -> [f64; 3] {
-        let m = self.pose.matrix();
-        [0, 1, 2].map(|k| m[0][k] * u[0] + m[1][k] * u[1] + m[2][k] * u[2])
-    }
-
     /// A cell that holds Mᵀ u for all directions u of a cell.
     pub(crate) fn pulled_cell(&self, cell: &DirectionCone) -> DirectionCone {
         let total = sum_norm(&cell.center) + cell.axes.iter().flatten().map(sum_norm).sum::<f64>();
         // each coordinate of a product is off by less than 4 u ‖M‖ times the other factor
         let ball = (self.norm * cell.ball + 16.0 * UNIT * self.size * total) * FIVE_ROUNDINGS;
-        let axes = cell.axes.map(|axes| axes.map(|axis| self.pulled(&axis)));
-        DirectionCone { center: self.pulled(&cell.center), axes, ball }
+        let axes = cell.axes.map(|axes| axes.map(|axis| self.map().pulled(&axis)));
+        DirectionCone { center: self.map().pulled(&cell.center), axes, ball }
     }
 
     /// The sum of the images of generators whose own sum is given.
@@ -101,6 +97,6 @@ impl Frame {
         // a row's magnitudes sum up to less than twice ‖M‖
         let error = 2.0 * self.size * (fixed.error + 4.0 * UNIT * largest) * FIVE_ROUNDINGS;
         let magnitude = self.norm * fixed.magnitude * (1.0 + 4.0 * UNIT);
-        FixedSum { sum: self.image(&fixed.sum), magnitude, error }
+        FixedSum { sum: self.map().image(&fixed.sum), magnitude, error }
     }
 }

@@ -15,12 +15,10 @@ use std::fmt;
 use super::cells::direction_cone::DirectionCone;
 use super::cells::sign_pass::FixedSum;
 use super::frame::Frame;
-use crate::numeric::bounded::{self, Bounded, BoundedVector, approximate};
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::exact_linear::{self, ExactVector, exact};
-use crate::numeric::linear::dot;
 use crate::numeric::signed_sum::signed_sum;
-use crate::zonotope::passes::bounded_sum;
+use crate::zonotope::passes::{bounded_sum, bounded_sum_near};
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::query::Query;
@@ -144,13 +142,13 @@ impl<'a> Part<'a> {
     pub(crate) fn map_into<T>(&self, list: &mut Vec<T>, of: impl Fn(&[f64; 3]) -> T) {
         match self.frame {
             None => list.extend(self.rows.iter().map(of)),
-            Some(frame) => list.extend(self.rows.iter().map(|v| of(&frame.image(v)))),
+            Some(frame) => list.extend(self.rows.iter().map(|v| of(&frame.map().image(v)))),
         }
     }
 
     #[inline]
     pub(crate) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
-        self.frame.map_or(*v, |frame| frame.image(v))
+        self.frame.map_or(*v, |frame| frame.map().image(v))
     }
 
     fn exact_image(&self, v: &[f64; 3]) -> ExactVector {
@@ -177,24 +175,20 @@ impl<'a> Part<'a> {
                 indices.push((offset + i) as u32);
             }),
             Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(rows, |i| {
-                crossing.push(frame.image(&rows[i]));
+                crossing.push(frame.map().image(&rows[i]));
                 indices.push((offset + i) as u32);
             })),
         }
     }
 
     fn support(&self, u: &[f64; 3]) -> Bounded {
-        let Some(frame) = self.frame else { return bounded_sum(self.rows, u) };
-        // the signs of all but a few generators are certain, so the sum of the others is known with its error
-        let direction = bounded::exact(*u);
-        let (mut crossing, mut indices) = (Vec::new(), Vec::new());
-        let fixed = self.split(&DirectionCone::around(&direction), 0, &mut crossing, &mut indices);
-        let reach = |v: &[f64; 3]| dot(&approximate(*v, frame.relative_error()), &direction).magnitude();
-        let rest = crossing.iter().map(reach).fold(Bounded::exact(0.0), |sum, reach| {
-            // the term is between 0 and its bound
-            sum + Bounded { value: reach / 2.0, error: reach }
-        });
-        dot(&fixed.bounded(), &direction) + rest
+        match self.frame {
+            None => bounded_sum(self.rows, u),
+            Some(frame) => {
+                let map = frame.map();
+                bounded_sum_near(self.rows, &map.pulled(u), map.pulled_size(u))
+            }
+        }
     }
 }
 
@@ -228,6 +222,8 @@ impl KernelQuery for Query<'_, 3> {
 #[derive(Debug)]
 pub(crate) struct Posed<'a> {
     query: &'a PosedQuery<'a>,
+    /// The displacement, rounded.
+    p: BoundedVector,
     /// The matrix of each run; none for the identity.
     frames: [Option<Frame>; 2],
 }
@@ -235,7 +231,7 @@ pub(crate) struct Posed<'a> {
 impl<'a> Posed<'a> {
     pub(crate) fn new(query: &'a PosedQuery<'a>) -> Self {
         let frame = |pose: Pose| Some(Frame::new(&pose)).filter(|frame| !frame.is_identity());
-        Self { query, frames: query.poses().map(frame) }
+        Self { query, p: query.rounded_displacement(), frames: query.poses().map(frame) }
     }
 }
 
@@ -253,17 +249,10 @@ impl KernelQuery for Posed<'_> {
     }
 
     fn rounded_displacement(&self) -> BoundedVector {
-        self.query.displacement().each_ref().map(rounded)
+        self.p
     }
 
     fn as_query(&self) -> Option<Query<'_, 3>> {
         None
     }
-}
-
-/// An exact number in doubles.
-fn rounded(exact: &Dyadic) -> Bounded {
-    let value = exact.to_f64();
-    let is_exact = Dyadic::from_f64(value) == *exact;
-    Bounded { value, error: if is_exact { 0.0 } else { value.abs() * f64::EPSILON + f64::from_bits(1) } }
 }

@@ -69,9 +69,11 @@ const STRETCH_AROUND: f64 = 8.0;
 const STRETCH_OF_EMPTY: f64 = 8.0;
 
 /// The optimum of a query, and the rung that answered.
+///
+/// A displacement that doubles round to zero is not zero unless its error is zero, too.
 pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> (Optimum, Rung) {
     let p = query.rounded_displacement();
-    if p.iter().all(|c| c.value == 0.0) {
+    if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
     }
     let problem = Problem::new(query, goal);

@@ -24,7 +24,7 @@
 //! | [`ladder`] | the optimum and the rung that answered | an answer; the only file with fallbacks | never |
 //!
 //! Beside the stages: [`generators`] is the seam, what the kernel asks of whoever holds the generators, and [`frame`]
-//! puts a pose in between; [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do
+//! puts a pose in between, with the matrix of [`linear_map`]; [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do
 //! not span space into prisms that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`optimum`] are what
 //! goes in and what comes out.
 
@@ -36,6 +36,7 @@ pub(crate) mod generators;
 pub(crate) mod goal;
 pub(crate) mod guess;
 pub(crate) mod ladder;
+pub(crate) mod linear_map;
 pub(crate) mod optimum;
 pub(crate) mod plane;
 pub(crate) mod problem;

@@ -3,12 +3,11 @@
 
 use super::Clear;
 use super::combination::Combination;
-use super::huber_dual::{Lengths, Moments, Runs};
-use crate::lad::of_generators::support::separates;
-use crate::numeric::bounded::BoundedVector;
+use super::huber_dual::{Among, Lengths, Moments};
+use super::passes::{EarlyQuery, Passes};
+use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
-use crate::zonotope::query::Query;
 
 /// A step goes too far if it ends with a slope of more than this part of the slope at its start.
 const OVERSHOOT: f64 = 0.3;
@@ -75,15 +74,15 @@ impl State {
     /// The proof of a point by clipped coefficients.
     pub(super) fn prove(
         mut self,
-        query: &Query<'_, 3>,
+        query: &impl EarlyQuery,
         p: &BoundedVector,
         lengths: Lengths,
-        among: &[[f64; 3]],
+        among: Among<'_>,
         tally: &mut impl Tally,
     ) -> Option<Clear> {
-        tally.add(Operation::GeneratorRead, query.len() as u64);
+        tally.add(Operation::GeneratorRead, query.count() as u64);
         let effort = Effort { steps: WHOLE_STEPS, exact: true };
-        let clear = match self.coefficients(query.runs(), lengths, &p.map(|c| c.value), among, effort) {
+        let clear = match self.coefficients(query, lengths, &p.map(|c| c.value), among, effort) {
             Sign::Inside(combination) => inside(query, p, &combination, tally),
             Sign::Outside(y) => outside(query, p, y, tally),
             Sign::Neither => None,
@@ -94,15 +93,15 @@ impl State {
     /// Newton steps until there are coefficients for p or a direction that separates.
     pub(super) fn coefficients(
         &mut self,
-        runs: Runs<'_>,
+        generators: &(impl Passes + ?Sized),
         lengths: Lengths,
         p: &[f64; 3],
-        among: &[[f64; 3]],
+        among: Among<'_>,
         effort: Effort,
     ) -> Sign {
         let mut before: Option<Step> = None;
         for _ in 0..effort.steps {
-            let at = self.at.take().unwrap_or_else(|| Moments::at(runs, lengths, &self.y));
+            let at = self.at.take().unwrap_or_else(|| Moments::at(generators, lengths, &self.y));
             let gauge = dot(p, &self.y) / at.reach;
             if gauge > 1.0 {
                 return Sign::Outside(self.y);
@@ -114,7 +113,7 @@ impl State {
                 self.y = shorter;
                 continue;
             }
-            if let Some(combination) = at.combination(lengths, &self.y, p, among, effort.exact) {
+            if let Some(combination) = at.combination(generators, lengths, &self.y, p, among, effort.exact) {
                 self.at = Some(at);
                 return Sign::Inside(combination);
             }
@@ -126,17 +125,23 @@ impl State {
     }
 }
 
-pub(super) fn outside(query: &Query<'_, 3>, p: &BoundedVector, y: [f64; 3], tally: &mut impl Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.len() as u64);
-    separates(query, p, &y).then_some(Clear::Outside(y))
+pub(super) fn outside(
+    query: &impl EarlyQuery,
+    p: &BoundedVector,
+    y: [f64; 3],
+    tally: &mut impl Tally,
+) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.count() as u64);
+    let separates = (dot(p, &bounded::exact(y)) - query.reach(&y)).is_positive();
+    separates.then_some(Clear::Outside(y))
 }
 
 pub(super) fn inside(
-    query: &Query<'_, 3>,
+    query: &impl EarlyQuery,
     p: &BoundedVector,
     combination: &Combination,
     tally: &mut impl Tally,
 ) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.len() as u64);
+    tally.add(Operation::GeneratorRead, query.count() as u64);
     combination.witness(query, p).map(Clear::Inside)
 }

@@ -6,12 +6,13 @@
 
 use wide::f64x2;
 
-use crate::collision::by_lad::early::huber_dual::{Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
+use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
+use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes};
 use crate::collision::{Query, Witness};
-use crate::lad::of_generators::generators::Generators;
+use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
-use crate::numeric::lanes::{Columns, clipped, columns, product, size, totals};
+use crate::numeric::lanes::{Columns, clipped, columns, product, size, total, totals};
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
@@ -51,8 +52,8 @@ pub(crate) struct Written {
 impl Written {
     /// Adds what was summed up over the last generators.
     #[inline(always)]
-    fn add(&mut self, sum: &mut Columns, sizes: &mut Columns, fresh: &mut usize) {
-        let own = Self { sum: totals(sum), magnitude: totals(sizes).iter().sum(), count: *fresh };
+    fn add(&mut self, sum: &mut Columns, sizes: &mut f64x2, fresh: &mut usize) {
+        let own = Self { sum: totals(sum), magnitude: total(*sizes), count: *fresh };
         *self = self.with(&own);
         (*sum, *sizes, *fresh) = Default::default();
     }
@@ -63,10 +64,27 @@ impl Written {
     }
 
     /// The proof with these coefficients, if three of them can correct what they are off by.
-    pub(crate) fn witness(&self, query: &Query<'_, 3>, p: &BoundedVector, coefficients: Vec<f64>) -> Option<Witness> {
+    pub(crate) fn witness(
+        &self,
+        query: &impl EarlyQuery,
+        p: &BoundedVector,
+        coefficients: Vec<f64>,
+    ) -> Option<Witness> {
         let rest = rest(p, &self.sum, additions(self.count), self.magnitude, self.count);
         let basis = correcting_basis(query, &coefficients, rest, self.magnitude)?;
         Some(Witness { coefficients, basis })
+    }
+}
+
+impl Carried for Written {
+    #[inline]
+    fn carried(self, map: &LinearMap<'_>) -> Self {
+        Self { sum: map.image(&self.sum), magnitude: map.carried_magnitude(self.magnitude), count: self.count }
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        self.with(&other)
     }
 }
 
@@ -75,10 +93,11 @@ impl Moments {
     /// of them are not.
     pub(crate) fn combination(
         &self,
+        generators: &(impl Passes + ?Sized),
         lengths: Lengths,
         y: &[f64; 3],
         p: &[f64; 3],
-        among: &[[f64; 3]],
+        among: Among<'_>,
         exact: bool,
     ) -> Option<Combination> {
         let factor = dot(p, y) / dot(&self.sum, y);
@@ -87,16 +106,22 @@ impl Moments {
         }
         let z = self.solve_thick(&[0, 1, 2].map(|k| p[k] - factor * self.sum[k]))?;
         let room = if exact { WELL_WITHIN - factor } else { ROUGH_EXCESS };
-        (lengths.largest(among, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
+        (lengths.largest(among, generators, &z) <= room).then(|| Combination::new(y, z, factor, lengths))
     }
 }
 
 impl Combination {
     /// The least coefficients that combine to p, where H z = p for all generators; `None` if, seen from some
     /// generators, they are likely to be too large, or, where they need not be `exact`, much too large.
-    pub(crate) fn least(z: [f64; 3], lengths: Lengths, among: &[[f64; 3]], exact: bool) -> Option<Self> {
+    pub(crate) fn least(
+        generators: &(impl Passes + ?Sized),
+        z: [f64; 3],
+        lengths: Lengths,
+        among: Among<'_>,
+        exact: bool,
+    ) -> Option<Self> {
         let limit = if exact { WELL_WITHIN } else { WELL_WITHIN + ROUGH_EXCESS };
-        (lengths.largest(among, &z) <= limit).then_some(Self::linear(z, lengths))
+        (lengths.largest(among, generators, &z) <= limit).then_some(Self::linear(z, lengths))
     }
 
     fn linear(z: [f64; 3], lengths: Lengths) -> Self {
@@ -117,15 +142,29 @@ impl Combination {
     }
 
     /// The proof that p is inside, if the coefficients combine to p but for a rest that three of them can balance.
-    pub(crate) fn witness(&self, query: &Query<'_, 3>, p: &BoundedVector) -> Option<Witness> {
-        let n = query.len();
+    pub(crate) fn witness(&self, query: &impl EarlyQuery, p: &BoundedVector) -> Option<Witness> {
+        let n = query.count();
         let mut coefficients = if n < CLEARED_WHEN_TAKEN { Vec::with_capacity(n) } else { vec![0.0; n] };
         coefficients.resize(n, 0.0);
-        let [first, second] = query.runs();
-        let (own, others) = coefficients.split_at_mut(first.len());
-        let own = self.write(first.chunks(BLOCK).zip(own.chunks_mut(BLOCK)));
-        let all = own.with(&self.write(second.chunks(BLOCK).zip(others.chunks_mut(BLOCK))));
+        let all = self.write_all(query, &mut coefficients, |combination, run, places| {
+            combination.write(run.chunks(BLOCK).zip(places.chunks_mut(BLOCK)))
+        });
         all.witness(query, p, coefficients)
+    }
+
+    /// Writes the coefficients of both runs, each as a function writes them for the rows of a run.
+    #[inline(always)]
+    pub(crate) fn write_all(
+        &self,
+        query: &impl Passes,
+        coefficients: &mut [f64],
+        write: impl Fn(&Self, &[[f64; 3]], &mut [f64]) -> Written,
+    ) -> Written {
+        query.over([&self.y, &self.z], |[first, second], range, [y, z]| {
+            let combination = Self { y, z, ..*self };
+            let (own, others) = coefficients[range].split_at_mut(first.len());
+            write(&combination, first, own).with(&write(&combination, second, others))
+        })
     }
 
     /// Writes the coefficients of some generators, a part at a time.
@@ -143,19 +182,17 @@ impl Combination {
         let scale = 1.0 / self.lengths.scale();
         let [y, z] = [self.y, self.z].map(|vector| vector.map(|c| f64x2::splat(c * scale)));
         let (one, factor, limit) = (f64x2::splat(1.0), f64x2::splat(self.factor), f64x2::splat(self.limit));
-        let (mut sum, mut sizes) = (Columns::default(), Columns::default());
+        let (mut sum, mut sizes) = (Columns::default(), f64x2::default());
         let (mut written, mut fresh) = (Written::default(), 0);
         for (generators, places) in parts {
             let mut read = |v: Columns| {
                 let scaled = if OWN {
                     let length = size(&v);
-                    sizes[0] += length;
+                    sizes += length;
                     let weight = one / length;
                     v.map(|c| weight * c)
                 } else {
-                    for (size, c) in sizes.iter_mut().zip(v) {
-                        *size += c.abs();
-                    }
+                    sizes += v[0].abs() + v[1].abs() + v[2].abs();
                     v
                 };
                 let mut coefficient = product(&scaled, &z);
@@ -206,16 +243,15 @@ pub(crate) fn rest(p: &BoundedVector, sum: &[f64; 3], additions: usize, magnitud
 /// Three generators whose coefficients stay within (−1, 1) when they make up for a rest of which no coordinate is
 /// larger than `rest`.
 ///
-/// Let r be that rest and a, b, c the three: the correction of the coefficient of a is r · (b × c) / a · (b × c). A
-/// product of vectors and determinants is off by less than 8 u times the product of the lengths |·|_1.
+/// Let r be that rest and a, b, c the three: the correction of the coefficient of a is r · (b × c) / a · (b × c).
 #[inline]
 pub(crate) fn correcting_basis(
-    query: &Query<'_, 3>,
+    query: &impl EarlyQuery,
     coefficients: &[f64],
     rest: f64,
     magnitude: f64,
 ) -> Option<Vec<usize>> {
-    let n = query.len();
+    let n = query.count();
     if n < 3 || !CUBABLE_SIZES.contains(&magnitude) {
         return None;
     }
@@ -223,7 +259,7 @@ pub(crate) fn correcting_basis(
     let mut basis = if corrects(query, any, coefficients, rest) {
         any
     } else {
-        well_spread(query).filter(|basis| corrects(query, *basis, coefficients, rest))?
+        well_spread(n, |i| query.vector(i).0).filter(|basis| corrects(query, *basis, coefficients, rest))?
     };
     if !basis.is_sorted() {
         basis.sort_unstable();
@@ -252,12 +288,13 @@ pub(crate) fn correcting_pair(
 
 /// Whether the coefficients of three generators stay within (−1, 1) when they balance a rest.
 #[inline(always)]
-fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
-    let [a, b, c] = [query.generator(basis[0]), query.generator(basis[1]), query.generator(basis[2])];
+fn corrects<Q: EarlyQuery>(query: &Q, basis: [usize; 3], coefficients: &[f64], rest: f64) -> bool {
+    let [(a, first), (b, second), (c, third)] =
+        [query.vector(basis[0]), query.vector(basis[1]), query.vector(basis[2])];
     let normal = cross(&b, &c);
-    let lengths = [sum_norm(&a), sum_norm(&b), sum_norm(&c)];
+    let lengths = [first, second, third];
     let volume = lengths[0] * lengths[1] * lengths[2];
-    let determinant = dot(&a, &normal).abs() - 8.0 * UNIT * volume - PRODUCT_UNDERFLOW;
+    let determinant = dot(&a, &normal).abs() - Q::DETERMINANT_ERROR * volume - PRODUCT_UNDERFLOW;
     // false for NaN as well
     let is_spanning = determinant > CUBABLE_SIZES.start * CUBABLE_SIZES.start * CUBABLE_SIZES.start;
     if !is_spanning {
@@ -270,25 +307,25 @@ fn corrects(query: &Query<'_, 3>, basis: [usize; 3], coefficients: &[f64], rest:
     }
     let normals = [normal, cross(&c, &a), cross(&a, &b)];
     (0..3).all(|k| {
-        let across = sum_norm(&normals[k]) + 8.0 * UNIT * volume / lengths[k] + PRODUCT_UNDERFLOW;
+        let across = sum_norm(&normals[k]) + Q::DETERMINANT_ERROR * volume / lengths[k] + PRODUCT_UNDERFLOW;
         coefficients[basis[k]].abs() + rest * across / determinant * LONG_SUM < 1.0
     })
 }
 
 /// Three of some generators: the longest, the one farthest from its line, the one farthest from the plane of both.
-pub(crate) fn well_spread<G: Generators + ?Sized>(query: &G) -> Option<[usize; 3]> {
-    let step = query.len().div_ceil(BASIS_SAMPLE).max(1);
+pub(crate) fn well_spread(count: usize, generator: impl Fn(usize) -> [f64; 3]) -> Option<[usize; 3]> {
+    let step = count.div_ceil(BASIS_SAMPLE).max(1);
     let best = |key: &dyn Fn(&[f64; 3]) -> f64| {
-        let keyed = (0..query.len()).step_by(step).map(|i| (key(&query.generator(i)), i));
+        let keyed = (0..count).step_by(step).map(|i| (key(&generator(i)), i));
         keyed.fold((0.0, usize::MAX), |best, own| if own.0 > best.0 { own } else { best }).1
     };
     let first = best(&|v| dot(v, v));
-    let a = (first != usize::MAX).then(|| query.generator(first))?;
+    let a = (first != usize::MAX).then(|| generator(first))?;
     let second = best(&|v| {
         let product = cross(&a, v);
         dot(&product, &product)
     });
-    let normal = (second != usize::MAX).then(|| cross(&a, &query.generator(second)))?;
+    let normal = (second != usize::MAX).then(|| cross(&a, &generator(second)))?;
     let third = best(&|v| dot(&normal, v).abs());
     (third != usize::MAX && third != first && third != second).then_some([first, second, third])
 }

@@ -11,6 +11,8 @@
 
 use wide::f64x2;
 
+use crate::collision::by_lad::early::passes::{Carried, Passes, Runs};
+use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
 use crate::numeric::linear::{cross, dot, sum_norm};
 
@@ -32,9 +34,6 @@ const EVEN_LENGTHS: f64 = 4.0;
 /// With a determinant below this, in terms of the trace, a body may be flat.
 const THICK_DETERMINANT: f64 = 4e-15;
 
-/// Generators in two runs.
-pub(crate) type Runs<'a> = [&'a [[f64; 3]]; 2];
-
 /// Sums over generators at some y.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moments {
@@ -54,8 +53,13 @@ pub(crate) enum Lengths {
 }
 
 impl Lengths {
-    /// The length of the longest generator, if they are even.
-    pub(crate) fn of(runs: Runs<'_>) -> Self {
+    /// The length of the longest generator, if they are even; of posed bodies, that of the longest row.
+    #[inline(always)]
+    pub(crate) fn of(generators: &(impl Passes + ?Sized)) -> Self {
+        generators.over([], |runs, _, []| Self::of_runs(runs))
+    }
+
+    fn of_runs(runs: Runs<'_>) -> Self {
         let (mut longest, mut total) = (f64x2::default(), f64x2::default());
         for run in runs {
             for_pairs(run, |v| {
@@ -71,7 +75,18 @@ impl Lengths {
     }
 
     /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
-    pub(crate) fn largest(self, among: &[[f64; 3]], z: &[f64; 3]) -> f64 {
+    #[inline(always)]
+    pub(crate) fn largest(self, among: Among<'_>, generators: &(impl Passes + ?Sized), z: &[f64; 3]) -> f64 {
+        match among {
+            Among::Sample(few) => self.largest_of(few, z),
+            Among::First(count) => {
+                let first = |run: &[[f64; 3]], z| Largest(self.largest_of(&run[..run.len().min(count)], &z));
+                generators.over([z], |[run, _], _, [z]| first(run, z)).0
+            }
+        }
+    }
+
+    fn largest_of(self, among: &[[f64; 3]], z: &[f64; 3]) -> f64 {
         let Self::Even(longest) = self else { return sum_norm(z).min((3.0 * dot(z, z)).sqrt()) };
         let wide = z.map(f64x2::splat);
         let mut largest = f64x2::default();
@@ -85,6 +100,45 @@ impl Lengths {
         match self {
             Self::Own => 1.0,
             Self::Even(length) => length,
+        }
+    }
+}
+
+/// The generators from which it is seen that coefficients will be too large.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Among<'a> {
+    /// A sample of all.
+    Sample(&'a [[f64; 3]]),
+    /// The first ones, at most so many.
+    First(usize),
+}
+
+/// The largest of some numbers.
+struct Largest(f64);
+
+impl Carried for Largest {
+    #[inline]
+    fn carried(self, _: &LinearMap<'_>) -> Self {
+        self
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
+    }
+}
+
+impl Carried for Lengths {
+    #[inline]
+    fn carried(self, _: &LinearMap<'_>) -> Self {
+        self
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Even(first), Self::Even(second)) => Self::Even(first.max(second)),
+            _ => Self::Own,
         }
     }
 }
@@ -123,11 +177,12 @@ impl Sums {
 
 impl Moments {
     /// Σ v vᵀ / |v|, and nothing else.
-    pub(crate) fn at_zero(runs: Runs<'_>, lengths: Lengths) -> Self {
-        match lengths {
+    #[inline(always)]
+    pub(crate) fn at_zero(generators: &(impl Passes + ?Sized), lengths: Lengths) -> Self {
+        generators.over([], |runs, _, []| match lengths {
             Lengths::Own => Self::read::<true, true>(runs, &[0.0; 3], 1.0),
             Lengths::Even(length) => Self::read::<true, false>(runs, &[0.0; 3], length),
-        }
+        })
     }
 
     /// Σ v vᵀ / |v| if the lengths are their own, else Σ v vᵀ.
@@ -149,11 +204,12 @@ impl Moments {
         self.hessian[0] + self.hessian[3] + self.hessian[5]
     }
 
-    pub(crate) fn at(runs: Runs<'_>, lengths: Lengths, y: &[f64; 3]) -> Self {
-        match lengths {
-            Lengths::Own => Self::read::<false, true>(runs, y, 1.0),
-            Lengths::Even(length) => Self::read::<false, false>(runs, y, length),
-        }
+    #[inline(always)]
+    pub(crate) fn at(generators: &(impl Passes + ?Sized), lengths: Lengths, y: &[f64; 3]) -> Self {
+        generators.over([y], |runs, _, [y]| match lengths {
+            Lengths::Own => Self::read::<false, true>(runs, &y, 1.0),
+            Lengths::Even(length) => Self::read::<false, false>(runs, &y, length),
+        })
     }
 
     #[inline(always)]
@@ -215,5 +271,21 @@ impl Moments {
     /// The Newton step towards a target.
     pub(crate) fn step(&self, target: &[f64; 3]) -> [f64; 3] {
         self.solve(&[0, 1, 2].map(|k| target[k] - self.sum[k])).0
+    }
+}
+
+impl Carried for Moments {
+    #[inline]
+    fn carried(self, map: &LinearMap<'_>) -> Self {
+        Self { hessian: map.congruent(&self.hessian), sum: map.image(&self.sum), reach: self.reach }
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        Self {
+            hessian: [0, 1, 2, 3, 4, 5].map(|i| self.hessian[i] + other.hessian[i]),
+            sum: [0, 1, 2].map(|k| self.sum[k] + other.sum[k]),
+            reach: self.reach + other.reach,
+        }
     }
 }

@@ -8,14 +8,16 @@
 use wide::f64x2;
 
 use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
-use crate::collision::by_lad::early::huber_dual::{Moments, Runs, WELL_WITHIN};
+use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
+use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE};
 use crate::collision::{Query, Witness};
+use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
 use crate::numeric::linear::dot;
-use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
 /// The number of pairs of generators from which it is seen that coefficients will be too large.
 const PAIR_SAMPLE: usize = 16;
@@ -73,19 +75,18 @@ impl Sums {
         sums
     }
 
-    /// The same of some generators from all over the runs, without the coefficients, and what part of all they are.
+    /// The same of some generators from all over the runs, without the coefficients, and how many they are.
     #[inline(always)]
-    fn of_some<const OWN: bool>(runs: Runs<'_>, y: &[f64; 3]) -> (Self, f64) {
+    fn of_some<const OWN: bool>(runs: Runs<'_>, y: &[f64; 3], step: usize) -> (Self, usize) {
         let wide = y.map(f64x2::splat);
         let (mut sums, mut count) = (Self::default(), 0);
-        let all = runs[0].len() + runs[1].len();
         for run in runs {
-            for pair in run.as_chunks::<2>().0.iter().step_by(all / (2 * PAIR_SAMPLE)) {
+            for pair in run.as_chunks::<2>().0.iter().step_by(step) {
                 sums.read::<OWN>(&columns(*pair), &wide);
                 count += 2;
             }
         }
-        (sums, count as f64 / all as f64)
+        (sums, count)
     }
 
     fn largest(&self) -> f64 {
@@ -94,11 +95,66 @@ impl Sums {
     }
 }
 
+impl Carried for Sums {
+    #[inline]
+    fn carried(self, map: &LinearMap<'_>) -> Self {
+        Self { sum: map.wide_image(&self.sum), ..self }
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        Self {
+            sum: [0, 1, 2].map(|k| self.sum[k] + other.sum[k]),
+            reach: self.reach + other.reach,
+            largest: self.largest.fast_max(other.largest),
+        }
+    }
+}
+
+impl Carried for (Sums, usize) {
+    #[inline]
+    fn carried(self, map: &LinearMap<'_>) -> Self {
+        (self.0.carried(map), self.1)
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        (self.0.joined(other.0), self.1 + other.1)
+    }
+}
+
+/// Sums over generators, and at least Σ |v|.
+struct Weighted {
+    moments: Moments,
+    magnitude: f64,
+}
+
+impl Weighted {
+    #[inline(always)]
+    fn of<const OWN: bool>(runs: Runs<'_>) -> Self {
+        let moments = Moments::weighted::<OWN>(runs);
+        let magnitude = magnitude::<OWN>(&moments, runs[0].len() + runs[1].len());
+        Self { moments, magnitude }
+    }
+}
+
+impl Carried for Weighted {
+    #[inline]
+    fn carried(self, map: &LinearMap<'_>) -> Self {
+        Self { moments: self.moments.carried(map), magnitude: map.carried_magnitude(self.magnitude) }
+    }
+
+    #[inline]
+    fn joined(self, other: Self) -> Self {
+        Self { moments: self.moments.joined(other.moments), magnitude: self.magnitude + other.magnitude }
+    }
+}
+
 /// Tells where p is relative to at most `N` generators, whose coefficients are in terms of their own lengths if `OWN`.
 #[inline]
-pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &BoundedVector) -> Result<Clear, Open> {
-    let (runs, n) = (query.runs(), query.len());
-    let moments = Moments::weighted::<OWN>(runs);
+pub(crate) fn tell<const OWN: bool, const N: usize>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
+    let n = query.count();
+    let Weighted { moments, magnitude } = query.over([], |runs, _, []| Weighted::of::<OWN>(runs));
     let own = [p[0].value, p[1].value, p[2].value];
     let thick = moments.solve_thick(&own);
     let is_thick = thick.is_some();
@@ -106,15 +162,16 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &Bo
     let y = thick.unwrap_or_else(|| moments.solve(&own).0);
     let along = dot(&own, &y);
     if is_thick && n >= 8 * PAIR_SAMPLE {
-        let (some, part) = Sums::of_some::<OWN>(runs, &y);
+        let step = n / (2 * PAIR_SAMPLE);
+        let (some, count) = query.over([&y], |runs, _, [y]| Sums::of_some::<OWN>(runs, &y, step));
+        let part = count as f64 / n as f64;
         let gauge = along * part / total(some.reach);
         if some.largest() > WELL_WITHIN && gauge < INSIDE_GAUGE {
             return Err(Open { y, gauge, is_thick });
         }
     }
     let mut coefficients = [0.0; N];
-    let sums = Sums::write::<OWN>(runs, &y, &mut coefficients[..n]);
-    let magnitude = magnitude::<OWN>(&moments, n);
+    let sums = query.over([&y], |runs, range, [y]| Sums::write::<OWN>(runs, &y, &mut coefficients[range]));
     if is_thick && sums.largest() <= WELL_WITHIN {
         let rest = rest(p, &totals(&sums.sum), n / 2 + 16, magnitude, n);
         if let Some(basis) = correcting_basis(query, &coefficients[..n], rest, magnitude) {
@@ -125,8 +182,8 @@ pub(crate) fn tell<const OWN: bool, const N: usize>(query: &Query<'_, 3>, p: &Bo
     if along > reach {
         let longest = y.iter().fold(0.0f64, |m, c| m.max(c.abs()));
         // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
-        let error =
-            UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * longest) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
+        let error = UNIT * ((n / 2 + 8) as f64 * reach + 12.0 * magnitude * (longest + UNDERFLOW)) * LONG_SUM
+            + n as f64 * PRODUCT_UNDERFLOW;
         if (dot(p, &bounded::exact(y)) - Bounded { value: reach, error }).is_positive() {
             return Ok(Clear::Outside(y));
         }

@@ -7,6 +7,8 @@
 //! | [`clipped_steps`] | Newton steps on the smooth problem, for a sample or for all generators |
 //! | [`combination`] | coefficients written, summed up and proved |
 //! | [`stratified_pass`] | many generators: coefficients in one pass, steered by a sample |
+//! | [`passes`] | what all of these ask of the generators: passes, and how their sums are carried over a matrix |
+//! | [`posed`] | generators under the matrices of poses |
 //!
 //! The solution y of the smooth problem for a sample either separates, which one pass over all generators proves, or
 //! steers the coefficients that are written for all. Where that fails, the sums of all generators at some y give
@@ -16,6 +18,8 @@ mod clipped_steps;
 pub(crate) mod combination;
 pub(crate) mod huber_dual;
 pub(crate) mod least_squares;
+pub(crate) mod passes;
+pub(crate) mod posed;
 pub(crate) mod stratified_pass;
 
 use std::array;
@@ -23,12 +27,11 @@ use std::array;
 use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
 
 use crate::collision::by_lad::early::combination::Combination;
-use crate::collision::by_lad::early::huber_dual::{Lengths, Moments};
+use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments};
 use crate::collision::by_lad::early::least_squares::{Open, tell, tell_flat};
+use crate::collision::by_lad::early::passes::EarlyQuery;
 use crate::collision::by_lad::early::stratified_pass::StratifiedPass;
-use crate::collision::{Location, Query, Separation, Witness};
-use crate::lad::of_generators::generators::Generators;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::collision::{Location, Separation, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::bounded::{self, BoundedVector};
@@ -70,9 +73,9 @@ impl Clear {
 
 /// The status of p with its proof, if that is clear.
 #[inline]
-pub(crate) fn locate(query: &Query<'_, 3>, tally: &mut impl Tally) -> Option<Clear> {
-    let p = query.rounded_displacement();
-    let n = query.len();
+pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut impl Tally) -> Option<Clear> {
+    let p = query.displacement_in_doubles();
+    let n = query.count();
     if n > WHOLE_LIMIT {
         return locate_by_sample(query, &p, tally);
     }
@@ -92,7 +95,8 @@ pub(crate) fn locate(query: &Query<'_, 3>, tally: &mut impl Tally) -> Option<Cle
 }
 
 /// The same of a member of a body that seems to be flat.
-fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    let query = &query.as_rows()?;
     let plane = SimplePlane::of(query)?;
     tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
     let open = match tell_flat(query, p, &plane) {
@@ -108,22 +112,15 @@ fn locate_flat(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) 
     // clipped coefficients are those of the prism over what is left without a coordinate
     let prism = Prism::without(plane.axis(), query);
     let body = prism.query();
-    let first = body.runs()[0];
     let steps = State::new(&plane.projected(&open.y), open.gauge);
-    match steps.prove(
-        &body,
-        &body.rounded_displacement(),
-        Lengths::Own,
-        &first[..first.len().min(WHOLE_LIMIT)],
-        tally,
-    )? {
+    match steps.prove(&body, &body.displacement_in_doubles(), Lengths::Own, Among::First(WHOLE_LIMIT), tally)? {
         Clear::Inside(witness) => Some(Clear::Flat(prism.lower_witness(witness))),
         Clear::Flat(_) | Clear::Outside(_) => None,
     }
 }
 
 /// The proof of a point inside whose least coefficients are too large.
-fn locate_by_steps(query: &Query<'_, 3>, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
+fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
     // false for NaN as well
     let is_likely = open.gauge < INSIDE_GAUGE;
     if !is_likely {
@@ -132,23 +129,23 @@ fn locate_by_steps(query: &Query<'_, 3>, p: &BoundedVector, open: &Open, tally: 
     if !open.is_thick {
         return locate_flat(query, p, tally);
     }
-    let first = query.runs()[0];
-    if query.len() <= OWN_LENGTHS_LIMIT {
-        return State::new(&open.y, open.gauge).prove(query, p, Lengths::Own, first, tally);
+    let (steps, among) = (State::new(&open.y, open.gauge), Among::First(WHOLE_LIMIT));
+    if query.count() <= OWN_LENGTHS_LIMIT {
+        return steps.prove(query, p, Lengths::Own, among, tally);
     }
-    match Lengths::of(query.runs()) {
+    match Lengths::of(query) {
         Lengths::Own => locate_by_all(query, p, tally),
         // products are taken as they are: y is in terms of any one length
-        Lengths::Even(_) => State::new(&open.y, open.gauge).prove(query, p, Lengths::Even(1.0), first, tally),
+        Lengths::Even(_) => steps.prove(query, p, Lengths::Even(1.0), among, tally),
     }
 }
 
 /// The same from all generators, in terms of their own lengths.
-fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
-    tally.add(Operation::GeneratorRead, query.len() as u64);
+fn locate_by_all(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    tally.add(Operation::GeneratorRead, query.count() as u64);
     let own = p.map(|c| c.value);
-    let (y, is_thick) = Moments::at_zero(query.runs(), Lengths::Own).solve(&own);
-    let reach = query.support(&y);
+    let (y, is_thick) = Moments::at_zero(query, Lengths::Own).solve(&own);
+    let reach = query.reach(&y);
     let along = dot(p, &bounded::exact(y));
     if (along - reach).is_positive() {
         tally.answered_by(Rung::LeastSquares);
@@ -159,9 +156,8 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     if !(is_thick && gauge < INSIDE_GAUGE) {
         return None;
     }
-    let first = query.runs()[0];
-    let among = &first[..first.len().min(WHOLE_LIMIT)];
-    let least = Combination::least(y, Lengths::Own, among, true);
+    let among = Among::First(WHOLE_LIMIT);
+    let least = Combination::least(query, y, Lengths::Own, among, true);
     if let Some(clear) = least.and_then(|least| inside(query, p, &least, tally)) {
         tally.answered_by(Rung::LeastSquares);
         return Some(clear);
@@ -169,14 +165,15 @@ fn locate_by_all(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally
     State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally)
 }
 
-fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
-    let pass = StratifiedPass::of(query.len());
+fn locate_by_sample(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+    let n = query.count();
+    let pass = StratifiedPass::of(n);
     let few = pass.last(query);
     tally.add(Operation::GeneratorRead, few.len() as u64);
-    let part = few.len() as f64 / query.len() as f64;
+    let part = few.len() as f64 / n as f64;
     let own = p.map(|c| c.value * part);
-    let lengths = Lengths::of([&few, &[]]);
-    let least = Moments::at_zero([&few, &[]], lengths);
+    let lengths = Lengths::of(&few[..]);
+    let least = Moments::at_zero(&few[..], lengths);
     let (y, is_thick) = least.solve(&own);
     let gauge = dot(&own, &y) / bounded_sum(&few, &y).value;
     if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt()
@@ -200,28 +197,30 @@ fn locate_by_sample(query: &Query<'_, 3>, p: &BoundedVector, tally: &mut impl Ta
     let steer = |target: &[f64; 3], exact: bool| {
         if is_linear {
             let (z, _) = least.solve(target);
-            let combination = Combination::least(z, lengths, &few, exact);
+            let combination = Combination::least(&few[..], z, lengths, Among::Sample(&few), exact);
             is_linear = combination.is_some();
             if is_linear {
                 return combination;
             }
         }
-        match state.coefficients([&few, &[]], lengths, target, &few, Effort { steps: SAMPLE_STEPS, exact }) {
+        match state.coefficients(&few[..], lengths, target, Among::Sample(&few), Effort { steps: SAMPLE_STEPS, exact })
+        {
             Sign::Inside(combination) => Some(combination),
             Sign::Outside(_) | Sign::Neither => None,
         }
     };
-    tally.add(Operation::GeneratorRead, query.len() as u64);
+    tally.add(Operation::GeneratorRead, n as u64);
     if let Some(witness) = pass.witness(query, p, few.len(), steer) {
         tally.answered_by(Rung::StratifiedPass);
         return Some(Clear::Inside(witness));
     }
-    start.prove(query, p, lengths, &few, tally)
+    start.prove(query, p, lengths, Among::Sample(&few), tally)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::Query;
     use crate::collision::brute_force;
     use crate::collision::verify::verify;
     use crate::tally::OperationCounts;

@@ -13,8 +13,9 @@
 
 use std::ops::Range;
 
+use crate::collision::Witness;
 use crate::collision::by_lad::early::combination::{Combination, Written};
-use crate::collision::{Query, Witness};
+use crate::collision::by_lad::early::passes::EarlyQuery;
 use crate::numeric::bounded::BoundedVector;
 
 /// The last part has at least so many, and the square root of all more.
@@ -63,27 +64,25 @@ impl StratifiedPass {
     }
 
     /// The generators of the last part.
-    pub(crate) fn last(self, query: &Query<'_, 3>) -> Vec<[f64; 3]> {
+    pub(crate) fn last(self, query: &impl EarlyQuery) -> Vec<[f64; 3]> {
         let (period, range) = self.places(self.halvings + 1);
-        let mut few = Vec::with_capacity((query.len() / period + 2) * self.stretch);
-        for run in query.runs() {
+        query.picked((query.count() / period + 2) * self.stretch, |run, few| {
             for period in run.chunks(period) {
                 few.extend_from_slice(&period[within(&range, period.len())]);
             }
-        }
-        few
+        })
     }
 
     /// The proof that p is inside; `steer` gives coefficients with which the generators of the last part, `few` of
     /// them, sum up to a vector, exactly or nearly.
     pub(crate) fn witness(
         self,
-        query: &Query<'_, 3>,
+        query: &impl EarlyQuery,
         p: &BoundedVector,
         few: usize,
         mut steer: impl FnMut(&[f64; 3], bool) -> Option<Combination>,
     ) -> Option<Witness> {
-        let n = query.len();
+        let n = query.count();
         let mut coefficients = vec![0.0; n];
         let mut written = Written::default();
         let mut bias = [0.0; 3];
@@ -108,18 +107,15 @@ impl StratifiedPass {
     }
 
     /// Writes a part's coefficients.
-    fn write(self, query: &Query<'_, 3>, part: u32, combination: &Combination, coefficients: &mut [f64]) -> Written {
-        let [first, second] = query.runs();
-        let (own, others) = coefficients.split_at_mut(first.len());
+    fn write(self, query: &impl EarlyQuery, part: u32, combination: &Combination, coefficients: &mut [f64]) -> Written {
         let (period, range) = self.places(part);
-        let write = |run: &[[f64; 3]], places: &mut [f64]| {
+        combination.write_all(query, coefficients, |combination, run, places| {
             let periods = run.chunks(period).zip(places.chunks_mut(period));
             combination.write(periods.map(|(run, places)| {
                 let range = within(&range, run.len());
                 (&run[range.clone()], &mut places[range])
             }))
-        };
-        write(first, own).with(&write(second, others))
+        })
     }
 }
 
@@ -131,6 +127,7 @@ fn within(range: &Range<usize>, len: usize) -> Range<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::Query;
 
     #[test]
     fn every_generator_has_its_turn_once() {

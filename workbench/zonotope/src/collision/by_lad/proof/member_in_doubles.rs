@@ -112,7 +112,7 @@ fn prove_by_others(
     p: &BoundedVector,
     factor: f64,
 ) -> Option<Witness> {
-    let basis = well_spread(query)?;
+    let basis = well_spread(query.len(), |i| query.generator(i))?;
     let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
     basis.iter().all(is_other).then_some(())?;
     let signs = basis.map(|i| cells.sign(query, &certain.cell(), i));

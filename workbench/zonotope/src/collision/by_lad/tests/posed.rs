@@ -1,8 +1,12 @@
 //! Queries about posed bodies against exact arithmetic on the images of their generators.
 
+use crate::collision::by_lad::early::passes::EarlyQuery;
+use crate::collision::by_lad::early::posed::PosedRows;
 use crate::collision::by_lad::{gauge_posed, locate, locate_posed};
-use crate::collision::{Location, Query, Separation};
+use crate::collision::{Location, Query, Separation, Status};
+use crate::lad::of_generators::generators::{Generators, Posed};
 use crate::numeric::Rational;
+use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero};
 use crate::zonotope::Zonotope;
@@ -198,5 +202,118 @@ fn the_identity_answers_as_no_pose_does() {
         let other = Zonotope::new([at, 0.0, 0.0], cube.generators().to_vec()).expect("finite");
         let posed = PosedQuery::between((&cube, &Pose::IDENTITY), (&other, &Pose::IDENTITY));
         assert_eq!(locate_posed(&posed).status(), locate(&Query::between(&cube, &other)).status());
+    }
+}
+
+/// A matrix of whole numbers and powers of two, which turns small whole numbers into others without rounding.
+fn exact_matrix(kind: usize, mut random: impl FnMut() -> i32) -> [[f64; 3]; 3] {
+    let mut signed = |size: f64| if random() < 0 { -size } else { size };
+    match kind % 3 {
+        0 => {
+            let [a, b, c] = [signed(1.0), signed(1.0), signed(1.0)];
+            [[0.0, a, 0.0], [0.0, 0.0, b], [c, 0.0, 0.0]]
+        }
+        1 => {
+            let [a, b, c] = [signed(0.125), signed(4.0), signed(1.0)];
+            [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
+        }
+        _ => [0, 1, 2].map(|_| [0, 1, 2].map(|_| f64::from(random()))),
+    }
+}
+
+/// Under matrices that round nothing, posed bodies are where the bodies of the images of their generators are.
+#[test]
+fn exact_matrices_answer_as_images_do() {
+    use rand::{RngExt, SeedableRng};
+    let random = &mut rand_pcg::Pcg64Mcg::seed_from_u64(11);
+    for n in [3, 7, 20, 100, 400] {
+        let mut seen = [0; 3];
+        for i in 0..60 {
+            let mut row = || [0, 1, 2].map(|_| f64::from(random.random_range(-1000..=1000)));
+            let [first, second]: [Vec<_>; 2] = [(0..n).map(|_| row()).collect(), (0..n).map(|_| row()).collect()];
+            let matrices = [i, i / 3].map(|kind| exact_matrix(kind, || random.random_range(-3..=3)));
+            let image = |m: &[[f64; 3]; 3], v: &[f64; 3]| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
+            let images = [(&matrices[0], &first), (&matrices[1], &second)]
+                .map(|(m, rows)| rows.iter().map(|v| image(m, v)).collect::<Vec<_>>());
+            // from deep inside through the boundary, a vertex or an edge, to far outside
+            let u = [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+            let vertex = images.iter().flatten().fold([0.0; 3], |sum, v| {
+                let sign = f64::copysign(1.0, v[0] * u[0] + v[1] * u[1] + v[2] * u[2]);
+                [0, 1, 2].map(|k| sum[k] + sign * v[k])
+            });
+            let factor = [0.125, 0.5, 0.75, 1.0, 1.25, 4.0][i % 6];
+            let p = vertex.map(|c| factor * c);
+            let center = [5.0, -7.0, 11.0];
+            let [a, b] = [first, second].map(|rows| Zonotope::new(center, rows).expect("finite"));
+            let from = Pose::new(matrices[0], [0.0; 3]).expect("finite");
+            let [start, end] = [image(&matrices[0], &center), image(&matrices[1], &center)];
+            let to = Pose::new(matrices[1], [0, 1, 2].map(|k| p[k] + start[k] - end[k])).expect("finite");
+            let posed = PosedQuery::between((&a, &from), (&b, &to));
+            let all = images.concat();
+            let plain = Query::new([0.0; 3], p, &all).expect("finite");
+            let location = locate_posed(&posed);
+            assert_eq!(location.status(), locate(&plain).status(), "{n} {i}");
+            check_proof(&posed, &location);
+            seen[Status::ALL.iter().position(|status| *status == location.status()).expect("a status")] += 1;
+        }
+        assert!(seen.iter().all(|count| *count > 0), "{n} {seen:?}");
+    }
+}
+
+/// Matrices that flatten, and those of sizes at both ends of the range of doubles.
+#[test]
+fn extreme_matrices_are_answered_exactly() {
+    let rotation = Pose::from_axis_angle([1.0, 2.0, -2.0], 0.7, [0.0; 3]).expect("an axis").matrix();
+    let scaled = |size: f64| rotation.map(|row| row.map(|c| size * c));
+    let tiny = f64::from_bits(1);
+    let matrices = [
+        [[0.0; 3]; 3],
+        [[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [0.5, 1.0, 1.5]],
+        [[1.0, 0.0, 1.0], [0.0, 1.0, 1.0], [0.0, 0.0, 0.0]],
+        [[1.0, 1.0, 1.0], [1.0, 1.0 + f64::EPSILON, 1.0], [1.0, 1.0, 1.0 - f64::EPSILON]],
+        scaled(1e-18),
+        scaled(1e18),
+        scaled(1e-200),
+        scaled(1e300),
+        scaled(3e-308),
+        [[tiny, 0.0, 0.0], [0.0, tiny, 0.0], [0.0, 0.0, tiny]],
+        [[f64::MAX, 0.0, 0.0], [0.0, tiny, 0.0], [0.0, 0.0, 1.0]],
+        rotation,
+    ];
+    let generators = [[1.0, 0.0, 0.0], [0.25, 1.0, 0.0], [0.0, -0.5, 1.0], [1.0, 1.0, 0.3]];
+    let body = |size: f64| Zonotope::new([size, 0.0, 0.0], generators.map(|v| v.map(|c| size * c)).to_vec());
+    for (i, matrix) in matrices.iter().enumerate() {
+        let from = Pose::new(*matrix, [0.0; 3]).expect("finite");
+        for size in [1.0, 1e-300, 1e150] {
+            let a = body(size).expect("finite");
+            for other in [matrices[i], rotation, matrices[(i + 4) % matrices.len()]] {
+                for factor in [0.0, 0.3, 1.0, 3.0] {
+                    let t = from.exact_image(&exact([1.0, 0.25, -0.5])).map(|c| factor * size * c.to_f64());
+                    let to = Pose::new(other, t.map(|c| c.clamp(f64::MIN, f64::MAX))).expect("finite");
+                    check(&PosedQuery::between((&a, &from), (&a, &to)));
+                }
+            }
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn support_values_of_posed_rows_keep_their_bounds(
+        a in body(), b in body(), from in pose(), to in pose(), u in vector()
+    ) {
+        let query = PosedQuery::between((&a, &from), (&b, &to));
+        let truth = support(&images(&query), &exact(u));
+        let holds = |value: Bounded| (Dyadic::from_f64(value.value) - truth.clone()).abs() <= Dyadic::from_f64(value.error);
+        prop_assert!(holds(Posed::new(&query).support(&u)));
+        if let Some(rows) = PosedRows::new(&query) {
+            prop_assert!(holds(rows.reach(&u)));
+            for (i, image) in images(&query).iter().enumerate() {
+                let (v, length) = rows.vector(i);
+                let error = Dyadic::from_f64(4.0 * crate::numeric::tolerance::UNIT * length);
+                prop_assert!((0..3).all(|k| (Dyadic::from_f64(v[k]) - image[k].clone()).abs() <= error));
+                prop_assert!(image.iter().fold(Dyadic::zero(), |sum, c| sum + c.clone().abs()) <= Dyadic::from_f64(length));
+            }
+        }
     }
 }

@@ -1,0 +1,127 @@
+//! What the early stage asks of the generators, whoever holds them.
+//!
+//! A pass is written once, over two runs of rows. It takes directions and returns sums. Where the rows stand under
+//! matrices, [`Passes::over`] makes the pass for each part with the directions pulled back into the frame of the rows,
+//! and carries its sums forward: Σ c M v is M Σ c v, and Σ w M v (M v)ᵀ is M (Σ w v vᵀ) Mᵀ. Without a matrix it is one
+//! pass over both runs, so that a query without poses pays nothing for those with poses.
+
+use std::ops::Range;
+
+use crate::collision::Query;
+use crate::lad::of_generators::generators::{Generators, KernelQuery};
+use crate::lad::of_generators::linear_map::LinearMap;
+use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::linear::sum_norm;
+use crate::numeric::tolerance::DETERMINANT_OF_ROWS;
+
+/// Rows in two runs.
+pub(crate) type Runs<'a> = [&'a [[f64; 3]]; 2];
+
+/// Results of a pass over the rows of one part that can become results for their images.
+pub(crate) trait Carried {
+    /// The result for the images of the rows, if the pass had its directions pulled back.
+    fn carried(self, map: &LinearMap<'_>) -> Self;
+
+    /// The result for two parts together.
+    fn joined(self, other: Self) -> Self;
+}
+
+/// Generators over which passes are made.
+pub(crate) trait Passes {
+    /// How many generators there are.
+    fn count(&self) -> usize;
+
+    /// The result of a pass over all generators, which is given their rows, the range of their indices, and the
+    /// directions as they are to be taken with these rows.
+    fn over<const K: usize, T: Carried>(
+        &self,
+        directions: [&[f64; 3]; K],
+        pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T;
+}
+
+/// A query that the early stage may answer.
+pub(crate) trait EarlyQuery: Passes {
+    /// A determinant of three generators in doubles is off by less than this part of the product of their
+    /// [lengths](Self::vector).
+    const DETERMINANT_ERROR: f64;
+
+    /// The displacement p in doubles, with a bound of each coordinate's error.
+    fn displacement_in_doubles(&self) -> BoundedVector;
+
+    /// A generator in doubles, with a bound for its length |v|_1.
+    fn vector(&self, index: usize) -> ([f64; 3], f64);
+
+    /// Σ |v · u| with a bound of its error. One pass.
+    fn reach(&self, u: &[f64; 3]) -> Bounded;
+
+    /// Rows picked from each run, as generators in doubles.
+    fn picked(&self, capacity: usize, pick: impl Fn(&[[f64; 3]], &mut Vec<[f64; 3]>)) -> Vec<[f64; 3]>;
+
+    /// The query as it was put, if its generators are rows of doubles.
+    fn as_rows(&self) -> Option<Query<'_, 3>>;
+}
+
+impl Passes for [[f64; 3]] {
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline(always)]
+    fn over<const K: usize, T: Carried>(
+        &self,
+        directions: [&[f64; 3]; K],
+        mut pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T {
+        pass([self, &[]], 0..self.len(), directions.map(|u| *u))
+    }
+}
+
+impl Passes for Query<'_, 3> {
+    #[inline(always)]
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline(always)]
+    fn over<const K: usize, T: Carried>(
+        &self,
+        directions: [&[f64; 3]; K],
+        mut pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T {
+        pass(self.runs(), 0..self.len(), directions.map(|u| *u))
+    }
+}
+
+impl EarlyQuery for Query<'_, 3> {
+    const DETERMINANT_ERROR: f64 = DETERMINANT_OF_ROWS;
+
+    #[inline(always)]
+    fn displacement_in_doubles(&self) -> BoundedVector {
+        self.rounded_displacement()
+    }
+
+    #[inline(always)]
+    fn vector(&self, index: usize) -> ([f64; 3], f64) {
+        let v = Query::generator(self, index);
+        (v, sum_norm(&v))
+    }
+
+    #[inline]
+    fn reach(&self, u: &[f64; 3]) -> Bounded {
+        self.support(u)
+    }
+
+    #[inline]
+    fn picked(&self, capacity: usize, pick: impl Fn(&[[f64; 3]], &mut Vec<[f64; 3]>)) -> Vec<[f64; 3]> {
+        let mut picked = Vec::with_capacity(capacity);
+        self.runs().into_iter().for_each(|run| pick(run, &mut picked));
+        picked
+    }
+
+    #[inline]
+    fn as_rows(&self) -> Option<Query<'_, 3>> {
+        Some(*self)
+    }
+}
