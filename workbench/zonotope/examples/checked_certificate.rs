@@ -1,7 +1,6 @@
 //! Checking a certificate: the verifier takes the numbers of question and answer and shares no code with the library.
 
 use verifier::{Displaced, LocationAnswer, LocationCertificate, Status, Verdict, check_location};
-use zonotope::collision::Query;
 use zonotope::{Location, Zonotope};
 
 /// Asks, prints and asserts.
@@ -12,10 +11,6 @@ pub fn main() {
 
     let location = body.locate(point).expect("the point is finite");
     let Location::Inside(witness) = location else { unreachable!("the point is near the centre") };
-
-    // the verifier wants the coefficients of the basis as the doubles nearest to their exact values
-    let query = Query::of_point(point, &body).expect("the point is finite");
-    let witness = witness.with_nearest_basis(&query);
 
     let question = Displaced::new(&body.center(), &point, &generators).expect("the numbers are finite");
     let certificate = LocationCertificate::Witness { coefficients: witness.coefficients, basis: witness.basis };

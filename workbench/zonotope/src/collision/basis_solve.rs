@@ -45,25 +45,6 @@ pub(super) fn solve<const D: usize>(
     exact_linear::solve(&columns, &sum.each_ref().map(Dyadic::to_rational))
 }
 
-impl Witness {
-    /// The same proof with each coefficient of the basis the double nearest to its exact value. O(n) exact additions.
-    ///
-    /// The methods leave these coefficients as floating point has them, since the proof does not rest on them; who
-    /// writes the proof out for others rounds them here, so that a reader may hold them against what the rest implies.
-    /// A witness that proves nothing stays as it is.
-    pub fn with_nearest_basis<const D: usize>(mut self, question: &Query<'_, D>) -> Self {
-        let is_basis = self.coefficients.len() == question.len() && self.basis.iter().all(|&b| b < question.len());
-        if is_basis && self.coefficients.iter().all(|c| c.is_finite()) {
-            let rest = left_over(question, &question.exact(), &self.coefficients, &self.basis);
-            let values = solve(question, &self.basis, &rest).unwrap_or_default();
-            for (&b, value) in self.basis.iter().zip(values) {
-                self.coefficients[b] = value.to_f64().value();
-            }
-        }
-        self
-    }
-}
-
 /// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner
 /// point: D coefficients of the basis strictly between −1 and 1. `None` if the basis leaves [−1, 1].
 pub(super) fn near_witness<const D: usize>(

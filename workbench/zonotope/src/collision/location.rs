@@ -34,7 +34,9 @@ pub enum Status {
 /// [−1, 1].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Witness {
-    /// A coefficient in [−1, 1] for each generator; those of the basis are rounded.
+    /// A coefficient in [−1, 1] for each generator. Those of the basis are rounded: to doubles beside them in answers
+    /// that bodies give ([`with_nearest_basis`](Self::with_nearest_basis)), to a few digits less in those of the
+    /// methods.
     pub coefficients: Vec<f64>,
     /// Linearly independent generators, at most D of them, in increasing order.
     pub basis: Vec<usize>,

@@ -21,6 +21,9 @@
 //! methods of [`Zonotope`](crate::zonotope::Zonotope) (`contains`, `locate`, `gauge`, `intersects`, `intersection`) ask
 //! that default; in space [`PosedZonotope`] asks about a body under a pose.
 //!
+//! Answers of bodies go straight to a verifier; answers of a single method do so by
+//! [`Location::with_nearest_basis`].
+//!
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of
 //! the plane. [`verify`] checks an answer exactly and shares nothing with the methods.
 //!
@@ -38,6 +41,7 @@ pub mod by_slope_selection;
 mod gauge;
 mod location;
 mod method;
+mod nearest_basis;
 mod of_bodies;
 mod of_posed_bodies;
 mod tightest_facet;
@@ -52,4 +56,5 @@ pub use crate::zonotope::query::Query;
 pub use gauge::Gauge;
 pub use location::{Location, Separation, Status, Witness};
 pub use method::{Finding, Method, MethodError};
+pub use nearest_basis::Proved;
 pub use of_posed_bodies::PosedZonotope;

@@ -17,43 +17,48 @@ impl<const D: usize> Zonotope<D> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; D]) -> Result<bool, NonFinite> {
-        Ok(self.locate(point)?.is_member())
+        Ok(located(&Query::of_point(point, self)?).is_member())
     }
 
     /// Where a point lies relative to the body, with a proof: coefficients of the generators, or a separating
-    /// direction. The cost is that of [`contains`](Self::contains).
+    /// direction. The cost is that of [`contains`](Self::contains), and a pass over the generators for the last digits
+    /// of the coefficients, which are such that a verifier takes them
+    /// ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate(&self, point: [f64; D]) -> Result<Location<D>, NonFinite> {
-        Ok(located(&Query::of_point(point, self)?))
+        let query = Query::of_point(point, self)?;
+        Ok(located(&query).with_nearest_basis(&query))
     }
 
     /// How many times the body must be taken, from its centre, to hold a point; with the proof of where the point lies.
-    /// The cost is that of [`contains`](Self::contains).
+    /// The cost is that of [`locate`](Self::locate).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; D]) -> Result<Gauge<D>, NonFinite> {
-        Ok(Method::default_in(D)
-            .gauge(&Query::of_point(point, self)?, &mut ())
-            .expect("the default method of a dimension measures there"))
+        let query = Query::of_point(point, self)?;
+        let gauge = Method::default_in(D).gauge(&query, &mut ());
+        Ok(gauge.expect("the default method of a dimension measures there").with_nearest_basis(&query))
     }
 
     /// Whether two closed bodies have a point in common, exactly; bodies that touch do. The cost is that of
     /// [`contains`](Self::contains) with the generators of both.
     pub fn intersects(&self, other: &Self) -> bool {
-        self.intersection(other).is_member()
+        located(&Query::between(self, other)).is_member()
     }
 
     /// How two bodies meet, with a proof: inside if their interiors have a point in common, boundary if they only touch
     /// (or their sum is flat), outside if they are disjoint. It locates the difference of the centres relative to the
     /// generators of both (Lemma 5.1).
     pub fn intersection(&self, other: &Self) -> Location<D> {
-        located(&Query::between(self, other))
+        let query = Query::between(self, other);
+        located(&query).with_nearest_basis(&query)
     }
 }
 
+#[inline]
 fn located<const D: usize>(query: &Query<'_, D>) -> Location<D> {
     match Method::default_in(D).locate(query, SEED, &mut ()).map(Finding::into_location) {
         Ok(Some(location)) => location,

@@ -50,7 +50,7 @@ impl<'a> PosedZonotope<'a> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(self.locate(point)?.is_member())
+        Ok(locate_posed(&PosedQuery::of_point(point, self.body, &self.pose)?).is_member())
     }
 
     /// Where a point lies relative to the posed body, with a proof in coefficients of the generators as they are
@@ -59,7 +59,8 @@ impl<'a> PosedZonotope<'a> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn locate(&self, point: [f64; 3]) -> Result<Location<3>, NonFinite> {
-        Ok(locate_posed(&PosedQuery::of_point(point, self.body, &self.pose)?))
+        let query = PosedQuery::of_point(point, self.body, &self.pose)?;
+        Ok(locate_posed(&query).with_nearest_basis(&query))
     }
 
     /// How many times the posed body must be taken, from its centre, to hold a point. O(n) expected.
@@ -67,19 +68,26 @@ impl<'a> PosedZonotope<'a> {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
-        Ok(gauge_posed(&PosedQuery::of_point(point, self.body, &self.pose)?))
+        let query = PosedQuery::of_point(point, self.body, &self.pose)?;
+        Ok(gauge_posed(&query).with_nearest_basis(&query))
     }
 
     /// Whether two closed bodies have a point in common where their poses put them, exactly. O(n) expected.
     pub fn intersects<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> bool {
-        self.intersection(other).is_member()
+        locate_posed(&self.query(&other.into())).is_member()
     }
 
     /// How two bodies meet where their poses put them, with a proof. O(n) expected.
     #[inline]
     pub fn intersection<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Location<3> {
         let other = other.into();
-        locate_posed(&PosedQuery::between((self.body, &self.pose), (other.body, &other.pose)))
+        let query = self.query(&other);
+        locate_posed(&query).with_nearest_basis(&query)
+    }
+
+    #[inline]
+    fn query<'q>(&'q self, other: &'q PosedZonotope<'_>) -> PosedQuery<'q> {
+        PosedQuery::between((self.body, &self.pose), (other.body, &other.pose))
     }
 }
 

@@ -75,7 +75,7 @@ impl NonFinite {
     /// Refuses a vector that has a name of its own, if a coordinate is not finite.
     #[inline]
     pub(crate) fn check_vector<const D: usize>(vector: &'static str, v: &[f64; D]) -> Result<(), Self> {
-        if v.iter().fold(0.0, |zero, c| zero + 0.0 * c) == 0.0 {
+        if is_finite(v) {
             return Ok(());
         }
         match v.iter().position(|c| !c.is_finite()) {
@@ -117,7 +117,7 @@ impl NonFinite {
     /// Refuses a matrix given by its rows, if an entry is not finite.
     #[inline]
     pub(crate) fn check_matrix<const D: usize>(rows: &[[f64; D]]) -> Result<(), Self> {
-        if are_finite(rows.as_flattened()) {
+        if rows.iter().all(is_finite) {
             return Ok(());
         }
         match rows.as_flattened().iter().position(|c| !c.is_finite()) {
@@ -128,6 +128,12 @@ impl NonFinite {
             None => Ok(()),
         }
     }
+}
+
+/// Whether all coordinates are finite, without a branch for each, as for [`are_finite`].
+#[inline(always)]
+fn is_finite<const D: usize>(v: &[f64; D]) -> bool {
+    v.iter().fold(0.0, |zero, c| zero + 0.0 * c) == 0.0
 }
 
 /// Whether all numbers are finite: zero times a number is zero for these alone. Several are looked at side by side,

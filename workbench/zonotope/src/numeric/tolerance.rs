@@ -72,6 +72,15 @@ pub const NEAREST_POINT_ROUNDING: f64 = 32.0 * UNIT;
 /// taken of a rounded result.
 pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
+/// Error of a coordinate of a [combined sum](super::combined_sum) within blocks of 64 vectors, in terms of Σ |c v|.
+///
+/// What joins the small part of a block is below 2^-24 |c v| and the rounding error of its large part; each of the 32
+/// additions of a lane is off by u times the small part, which stays below 2^-23 Σ |c v|: 2^-71 with all others.
+pub(crate) const COMBINED_BLOCK: f64 = power_of_two(-71);
+
+/// What joining a block adds to that error: three additions of small parts, each off by u times at most 2^-23 Σ |c v|.
+pub(crate) const COMBINED_JOIN: f64 = power_of_two(-74);
+
 /// Factor by which bounds on numbers of two doubles are multiplied: (1 − u)^k (1 + 2^-40) > 1 for every k up to 2^12
 /// roundings.
 pub const DOUBLE_DOUBLE_BOUND: f64 = 1.0 + power_of_two(-40);
@@ -120,11 +129,11 @@ pub const CONE_ROUNDING: f64 = 8.0 * UNIT;
 /// support function cancelled, and then the exact optimum costs little more than the digits that it gives back.
 pub const GAUGE_ACCURACY: f64 = power_of_two(-36);
 
-/// The displacement between posed centres counts as known in doubles when no coordinate is off by more than this part of
-/// the largest coordinate.
+/// The displacement between posed centres counts as known in doubles when no coordinate is off by more than this part
+/// of the largest coordinate.
 ///
 /// It is well below [`GAUGE_ACCURACY`], so that what the doubles lack does not count in the gauge.
-pub const DISPLACEMENT_ACCURACY: f64 = power_of_two(-40);
+pub const DISPLACEMENT_ACCURACY: f64 = power_of_two(-50);
 
 /// A vector that is shorter than this part of the longest one contributes less to a sum than rounding that sum to
 /// doubles takes off: 2^-64, some digits below the last place of the longest vector.

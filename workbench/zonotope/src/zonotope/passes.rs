@@ -44,8 +44,8 @@ pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Boun
 
 /// The same along an exact direction of which no coordinate is farther than 4 u `size` from the given one.
 ///
-/// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through few
-/// additions.
+/// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through
+/// few additions.
 pub(crate) fn bounded_sum_near(generators: &[[f64; 3]], direction: &[f64; 3], size: f64) -> Bounded {
     let [x, y, z] = *direction;
     // two generators in the order in which they lie in memory

@@ -7,6 +7,7 @@
 
 use thiserror::Error;
 
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, dot, exact};
 use crate::numeric::non_finite::NonFinite;
@@ -130,6 +131,12 @@ impl Pose {
     /// Mᵀ u, exactly.
     pub(crate) fn exact_transposed_image(&self, u: &ExactVector) -> ExactVector {
         [0, 1, 2].map(|k| dot(&exact(self.matrix.map(|row| row[k])), u))
+    }
+
+    /// The image of a vector that is known to twice the digits of a double.
+    pub(crate) fn pair_image(&self, [x, y, z]: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
+        let of = BoundedDoubleDouble::exact;
+        self.matrix.map(|[a, b, c]| of(a) * *x + of(b) * *y + of(c) * *z)
     }
 
     /// M x + t, rounded; with each coordinate the sum of the magnitudes of what it is the sum of.

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use super::implicit::Zonotope;
 use super::pose::Pose;
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference};
 use crate::numeric::linear::max_norm;
@@ -55,10 +56,10 @@ impl<'a> PosedQuery<'a> {
         })
     }
 
-    /// The displacement in doubles, with a bound of each coordinate's error that is small beside the largest
-    /// coordinate.
+    /// The displacement by plain sums of doubles, with a bound of each coordinate's error: that of the terms, which may
+    /// be far larger than their sum.
     #[inline]
-    pub(crate) fn rounded_displacement(&self) -> BoundedVector {
+    pub(crate) fn displacement_estimate(&self) -> BoundedVector {
         let [[a, b, c], [d, e, f]] =
             [self.poses[0].rounded_point(&self.points[0]), self.poses[1].rounded_point(&self.points[1])];
         // a coordinate goes through five roundings
@@ -66,16 +67,28 @@ impl<'a> PosedQuery<'a> {
             value: to - from,
             error: 8.0 * UNIT * (size + other) + PRODUCT_UNDERFLOW,
         };
-        let p = [difference(a, d), difference(b, e), difference(c, f)];
-        let limit = DISPLACEMENT_ACCURACY * max_norm(&[p[0].value, p[1].value, p[2].value]);
-        // false for NaN as well
-        let is_known = p[0].error < limit && p[1].error < limit && p[2].error < limit;
-        if is_known { p } else { self.rounded_from_exact() }
+        [difference(a, d), difference(b, e), difference(c, f)]
     }
 
-    #[cold]
-    fn rounded_from_exact(&self) -> BoundedVector {
-        self.displacement().each_ref().map(rounded)
+    /// The displacement to twice the digits of a double.
+    pub(crate) fn displacement_pairs(&self) -> [BoundedDoubleDouble; 3] {
+        let of = BoundedDoubleDouble::exact;
+        let [from, to] = [0, 1].map(|i| {
+            let image = self.poses[i].pair_image(&self.points[i].map(of));
+            let translation = self.poses[i].translation();
+            [0, 1, 2].map(|k| image[k] + of(translation[k]))
+        });
+        [0, 1, 2].map(|k| to[k] - from[k])
+    }
+
+    /// The displacement in doubles, with a bound of each coordinate's error that is small beside the largest
+    /// coordinate.
+    pub(crate) fn rounded_displacement(&self) -> BoundedVector {
+        let p = self.displacement_pairs().map(|pair| pair.rounded());
+        let limit = DISPLACEMENT_ACCURACY * max_norm(&p.map(|c| c.value));
+        // false for NaN as well
+        let is_known = p.iter().all(|c| c.error < limit);
+        if is_known { p } else { self.displacement().each_ref().map(rounded) }
     }
 
     /// The generators as they are stored, in two runs.

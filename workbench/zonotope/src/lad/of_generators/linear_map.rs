@@ -11,7 +11,7 @@ use wide::f64x2;
 
 use crate::numeric::lanes::{Columns, product};
 use crate::numeric::linear::{dot, max_norm, sum_norm};
-use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES, UNDERFLOW};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES, SQUARABLE_SIZES, UNDERFLOW};
 use crate::zonotope::pose::Pose;
 
 /// A matrix by rows, and at least the sum of the magnitudes of its entries.
@@ -40,6 +40,13 @@ impl<'a> LinearMap<'a> {
     pub(crate) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
         let [a, b, c] = self.rows;
         [dot(a, v), dot(b, v), dot(c, v)]
+    }
+
+    /// M v, rounded, with a bound of its length |M v|_1; that vector is off by at most 4 u times the bound.
+    #[inline]
+    pub(crate) fn image_with_length(&self, v: &[f64; 3]) -> ([f64; 3], f64) {
+        // with room for what underflows in a product
+        (self.image(v), self.magnitude * sum_norm(v) + SQUARABLE_SIZES.start)
     }
 
     /// The images of two vectors side by side.

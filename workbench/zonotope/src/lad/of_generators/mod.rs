@@ -24,9 +24,9 @@
 //! | [`ladder`] | the optimum and the rung that answered | an answer; the only file with fallbacks | never |
 //!
 //! Beside the stages: [`generators`] is the seam, what the kernel asks of whoever holds the generators, and [`frame`]
-//! puts a pose in between, with the matrix of [`linear_map`]; [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do
-//! not span space into prisms that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`optimum`] are what
-//! goes in and what comes out.
+//! puts a pose in between, with the matrix of [`linear_map`]; [`plane`] has the coordinates of the plane of directions;
+//! [`span`] makes bodies that do not span space into prisms that do; [`support`] evaluates h(u) in one pass;
+//! [`problem`] and [`optimum`] are what goes in and what comes out.
 
 pub(crate) mod cells;
 pub(crate) mod certify;

@@ -14,7 +14,9 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
 
 use super::plain::DoubleDouble;
+use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::numeric::tolerance::{DOUBLE_DOUBLE_BOUND, DOUBLE_DOUBLE_OPERATION, UNDERFLOW, UNIT};
 
@@ -33,6 +35,18 @@ impl BoundedDoubleDouble {
     /// A double.
     pub(crate) fn exact(value: f64) -> Self {
         Self { high: value, low: 0.0, error: 0.0 }
+    }
+
+    /// The sum of two doubles, of which it is known how far it is off.
+    pub(crate) fn of_parts(head: f64, tail: f64, error: f64) -> Self {
+        let (high, low) = exact_sum(head, tail);
+        Self::within(DoubleDouble { high, low }, error)
+    }
+
+    /// The two doubles, and how far they are off.
+    #[cfg(test)]
+    pub(crate) fn parts(&self) -> (DoubleDouble, f64) {
+        (self.pair(), self.error)
     }
 
     /// An exact number.
@@ -79,6 +93,11 @@ impl BoundedDoubleDouble {
         let difference = high + low;
         let bound = (self.error + other.error + 4.0 * UNIT * (high.abs() + low.abs())) * DOUBLE_DOUBLE_BOUND;
         (difference.abs() > bound).then(|| difference.total_cmp(&0.0))
+    }
+
+    /// One double, with a bound on its distance from the exact value.
+    pub(crate) fn rounded(&self) -> Bounded {
+        Bounded { value: self.high, error: (self.low.abs() + self.error) * DOUBLE_DOUBLE_BOUND }
     }
 
     /// Doubles between which the exact value lies.

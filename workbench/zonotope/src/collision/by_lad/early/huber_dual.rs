@@ -199,6 +199,12 @@ impl Moments {
         Self { hessian, ..*self }
     }
 
+    /// The sums over the images of rows, of sums at y = 0.
+    #[inline(always)]
+    pub(crate) fn carried_at_zero(&self, map: &LinearMap<'_>) -> Self {
+        Self { hessian: map.congruent(&self.hessian), ..*self }
+    }
+
     /// The trace of H.
     pub(crate) fn trace(&self) -> f64 {
         self.hessian[0] + self.hessian[3] + self.hessian[5]

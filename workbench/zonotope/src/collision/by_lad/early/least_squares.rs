@@ -141,7 +141,7 @@ impl Weighted {
 impl Carried for Weighted {
     #[inline]
     fn carried(self, map: &LinearMap<'_>) -> Self {
-        Self { moments: self.moments.carried(map), magnitude: map.carried_magnitude(self.magnitude) }
+        Self { moments: self.moments.carried_at_zero(map), magnitude: map.carried_magnitude(self.magnitude) }
     }
 
     #[inline]
@@ -151,7 +151,7 @@ impl Carried for Weighted {
 }
 
 /// Tells where p is relative to at most `N` generators, whose coefficients are in terms of their own lengths if `OWN`.
-#[inline]
+#[inline(always)]
 pub(crate) fn tell<const OWN: bool, const N: usize>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
     let n = query.count();
     let Weighted { moments, magnitude } = query.over([], |runs, _, []| Weighted::of::<OWN>(runs));

@@ -6,8 +6,7 @@ use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes, Runs}
 use crate::collision::{PosedQuery, Query};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::linear::sum_norm;
-use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, SQUARABLE_SIZES};
+use crate::numeric::tolerance::DETERMINANT_OF_IMAGES;
 use crate::zonotope::passes::bounded_sum_near;
 
 /// A query about posed bodies whose matrices have entries of moderate size.
@@ -25,7 +24,7 @@ impl<'a> PosedRows<'a> {
         let [from, to] = query.own_poses();
         let maps = [LinearMap::of(from), LinearMap::of(to)];
         let is_moderate = maps[0].is_moderate() && maps[1].is_moderate();
-        is_moderate.then(|| Self { p: query.rounded_displacement(), runs: query.runs(), maps })
+        is_moderate.then(|| Self { p: query.displacement_estimate(), runs: query.runs(), maps })
     }
 }
 
@@ -65,8 +64,7 @@ impl EarlyQuery for PosedRows<'_> {
             None => (&self.maps[0], &self.runs[0][index]),
             Some(index) => (&self.maps[1], &self.runs[1][index]),
         };
-        // with room for what underflows in a product
-        (map.image(v), map.magnitude * sum_norm(v) + SQUARABLE_SIZES.start)
+        map.image_with_length(v)
     }
 
     fn reach(&self, u: &[f64; 3]) -> Bounded {

@@ -304,7 +304,9 @@ proptest! {
     ) {
         let query = PosedQuery::between((&a, &from), (&b, &to));
         let truth = support(&images(&query), &exact(u));
-        let holds = |value: Bounded| (Dyadic::from_f64(value.value) - truth.clone()).abs() <= Dyadic::from_f64(value.error);
+        let holds = |value: Bounded| {
+            (Dyadic::from_f64(value.value) - truth.clone()).abs() <= Dyadic::from_f64(value.error)
+        };
         prop_assert!(holds(Posed::new(&query).support(&u)));
         if let Some(rows) = PosedRows::new(&query) {
             prop_assert!(holds(rows.reach(&u)));
@@ -312,7 +314,8 @@ proptest! {
                 let (v, length) = rows.vector(i);
                 let error = Dyadic::from_f64(4.0 * crate::numeric::tolerance::UNIT * length);
                 prop_assert!((0..3).all(|k| (Dyadic::from_f64(v[k]) - image[k].clone()).abs() <= error));
-                prop_assert!(image.iter().fold(Dyadic::zero(), |sum, c| sum + c.clone().abs()) <= Dyadic::from_f64(length));
+                let exact_length = image.iter().fold(Dyadic::zero(), |sum, c| sum + c.clone().abs());
+                prop_assert!(exact_length <= Dyadic::from_f64(length));
             }
         }
     }

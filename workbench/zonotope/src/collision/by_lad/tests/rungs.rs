@@ -146,7 +146,7 @@ fn early_rungs_are_reached_by_posed_bodies() {
             let mut numbers = || [0, 1, 2, 3].map(|_| random.random_range(-1.0..1.0));
             let [from, turn] = [numbers(), numbers()];
             let from = Pose::from_quaternion(from, [0.0; 3]).expect("a quaternion");
-            let reach = 0.2 * libm::sqrt(n as f64) * f64::from(number as u32 % 20);
+            let reach = 0.05 * n as f64 * f64::from(number as u32 % 20);
             let to = Pose::from_quaternion(turn, [reach, 0.0, 0.0]).expect("a quaternion");
             let mut counts = OperationCounts::default();
             let query = PosedQuery::between((&a, &from), (&b, &to));
