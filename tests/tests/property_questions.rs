@@ -185,6 +185,25 @@ proptest! {
     }
 
     #[test]
+    fn answers_about_bodies_under_poses_verify(
+        numbers in prop::collection::vec(double(), 1..40), kind in 0usize..3, count in 0usize..6
+    ) {
+        let kind = ["member", "intersect", "gauge"][kind];
+        let mut input = input(kind, 3, count, &numbers);
+        let mut numbers = numbers.iter().rev().copied().cycle();
+        let mut pose = || json!({"matrix": vectors(&mut numbers, 3, 3), "translation": vector(&mut numbers, 3)});
+        match kind {
+            "intersect" => (input["a"]["pose"], input["b"]["pose"]) = (pose(), pose()),
+            _ => input["pose"] = pose(),
+        }
+        let question = question(kind, &input);
+        let answer = answered(question.to_string().as_bytes());
+        prop_assert_eq!(holds_text(&input), answer["error"]["code"] == "non_finite", "{} to {}", answer, question);
+        let verdict = check(&tree(&question), &tree(&answer));
+        prop_assert!(holds_text(&input) || verdict.is_right(), "{:?}: {} to {}", verdict, answer, question);
+    }
+
+    #[test]
     fn arbitrary_bytes_are_answered(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         let answer = answered(&bytes);
         prop_assert!(answer.get("error").is_some());
@@ -211,7 +230,7 @@ proptest! {
     #[test]
     fn fields_of_any_shape_are_answered(kind in 0..KINDS.len(), values in prop::collection::vec(shape(), 4)) {
         let kind = &KINDS[kind];
-        let fields = kind.fields.iter().zip(values.iter().cycle());
+        let fields = kind.fields.iter().chain(kind.optional).zip(values.iter().cycle());
         let input: Value = Value::Object(fields.map(|(name, value)| ((*name).to_owned(), value.clone())).collect());
         let question = question(kind.name, &input);
         let answer = answered(question.to_string().as_bytes());
@@ -219,6 +238,43 @@ proptest! {
             prop_assert!(false, "{}: {} to {}", reason, answer, question);
         }
     }
+}
+
+/// Poses of other shapes are refused with the place that is wrong.
+#[test]
+fn poses_of_other_shapes_are_refused_by_place() {
+    let cube = || json!({"center": [0, 0, 0], "generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]});
+    let identity = json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
+    let error = |pose: Value, method: Option<&str>| {
+        let mut body = cube();
+        body["pose"] = pose;
+        let mut question = question("intersect", &json!({"a": cube(), "b": body}));
+        method.into_iter().for_each(|name| question["method"] = name.into());
+        let answer = answered(question.to_string().as_bytes());
+        [&answer["error"]["code"], &answer["error"]["message"]].map(|text| text.as_str().unwrap_or("").to_owned())
+    };
+    let of = |matrix: Value, translation: Value| error(json!({"matrix": matrix, "translation": translation}), None);
+    let mismatch = |message: &str| ["dimension_mismatch".to_owned(), message.to_owned()];
+    let bad = |message: &str| ["bad_input".to_owned(), message.to_owned()];
+    assert_eq!(of(json!([[1, 0, 0], [0, 1, 0]]), json!([0, 0, 0])), mismatch("b, pose, matrix has 2 rows, not 3"));
+    let ragged = json!([[1, 0, 0], [0, 1], [0, 0, 1]]);
+    assert_eq!(of(ragged, json!([0, 0, 0])), mismatch("b, pose, matrix, row 2 has 2 coordinates, not 3"));
+    assert_eq!(of(identity.clone(), json!([0, 0])), mismatch("b, pose, translation has 2 coordinates, not 3"));
+    let entry = json!([[1, 0, 0], [0, null, 0], [0, 0, 1]]);
+    assert_eq!(of(entry, json!([0, 0, 0])), bad("b, pose, matrix, row 2, entry 2 is null, not a number"));
+    assert_eq!(of(json!(3), json!([0, 0, 0])), bad("`b, pose, matrix` is a number, not a list"));
+    assert_eq!(error(json!([]), None), bad("`b, pose` is a list, not an object"));
+    assert_eq!(error(json!({"matrix": identity}), None), bad("missing field `translation` in `b, pose`"));
+    let whole = json!({"matrix": identity, "translation": [0, 0, "NaN"]});
+    let non_finite = ["non_finite", "b, pose, translation, coordinate 3 is NaN"].map(str::to_owned);
+    assert_eq!(error(whole, None), non_finite);
+    let whole = json!({"matrix": identity, "translation": [0, 0, 0]});
+    let other = ["unknown_method", "`brute_force` does not take bodies under a pose; `by_lad` does"].map(str::to_owned);
+    assert_eq!(error(whole.clone(), Some("brute_force")), other);
+    let plane = json!({"point": [0, 0], "center": [0, 0], "generators": [], "pose": whole});
+    let answer = answered(question("member", &plane).to_string().as_bytes());
+    let message = "pose is for bodies of 3 dimensions, and center has 2";
+    assert_eq!([&answer["error"]["code"], &answer["error"]["message"]], ["dimension_mismatch", message]);
 }
 
 /// The area of this rectangle lies between the largest double and the next power of two, less than half a unit above:

@@ -13,25 +13,27 @@ const SAME: f64 = 1e-10;
 pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> bool {
     let judged = match kind {
         "member" => {
-            let p = displacement(&input["center"], &input["point"]);
+            let body = placed(input, "center");
+            let p = body.as_ref().zip(vector(&input["point"])).map(|((center, _), point)| minus(&point, center));
             Some(same_fields(&["member", "status"], right, changed)).zip(proves(
                 &p,
-                &vectors(&input["generators"]),
+                &body.map(|(_, generators)| generators),
                 right,
                 changed,
             ))
         }
         "intersect" => {
-            let [a, b] = [&input["a"], &input["b"]];
-            let generators = vectors(&a["generators"]).zip(vectors(&b["generators"])).map(|(a, b)| [a, b].concat());
-            let p = displacement(&a["center"], &b["center"]);
+            let bodies = placed(&input["a"], "center").zip(placed(&input["b"], "center"));
+            let p = bodies.as_ref().map(|((from, _), (to, _))| minus(to, from));
+            let generators = bodies.map(|((_, a), (_, b))| [a, b].concat());
             Some(same_fields(&["intersects", "status"], right, changed)).zip(proves(&p, &generators, right, changed))
         }
         "gauge" => {
-            let p = displacement(&input["p"], &input["q"]);
+            let body = placed(input, "p");
+            let p = body.as_ref().zip(vector(&input["q"])).map(|((center, _), q)| minus(&q, center));
             let is_same =
                 same_fields(&["at_most_one"], right, changed) && same_figure(&right["gauge"], &changed["gauge"]);
-            Some(is_same).zip(proves(&p, &vectors(&input["generators"]), right, changed))
+            Some(is_same).zip(proves(&p, &body.map(|(_, generators)| generators), right, changed))
         }
         "member_batch" => {
             let [old, new] = [right, changed].map(|result| result["gauge"].as_array());
@@ -71,8 +73,14 @@ fn same_figure(right: &Value, changed: &Value) -> bool {
     }
 }
 
-fn displacement(from: &Value, to: &Value) -> Option<Vec<RBig>> {
-    Some(minus(&vector(to)?, &vector(from)?))
+/// The centre, under the given name, and the generators of a body where its pose puts them.
+fn placed(body: &Value, center: &str) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
+    let (center, generators) = (vector(&body[center])?, vectors(&body["generators"])?);
+    let Some(pose) = body.get("pose") else { return Some((center, generators)) };
+    let (matrix, translation) = (vectors(&pose["matrix"])?, vector(&pose["translation"])?);
+    let image = |v: &Vec<RBig>| matrix.iter().map(|row| dot(row, v)).collect::<Vec<_>>();
+    let center = image(&center).iter().zip(&translation).map(|(x, moved)| x + moved).collect();
+    Some((center, generators.iter().map(image).collect()))
 }
 
 /// Whether the certificate proves what that of the right answer does: that p lies in the zonotope of the generators,

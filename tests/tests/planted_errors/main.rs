@@ -58,6 +58,12 @@ fn bodies() -> impl Strategy<Value = (Vec<Vec<f64>>, [Vec<f64>; 3])> {
     (2usize..4).prop_flat_map(|d| (vectors(d, 0..6), [vector(d), vector(d), vector(d)]))
 }
 
+/// A matrix that turns, mirrors, stretches or flattens, and a translation.
+fn pose() -> impl Strategy<Value = Value> {
+    (vectors(3, 3..4), vector(3))
+        .prop_map(|(matrix, translation)| json!({"matrix": matrix, "translation": translation}))
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
@@ -69,6 +75,18 @@ proptest! {
         errors_are_noticed("intersect", &json!({"a": a, "b": b}))?;
         errors_are_noticed("gauge", &json!({"p": p, "q": q, "generators": generators}))?;
         errors_are_noticed("member_batch", &json!({"center": p, "generators": generators, "points": [p, q, r]}))?;
+    }
+
+    #[test]
+    fn in_places_of_bodies_under_poses(
+        (generators, [p, q]) in (vectors(3, 0..6), [vector(3), vector(3)]), (from, to) in (pose(), pose())
+    ) {
+        let (first, second) = generators.split_at(generators.len() / 2);
+        errors_are_noticed("member", &json!({"point": q, "center": p, "generators": generators, "pose": from}))?;
+        let a = json!({"center": p, "generators": first, "pose": from});
+        errors_are_noticed("intersect", &json!({"a": a, "b": {"center": q, "generators": second, "pose": to}}))?;
+        errors_are_noticed("intersect", &json!({"a": a, "b": {"center": q, "generators": second}}))?;
+        errors_are_noticed("gauge", &json!({"p": p, "q": q, "generators": generators, "pose": to}))?;
     }
 
     #[test]
@@ -99,4 +117,28 @@ proptest! {
 fn another_right_answer_is_right() {
     let input = json!({"direction": [1, 0], "center": [0, 0], "generators": [[1, 0], [0, 1]]});
     assert!(errors_are_noticed("support", &input).expect("no error is overlooked") > 0);
+}
+
+/// The answer to a question with a pose is no answer to the same question with another pose.
+#[test]
+fn an_answer_for_another_pose_is_noticed() {
+    let question = |x: f64| {
+        let pose = json!({"matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]], "translation": [x, 0, 0]});
+        let body = |center: [f64; 3]| json!({"center": center, "generators": [[1, 0, 0], [0, 2, 0], [0, 0, 1]]});
+        let mut placed = body([0.5, 0.0, 0.0]);
+        placed["pose"] = pose;
+        json!({"id": "q", "kind": "intersect", "input": {"a": placed, "b": body([0.0; 3])}})
+    };
+    let answer = |x: f64| answer_line(1, &Line::Content(question(x).to_string().into_bytes()), 0).content;
+    let verdict = |x: f64, answer: &Value| check(&tree(&question(x)), &tree(answer));
+    // the turned body reaches 2 along the first axis and the other one 1
+    for (x, status) in [(2.5, "inside"), (3.0, "boundary"), (3.5, "outside")] {
+        let answer = answer(x);
+        assert_eq!(answer["result"]["status"], status, "{answer}");
+        assert!(verdict(x, &answer).is_right());
+        for other in [2.0, 2.75, 3.0, 4.5].into_iter().filter(|other| *other != x) {
+            // a direction that separates a body separates it farther away, too
+            assert_eq!(verdict(other, &answer).is_right(), status == "outside" && other > x, "{x} {other}");
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! The fields of an input, taken with their types checked.
 
+use zonotope::Pose;
 use zonotope::zonotope::Zonotope;
 
 use super::MAX_VECTORS;
@@ -7,7 +8,10 @@ use super::place::Place;
 use super::refusal::{Code, Refusal};
 use crate::json::Tree;
 
-/// An object that has exactly the fields that it should have: the input, or a zonotope in it.
+/// The dimension of bodies that may have a pose.
+const SPACE: usize = 3;
+
+/// An object that has all fields that it must have and none but those that it may have: the input, or a zonotope in it.
 #[derive(Debug, Clone)]
 pub struct Fields<'a> {
     object: &'a Tree,
@@ -15,12 +19,12 @@ pub struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// Checks that the input is an object with the expected fields and no others.
-    pub(super) fn of_input(input: &'a Tree, expected: &[&str]) -> Result<Self, Refusal> {
-        Self::at(input, expected, Place::default())
+    /// Checks that the input is an object with the expected fields and no others but optional ones.
+    pub(super) fn of_input(input: &'a Tree, expected: &[&str], optional: &[&str]) -> Result<Self, Refusal> {
+        Self::at(input, expected, optional, Place::default())
     }
 
-    fn at(object: &'a Tree, expected: &[&str], place: Place) -> Result<Self, Refusal> {
+    fn at(object: &'a Tree, expected: &[&str], optional: &[&str], place: Place) -> Result<Self, Refusal> {
         let name = if place == Place::default() { "input".to_owned() } else { place.to_string() };
         let Tree::Object(fields) = object else {
             return Err(Refusal::bad_input(format!("`{name}` is {}, not an object", object.describe())));
@@ -29,7 +33,8 @@ impl<'a> Fields<'a> {
         if let Some(missing) = expected.iter().find(|name| object.field(name).is_none()) {
             return Err(Refusal::bad_input(format!("missing field `{missing}` in {whole}")));
         }
-        if let Some((extra, _)) = fields.iter().find(|(name, _)| !expected.contains(&name.as_str())) {
+        let is_known = |name: &String| expected.contains(&name.as_str()) || optional.contains(&name.as_str());
+        if let Some((extra, _)) = fields.iter().find(|(name, _)| !is_known(name)) {
             return Err(Refusal::bad_input(format!("extra field `{extra}` in {whole}")));
         }
         Ok(Self { object, place })
@@ -44,9 +49,42 @@ impl<'a> Fields<'a> {
         list(self.value(name), &self.place.field(name))
     }
 
-    /// The object under `name`, which has the expected fields and no others.
-    pub(super) fn object(&self, name: &str, expected: &[&str]) -> Result<Self, Refusal> {
-        Self::at(self.value(name), expected, self.place.field(name))
+    /// The object under `name`, which has the expected fields and no others but optional ones.
+    pub(super) fn object(&self, name: &str, expected: &[&str], optional: &[&str]) -> Result<Self, Refusal> {
+        Self::at(self.value(name), expected, optional, self.place.field(name))
+    }
+
+    /// Whether there is a pose.
+    pub(super) fn has_pose(&self) -> bool {
+        self.object.field("pose").is_some()
+    }
+
+    /// The pose of a body, whose dimension is that of the vector under `name`; the identity if there is none.
+    pub(super) fn pose(&self, name: &str) -> Result<Pose, Refusal> {
+        if !self.has_pose() {
+            return Ok(Pose::IDENTITY);
+        }
+        let place = self.place.field("pose");
+        let dimension = self.dimension(name)?;
+        if dimension != SPACE {
+            let vector = self.place.field(name);
+            let message = format!("{place} is for bodies of {SPACE} dimensions, and {vector} has {dimension}");
+            return Err(Refusal::new(Code::DimensionMismatch, message));
+        }
+        let pose = self.object("pose", &["matrix", "translation"], &[])?;
+        let rows = pose.list("matrix")?;
+        let place = place.field("matrix");
+        let [first, second, third] = rows else {
+            let message = format!("{place} has {} rows, not {SPACE}", rows.len());
+            return Err(Refusal::new(Code::DimensionMismatch, message));
+        };
+        let row = |row: &Tree, index: usize| {
+            let place = place.element(index);
+            coordinates(list(row, &place)?, &place)
+        };
+        let matrix = [row(first, 0)?, row(second, 1)?, row(third, 2)?];
+        let translation = pose.vector("translation")?;
+        Ok(Pose::new(matrix, translation).expect("what is not finite was refused when the question was read"))
     }
 
     /// The number of coordinates of the vector under `name`.

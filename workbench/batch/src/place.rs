@@ -41,7 +41,11 @@ impl fmt::Display for Place {
             match step {
                 Step::Field(name) => {
                     plural = name.len() > 1 && name.ends_with('s');
-                    element = if name == "k" { "entry" } else { "coordinate" };
+                    element = match name.as_str() {
+                        "k" => "entry",
+                        "matrix" => "row",
+                        _ => "coordinate",
+                    };
                     words.push(name.clone());
                 }
                 Step::Element(index) if plural => {
@@ -49,7 +53,10 @@ impl fmt::Display for Place {
                     words.push(format!("{} {}", name.trim_end_matches('s'), index + 1));
                     plural = false;
                 }
-                Step::Element(index) => words.push(format!("{element} {}", index + 1)),
+                Step::Element(index) => {
+                    words.push(format!("{element} {}", index + 1));
+                    element = if element == "row" { "entry" } else { element };
+                }
             }
         }
         f.write_str(&words.join(", "))
@@ -68,6 +75,9 @@ mod tests {
         assert_eq!(root.field("weights").element(2).to_string(), "weight 3");
         assert_eq!(root.field("k").element(0).to_string(), "k, entry 1");
         assert_eq!(root.field("epsilon").to_string(), "epsilon");
+        let matrix = root.field("b").field("pose").field("matrix");
+        assert_eq!(matrix.element(1).to_string(), "b, pose, matrix, row 2");
+        assert_eq!(matrix.element(1).element(2).to_string(), "b, pose, matrix, row 2, entry 3");
         let nested = root.field("a").field("generators").element(0).element(2);
         assert_eq!(nested.to_string(), "a, generator 1, coordinate 3");
     }

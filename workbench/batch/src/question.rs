@@ -84,7 +84,7 @@ impl Question {
                 Refusal::new(Code::UnknownMethod, message)
             })?),
         };
-        (kind.solve)(&Fields::of_input(&self.input, kind.fields)?, method, seed)
+        (kind.solve)(&Fields::of_input(&self.input, kind.fields, kind.optional)?, method, seed)
     }
 }
 

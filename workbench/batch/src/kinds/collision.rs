@@ -1,7 +1,7 @@
 //! What the kinds about a body and a displacement share: the choice of a method, proofs in the answer.
 
 use serde_json::{Value, json};
-use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, Witness};
+use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation};
 
 use crate::json::vector_to_json;
 use crate::refusal::{Code, Refusal};
@@ -74,8 +74,8 @@ fn refuse_many<const D: usize>(method: Method, generators: usize) -> Result<(), 
     }
 }
 
-/// Where a displacement lies, and the method that proved it: what a linear program leaves open is decided by the
-/// kernel, or by brute force in dimensions that the kernel does not reach.
+/// Where a displacement lies, with a proof that a verifier takes, and the method that proved it: what a linear program
+/// leaves open is decided by the kernel, or by brute force in dimensions that the kernel does not reach.
 pub(super) fn locate<const D: usize>(
     method: Method,
     question: &Query<'_, D>,
@@ -86,27 +86,39 @@ pub(super) fn locate<const D: usize>(
         Ok(Finding::Member(_) | Finding::Undecided) | Err(_) => None,
     };
     if let Some(location) = find(method) {
-        return Ok((method, location));
+        return Ok((method, location.with_nearest_basis(question)));
     }
     let reaches = Method::ByLad.dimensions().contains(&D);
     let other = if reaches { Method::ByLad } else { Method::BruteForce };
     refuse_many::<D>(other, question.len())?;
     let location = find(other).expect("the kernel locates up to four dimensions, brute force in any");
-    Ok((other, location))
+    Ok((other, location.with_nearest_basis(question)))
 }
 
-/// The gauge by a method that was chosen for it.
+/// The gauge by a method that was chosen for it, with a proof that a verifier takes.
 pub(super) fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
     let gauge = method.gauge(question, &mut ());
-    gauge.expect("the dimension and the number of generators were checked when the method was chosen")
+    let gauge = gauge.expect("the dimension and the number of generators were checked when the method was chosen");
+    gauge.with_nearest_basis(question)
 }
 
-/// The status and the proof of a location.
-pub(super) fn certificate<const D: usize>(question: &Query<'_, D>, location: &Location<D>) -> Value {
+/// The method of questions about bodies under poses, unless another one was asked for.
+pub(super) fn posed_method(asked: Option<&'static str>) -> Result<&'static str, Refusal> {
+    let kernel = Method::ByLad.id();
+    match asked.filter(|name| *name != kernel) {
+        Some(other) => {
+            let message = format!("`{other}` does not take bodies under a pose; `{kernel}` does");
+            Err(Refusal::new(Code::UnknownMethod, message))
+        }
+        None => Ok(kernel),
+    }
+}
+
+/// The proof of a location.
+pub(super) fn certificate<const D: usize>(location: &Location<D>) -> Value {
     match location {
         Location::Inside(witness) | Location::Boundary(witness) => {
-            let Witness { coefficients, basis } = witness.clone().with_nearest_basis(question);
-            json!({"coefficients": vector_to_json(&coefficients), "basis": basis})
+            json!({"coefficients": vector_to_json(&witness.coefficients), "basis": witness.basis})
         }
         Location::Outside(Separation::Rounded(direction)) => {
             json!({"separating_direction": vector_to_json(direction)})

@@ -12,6 +12,7 @@ pub(super) const KIND: Kind = Kind {
     name: "combinatorics",
     summary: "how many vertices, edges and facets a zonotope has, and its exact volume",
     fields: &["generators"],
+    optional: &[],
     methods: || vec![BY_COUNTING],
     solve,
 };

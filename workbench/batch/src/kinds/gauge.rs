@@ -1,9 +1,10 @@
 //! `gauge`: how many times a zonotope must be taken to reach from one point to another.
 
-use serde_json::json;
-use zonotope::collision::Query;
+use serde_json::{Value, json};
+use zonotope::Zonotope;
+use zonotope::collision::{Gauge, Query};
 
-use super::collision::{Task, certificate, gauge};
+use super::collision::{Task, certificate, gauge, posed_method};
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
@@ -14,11 +15,15 @@ pub(super) const KIND: Kind = Kind {
     name: "gauge",
     summary: "how many times a zonotope around the origin must be taken to hold the way from p to q",
     fields: &["p", "q", "generators"],
+    optional: &["pose"],
     methods: || Task::Gauge.method_names(),
     solve,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
+    if fields.has_pose() {
+        return under_pose(fields, method);
+    }
     in_dimension!(fields.dimension("p")?, "p", in_space(fields, method))
 }
 
@@ -27,11 +32,23 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>) -
     let generators = fields.vectors::<D>("generators")?;
     let method = Task::Gauge.method::<D>(method, generators.len())?;
     let question = Query::new(p, q, &generators).expect("the numbers of a question are finite");
-    let gauge = gauge(method, &question);
-    let result = json!({
+    Ok(Solution { method: method.id(), result: result(&gauge(method, &question)) })
+}
+
+/// With a pose, p is the centre of the body and moves with it.
+fn under_pose(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal> {
+    let pose = fields.pose("p")?;
+    let [p, q] = [fields.vector("p")?, fields.vector("q")?];
+    let body = Zonotope::new(p, fields.vectors("generators")?).expect("the numbers of a question are finite");
+    let method = posed_method(method)?;
+    let gauge = body.at(&pose).gauge(q).expect("the numbers of a question are finite");
+    Ok(Solution { method, result: result(&gauge) })
+}
+
+fn result<const D: usize>(gauge: &Gauge<D>) -> Value {
+    json!({
         "gauge": to_json(gauge.value),
         "at_most_one": gauge.location.is_member(),
-        "certificate": certificate(&question, &gauge.location),
-    });
-    Ok(Solution { method: method.id(), result })
+        "certificate": certificate(&gauge.location),
+    })
 }

@@ -1,9 +1,9 @@
 //! `intersect`: whether two zonotopes have a point in common.
 
-use serde_json::json;
-use zonotope::collision::Query;
+use serde_json::{Value, json};
+use zonotope::collision::{Location, Query};
 
-use super::collision::{Task, certificate, locate};
+use super::collision::{Task, certificate, locate, posed_method};
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
@@ -13,15 +13,20 @@ pub(super) const KIND: Kind = Kind {
     name: "intersect",
     summary: "whether two zonotopes overlap, only touch or are disjoint",
     fields: &["a", "b"],
+    optional: &[],
     methods: || Task::Locate.method_names(),
     solve,
 };
 
-/// The fields of a zonotope.
+/// The fields of a zonotope, and those that it may have.
 const BODY: [&str; 2] = ["center", "generators"];
+const PLACED: [&str; 1] = ["pose"];
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
-    let bodies = [fields.object("a", &BODY)?, fields.object("b", &BODY)?];
+    let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
+    if bodies.iter().any(Fields::has_pose) {
+        return under_poses(&bodies, method);
+    }
     in_dimension!(bodies[0].dimension("center")?, "the center of a", in_space(&bodies, method, seed))
 }
 
@@ -34,10 +39,20 @@ fn in_space<const D: usize>(
     let question = Query::between(&a, &b);
     let method = Task::Locate.method::<D>(method, question.len())?;
     let (method, location) = locate(method, &question, seed)?;
-    let result = json!({
+    Ok(Solution { method: method.id(), result: result(&location) })
+}
+
+fn under_poses([first, second]: &[Fields<'_>; 2], method: Option<&'static str>) -> Result<Solution, Refusal> {
+    let [from, to] = [first.pose("center")?, second.pose("center")?];
+    let [a, b] = [first.zonotope()?, second.zonotope()?];
+    let method = posed_method(method)?;
+    Ok(Solution { method, result: result(&a.at(&from).intersection(b.at(&to))) })
+}
+
+fn result<const D: usize>(location: &Location<D>) -> Value {
+    json!({
         "intersects": location.is_member(),
         "status": location.status().name(),
-        "certificate": certificate(&question, &location),
-    });
-    Ok(Solution { method: method.id(), result })
+        "certificate": certificate(location),
+    })
 }

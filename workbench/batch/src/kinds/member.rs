@@ -1,9 +1,9 @@
 //! `member`: whether a point lies in a zonotope.
 
-use serde_json::json;
-use zonotope::collision::Query;
+use serde_json::{Value, json};
+use zonotope::collision::{Location, Query};
 
-use super::collision::{Task, certificate, locate};
+use super::collision::{Task, certificate, locate, posed_method};
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
@@ -13,11 +13,15 @@ pub(super) const KIND: Kind = Kind {
     name: "member",
     summary: "whether a point lies inside a zonotope, on its boundary or outside",
     fields: &["point", "center", "generators"],
+    optional: &["pose"],
     methods: || Task::Locate.method_names(),
     solve,
 };
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
+    if fields.has_pose() {
+        return under_pose(fields, method);
+    }
     in_dimension!(fields.dimension("point")?, "point", in_space(fields, method, seed))
 }
 
@@ -27,10 +31,21 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, s
     let method = Task::Locate.method::<D>(method, body.generators().len())?;
     let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
     let (method, location) = locate(method, &question, seed)?;
-    let result = json!({
+    Ok(Solution { method: method.id(), result: result(&location) })
+}
+
+fn under_pose(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal> {
+    let pose = fields.pose("center")?;
+    let (point, body) = (fields.vector("point")?, fields.zonotope()?);
+    let method = posed_method(method)?;
+    let location = body.at(&pose).locate(point).expect("the numbers of a question are finite");
+    Ok(Solution { method, result: result(&location) })
+}
+
+fn result<const D: usize>(location: &Location<D>) -> Value {
+    json!({
         "member": location.is_member(),
         "status": location.status().name(),
-        "certificate": certificate(&question, &location),
-    });
-    Ok(Solution { method: method.id(), result })
+        "certificate": certificate(location),
+    })
 }

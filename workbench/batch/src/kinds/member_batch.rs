@@ -14,6 +14,7 @@ pub(super) const KIND: Kind = Kind {
     name: "member_batch",
     summary: "status and gauge of many points relative to one zonotope",
     fields: &["center", "generators", "points"],
+    optional: &[],
     methods: || vec![BY_LAD],
     solve,
 };

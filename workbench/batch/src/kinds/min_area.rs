@@ -14,6 +14,7 @@ pub(super) const KIND: Kind = Kind {
     name: "min_area",
     summary: "the zonogon of least area that contains points of the plane",
     fields: &["points"],
+    optional: &[],
     methods: || {
         let default = Method::default();
         let others = Method::FAST.into_iter().filter(|&method| method != default);

@@ -15,6 +15,7 @@ pub(super) const KIND: Kind = Kind {
     name: "min_length_all",
     summary: "the zonotope of least total length that contains points, within a proven ratio",
     fields: &["points", "epsilon"],
+    optional: &[],
     methods: || METHODS.to_vec(),
     solve,
 };

@@ -18,6 +18,7 @@ pub(super) const KIND: Kind = Kind {
     name: "min_length_dirs",
     summary: "the smallest zonotope along given directions that contains points",
     fields: &["points", "directions", "weights"],
+    optional: &[],
     methods: || METHODS.to_vec(),
     solve,
 };

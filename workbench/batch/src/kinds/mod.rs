@@ -28,8 +28,10 @@ pub struct Kind {
     pub name: &'static str,
     /// What it asks, in one line.
     pub summary: &'static str,
-    /// The fields of its input, all of them required.
+    /// The fields that its input must have.
     pub fields: &'static [&'static str],
+    /// The fields that its input may have as well.
+    pub optional: &'static [&'static str],
     /// The methods that answer it, the default first.
     pub methods: fn() -> Vec<&'static str>,
     /// Answers it: input, the method that was asked for, seed.

@@ -12,6 +12,7 @@ pub(super) const KIND: Kind = Kind {
     name: "separator",
     summary: "the chain from the top to the bottom of the projected upper hull with k tiles on its left, exactly",
     fields: &["generators", "k"],
+    optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };

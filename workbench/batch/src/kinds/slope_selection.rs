@@ -13,6 +13,7 @@ pub(super) const KIND: Kind = Kind {
     name: "slope_selection",
     summary: "the exact abscissas of the k-th leftmost vertices of the arrangement that is dual to generators in space",
     fields: &["generators", "k"],
+    optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };

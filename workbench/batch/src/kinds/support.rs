@@ -12,6 +12,7 @@ pub(super) const KIND: Kind = Kind {
     name: "support",
     summary: "how far a zonotope reaches in a direction, and a point where it does",
     fields: &["direction", "center", "generators"],
+    optional: &[],
     methods: || vec![BY_SIGNS],
     solve,
 };

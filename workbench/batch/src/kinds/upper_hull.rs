@@ -11,6 +11,7 @@ pub(super) const KIND: Kind = Kind {
     name: "upper_hull",
     summary: "the exact height of the upper hull of a zonotope in space over a point of the plane",
     fields: &["generators", "p0"],
+    optional: &[],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };

@@ -4,23 +4,51 @@ use super::Verdict;
 use super::reading::{boolean, direction, float, index, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
-    Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, Status, check_gauge, check_location,
+    Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, Pose, Status, check_gauge, check_location,
     check_member_batch,
 };
 
 pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let point = vector(member(input, "point")?, "point")?;
-    let center = vector(member(input, "center")?, "center")?;
-    let generators = vectors(member(input, "generators")?, "generators")?;
-    located(&Displaced::new(&center, &point, &generators)?, result, "member")
+    let body = Placed::read(input, "center")?;
+    located(&Displaced::to_point(&body.body(), &point)?, result, "member")
 }
 
 pub(super) fn intersect(input: &Tree, result: &Tree) -> Result<Verdict, String> {
-    let [a, b] = [member(input, "a")?, member(input, "b")?];
-    let center = |body| vector(member(body, "center")?, "center");
-    let mut generators = vectors(member(a, "generators")?, "generators")?;
-    generators.extend(vectors(member(b, "generators")?, "generators")?);
-    located(&Displaced::new(&center(a)?, &center(b)?, &generators)?, result, "intersects")
+    let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
+    located(&Displaced::between(&a.body(), &b.body())?, result, "intersects")
+}
+
+/// A zonotope of a question with its pose, if it has one.
+struct Placed {
+    center: Vec<f64>,
+    generators: Vec<Vec<f64>>,
+    pose: Option<Pose>,
+}
+
+impl Placed {
+    /// The zonotope of an object whose centre goes by the name `center`.
+    fn read(object: &Tree, center: &str) -> Result<Self, String> {
+        Ok(Self {
+            center: vector(member(object, center)?, center)?,
+            generators: vectors(member(object, "generators")?, "generators")?,
+            pose: object.field("pose").map(pose).transpose()?,
+        })
+    }
+
+    fn body(&self) -> Body<'_, Vec<f64>> {
+        Body { center: &self.center, generators: &self.generators, pose: self.pose.as_ref() }
+    }
+}
+
+fn pose(tree: &Tree) -> Result<Pose, String> {
+    let of_space = |v: Vec<f64>| <[f64; 3]>::try_from(v).map_err(|_| "the pose is not of space".to_owned());
+    let rows: Vec<[f64; 3]> =
+        vectors(member(tree, "matrix")?, "matrix")?.into_iter().map(of_space).collect::<Result<_, _>>()?;
+    Ok(Pose {
+        matrix: rows.try_into().map_err(|_| "the pose is not of space")?,
+        translation: of_space(vector(member(tree, "translation")?, "translation")?)?,
+    })
 }
 
 fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<Verdict, String> {
@@ -39,14 +67,13 @@ fn status(name: &str) -> Result<Status, String> {
 }
 
 pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<Verdict, String> {
-    let [p, q] = [vector(member(input, "p")?, "p")?, vector(member(input, "q")?, "q")?];
-    let generators = vectors(member(input, "generators")?, "generators")?;
+    let (body, q) = (Placed::read(input, "p")?, vector(member(input, "q")?, "q")?);
     let answer = GaugeAnswer {
         gauge: float(result, "gauge")?,
         at_most_one: boolean(result, "at_most_one")?,
         certificate: certificate(member(result, "certificate")?)?,
     };
-    Ok(check_gauge(&Displaced::new(&p, &q, &generators)?, &answer).in_words())
+    Ok(check_gauge(&Displaced::to_point(&body.body(), &q)?, &answer).in_words())
 }
 
 pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, String> {
