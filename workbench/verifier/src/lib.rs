@@ -25,6 +25,9 @@
 //! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |
 //! | [`check_separator`] | a chain with k tiles on its left | none: the order of the lines along the chain |
 //! | [`check_upper_hull`] | the height of the upper hull | none: the bounds of all vertices |
+//! | [`check_convex_hull`] | the vertices of the convex hull, in order | none: every corner, and every point against the edges |
+//! | [`check_lad`] | a point where linear · x + Σ abs(v_i(x)) is least | coefficients δ_i in [−1, 1] with δ_i v_i = abs(v_i) at the point and linear + Σ δ_i normal_i = 0 |
+//! | | there is no minimum | a direction u with linear · u + Σ abs(normal_i · u) < 0 |
 //!
 //! # How it stays exact
 //!
@@ -56,6 +59,8 @@ mod collision;
 mod enclosing;
 mod exact;
 mod faces;
+mod hull;
+mod lad;
 mod verdict;
 
 pub use arrangement::separator::{SeparatorProof, check_separator};
@@ -78,6 +83,8 @@ pub use enclosing::min_length_dirs::{
 };
 pub use exact::fraction::Fraction;
 pub use exact::whole_direction;
+pub use hull::{ConvexHullProof, check_convex_hull};
+pub use lad::{Lad, LadAnswer, LadProof, check_lad};
 pub use verdict::{Proved, Verdict};
 
 /// The largest relative difference that is accepted between a figure of an answer and its exact value.

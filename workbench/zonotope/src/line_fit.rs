@@ -37,7 +37,7 @@
 //! Never.
 //!
 //! # Checked by
-//! The kernel's brute force, and [`verify`](crate::lad::verify::verify) on every answer.
+//! The kernel's brute force, and the crate `verifier` on every answer.
 //!
 //! # Example
 //! ```
@@ -223,7 +223,8 @@ fn line_of(&[x, y, _]: &[f64; 3]) -> ExactLine {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lad::{LadOutcome, brute_force, verify::verify};
+    use crate::interop::verifier::check_lad;
+    use crate::lad::{LadOutcome, brute_force};
     use proptest::prelude::*;
 
     fn points() -> impl Strategy<Value = Vec<[f64; 3]>> {
@@ -257,7 +258,7 @@ mod tests {
             let truth = brute_force::minimize(&problem).expect("bounded");
             prop_assert_eq!(fit.deviation(), truth.value);
             prop_assert_eq!(optimum.exact_value(&problem), Some(fit.deviation()));
-            prop_assert_eq!(verify(&problem, &LadOutcome::Optimal(optimum)), Ok(()));
+            prop_assert_eq!(check_lad(&problem, &LadOutcome::Optimal(optimum)).proof().map(drop), Ok(()));
             let [slope, intercept] = fit.exact();
             let exact = |v: f64| Rational::try_from(v).expect("finite");
             let sum = points.iter().fold(Rational::ZERO, |sum, p| {

@@ -31,6 +31,7 @@ use crate::exact::fraction::{Fraction, common_denominator};
 use crate::exact::grid::{Grid, check_finite};
 use crate::exact::polygon::{ConvexPolygon, Point, cross, vector};
 use crate::exact::proportion::{Proportion, check_figure};
+use crate::hull::check_hull;
 use crate::verdict::{Proved, Verdict};
 
 /// An answer as it was written.
@@ -106,7 +107,8 @@ fn proved(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, S
     let generators: Vec<Point> = answer.generators.iter().map(|&generator| grid.point(generator)).collect();
 
     let zonogon = ConvexPolygon::zonogon(&center, &generators);
-    if let Some(outside) = placed.iter().position(|point| !zonogon.contains(point)) {
+    check_hull(points, &answer.certificate.hull)?;
+    if let Some(outside) = answer.certificate.hull.iter().find(|&&vertex| !zonogon.contains(&placed[vertex])) {
         return Err(format!("point {} lies outside the zonogon", outside + 1));
     }
     let area = Proportion::whole(zonogon.doubled_area(), 2 * grid.exponent() - 1);
@@ -188,7 +190,8 @@ fn proved_exactly(points: &[[f64; 2]], certificate: &Certificate, exact: &ExactM
     let generators: Vec<Point> = exact.generators.iter().map(of_fraction).collect();
 
     let zonogon = ConvexPolygon::zonogon(&center, &generators);
-    if let Some(outside) = placed.iter().position(|point| !zonogon.contains(point)) {
+    check_hull(points, &certificate.hull)?;
+    if let Some(outside) = certificate.hull.iter().find(|&&vertex| !zonogon.contains(&placed[vertex])) {
         return Err(format!("exact: point {} lies outside the zonogon", outside + 1));
     }
     let doubled = Proportion::whole(zonogon.doubled_area(), 0);
@@ -215,10 +218,10 @@ fn rounding_allowance(points: &[[f64; 2]]) -> Proportion {
     extent(0).plus(&extent(1)).times(&Proportion::of_double(largest).times(&units).plus(&floor))
 }
 
-/// Twice the bound that the certificate proves for every zonogon around the points; 0 for points on a line.
+/// Twice the bound that a certificate with the right hull proves for every zonogon around the points; 0 for points on a
+/// line.
 fn proven_bound(points: &[Point], center: &Point, certificate: &Certificate) -> Result<Proportion, String> {
-    let hull = checked_hull(points, &certificate.hull)?;
-    let vertices = hull.vertices();
+    let vertices: &[Point] = &certificate.hull.iter().map(|&vertex| points[vertex].clone()).collect::<Vec<_>>();
     if vertices.len() < 3 {
         return Ok(Proportion::whole(IBig::ZERO, 0));
     }
@@ -240,20 +243,6 @@ fn proven_bound(points: &[Point], center: &Point, certificate: &Certificate) -> 
     let loss = loss(&edges, &offsets, certificate)?;
     let at_center = Proportion::whole(symmetric.doubled_area(), 0);
     Ok(at_center.minus(&loss))
-}
-
-/// The polygon of the hull's vertices, if it is convex and contains every point.
-fn checked_hull(points: &[Point], hull: &[usize]) -> Result<ConvexPolygon, String> {
-    if let Some(wrong) = hull.iter().find(|&&index| index >= points.len()) {
-        return Err(format!("certificate: hull names point {wrong}, which does not exist"));
-    }
-    let vertices = hull.iter().map(|&index| points[index].clone()).collect();
-    let polygon = ConvexPolygon::from_vertices(vertices)
-        .ok_or("certificate: hull is not a convex polygon, counter-clockwise from its smallest vertex")?;
-    match points.iter().position(|point| !polygon.contains(point)) {
-        Some(outside) => Err(format!("certificate: point {} lies outside the hull", outside + 1)),
-        None => Ok(polygon),
-    }
 }
 
 /// Each edge's named vertex must be as far from the edge as any: as far as its two neighbours suffices, by convexity.

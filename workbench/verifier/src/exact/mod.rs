@@ -5,6 +5,7 @@ pub(crate) mod grid;
 pub(crate) mod inversions;
 pub(crate) mod length;
 pub(crate) mod linear;
+pub(crate) mod plain_point;
 pub(crate) mod polygon;
 pub(crate) mod proportion;
 pub(crate) mod subsets;

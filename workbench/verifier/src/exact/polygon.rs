@@ -17,23 +17,30 @@ pub(crate) fn cross(u: &Point, v: &Point) -> IBig {
     &u[0] * &v[1] - &u[1] * &v[0]
 }
 
-/// The side of the directed line a b on which p lies: positive on the left.
-fn side(a: &Point, b: &Point, p: &Point) -> Ordering {
-    cross(&vector(a, b), &vector(a, p)).cmp(&IBig::ZERO)
+/// A point that can be a corner of a polygon: points are ordered by abscissa, then ordinate.
+pub(crate) trait Corner: Ord {
+    /// The side of the directed line a b on which p lies, exactly: greater on the left.
+    fn side(a: &Self, b: &Self, p: &Self) -> Ordering;
+}
+
+impl Corner for Point {
+    fn side(a: &Self, b: &Self, p: &Self) -> Ordering {
+        cross(&vector(a, b), &vector(a, p)).cmp(&IBig::ZERO)
+    }
 }
 
 /// A convex polygon, counter-clockwise from its lexicographically smallest vertex, every turn strictly to the left;
 /// a segment has two vertices, a point one.
 #[derive(Debug, Clone)]
-pub(crate) struct ConvexPolygon {
-    vertices: Vec<Point>,
+pub(crate) struct ConvexPolygon<P = Point> {
+    vertices: Vec<P>,
     /// The index of the lexicographically largest vertex: the lower chain ends and the upper one begins there.
     top: usize,
 }
 
-impl ConvexPolygon {
+impl<P: Corner> ConvexPolygon<P> {
     /// The polygon with the given vertices, if they are as the type promises.
-    pub(crate) fn from_vertices(vertices: Vec<Point>) -> Option<Self> {
+    pub(crate) fn from_vertices(vertices: Vec<P>) -> Option<Self> {
         let count = vertices.len();
         let top = (0..count).max_by(|&i, &j| vertices[i].cmp(&vertices[j]))?;
         let rising = vertices[..=top].is_sorted_by(|a, b| a < b);
@@ -42,11 +49,32 @@ impl ConvexPolygon {
         let turning = count < 3
             || (0..count).all(|i| {
                 let [a, b, c] = [i, i + 1, i + 2].map(|j| &vertices[j % count]);
-                side(a, b, c) == Ordering::Greater
+                P::side(a, b, c) == Ordering::Greater
             });
         (rising && falling && turning).then_some(Self { vertices, top })
     }
 
+    /// Whether the point lies in the polygon, its boundary included.
+    pub(crate) fn contains(&self, point: &P) -> bool {
+        let [first, last] = [&self.vertices[0], &self.vertices[self.top]];
+        if point < first || point > last {
+            return false;
+        }
+        if self.vertices.len() == 1 {
+            return true;
+        }
+        let above = 1 + self.vertices[1..self.top].partition_point(|vertex| vertex < point);
+        if P::side(&self.vertices[above - 1], &self.vertices[above], point) == Ordering::Less {
+            return false;
+        }
+        let upper = &self.vertices[self.top..];
+        let below = upper.partition_point(|vertex| vertex > point).max(1);
+        let end = upper.get(below).unwrap_or(first);
+        P::side(&upper[below - 1], end, point) != Ordering::Less
+    }
+}
+
+impl ConvexPolygon {
     /// The convex hull of points (at least one), by the monotone chain.
     pub(crate) fn hull(mut points: Vec<Point>) -> Self {
         points.sort_unstable();
@@ -56,7 +84,7 @@ impl ConvexPolygon {
             let start = vertices.len();
             for point in points {
                 while let [.., a, b] = &vertices[start..] {
-                    if side(a, b, point) == Ordering::Greater {
+                    if Point::side(a, b, point) == Ordering::Greater {
                         break;
                     }
                     vertices.pop();
@@ -114,6 +142,7 @@ impl ConvexPolygon {
     }
 
     /// The vertices.
+    #[cfg(test)]
     pub(crate) fn vertices(&self) -> &[Point] {
         &self.vertices
     }
@@ -122,25 +151,6 @@ impl ConvexPolygon {
     pub(crate) fn doubled_area(&self) -> IBig {
         let first = &self.vertices[0];
         self.vertices.windows(2).map(|pair| cross(&vector(first, &pair[0]), &vector(first, &pair[1]))).sum()
-    }
-
-    /// Whether the point lies in the polygon, its boundary included.
-    pub(crate) fn contains(&self, point: &Point) -> bool {
-        let [first, last] = [&self.vertices[0], &self.vertices[self.top]];
-        if point < first || point > last {
-            return false;
-        }
-        if self.vertices.len() == 1 {
-            return true;
-        }
-        let above = 1 + self.vertices[1..self.top].partition_point(|vertex| vertex < point);
-        if side(&self.vertices[above - 1], &self.vertices[above], point) == Ordering::Less {
-            return false;
-        }
-        let upper = &self.vertices[self.top..];
-        let below = upper.partition_point(|vertex| vertex > point).max(1);
-        let end = upper.get(below).unwrap_or(first);
-        side(&upper[below - 1], end, point) != Ordering::Less
     }
 }
 
@@ -155,8 +165,8 @@ mod tests {
     /// Whether p is a convex combination of a and b, or of some triangle of the points: by definition.
     fn in_some_triangle(points: &[Point], p: &Point) -> bool {
         let inside = |a: &Point, b: &Point, c: &Point| {
-            let sides = [side(a, b, p), side(b, c, p), side(c, a, p)];
-            let flat = side(a, b, c) == Ordering::Equal;
+            let sides = [Point::side(a, b, p), Point::side(b, c, p), Point::side(c, a, p)];
+            let flat = Point::side(a, b, c) == Ordering::Equal;
             let within = (0..2).all(|axis| {
                 let range = [&a[axis], &b[axis], &c[axis]];
                 range.iter().any(|&end| *end <= p[axis]) && range.iter().any(|&end| *end >= p[axis])

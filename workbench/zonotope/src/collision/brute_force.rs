@@ -37,7 +37,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`verify`](super::verify), and squares and cubes by hand.
+//! The crate `verifier`, and squares and cubes by hand.
 //!
 //! # Example
 //! ```

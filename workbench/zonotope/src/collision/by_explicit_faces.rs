@@ -35,7 +35,7 @@
 //! Never. More than three dimensions do not compile.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force) on every family, [`verify`](super::verify::verify) for each proof.
+//! [`brute_force`](super::brute_force) on every family, the crate `verifier` for each proof.
 //!
 //! # Example
 //! ```

@@ -39,7 +39,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force) on every family, [`verify`](super::verify::verify) for each proof.
+//! [`brute_force`](super::brute_force) on every family, the crate `verifier` for each proof.
 //!
 //! # Example
 //! ```

@@ -34,7 +34,7 @@
 //! Never by itself.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force) and [`verify`](super::verify::verify) wherever it answers.
+//! [`brute_force`](super::brute_force) and the crate `verifier` wherever it answers.
 //!
 //! # Example
 //! ```

@@ -25,7 +25,7 @@
 //! [`Location::with_nearest_basis`].
 //!
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of
-//! the plane. [`verify`] checks an answer exactly and shares nothing with the methods.
+//! the plane. The crate `verifier` checks an answer exactly and shares nothing with the methods.
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
@@ -47,7 +47,6 @@ mod of_posed_bodies;
 mod tightest_facet;
 mod to_doubles;
 pub mod upper_hull;
-pub mod verify;
 
 pub use by_lad::{gauge, locate};
 

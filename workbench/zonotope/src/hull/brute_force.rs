@@ -33,7 +33,7 @@
 //! Never.
 //!
 //! # Checked by
-//! This is the truth; [`verify`](super::verify) checks it by the definition.
+//! This is the truth; the crate `verifier` checks it by the definition.
 //!
 //! # Example
 //! ```

@@ -11,7 +11,7 @@
 //! | [`by_monotone_chain`] | O(n log n) | sort by x, then one chain below and one above (Andrew) |
 //!
 //! n points, h of them vertices of the hull. [`convex_hull`] is the default method; [`antipodal`] is a problem of its
-//! own and [`verify`] checks an answer without trusting any of the methods.
+//! own. The crate `verifier` checks a hull without trusting any of the methods.
 
 pub mod antipodal;
 pub mod brute_force;
@@ -21,7 +21,6 @@ mod error;
 mod method;
 mod polygon;
 mod sites;
-pub mod verify;
 
 pub use by_discarding::{convex_hull, convex_hull_counted};
 pub use error::{HullError, MAX_POINTS};

@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
-use super::verify::{HullDefect, verify};
 use super::*;
+use crate::interop::verifier::check_convex_hull;
 use crate::numeric::non_finite::{NonFinite, Place};
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, OperationCounts};
@@ -92,7 +92,10 @@ proptest! {
     #[test]
     fn methods_agree_and_verify(points in point_sets()) {
         let truth = brute_force::convex_hull(&points).expect("the points are finite");
-        prop_assert_eq!(verify(&points, &truth), Ok(()));
+        prop_assert_eq!(check_convex_hull(&points, &truth).proof().map(drop), Ok(()));
+        for (vertex, index) in truth.vertices().iter().zip(truth.indices()) {
+            prop_assert_eq!(points.iter().position(|point| point == vertex), Some(index.get()), "first occurrence");
+        }
         for (name, method) in METHODS {
             prop_assert_eq!(method(&points), Ok(truth.clone()), "{}", name);
         }
@@ -174,21 +177,13 @@ fn counting_changes_nothing_and_counts() {
 }
 
 #[test]
-fn the_verifier_finds_defects() {
-    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0], [2.0, 2.0]];
-    let polygon = |indices: &[usize]| {
-        let vertices = indices.iter().map(|&at| points[at]).collect();
-        ConvexHull::from_parts(vertices, indices.iter().map(|&at| PointIndex::new(at)).collect())
+fn vertices_that_are_not_the_points_they_name_are_noticed() {
+    let points = [[0.0, 0.0], [-0.0, 0.0], [2.0, 0.0]];
+    let segment = |vertices: &[[f64; 2]], indices: &[usize]| {
+        ConvexHull::from_parts(vertices.to_vec(), indices.iter().map(|&at| PointIndex::new(at)).collect())
     };
-    let (vertex, point) = (VertexIndex::new, PointIndex::new);
-    assert_eq!(verify(&points, &polygon(&[0, 1, 2, 3])), Ok(()));
-    assert_eq!(verify(&points, &polygon(&[0, 1, 2])), Err(HullDefect::PointOutside(point(3))));
-    assert_eq!(verify(&points, &polygon(&[0, 2])), Err(HullDefect::PointOutside(point(1))));
-    assert_eq!(verify(&points, &polygon(&[0])), Err(HullDefect::PointOutside(point(1))));
-    assert_eq!(verify(&points, &polygon(&[1, 2, 3, 0])), Err(HullDefect::NotMonotone(vertex(2))));
-    assert_eq!(verify(&points, &polygon(&[0, 3, 2, 1])), Err(HullDefect::NotConvex(vertex(1))));
-    assert_eq!(verify(&points, &polygon(&[0, 1, 4, 2, 3])), Err(HullDefect::NotMonotone(vertex(3))));
-    assert_eq!(verify(&points, &polygon(&[0, 1, 5, 3])), Err(HullDefect::NotFirstOccurrence(vertex(2), point(2))));
-    let moved = ConvexHull::from_parts(vec![[0.5, 0.0]], vec![point(0)]);
-    assert_eq!(verify(&points, &moved), Err(HullDefect::NotAnInputPoint(vertex(0))));
+    assert!(check_convex_hull(&points, &segment(&[[0.0, 0.0], [2.0, 0.0]], &[0, 2])).is_right());
+    for (vertex, index) in [([0.5, 0.0], 0), ([0.0, 0.0], 1), ([0.0, 0.0], 3)] {
+        assert!(check_convex_hull(&points, &segment(&[vertex, [2.0, 0.0]], &[index, 2])).is_wrong());
+    }
 }

@@ -52,6 +52,23 @@ impl Dyadic {
         self
     }
 
+    /// The exponent of a power of two of which the number is a whole multiple.
+    pub fn exponent(&self) -> i64 {
+        self.exponent
+    }
+
+    /// The number in units of 2^`exponent`, rounded down if it is not a whole number of them.
+    pub fn units(&self, exponent: i64) -> IBig {
+        let places = (self.exponent - exponent).unsigned_abs() as usize;
+        if self.is_zero() {
+            IBig::ZERO
+        } else if self.exponent < exponent {
+            &self.mantissa >> places
+        } else {
+            &self.mantissa << places
+        }
+    }
+
     /// The sign, as the order of the number against zero.
     pub fn sign(&self) -> Ordering {
         if self.is_zero() {

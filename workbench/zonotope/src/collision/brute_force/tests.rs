@@ -1,12 +1,12 @@
 //! Squares, cubes and flat bodies by hand.
 
 use super::*;
-use crate::collision::verify::verify;
+use crate::interop::verifier::check_location;
 
 fn ask<const D: usize>(to: [f64; D], generators: &[[f64; D]]) -> (&'static str, Option<Rational>) {
     let question = Query::new([0.0; D], to, generators).expect("finite");
     let location = locate(&question);
-    assert_eq!(verify(&question, &location), Ok(()), "{location:?}");
+    assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{location:?}");
     (location.status().name(), exact_gauge(&question))
 }
 
@@ -63,7 +63,7 @@ fn a_gap_too_narrow_for_doubles() {
         let from = [0.0, 0.0, step * f64::from_bits(1)];
         let question = Query::new(from, generators[2], &generators).expect("finite");
         let location = locate(&question);
-        assert_eq!(verify(&question, &location), Ok(()));
+        assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()));
         let narrow = matches!(location, Location::Outside(Separation::Exact(_)));
         assert_eq!((narrow, location.status().name()), (step < 0.0, if step < 0.0 { "outside" } else { "inside" }));
     }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::collision::brute_force;
-use crate::collision::verify::verify;
+use crate::interop::verifier::check_location;
 use crate::linear_program::{Clarabel, Microlp};
 
 fn check<const D: usize>(to: [f64; D], generators: &[[f64; D]]) -> Vec<Answer<D>> {
@@ -14,7 +14,7 @@ fn check<const D: usize>(to: [f64; D], generators: &[[f64; D]]) -> Vec<Answer<D>
         assert!(answer.is_member().is_none_or(|member| member == truth.is_member()), "{answer:?}");
         if let Some(location) = answer.location() {
             assert_eq!(location.status(), truth.status());
-            assert_eq!(verify(&question, location), Ok(()));
+            assert_eq!(check_location(&question, location).proof().map(drop), Ok(()));
         }
     }
     answers.to_vec()

@@ -54,7 +54,7 @@
 //! Never. More than three dimensions do not compile.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force), [`by_lad`](super::by_lad), and [`verify`](super::verify) on every answer.
+//! [`brute_force`](super::brute_force), [`by_lad`](super::by_lad), and the crate `verifier` on every answer.
 //!
 //! # Example
 //! ```

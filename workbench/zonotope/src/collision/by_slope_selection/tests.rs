@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::collision::verify::verify;
 use crate::collision::{brute_force, by_lad};
+use crate::interop::verifier::check_location;
 use crate::tally::{Operation, OperationCounts};
 
 type Vector = [f64; 3];
@@ -15,7 +15,7 @@ fn check(generators: &[Vector], from: Vector, to: Vector) -> Result<(), TestCase
     for seed in [0, 1] {
         let location = locate(&question, seed);
         prop_assert_eq!(location.status(), truth.status());
-        prop_assert_eq!(verify(&question, &location), Ok(()), "{:?}", location);
+        prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{:?}", location);
     }
     prop_assert_eq!(by_lad::locate(&question).status(), truth.status());
     Ok(())
@@ -174,12 +174,12 @@ proptest! {
         let question = Query::new([0.0; 2], p.map(f64::from), &g).expect("finite");
         let location = locate(&question, 0);
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());
-        prop_assert_eq!(verify(&question, &location), Ok(()), "{:?}", location);
+        prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{:?}", location);
         let g: Vec<[f64; 1]> = g.iter().map(|v| [v[0]]).collect();
         let question = Query::new([0.0], [f64::from(p[0])], &g).expect("finite");
         let location = locate(&question, 0);
         prop_assert_eq!(location.status(), brute_force::locate(&question).status());
-        prop_assert_eq!(verify(&question, &location), Ok(()), "{:?}", location);
+        prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{:?}", location);
     }
 }
 
@@ -236,7 +236,7 @@ fn structured_bodies_take_few_steps() {
             let mut counts = OperationCounts::default();
             let location = locate_counted(&question, 0, &mut counts);
             assert_eq!(location.status(), by_lad::locate(&question).status(), "{name}, {t}");
-            assert_eq!(verify(&question, &location), Ok(()), "{name}, {t}");
+            assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{name}, {t}");
             println!("{name}, {t}: {}, {counts:?}", location.status());
             assert!(counts.get(Operation::SearchStep) <= 2 * 3 * 18, "{name}, {t}: {counts:?}");
         }
@@ -255,7 +255,7 @@ fn proofs_hold_close_to_the_boundary() {
         let middle = if middle <= low || middle >= high { low.next_up() } else { middle };
         let displacement = Query::new([0.0; 3], question(middle), &generators).expect("finite");
         let location = locate(&displacement, 0);
-        assert_eq!(verify(&displacement, &location), Ok(()), "{location:?}");
+        assert_eq!(check_location(&displacement, &location).proof().map(drop), Ok(()), "{location:?}");
         if location.is_member() { low = middle } else { high = middle }
     }
 }

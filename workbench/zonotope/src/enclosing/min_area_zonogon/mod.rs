@@ -18,7 +18,6 @@ pub mod by_kernel;
 pub mod exact;
 mod rounded_center;
 mod segment;
-pub mod verify;
 
 pub use answer::{MinAreaError, MinAreaZonogon};
 pub use by_kernel::{min_area_enclosing_zonogon, min_area_enclosing_zonogon_with};

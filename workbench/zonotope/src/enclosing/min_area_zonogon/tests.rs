@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use super::exact::exact_optimum;
 use super::*;
+use crate::interop::verifier::{check_exact_min_area, check_min_area};
 use crate::lad::Method;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -19,8 +20,10 @@ fn check(points: &[[f64; 2]]) -> Result<(), TestCaseError> {
         if answer.hull.has_area() {
             prop_assert_eq!(answer.face_dimension == 0, centers.len() == 1);
         }
-        let verdict = verify::verify(points, &answer);
-        prop_assert!(verdict.is_ok(), "{:?}: {:?} {:?}", method, verdict, answer);
+        let verdict = check_min_area(points, &answer);
+        prop_assert!(verdict.is_right(), "{:?}: {:?} {:?}", method, verdict, answer);
+        let verdict = check_exact_min_area(points, &answer);
+        prop_assert!(verdict.is_right(), "{:?}: {:?} {:?}", method, verdict, answer);
         prop_assert!(Dyadic::from_f64(answer.lower_bound).to_rational() <= least);
         prop_assert!(!answer.area.is_finite() || Dyadic::from_f64(answer.area).to_rational() >= least);
     }
@@ -143,32 +146,35 @@ fn many_vertices_at_the_smallest_doubles() {
         };
         let points: Vec<[f64; 2]> = (0..count).map(point).collect();
         let answer = min_area_enclosing_zonogon(&points).expect("finite points");
-        assert_eq!(verify::verify(&points, &answer), Ok(()), "{count} points at {radius:e}");
+        assert_eq!(check_min_area(&points, &answer).proof().map(drop), Ok(()), "{count} points at {radius:e}");
     }
 }
 
 #[test]
 fn falsified_answers_are_rejected() {
     let points = [[0.0, 0.0], [6.0, 0.0], [2.0, 5.0], [7.0, 3.0]];
-    let rejected = |change: &dyn Fn(&mut MinAreaZonogon), expected: verify::MinAreaDefect| {
-        let mut answer = min_area_enclosing_zonogon(&points).expect("finite points");
-        assert_eq!(verify::verify(&points, &answer), Ok(()));
+    let right = || min_area_enclosing_zonogon(&points).expect("finite points");
+    assert!(check_min_area(&points, &right()).is_right() && check_exact_min_area(&points, &right()).is_right());
+    let rejected = |change: &dyn Fn(&mut MinAreaZonogon), reason: &str| {
+        let mut answer = right();
         change(&mut answer);
-        assert_eq!(verify::verify(&points, &answer), Err(expected));
+        let complaint = check_min_area(&points, &answer).proof().expect_err("something is wrong");
+        assert!(complaint.contains(reason), "{complaint}");
     };
-    use verify::MinAreaDefect::{Area, Center, LowerBound, NotLeast};
     for area in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.0, 1e9] {
-        rejected(&|answer| answer.area = area, Area);
+        rejected(&|answer| answer.area = area, "area is");
     }
     for bound in [f64::NAN, f64::INFINITY, 1e9] {
-        rejected(&|answer| answer.lower_bound = bound, LowerBound);
+        rejected(&|answer| answer.lower_bound = bound, "lower_bound");
     }
-    rejected(&|answer| answer.optimal_center[0] = answer.optimal_center[0].clone() + Dyadic::from_f64(9.0), Center);
+    let mut elsewhere = right();
+    elsewhere.optimal_center[0] = elsewhere.optimal_center[0].clone() + Dyadic::from_f64(9.0);
+    assert!(check_exact_min_area(&points, &elsewhere).is_wrong());
     let larger = |answer: &mut MinAreaZonogon| {
         let mut generators = answer.zonogon.generators().to_vec();
         generators.push([1e-9, 0.0]);
         answer.zonogon = Zonotope::new(answer.zonogon.center(), generators).expect("finite");
         answer.area = answer.zonogon.exact_area().to_f64().next_up();
     };
-    rejected(&larger, NotLeast);
+    rejected(&larger, "above the proven bound");
 }

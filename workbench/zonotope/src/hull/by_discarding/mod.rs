@@ -43,7 +43,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force) and [`verify`](super::verify).
+//! [`brute_force`](super::brute_force) and the crate `verifier`.
 //!
 //! # Example
 //! ```

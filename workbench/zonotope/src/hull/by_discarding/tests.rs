@@ -5,8 +5,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::hull::verify::verify;
 use crate::hull::{VertexIndex, by_monotone_chain};
+use crate::interop::verifier::check_convex_hull;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::OperationCounts;
 
@@ -44,7 +44,7 @@ fn large_instances_agree_and_verify() {
         for count in [1000, FINER_COLUMNS_FROM + 77] {
             let points = instance(shape, count, 5);
             let hull = convex_hull(&points).expect("the points are finite");
-            assert_eq!(verify(&points, &hull), Ok(()), "{name}, {count} points");
+            assert_eq!(check_convex_hull(&points, &hull).proof().map(drop), Ok(()), "{name}, {count} points");
             assert_eq!(by_monotone_chain::convex_hull(&points).as_ref(), Ok(&hull), "{name}, {count} points");
         }
     }
@@ -67,7 +67,7 @@ proptest! {
             scaled.filter(|point| point.iter().all(|value| value.is_finite())).collect::<Vec<_>>().repeat(repeated);
         prop_assume!(!points.is_empty());
         let hull = convex_hull(&points).expect("the points are finite");
-        prop_assert_eq!(verify(&points, &hull), Ok(()));
+        prop_assert_eq!(check_convex_hull(&points, &hull).proof().map(drop), Ok(()));
         prop_assert_eq!(by_monotone_chain::convex_hull(&points), Ok(hull));
     }
 }

@@ -8,7 +8,7 @@
 //! | [`brute_force`] | O(n⁴), exact rationals | the truth |
 //! | [`by_line_search`] (default) | O(n) a step, few steps | exact descent along the arrangement's edges by weighted medians |
 //!
-//! Every optimum carries a certificate that [`verify`] checks on its own. The search works in homogeneous coordinates:
+//! Every optimum carries a certificate that the crate `verifier` checks on its own. The search works in homogeneous coordinates:
 //!
 //! | file | what it holds |
 //! |---|---|
@@ -24,7 +24,6 @@ mod line_search;
 mod outcome;
 mod problem;
 mod vector4;
-pub mod verify;
 mod vertex;
 
 pub use by_line_search::{minimize, minimize_counted};

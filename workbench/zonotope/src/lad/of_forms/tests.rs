@@ -3,11 +3,12 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::interop::verifier::check_lad_of_forms;
 
 fn check(planes: Vec<WeightedPlane>, linear: [f64; 3]) -> Result<(), TestCaseError> {
     let problem = SpaceLadProblem::new(planes, linear).expect("the family makes finite planes");
     let outcome = minimize(&problem);
-    prop_assert_eq!(verify::verify(&problem, &outcome), Ok(()), "{:?}", outcome);
+    prop_assert_eq!(check_lad_of_forms(&problem, &outcome).proof().map(drop), Ok(()), "{:?}", outcome);
     let value = match outcome {
         SpaceOutcome::Optimal(optimum) => Some(optimum.value),
         SpaceOutcome::Unbounded { .. } => None,
@@ -115,7 +116,7 @@ fn large_instances_are_solved_and_verified() {
         let problem = SpaceLadProblem::new(planes, [3.0, -20.0, 1.5]).expect("finite planes");
         let mut counts = crate::tally::OperationCounts::default();
         let outcome = minimize_counted(&problem, &mut counts);
-        assert_eq!(verify::verify(&problem, &outcome), Ok(()));
+        assert_eq!(check_lad_of_forms(&problem, &outcome).proof().map(drop), Ok(()));
         let passes = counts.get(crate::tally::Operation::LineEvaluation) / 3000;
         assert!(passes < 100, "{counts:?}");
     }

@@ -46,7 +46,7 @@
 //! Never.
 //!
 //! # Checked by
-//! [`brute_force`](super::brute_force), and [`verify`](super::verify::verify) on every answer.
+//! [`brute_force`](super::brute_force), and the crate `verifier` on every answer.
 //!
 //! # Example
 //! ```

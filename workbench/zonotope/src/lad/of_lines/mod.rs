@@ -12,7 +12,7 @@
 //! | [`by_pruning`] | O(n) expected | the default |
 //!
 //! Every method but the truth returns a minimiser named by its defining lines, with a certificate that
-//! [`verify`] checks on its own. The methods share four stages, each resting on those before it:
+//! the crate `verifier` checks on its own. The methods share four stages, each resting on those before it:
 //!
 //! | stage | what it holds |
 //! |---|---|
@@ -36,7 +36,6 @@ mod method;
 mod optimum;
 mod sign_vectors;
 mod subproblem;
-pub mod verify;
 
 pub use by_pruning::{minimize, minimize_counted};
 pub use certificate::LadCertificate;

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::interop::verifier::check_lad;
 use crate::numeric::Rational;
 
 fn check(lines: &[WeightedLine], linear: [f64; 2]) -> Result<(), TestCaseError> {
@@ -24,8 +25,8 @@ fn check_outcome(
     truth: &Option<brute_force::Truth>,
     outcome: LadOutcome,
 ) -> Result<(), TestCaseError> {
-    let verdict = verify::verify(problem, &outcome);
-    prop_assert!(verdict.is_ok(), "{}: {:?} of {:?}", name, verdict, outcome);
+    let verdict = check_lad(problem, &outcome);
+    prop_assert!(verdict.is_right(), "{}: {:?} of {:?}", name, verdict, outcome);
     let Some(truth) = truth else {
         prop_assert!(outcome.optimum().is_none(), "{} misses that the problem is unbounded", name);
         return Ok(());
@@ -133,7 +134,7 @@ fn large_instances_are_pruned_and_verified() {
     let mut values: Vec<Option<Rational>> = Vec::new();
     for method in Method::FAST {
         let outcome = method.minimize(&problem, 5, &mut ());
-        assert_eq!(verify::verify(&problem, &outcome), Ok(()));
+        assert_eq!(check_lad(&problem, &outcome).proof().map(drop), Ok(()));
         values.push(outcome.optimum().expect("bounded").exact_value(&problem));
     }
     assert!(values.windows(2).all(|pair| pair[0] == pair[1]));
@@ -163,29 +164,31 @@ fn changed_outcomes_are_refused_without_a_panic() {
     let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
     let problem = LadProblem::new(&lines, [0.0, 0.0]).expect("finite lines");
     let outcome = minimize(&problem, 1);
-    assert_eq!(verify::verify(&problem, &outcome), Ok(()));
+    assert_eq!(check_lad(&problem, &outcome).proof().map(drop), Ok(()));
     let optimum = outcome.into_optimum().expect("bounded");
     let foreign = LineIndex(3);
     let refused = |change: &dyn Fn(&mut LadOptimum)| {
         let mut changed = optimum.clone();
         change(&mut changed);
-        verify::verify(&problem, &LadOutcome::Optimal(changed)).expect_err("the certificate is wrong")
+        check_lad(&problem, &LadOutcome::Optimal(changed)).proof().expect_err("the certificate is wrong")
     };
-    let unknown = verify::LadVerifyError::UnknownLine { line: foreign };
-    assert_eq!(refused(&|optimum| optimum.minimizer = Minimizer::Vertex(LineIndex(0), foreign)), unknown);
-    assert_eq!(refused(&|optimum| optimum.minimizer = Minimizer::Line(foreign)), unknown);
-    assert_eq!(refused(&|optimum| optimum.certificate.basis.push(foreign)), unknown);
-    assert_eq!(
-        refused(&|optimum| optimum.minimizer = Minimizer::Vertex(LineIndex(1), LineIndex(1))),
-        verify::LadVerifyError::NotAPoint
-    );
+    let foreign_lines: [&dyn Fn(&mut LadOptimum); 3] = [
+        &|optimum| optimum.minimizer = Minimizer::Vertex(LineIndex(0), foreign),
+        &|optimum| optimum.minimizer = Minimizer::Line(foreign),
+        &|optimum| optimum.certificate.basis.push(foreign),
+    ];
+    for change in foreign_lines {
+        assert!(refused(change).ends_with("3, which does not exist"));
+    }
+    let parallel = refused(&|optimum| optimum.minimizer = Minimizer::Vertex(LineIndex(1), LineIndex(1)));
+    assert!(parallel.contains("do not meet"));
     refused(&|optimum| optimum.certificate.signs[0] = i8::MIN);
     refused(&|optimum| optimum.certificate.signs.push(1));
     refused(&|optimum| optimum.certificate.basis = vec![LineIndex(0); 3]);
     refused(&|optimum| optimum.certificate.basis.clear());
     // The outcome of this problem is none of a problem with fewer lines.
     let fewer = LadProblem::new(&lines[..1], [0.0, 0.0]).expect("finite lines");
-    assert!(verify::verify(&fewer, &LadOutcome::Optimal(optimum.clone())).is_err());
+    assert!(check_lad(&fewer, &LadOutcome::Optimal(optimum.clone())).is_wrong());
 }
 
 #[test]

@@ -218,7 +218,7 @@ fn magnitude<const OWN: bool>(moments: &Moments, count: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::verify::verify;
+    use crate::interop::verifier::check_location;
 
     fn told(p: [f64; 3], generators: &[[f64; 3]]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
@@ -226,7 +226,7 @@ mod tests {
         let answers = [tell::<true, 16>(&query, &p).ok(), tell::<false, 16>(&query, &p).ok()];
         let [own, even] = answers.map(|clear| {
             let location = clear?.location::<3>();
-            assert_eq!(verify(&query, &location), Ok(()));
+            assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             Some(location.status().name())
         });
         assert_eq!(own, even);

@@ -222,7 +222,7 @@ mod tests {
     use super::*;
     use crate::collision::Query;
     use crate::collision::brute_force;
-    use crate::collision::verify::verify;
+    use crate::interop::verifier::check_location;
     use crate::tally::OperationCounts;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
@@ -263,7 +263,7 @@ mod tests {
                     let mut counts = OperationCounts::default();
                     let Some(clear) = locate(&query, &mut counts) else { continue };
                     let location = clear.location::<3>();
-                    assert_eq!(verify(&query, &location), Ok(()));
+                    assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                     assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
                     (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
                 }
@@ -282,7 +282,7 @@ mod tests {
             let query = Query::new([0.0; 3], p, &body).expect("finite");
             if let Some(clear) = locate(&query, &mut ()) {
                 let location = clear.location::<3>();
-                assert_eq!(verify(&query, &location), Ok(()));
+                assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status(), brute_force::locate(&query).status());
             }
         }
@@ -304,7 +304,7 @@ mod tests {
         for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
             let query = Query::new([0.0; 3], p, &square).expect("finite");
             let location = locate(&query, &mut ()).expect("it is in a simple plane").location::<3>();
-            assert_eq!(verify(&query, &location), Ok(()));
+            assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             assert_eq!(location.status().name(), "boundary");
         }
         // beside a flat body a direction separates all the same

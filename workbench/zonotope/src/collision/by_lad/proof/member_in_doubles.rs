@@ -170,7 +170,7 @@ fn attempt(query: &dyn KernelQuery, certain: &RoundedOptimum, p: &BoundedVector,
 mod tests {
     use super::*;
     use crate::collision::Location;
-    use crate::collision::verify::verify;
+    use crate::interop::verifier::check_location;
     use crate::lad::of_generators::cells::reduced::Reduced;
     use crate::zonotope::query::Query;
 
@@ -180,7 +180,7 @@ mod tests {
         let p = crate::numeric::bounded::exact(p);
         let certain = RoundedOptimum::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
         let (witness, _) = witness(&query, &certain, &NestedCells::default(), &p)?;
-        assert_eq!(verify(&query, &Location::Inside(witness.clone())), Ok(()));
+        assert!(check_location(&query, &Location::Inside(witness.clone())).is_right());
         Some(witness)
     }
 

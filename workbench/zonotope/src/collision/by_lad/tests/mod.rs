@@ -7,8 +7,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::collision::verify::verify;
 use crate::collision::{Separation, Witness};
+use crate::interop::verifier::check_location;
 use crate::numeric::Rational;
 
 type Vector = [Rational; 3];
@@ -271,9 +271,9 @@ fn prove_all<const D: usize>(seed: u64, sizes: &[usize], rounds: usize) {
 
 fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
     let located = locate(query);
-    assert_eq!(verify(query, &located), Ok(()), "{name} {}", query.len());
+    assert_eq!(check_location(query, &located).proof().map(drop), Ok(()), "{name} {}", query.len());
     let Gauge { value, error, location } = gauge(query);
-    assert_eq!(verify(query, &location), Ok(()), "{name} {}", query.len());
+    assert_eq!(check_location(query, &location).proof().map(drop), Ok(()), "{name} {}", query.len());
     assert_eq!(location.status(), located.status(), "{name} {}", query.len());
     if error.is_finite() && value.is_finite() {
         assert!(error <= 1e-9 * value + 1e-300, "{name} {}: {value} ± {error}", query.len());
@@ -286,7 +286,7 @@ fn prove<const D: usize>(name: &str, query: &Query<'_, D>) {
             let moved = Query::new([0.0; D], scaled, &generators).expect("finite");
             let located = locate(&moved);
             assert_eq!(located.is_member(), is_member, "{name} {}: {value} ± {error}", query.len());
-            assert_eq!(verify(&moved, &located), Ok(()), "{name} {}", query.len());
+            assert_eq!(check_location(&moved, &located).proof().map(drop), Ok(()), "{name} {}", query.len());
         }
     }
 }

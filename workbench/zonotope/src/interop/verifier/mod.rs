@@ -1,0 +1,44 @@
+//! Questions and answers of this library as the plain numbers that the crate `verifier` checks.
+//!
+//! That crate knows nothing of this one: it takes the numbers of a question and of an answer as anyone would write them,
+//! and proves or refuses the answer in integers of its own. The functions here only write them, so that every caller who
+//! has an answer in the library's types, unit tests and experiments alike, hands over the same numbers.
+//!
+//! | function | checks the answer of |
+//! |---|---|
+//! | [`check_location`] | [`collision`](crate::collision): inside, on the boundary or outside |
+//! | [`check_lad`] | [`lad`](crate::lad): least absolute deviations by lines in the plane |
+//! | [`check_lad_of_forms`] | [`lad::of_forms`](crate::lad::of_forms): the same in three variables |
+//! | [`check_convex_hull`] | [`hull`](crate::hull) |
+//! | [`check_min_area`], [`check_exact_min_area`] | [`enclosing::min_area_zonogon`](crate::enclosing::min_area_zonogon) |
+//!
+//! # Example
+//!
+//! ```
+//! use zonotope::collision::{Query, brute_force};
+//! use zonotope::interop::verifier::check_location;
+//!
+//! let square = [[1.0, 0.0], [0.0, 1.0]];
+//! let query = Query::new([0.0, 0.0], [1.0, 0.5], &square)?;
+//! assert!(check_location(&query, &brute_force::locate(&query)).is_right());
+//! # Ok::<(), zonotope::NonFinite>(())
+//! ```
+
+mod collision;
+mod hull;
+mod lad;
+mod min_area;
+
+pub use collision::{check_location, displaced, location_answer};
+pub use hull::check_convex_hull;
+pub use lad::{check_lad, check_lad_of_forms};
+pub use min_area::{check_exact_min_area, check_min_area};
+
+use ::verifier::Fraction;
+
+use crate::numeric::Rational;
+
+/// A rational number as the verifier takes it.
+fn fraction(number: &Rational) -> Fraction {
+    Fraction::new(number.numerator().clone(), number.denominator().clone()).expect("a denominator is positive")
+}
