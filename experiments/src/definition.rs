@@ -290,6 +290,15 @@ impl Verdict {
             Err(defect) => Self::Wrong(format!("{check}: {defect}")),
         }
     }
+
+    /// What the verifier's check called `check` says. An answer that it could not prove is not right.
+    pub fn of_verifier<P>(check: &str, verdict: verifier::Verdict<P>) -> Self {
+        match verdict {
+            verifier::Verdict::Right(_) => Self::Correct(check.to_owned()),
+            verifier::Verdict::Wrong(reason) => Self::Wrong(format!("{check}: {reason}")),
+            verifier::Verdict::Unchecked(reason) => Self::Unchecked(format!("{check}: {reason}")),
+        }
+    }
 }
 
 impl Measurement {

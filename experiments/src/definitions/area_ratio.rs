@@ -2,7 +2,8 @@
 
 use super::{REAL_INPUTS, kernel_methods, min_area_scaling};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
-use zonotope::enclosing::min_area_zonogon::{min_area_enclosing_zonogon_with, verify};
+use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon_with;
+use zonotope::interop::verifier::check_min_area;
 use zonotope::tally::OperationCounts;
 
 /// How much larger than the hull the smallest enclosing zonogon is.
@@ -44,7 +45,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let method = kernel_methods::method(case)?;
     let answer =
         min_area_enclosing_zonogon_with(method, &points, case.seed, &mut counts).map_err(|error| error.to_string())?;
-    let verdict = Verdict::of_check("min_area_zonogon::verify", verify::verify(&points, &answer));
+    let verdict = Verdict::of_verifier("check_min_area", check_min_area(&points, &answer));
     let measurement = Measurement::new(&counts, min_area_scaling::digest(&answer), verdict)
         .with_value("hull_vertices", answer.hull.vertex_count() as f64)
         .with_value("face_dimension", f64::from(answer.face_dimension))

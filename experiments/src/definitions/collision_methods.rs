@@ -3,7 +3,8 @@
 use crate::definition::{Case, Verdict};
 use crate::families::bodies::question::{PLACEMENTS, Placement, Question};
 use crate::seed::Digest;
-use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program, verify};
+use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program};
+use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::tally::Tally;
 
@@ -39,6 +40,9 @@ pub(super) fn question(case: &Case, cycle: &[&str]) -> Result<Question, String> 
 pub(super) fn placement(instance: u32) -> Placement {
     PLACEMENTS[instance as usize % PLACEMENTS.len()]
 }
+
+/// Why a reply is right: by the construction of the question, and by its proof.
+pub(super) const PROVED: &str = "construction and check_location";
 
 /// What a method says.
 pub(super) struct Reply {
@@ -80,10 +84,7 @@ impl Reply {
         if self.gauge.is_some() && !(low - slack..=high + slack).contains(&excess) {
             return Verdict::Wrong(format!("a gauge of 1 + {excess:e}, certified to lie in 1 + [{low:e}, {high:e}]"));
         }
-        Verdict::of_check(
-            "construction and collision::verify",
-            verify::verify(&question.displacement(), &self.location),
-        )
+        Verdict::of_verifier(PROVED, check_location(&question.displacement(), &self.location))
     }
 
     /// A hash of the status, the gauge and a rounded direction or the coefficients.

@@ -39,16 +39,16 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let generators = case.body()?;
     let mut total = OperationCounts::default();
     let [mut asked, mut fallbacks, mut asked_apart, mut fallbacks_apart] = [0_u32; 4];
-    let (mut digest, mut verdict) =
-        (Digest::default(), Verdict::Correct("construction and collision::verify".to_owned()));
+    let (mut digest, mut verdict) = (Digest::default(), Verdict::Correct(collision_methods::PROVED.to_owned()));
     for number in 0..QUESTIONS {
         let seed = seed::seed_of(case.instance_seed, &number.to_string());
         let placement = collision_methods::placement(number);
         let Some(question) = Question::about(generators.clone(), placement, seed) else { continue };
         let mut counts = OperationCounts::default();
         let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut counts)?;
-        if let wrong @ Verdict::Wrong(_) = reply.verdict(&question) {
-            verdict = wrong;
+        match reply.verdict(&question) {
+            Verdict::Correct(_) => {}
+            unproved => verdict = unproved,
         }
         let fell_back = u32::from(counts.get(Operation::ExactFallback) > 0);
         asked += 1;

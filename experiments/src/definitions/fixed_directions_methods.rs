@@ -5,16 +5,16 @@ use crate::definition::{Case, Measurement, PerProfile, TimedWork, Variant, Verdi
 use crate::families::clouds::{Cloud, on_sphere};
 use crate::seed::{self, Digest};
 use zonotope::enclosing::fixed_directions::{
-    DirectedZonotope, Enclosure, FixedDirections, FixedDirectionsError, by_row_generation, papers_program,
-    support_form, verify,
+    DirectedZonotope, Enclosure, FixedDirections, FixedDirectionsError, by_row_generation, papers_program, support_form,
 };
+use zonotope::interop::verifier::{check_min_length_dirs, check_min_length_dirs_bounds};
 use zonotope::linear_program::Clarabel;
 use zonotope::tally::{OperationCounts, Tally};
 
 /// An answer whose value exceeds its proven lower bound by more, relatively, counts as wrong.
 const LARGEST_GAP: f64 = 1e-10;
 
-/// Up to this many points times directions each point is proven inside in rationals.
+/// Up to this many points times directions each point is proven inside.
 const CONTAINED_SIZE: usize = 300;
 
 /// The three forms, the engine's two up to sizes of their own.
@@ -73,10 +73,10 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]], k: usize) -> Res
     let verdict = if answer.relative_gap() > LARGEST_GAP {
         Verdict::Wrong(format!("the bounds are {:e} apart", answer.relative_gap()))
     } else if points.len() * k <= CONTAINED_SIZE {
-        let checked = verify::verify(&problem, &Enclosure::Optimal(answer.clone()));
-        Verdict::of_check("fixed_directions::verify", checked)
+        let checked = check_min_length_dirs(&problem, &Enclosure::Optimal(answer.clone()));
+        Verdict::of_verifier("check_min_length_dirs", checked)
     } else {
-        Verdict::of_check("fixed_directions::verify_bounds", verify::verify_bounds(&problem, &answer))
+        Verdict::of_verifier("check_min_length_dirs_bounds", check_min_length_dirs_bounds(&problem, &answer))
     };
     let measurement = Measurement::new(&counts, digest(&answer), verdict);
     let measurement = match most_rows(case.variant, k, D) {

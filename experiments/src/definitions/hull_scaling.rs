@@ -6,7 +6,8 @@ use crate::definition::{
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
-use zonotope::hull::{self, ConvexHull, HullError, Method};
+use zonotope::hull::{ConvexHull, HullError, Method};
+use zonotope::interop::verifier::check_convex_hull;
 use zonotope::tally::{OperationCounts, Tally};
 
 /// Orientation tests and time of the convex hull against the number of points.
@@ -49,7 +50,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let points = case.points()?;
     let mut counts = OperationCounts::default();
     let hull = solve(case.variant, &points, &mut counts).map_err(|error| error.to_string())?;
-    let verdict = Verdict::of_check("hull::verify", hull::verify::verify(&points, &hull));
+    let verdict = Verdict::of_verifier("check_convex_hull", check_convex_hull(&points, &hull));
     Ok(Measurement::new(&counts, digest(&hull), verdict).with_value("hull_vertices", hull.vertex_count() as f64))
 }
 

@@ -5,7 +5,7 @@ use crate::definition::{
     Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
-use zonotope::lad::verify;
+use zonotope::interop::verifier::check_lad;
 use zonotope::tally::{Operation, OperationCounts};
 
 /// Random lines, and the lines of 4.1 for points that are (nearly) all on their hull.
@@ -58,7 +58,7 @@ pub(super) fn measure(case: &Case) -> Result<Measurement, String> {
     KernelInput::of(case)?.with_problem(|problem| {
         let mut counts = OperationCounts::default();
         let outcome = method.minimize(problem, case.seed, &mut counts);
-        let verdict = Verdict::of_check("lad::verify", verify::verify(problem, &outcome));
+        let verdict = Verdict::of_verifier("check_lad", check_lad(problem, &outcome));
         let passes = counts.get(Operation::LineEvaluation) as f64 / problem.len() as f64;
         let on_parts = counts.get(Operation::PartEvaluation) + counts.get(Operation::Comparison);
         Ok(Measurement::new(&counts, kernel_methods::digest(problem, &outcome), verdict)

@@ -3,7 +3,8 @@
 use super::REAL_INPUTS;
 use super::kernel_methods::{self, KernelInput};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
-use zonotope::lad::{LadOutcome, LadProblem, Method, verify};
+use zonotope::interop::verifier::check_lad;
+use zonotope::lad::{LadOutcome, LadProblem, Method};
 use zonotope::tally::OperationCounts;
 
 /// Up to this many lines the reference is the exact twin, of cost n^3.
@@ -55,9 +56,9 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         let mut counts = OperationCounts::default();
         let outcome = method.minimize(problem, case.seed, &mut counts);
         let (reference, agreement) = compare(method, case.seed, problem, &outcome);
-        let verdict = match verify::verify(problem, &outcome) {
-            Ok(()) => Verdict::of_check(&format!("lad::verify and {reference}"), agreement),
-            Err(defect) => Verdict::Wrong(format!("lad::verify: {defect}")),
+        let verdict = match Verdict::of_verifier("check_lad", check_lad(problem, &outcome)) {
+            Verdict::Correct(check) => Verdict::of_check(&format!("{check} and {reference}"), agreement),
+            unproved => unproved,
         };
         let measurement = Measurement::new(&counts, kernel_methods::digest(problem, &outcome), verdict)
             .with_value("lines", problem.len() as f64);

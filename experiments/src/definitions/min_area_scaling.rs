@@ -6,8 +6,9 @@ use crate::definition::{
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
-use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, min_area_enclosing_zonogon_with, verify};
+use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, min_area_enclosing_zonogon_with};
 use zonotope::hull::convex_hull;
+use zonotope::interop::verifier::check_min_area;
 use zonotope::tally::OperationCounts;
 
 /// Operations and time of the whole of 4.1 against the number of points.
@@ -61,7 +62,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let answer =
         min_area_enclosing_zonogon_with(method, &points, case.seed, &mut counts).map_err(|error| error.to_string())?;
     let verdict = if case.n <= VERIFIED_SIZE || case.instance == 0 {
-        Verdict::of_check("min_area_zonogon::verify", verify::verify(&points, &answer))
+        Verdict::of_verifier("check_min_area", check_min_area(&points, &answer))
     } else {
         Verdict::Unchecked(format!("beyond {VERIFIED_SIZE} points the first instance is verified"))
     };

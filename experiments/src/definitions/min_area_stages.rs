@@ -3,9 +3,10 @@
 use super::{SCALING_FAMILIES, min_area_scaling};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use zonotope::enclosing::bisectors::Bisectors;
-use zonotope::enclosing::min_area_zonogon::{min_area_enclosing_zonogon_with, verify};
+use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon_with;
 use zonotope::hull::antipodal::farthest_vertices_counted;
 use zonotope::hull::convex_hull_counted;
+use zonotope::interop::verifier::check_min_area;
 use zonotope::lad::Method;
 use zonotope::tally::OperationCounts;
 
@@ -48,7 +49,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let answer = min_area_enclosing_zonogon_with(Method::Pruning, &points, case.seed, &mut counts)
         .map_err(|error| error.to_string())?;
     let verdict = if case.n <= VERIFIED_SIZE {
-        Verdict::of_check("min_area_zonogon::verify", verify::verify(&points, &answer))
+        Verdict::of_verifier("check_min_area", check_min_area(&points, &answer))
     } else {
         Verdict::Unchecked(format!("beyond {VERIFIED_SIZE} points min-area-scaling verifies this instance"))
     };

@@ -6,7 +6,8 @@ use super::fixed_directions_methods::{digest, directions, solve};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::Cloud;
 use crate::seed::Digest;
-use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program::extreme_points_of, verify};
+use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program::extreme_points_of};
+use zonotope::interop::verifier::check_min_length_dirs_bounds;
 use zonotope::tally::OperationCounts;
 
 const SIZES: PerProfile<&[usize]> =
@@ -53,7 +54,8 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let mut counts = OperationCounts::default();
     let answer = solve("by_row_generation", &problem, &mut counts)?;
     if case.variant != SCAN {
-        let verdict = Verdict::of_check("fixed_directions::verify_bounds", verify::verify_bounds(&problem, &answer));
+        let verdict =
+            Verdict::of_verifier("check_min_length_dirs_bounds", check_min_length_dirs_bounds(&problem, &answer));
         return Ok(Measurement::new(&counts, digest(&answer), verdict)
             .with_value("passes", answer.effort.passes as f64)
             .with_value("relative_gap", answer.relative_gap()));

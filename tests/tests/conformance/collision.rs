@@ -1,14 +1,14 @@
 //! Location and gauge by every method against the exact truth, on all families of questions in one to four dimensions.
 //!
-//! Every location, the truth's included, is proved by the library's independent check, its status too.
+//! Every location, the truth's included, is proved by the verifier, its status too.
 
 use dashu_ratio::RBig;
 use proptest::prelude::*;
 use tests::body_families::{Asked, asked, families};
 use tests::runner::for_all;
 use zonotope::collision::by_linear_program::{self, Answer};
-use zonotope::collision::verify::verify;
 use zonotope::collision::{Finding, Gauge, Method, brute_force, by_gjk};
+use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
 use zonotope::numeric::dyadic::Dyadic;
 
@@ -22,7 +22,7 @@ const ENGINE_CASES: u32 = 1550;
 fn agrees<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
     let question = asked.displacement();
     let truth = brute_force::locate(&question);
-    prop_assert_eq!(verify(&question, &truth), Ok(()), "{:?}", truth);
+    prop_assert_eq!(check_location(&question, &truth).proof().map(drop), Ok(()), "{:?}", truth);
     let exact = brute_force::exact_gauge(&question);
     prop_assert_eq!(exact.as_ref().is_some_and(|gauge| *gauge <= RBig::ONE), truth.is_member());
     let works = |method: &&Method| method.always_locates() && method.dimensions().contains(&D);
@@ -31,7 +31,13 @@ fn agrees<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
         match method.locate(&question, 1, &mut ()) {
             Ok(Finding::Located(location)) => {
                 prop_assert_eq!(location.status(), truth.status(), "{}: {:?}", name, location);
-                prop_assert_eq!(verify(&question, &location), Ok(()), "{}: {:?}", name, location);
+                prop_assert_eq!(
+                    check_location(&question, &location).proof().map(drop),
+                    Ok(()),
+                    "{}: {:?}",
+                    name,
+                    location
+                );
             }
             other => prop_assert!(false, "{}: {:?}", name, other),
         }
@@ -40,7 +46,7 @@ fn agrees<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
         }
         let Gauge { value, error, location } = method.gauge(&question, &mut ()).expect("few directions");
         prop_assert_eq!(location.status(), truth.status(), "{}", name);
-        prop_assert_eq!(verify(&question, &location), Ok(()), "{}: {:?}", name, location);
+        prop_assert_eq!(check_location(&question, &location).proof().map(drop), Ok(()), "{}: {:?}", name, location);
         match &exact {
             None => prop_assert!(value == f64::INFINITY && error == 0.0, "{}: {} ± {}", name, value, error),
             Some(exact) => {
@@ -113,7 +119,7 @@ fn linear_programs_are_never_wrong() {
                 match &answer {
                     Answer::Located(location) => {
                         prop_assert_eq!(location.status(), truth.status(), "{}: {:?}", engine.name(), location);
-                        prop_assert_eq!(verify(&question, location), Ok(()));
+                        prop_assert_eq!(check_location(&question, location).proof().map(drop), Ok(()));
                     }
                     Answer::Member(_) => prop_assert!(truth.is_member(), "{}", engine.name()),
                     Answer::Undecided(_) => {}

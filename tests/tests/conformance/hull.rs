@@ -6,7 +6,8 @@ use std::convert::identity;
 use paper_checks::plane;
 use proptest::prelude::*;
 use tests::point_families::Point;
-use zonotope::hull::{antipodal, brute_force, convex_hull, verify};
+use zonotope::hull::{antipodal, brute_force, convex_hull};
+use zonotope::interop::verifier::check_convex_hull;
 
 const CASES: u32 = 400;
 
@@ -19,7 +20,7 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
     let truth = plane::convex_hull(&exact(&points));
     prop_assert_eq!(exact(hull.vertices()), truth.clone());
     prop_assert_eq!(&hull, &brute_force::convex_hull(&points).expect("the default method took it"));
-    prop_assert!(verify::verify(&points, &hull).is_ok());
+    prop_assert_eq!(check_convex_hull(&points, &hull).proof().map(drop), Ok(()));
 
     let farthest = antipodal::farthest_vertices(&hull);
     prop_assert_eq!(farthest.len(), if truth.len() >= 3 { truth.len() } else { 0 });

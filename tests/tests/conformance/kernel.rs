@@ -4,7 +4,8 @@ use proptest::prelude::*;
 use tests::kernel_twin::Exact;
 use tests::line_families::{self, Instance};
 use tests::runner::for_all;
-use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine, brute_force, verify};
+use zonotope::interop::verifier::check_lad;
+use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine, brute_force};
 
 const CASES: u32 = 300;
 const LARGE_CASES: u32 = 24;
@@ -34,7 +35,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
         let name = method.id();
         for seed in [1, 2] {
             let outcome = method.minimize(&problem, seed, &mut ());
-            prop_assert_eq!(verify::verify(&problem, &outcome), Ok(()), "{}", name);
+            prop_assert_eq!(check_lad(&problem, &outcome).proof().map(drop), Ok(()), "{}", name);
             match (&outcome, &least) {
                 (LadOutcome::Optimal(optimum), Some(least)) => {
                     let point = optimum.exact_point(&problem).expect("an optimum of this problem");
@@ -58,7 +59,7 @@ fn methods_agree(instance: Instance) -> Result<(), TestCaseError> {
     let problem = problem(&instance);
     let answers = Method::FAST.map(|method| (method.id(), method.minimize(&problem, 3, &mut ())));
     for (name, outcome) in &answers {
-        prop_assert_eq!(verify::verify(&problem, outcome), Ok(()), "{}", name);
+        prop_assert_eq!(check_lad(&problem, outcome).proof().map(drop), Ok(()), "{}", name);
     }
     let face = |outcome: &LadOutcome| {
         outcome.optimum().and_then(|optimum| Some((optimum.exact_value(&problem)?, optimum.face_dimension)))

@@ -10,7 +10,8 @@ use tests::numbers::power_of_two;
 use tests::point_families::Point;
 use tests::runner::for_all;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
-use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, brute_force, min_area_enclosing_zonogon_with, verify};
+use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, brute_force, min_area_enclosing_zonogon_with};
+use zonotope::interop::verifier::{check_exact_min_area, check_min_area};
 use zonotope::lad::Method;
 
 const CASES: u32 = 250;
@@ -33,8 +34,10 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
     for method in Method::FAST {
         let answer = min_area_enclosing_zonogon_with(method, &points, 5, &mut ())
             .map_err(|error| TestCaseError::fail(error.to_string()))?;
-        let verified = verify::verify(&points, &answer);
-        prop_assert!(verified.is_ok(), "{:?}: {:?}", method, verified);
+        let verdict = check_min_area(&points, &answer);
+        prop_assert!(verdict.is_right(), "{:?}: {:?}", method, verdict);
+        let verdict = check_exact_min_area(&points, &answer);
+        prop_assert!(verdict.is_right(), "{:?}: {:?}", method, verdict);
 
         let optimum = exact_optimum(&answer);
         let center = plane::Point::new(optimum.center[0].clone(), optimum.center[1].clone());

@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use tests::sources::{LIBRARY, files, root};
+use tests::sources::{LIBRARY, Source, files, root};
 
 /// The crates from the bottom up; a crate may use those of the levels below its own.
-const LEVELS: [&[&str]; 5] = [
-    &["zonotope", "verifier"],
+const LEVELS: [&[&str]; 6] = [
+    &["verifier"],
+    &["zonotope"],
     &["experiments", "batch"],
     &["figures", "paper_checks", "peers"],
     &["zonobench"],
@@ -25,9 +26,6 @@ const FOLDERS: [&str; 9] = [
     "tests",
 ];
 
-/// An example of the library has the verifier check what it found; the library itself does without.
-const EXAMPLES_MAY_USE: (&str, &str) = ("zonotope", "verifier");
-
 fn level(name: &str) -> Option<usize> {
     LEVELS.iter().position(|crates| crates.contains(&name))
 }
@@ -43,9 +41,7 @@ fn dependencies_point_down() {
         for table in ["dependencies", "dev-dependencies", "build-dependencies"] {
             let Some(dependencies) = manifest.get(table).and_then(toml::Value::as_table) else { continue };
             for dependency in dependencies.keys() {
-                let in_examples =
-                    table == "dev-dependencies" && (name.as_str(), dependency.as_str()) == EXAMPLES_MAY_USE;
-                if let Some(other) = level(dependency).filter(|_| !in_examples) {
+                if let Some(other) = level(dependency) {
                     assert!(other < own, "{name} must not depend on {dependency}");
                 }
             }
@@ -53,6 +49,22 @@ fn dependencies_point_down() {
         seen.insert(name);
     }
     assert_eq!(seen.len(), LEVELS.iter().map(|crates| crates.len()).sum::<usize>());
+}
+
+/// The library hands its answers to the verifier where a caller asks for that, and does without in everything else.
+#[test]
+fn the_library_builds_without_the_verifier() {
+    let text = std::fs::read_to_string(root().join("workbench/zonotope/Cargo.toml")).expect("a member has a manifest");
+    let manifest: toml::Table = text.parse().expect("a manifest is TOML");
+    assert_eq!(manifest["dependencies"]["verifier"].get("optional"), Some(&toml::Value::Boolean(true)));
+    assert_eq!(manifest["features"]["default"], toml::Value::Array(Vec::new()));
+    let names_it = |source: &Source| source.code_lines().any(|(_, line)| line.contains("verifier::"));
+    let others: Vec<String> = files(LIBRARY, &[".rs"])
+        .into_iter()
+        .filter(|source| !source.is_test() && !source.path.contains("/interop/") && names_it(source))
+        .map(|source| source.path)
+        .collect();
+    assert!(others.is_empty(), "{others:?} name the verifier");
 }
 
 #[test]

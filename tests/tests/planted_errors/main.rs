@@ -7,6 +7,7 @@
 
 mod errors;
 mod judges;
+mod plain;
 mod rationals;
 
 use batch::json::{MAX_VALUES, Tree, read};
@@ -109,6 +110,39 @@ proptest! {
         let along = json!({"points": points, "directions": directions, "weights": weights});
         errors_are_noticed("min_length_dirs", &along)?;
         errors_are_noticed("min_length_all", &json!({"points": points, "epsilon": 0.25}))?;
+    }
+}
+
+/// Terms of least absolute deviations: normal, offset and weight.
+fn terms<const D: usize>() -> impl Strategy<Value = Vec<([f64; D], f64, f64)>> {
+    let term = (prop::array::uniform(number()), number(), (0u8..3).prop_map(f64::from));
+    prop::collection::vec(term, 1..7)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn in_convex_hulls(points in prop::collection::vec(prop::array::uniform(number()), 1..9)) {
+        plain::in_convex_hulls(&points)?;
+    }
+
+    #[test]
+    fn in_optima(
+        linear in prop::array::uniform(number()),
+        lines in terms(),
+        tilt in prop::array::uniform(number()),
+        planes in terms(),
+    ) {
+        plain::in_optima_by_lines(linear, &lines)?;
+        plain::in_optima_by_lines([0.0, 0.0], &lines)?;
+        plain::in_optima_by_forms(tilt, &planes)?;
+        plain::in_optima_by_forms([0.0, 0.0, 0.0], &planes)?;
+    }
+
+    #[test]
+    fn in_tilings(generators in prop::collection::vec(prop::array::uniform(number()), 1..5)) {
+        plain::in_tilings(&generators)?;
     }
 }
 

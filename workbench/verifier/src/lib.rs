@@ -24,6 +24,7 @@
 //! | [`check_combinatorics`] | numbers of faces, the volume | none: counted in another way, Σ abs(det) |
 //! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |
 //! | [`check_separator`] | a chain with k tiles on its left | none: the order of the lines along the chain |
+//! | [`check_tiling`] | the tiling of the upper hull | none: the arrangement of lines, piece by piece |
 //! | [`check_upper_hull`] | the height of the upper hull | none: the bounds of all vertices |
 //! | [`check_convex_hull`] | the vertices of the convex hull, in order | none: every corner, and every point against the edges |
 //! | [`check_lad`] | a point where linear · x + Σ abs(v_i(x)) is least | coefficients δ_i in [−1, 1] with δ_i v_i = abs(v_i) at the point and linear + Σ δ_i normal_i = 0 |
@@ -65,6 +66,7 @@ mod verdict;
 
 pub use arrangement::separator::{SeparatorProof, check_separator};
 pub use arrangement::slope_selection::{SlopeSelectionProof, check_slope_selection};
+pub use arrangement::tiling::{Tile, TilingAnswer, TilingEdge, TilingProof, check_tiling};
 pub use arrangement::upper_hull::check_upper_hull;
 pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics};
 pub use bodies::support::{SupportAnswer, SupportProof, check_support};
@@ -76,10 +78,12 @@ pub use enclosing::min_area::{
     Certificate, ExactMinArea, MinAreaAnswer, MinAreaProof, check_exact_min_area, check_min_area,
 };
 pub use enclosing::min_length_all::{
-    MinLengthAnswer, MinLengthProof, check_min_length_all, check_min_length_all_bounds,
+    MinLengthAnswer, MinLengthProof, check_min_length_all, check_min_length_all_at_any_ratio,
+    check_min_length_all_bounds,
 };
 pub use enclosing::min_length_dirs::{
-    Directed, DirectedAnswer, DirectedProof, check_min_length_dirs, check_min_length_dirs_bounds,
+    Directed, DirectedAnswer, DirectedProof, check_min_length_dirs, check_min_length_dirs_at_any_gap,
+    check_min_length_dirs_bounds,
 };
 pub use exact::fraction::Fraction;
 pub use exact::whole_direction;

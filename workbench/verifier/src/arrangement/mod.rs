@@ -2,4 +2,5 @@
 
 pub(crate) mod separator;
 pub(crate) mod slope_selection;
+pub(crate) mod tiling;
 pub(crate) mod upper_hull;

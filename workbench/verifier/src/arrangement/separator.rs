@@ -86,7 +86,7 @@ fn ordered(generators: &[Vec<f64>], k: u64, chain: &[[Fraction; 2]]) -> Result<(
 }
 
 /// The line with its generator turned to point up, or to the left if it is level; `None` if its projection is zero.
-fn upward(line: Vector) -> Option<Vector> {
+pub(super) fn upward(line: Vector) -> Option<Vector> {
     let up = line[1].cmp(&IBig::ZERO).then_with(|| IBig::ZERO.cmp(&line[0]));
     match up {
         Ordering::Greater => Some(line),
@@ -109,7 +109,7 @@ fn from_the_top(i: &Vector, j: &Vector) -> Ordering {
 }
 
 /// A coordinate in units of the grid, if it is a whole number of them.
-fn on_grid(fraction: &Fraction, grid: Grid) -> Option<IBig> {
+pub(super) fn on_grid(fraction: &Fraction, grid: Grid) -> Option<IBig> {
     let (numerator, denominator) = (fraction.numerator(), fraction.denominator());
     let shift = grid.exponent().unsigned_abs() as usize;
     let (numerator, denominator) = if grid.exponent() < 0 {
@@ -145,7 +145,7 @@ fn steps(lines: &[Vector], points: &[[IBig; 2]]) -> Result<Vec<usize>, String> {
 
 /// The common point of two lines, ordered by abscissa, then height.
 #[derive(Debug, Clone)]
-struct Crossing {
+pub(super) struct Crossing {
     x: IBig,
     y: IBig,
     /// The positive denominator of both.
@@ -153,7 +153,24 @@ struct Crossing {
 }
 
 impl Crossing {
-    fn of(i: &Vector, j: &Vector) -> Option<Self> {
+    /// A point as a crossing.
+    pub(super) fn at([x, y]: &[Fraction; 2]) -> Self {
+        let (v, w) = (x.denominator(), y.denominator());
+        Self { x: x.numerator() * w, y: y.numerator() * v, w: v * w }
+    }
+
+    /// Whether the lines cross in the point.
+    pub(super) fn is_at(&self, point: &[Fraction; 2]) -> bool {
+        *self == Self::at(point)
+    }
+
+    /// Abscissa and height over the positive third coordinate.
+    pub(super) fn homogeneous(&self) -> [&IBig; 3] {
+        [&self.x, &self.y, &self.w]
+    }
+
+    /// The common point of two lines, unless they are parallel.
+    pub(super) fn of(i: &Vector, j: &Vector) -> Option<Self> {
         let w = turn(i, j);
         let [x, y] = [&i[1] * &j[2] - &j[1] * &i[2], &i[2] * &j[0] - &j[2] * &i[0]];
         match w.cmp(&IBig::ZERO) {

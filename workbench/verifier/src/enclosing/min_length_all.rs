@@ -78,6 +78,16 @@ pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengt
     checked.into()
 }
 
+/// Proves what [`check_min_length_all`] does; a ratio above 1 + ε is no reason to leave an answer unchecked that says so
+/// itself.
+pub fn check_min_length_all_at_any_ratio(
+    points: &[Vec<f64>],
+    epsilon: f64,
+    answer: &MinLengthAnswer,
+) -> Verdict<MinLengthProof> {
+    proved(points, epsilon, answer, true).into()
+}
+
 /// Proves what [`check_min_length_all`] does but for the containment of the points; a ratio above 1 + ε is no reason
 /// to leave it unchecked.
 pub fn check_min_length_all_bounds(
@@ -245,6 +255,7 @@ mod tests {
         assert!(complaint(MinLengthAnswer { within_epsilon: None, ..weak.clone() }).contains("above 1 + epsilon"));
         let honest = MinLengthAnswer { within_epsilon: Some(false), ..weak };
         assert!(matches!(check_min_length_all(&diamond(), 1e-9, &honest), Verdict::Unchecked(_)));
+        assert!(check_min_length_all_at_any_ratio(&diamond(), 1e-9, &honest).is_right());
         let proof = check_min_length_all_bounds(&diamond(), 1e-9, &honest).proof().expect("right");
         assert!(!proof.is_within && proof.ratio > 1.4);
         assert!(complaint(MinLengthAnswer { within_epsilon: Some(false), ..answer() }).contains("within_epsilon"));

@@ -99,7 +99,22 @@ pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Ve
     proved(question, answer).into()
 }
 
+/// Proves what [`check_min_length_dirs`] does, however far the value is above the proven bound.
+pub fn check_min_length_dirs_at_any_gap(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
+    enclosed(question, answer).into()
+}
+
 fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof, Stop> {
+    match enclosed(question, answer)? {
+        DirectedProof::Optimal { points, value, gap } if gap > PROVEN_GAP => Err(Stop::Unchecked(format!(
+            "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be \
+             the least"
+        ))),
+        proof => Ok(proof),
+    }
+}
+
+fn enclosed(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof, Stop> {
     let (value, gap) = match checked_bounds(question, answer)? {
         None => return Ok(DirectedProof::Infeasible),
         Some(bounds) => bounds,
@@ -111,12 +126,6 @@ fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof,
             Ok(Some(outside)) => return Err(format!("point {} lies outside the zonotope", outside + 1).into()),
             Err(TooMany) => return Err(Stop::Unchecked("too many facets to hold the points against".to_owned())),
         }
-    }
-    if gap > PROVEN_GAP {
-        return Err(Stop::Unchecked(format!(
-            "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be \
-             the least"
-        )));
     }
     Ok(DirectedProof::Optimal { points, value, gap })
 }

@@ -34,16 +34,15 @@
 //! Never.
 //!
 //! # Checked by
-//! [`verify`](super::verify), which builds the arrangement on its own; the separators.
+//! The crate `verifier`, which builds the arrangement on its own; the separators.
 //!
 //! # Example
 //! ```
-//! use zonotope::arrangement::tiling::{tiling, verify};
+//! use zonotope::arrangement::tiling::tiling;
 //! // The diagonals of a cube, one longer: two pairs have parallel projections, so 4 of the 6 pairs have a tile.
 //! let generators = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.5]];
 //! let tiling = tiling(&generators).unwrap();
 //! assert_eq!((tiling.vertices.len(), tiling.edges.len(), tiling.tiles.len()), (9, 12, 4));
-//! assert_eq!(verify::verify(&tiling, &generators), Ok(()));
 //! ```
 
 use super::{Corner, CornerIndex, Edge, EdgeIndex, Tile, TileIndex, Tiling, TilingError};

@@ -15,10 +15,9 @@
 //! |---|---|---|
 //! | [`by_sweep`] | O(n² log n) exact operations | the tiling from left to right, tile by tile |
 //!
-//! [`verify`] builds the arrangement on its own and walks the isomorphism.
+//! The crate `verifier` builds the arrangement on its own and walks the isomorphism.
 
 pub mod by_sweep;
-pub mod verify;
 
 use thiserror::Error;
 

@@ -49,7 +49,6 @@ mod solve;
 mod span;
 #[cfg(feature = "linear-programming")]
 pub mod support_form;
-pub mod verify;
 
 pub use answer::{DirectedZonotope, Effort, Enclosure, ExactOptimum, Multiplier, OffSpan};
 pub(crate) use by_row_generation::Generation;

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::interop::verifier::{check_min_length_dirs, check_min_length_dirs_at_any_gap};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 
@@ -33,7 +34,8 @@ fn check<const D: usize>(
         }
         Ok(answer) => answer,
     };
-    prop_assert!(verify::verify(&problem, &answer).is_ok(), "{:?} {:?}", verify::verify(&problem, &answer), answer);
+    let verdict = check_min_length_dirs_at_any_gap(&problem, &answer);
+    prop_assert!(verdict.is_right(), "{:?} {:?}", verdict, answer);
     prop_assert_eq!(answer.optimal().is_some(), truth.is_some());
     if let (Some(answer), Some(truth)) = (answer.optimal(), truth) {
         let excess = rational(answer.value) - &truth.value;
@@ -182,5 +184,6 @@ fn a_point_is_the_centre_where_no_other_doubles_are_in_the_span() {
     let problem = FixedDirections::new(&points, &points[1..2], &[1.0]).expect("valid");
     let answer = min_length_along(&problem).expect("in range");
     assert_eq!(answer.optimal().map(|answer| (answer.value, answer.lower_bound)), Some((1.0, 0.5)));
-    assert!(verify::verify(&problem, &answer).is_ok());
+    assert!(check_min_length_dirs_at_any_gap(&problem, &answer).is_right());
+    assert!(!check_min_length_dirs(&problem, &answer).is_right(), "the gap is wide");
 }

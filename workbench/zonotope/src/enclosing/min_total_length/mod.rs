@@ -46,7 +46,6 @@ mod frame_zonotope;
 pub mod in_the_plane;
 mod lower_bound;
 mod method;
-pub mod verify;
 
 pub use answer::{LengthMultiplier, MinLengthError, MinLengthZonotope, Outcome};
 pub use by_vertex_sets::{min_length_enclosing, min_length_enclosing_counted};

@@ -4,14 +4,7 @@ use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 
 use super::*;
-use crate::enclosing::fixed_directions::{FixedDirections, verify};
-
-fn contains<const D: usize>(answer: &MinLengthZonotope<D>, points: &[[f64; D]]) -> bool {
-    let generators = answer.zonotope.generators();
-    let ones = vec![1.0; generators.len()];
-    let problem = FixedDirections::new(points, generators, &ones).expect("finite");
-    (0..points.len()).all(|j| verify::contains(&problem, answer.zonotope.center(), &ones, j))
-}
+use crate::interop::verifier::check_min_length_all;
 
 fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
     let answer = min_length_enclosing(points, epsilon).expect("finite points");
@@ -20,7 +13,8 @@ fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZ
     prop_assert!(answer.length <= answer.ratio * answer.lower_bound || answer.length == 0.0);
     prop_assert!(answer.lower_bound <= answer.length);
     if points.len() * answer.zonotope.generators().len() <= 60 {
-        prop_assert!(contains(&answer, points), "{:?}", answer);
+        let verdict = check_min_length_all(points, epsilon, &answer);
+        prop_assert!(verdict.is_right(), "{:?} {:?}", verdict, answer);
     }
     Ok(answer)
 }
@@ -191,9 +185,19 @@ fn an_answer_that_is_not_near_enough_says_so() {
     // far from the origin no centre in doubles is as good as that of the least one
     let triangle = [[1e9, 0.0, 3.0], [1e9 + 1.0, 0.5, 3.0], [1e9, 1.0, 2.7]];
     let answer = min_length_enclosing(&triangle, 1e-12).expect("finite");
-    assert!(contains(&answer, &triangle) && answer.lower_bound <= answer.length);
+    let within_more = MinLengthZonotope { outcome: Outcome::WithinEpsilon, ..answer.clone() };
+    assert!(check_min_length_all(&triangle, 1e-4, &within_more).is_right());
     assert!(answer.ratio > 1.0 + 1e-12 && answer.ratio < 1.0 + 1e-5, "{}", answer.ratio);
     assert_eq!(answer.outcome, Outcome::EndedBefore);
     let coarse = min_length_enclosing(&triangle, 1e-4).expect("finite");
     assert_eq!(coarse.outcome, Outcome::WithinEpsilon);
+}
+
+#[test]
+fn where_no_bound_is_a_double_the_ratio_is_infinite() {
+    // half the least positive double rounds down to none
+    let points = [[0.0], [f64::from_bits(1)]];
+    let answer = min_length_enclosing(&points, 1e-9).expect("finite");
+    assert_eq!((answer.lower_bound, answer.ratio), (0.0, f64::INFINITY));
+    assert!(check_min_length_all(&points, 1e-9, &answer).is_right());
 }

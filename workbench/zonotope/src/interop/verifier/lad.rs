@@ -11,13 +11,7 @@ use crate::numeric::dyadic::Dyadic;
 
 /// Checks the outcome of a problem by lines, but for the dimension of the set of minimisers. O(n) exact operations.
 pub fn check_lad(problem: &LadProblem, outcome: &LadOutcome) -> Verdict<LadProof> {
-    let answer = match outcome {
-        LadOutcome::Optimal(optimum) => lad_answer(problem, optimum),
-        LadOutcome::Unbounded { direction } => {
-            Ok(LadAnswer::Unbounded { direction: direction.each_ref().map(|c| fraction(&c.to_rational())) })
-        }
-    };
-    match answer {
+    match lad_answer(problem, outcome) {
         Ok(answer) => ::verifier::check_lad(&lad_of_lines(problem), &answer),
         Err(reason) => Verdict::Wrong(reason),
     }
@@ -34,8 +28,20 @@ fn lad_of_lines(problem: &LadProblem) -> Lad<2> {
     Lad::of_whole_numbers(linear.map(|c| c.units(unit)), terms.collect())
 }
 
-/// The optimum without a value, which an optimum by lines does not claim; or why it is no point.
-fn lad_answer(problem: &LadProblem, optimum: &LadOptimum) -> Result<LadAnswer<2>, String> {
+/// The outcome as the verifier takes it, without a value, which an optimum by lines does not claim.
+///
+/// # Errors
+/// A sentence about a minimiser whose lines are not those of the problem, or do not meet in a point.
+pub fn lad_answer(problem: &LadProblem, outcome: &LadOutcome) -> Result<LadAnswer<2>, String> {
+    match outcome {
+        LadOutcome::Optimal(optimum) => written(problem, optimum),
+        LadOutcome::Unbounded { direction } => {
+            Ok(LadAnswer::Unbounded { direction: direction.each_ref().map(|c| fraction(&c.to_rational())) })
+        }
+    }
+}
+
+fn written(problem: &LadProblem, optimum: &LadOptimum) -> Result<LadAnswer<2>, String> {
     let defining = match optimum.minimizer {
         Minimizer::Vertex(first, second) => vec![first, second],
         Minimizer::Line(line) => vec![line],
@@ -58,7 +64,12 @@ pub fn check_lad_of_forms(problem: &SpaceLadProblem, outcome: &SpaceOutcome) -> 
     let terms: Vec<([f64; 3], f64, f64)> =
         problem.planes().iter().map(|plane| (plane.normal, plane.offset, plane.weight)).collect();
     let question = Lad::new(problem.linear(), &terms).expect("a problem is finite and has no negative weight");
-    let answer = match outcome {
+    ::verifier::check_lad(&question, &lad_of_forms_answer(outcome))
+}
+
+/// The outcome as the verifier takes it.
+pub fn lad_of_forms_answer(outcome: &SpaceOutcome) -> LadAnswer<3> {
+    match outcome {
         SpaceOutcome::Optimal(optimum) => LadAnswer::Optimal {
             point: optimum.point.each_ref().map(fraction),
             value: Some(fraction(&optimum.value)),
@@ -66,6 +77,5 @@ pub fn check_lad_of_forms(problem: &SpaceLadProblem, outcome: &SpaceOutcome) -> 
             basis: optimum.certificate.basis.iter().map(|&plane| plane as usize).collect(),
         },
         SpaceOutcome::Unbounded { direction } => LadAnswer::Unbounded { direction: direction.each_ref().map(fraction) },
-    };
-    ::verifier::check_lad(&question, &answer)
+    }
 }
