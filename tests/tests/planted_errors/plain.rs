@@ -44,7 +44,7 @@ fn fractions<const N: usize>(value: &Value) -> Option<[Fraction; N]> {
     value.as_array()?.iter().map(fraction).collect::<Option<Vec<_>>>()?.try_into().ok()
 }
 
-fn written<const N: usize>(numbers: &[Fraction; N]) -> Vec<String> {
+fn written(numbers: &[Fraction]) -> Vec<String> {
     numbers.iter().map(|number| format!("{}/{}", number.numerator(), number.denominator())).collect()
 }
 
@@ -113,7 +113,7 @@ impl Exact {
 fn lad_json<const D: usize>(answer: &LadAnswer<D>) -> Value {
     match answer {
         LadAnswer::Optimal { point, value, signs, basis } => {
-            let value = value.as_ref().map(|value| written(&[value.clone()]).concat());
+            let value = value.as_ref().map(|value| written(std::slice::from_ref(value)).concat());
             json!({"point": written(point), "value": value, "signs": signs, "basis": basis})
         }
         LadAnswer::Unbounded { direction } => json!({"direction": written(direction)}),
@@ -155,7 +155,7 @@ pub fn in_optima_by_lines(linear: [f64; 2], terms: &[([f64; 2], f64, f64)]) -> R
     let outcome = minimize(&problem, 1);
     let mut right = lad_answer(&problem, &outcome).expect("the minimiser is one of this problem");
     if let (LadAnswer::Optimal { value, .. }, Some(optimum)) = (&mut right, outcome.optimum()) {
-        let exact = optimum.exact_value(&problem);
+        let exact = optimum.exact_value(&problem).expect("the optimum is one of this problem");
         *value = Fraction::new(exact.numerator().clone(), exact.denominator().clone());
     }
     in_an_optimum(linear, terms, &right)
@@ -177,7 +177,7 @@ fn tiling_json(answer: &TilingAnswer) -> Value {
         json!({"generators": generators, "corners": corners, "edges": edges, "dual": written(dual)})
     });
     json!({
-        "vertices": answer.vertices.iter().map(written).collect::<Vec<_>>(),
+        "vertices": answer.vertices.iter().map(|vertex| written(vertex)).collect::<Vec<_>>(),
         "edges": edges.collect::<Vec<_>>(),
         "tiles": tiles.collect::<Vec<_>>(),
         "left_side": answer.left_side,

@@ -6,7 +6,7 @@ use dashu_int::IBig;
 use super::fraction;
 use crate::arrangement::{ExactLine, LineIndex};
 use crate::lad::of_forms::{SpaceLadProblem, SpaceOutcome};
-use crate::lad::{LadOptimum, LadOutcome, LadProblem, Minimizer};
+use crate::lad::{LadOptimum, LadOutcome, LadProblem};
 use crate::numeric::dyadic::Dyadic;
 
 /// Checks the outcome of a problem by lines, but for the dimension of the set of minimisers. O(n) exact operations.
@@ -31,7 +31,8 @@ fn lad_of_lines(problem: &LadProblem) -> Lad<2> {
 /// The outcome as the verifier takes it, without a value, which an optimum by lines does not claim.
 ///
 /// # Errors
-/// A sentence about a minimiser whose lines are not those of the problem, or do not meet in a point.
+/// A sentence about an optimum of another problem: its minimiser names lines that this one does not have, or that do
+/// not meet here.
 pub fn lad_answer(problem: &LadProblem, outcome: &LadOutcome) -> Result<LadAnswer<2>, String> {
     match outcome {
         LadOutcome::Optimal(optimum) => written(problem, optimum),
@@ -42,19 +43,10 @@ pub fn lad_answer(problem: &LadProblem, outcome: &LadOutcome) -> Result<LadAnswe
 }
 
 fn written(problem: &LadProblem, optimum: &LadOptimum) -> Result<LadAnswer<2>, String> {
-    let defining = match optimum.minimizer {
-        Minimizer::Vertex(first, second) => vec![first, second],
-        Minimizer::Line(line) => vec![line],
-        Minimizer::Plane => Vec::new(),
-    };
-    if let Some(foreign) = defining.iter().find(|line| line.position() >= problem.len()) {
-        return Err(format!("the minimiser names line {}, which does not exist", foreign.0));
-    }
-    let point = optimum.homogeneous_point(problem);
+    let point = optimum.homogeneous_point(problem).ok_or("the minimiser is not one of this problem")?;
     let unit = point.iter().filter(|number| !number.is_zero()).map(Dyadic::exponent).min().unwrap_or(0);
     let [x, y, w]: [IBig; 3] = point.map(|number| number.units(unit));
-    let coordinates = Fraction::new(x, w.clone()).zip(Fraction::new(y, w));
-    let (x, y) = coordinates.ok_or("the lines of the minimiser do not meet in a point")?;
+    let [x, y] = [x, y].map(|c| Fraction::new(c, w.clone()).expect("the third coordinate is positive"));
     let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
     Ok(LadAnswer::Optimal { point: [x, y], value: None, signs: optimum.certificate.signs.clone(), basis })
 }

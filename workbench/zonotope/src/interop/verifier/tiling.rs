@@ -17,9 +17,9 @@ pub fn tiling_answer(tiling: &Tiling) -> TilingAnswer {
     let vertex = |corner: CornerIndex| corner.0 as usize;
     let place = |point: &[Dyadic; 3]| -> [Fraction; 3] { point.each_ref().map(|c| fraction(&c.to_rational())) };
     TilingAnswer {
-        vertices: tiling.vertices.iter().map(|corner| place(&corner.exact_point)).collect(),
+        vertices: tiling.vertices().iter().map(|corner| place(&corner.exact_point)).collect(),
         edges: tiling
-            .edges
+            .edges()
             .iter()
             .map(|edge| TilingEdge {
                 generator: edge.generator,
@@ -30,7 +30,7 @@ pub fn tiling_answer(tiling: &Tiling) -> TilingAnswer {
             })
             .collect(),
         tiles: tiling
-            .tiles
+            .tiles()
             .iter()
             .map(|tile| Tile {
                 generators: tile.generators,
@@ -39,6 +39,6 @@ pub fn tiling_answer(tiling: &Tiling) -> TilingAnswer {
                 dual: tile.exact_dual.each_ref().map(fraction),
             })
             .collect(),
-        left_side: tiling.left_side.iter().map(|&corner| vertex(corner)).collect(),
+        left_side: tiling.left_side().iter().map(|&corner| vertex(corner)).collect(),
     }
 }
