@@ -52,7 +52,7 @@ impl<'a, const D: usize> Body<'a, D> {
                 row[i] = v;
             }
         }
-        // A singular matrix gets an inverse that `basis_inverse_is_good` rejects.
+        // A singular matrix gets an inverse that `basis_inverse_error` refuses.
         let basis_inverse = inverse(scaled.rank, &columns).unwrap_or([[f64::INFINITY; D]; D]);
         Self { problem, scaled, center, coefficients, generators, basis, basis_inverse, exact_inverse }
     }

@@ -116,13 +116,15 @@ fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> (V
     let extents: [f64; D] = std::array::from_fn(|c| body.generators.iter().map(|g| g[c].abs()).sum());
     let inside: Vec<f64> = (0..body.generators.len()).map(|i| body.coefficient(i)).collect();
     map.set_coefficients(&inside);
-    let is_good = body.basis_inverse_is_good();
+    let inverse_error = body.basis_inverse_error();
     for (j, point) in body.problem.points().iter().enumerate() {
         let q: [f64; D] = std::array::from_fn(|i| {
             body.scaled.coordinates.get(i).map_or(0.0, |&c| body.scaled.difference(point[c], body.center[c]))
         });
-        let is_clear = |exit: Exit<D>| exit.reach > 1.0 + BOUNDARY_REACH_MARGIN && body.is_clear(&q, &exit, &extents);
-        if is_good && map.exit(&q).is_some_and(is_clear) {
+        let is_clear = |exit: Exit<D>, error: f64| {
+            exit.reach > 1.0 + BOUNDARY_REACH_MARGIN && body.is_clear(&q, &exit, &extents, error)
+        };
+        if inverse_error.is_some_and(|error| map.exit(&q).is_some_and(|exit| is_clear(exit, error))) {
             continue;
         }
         let missing = body.least_missing(point, &q, &mut thickened);
