@@ -171,7 +171,8 @@ fn in_doubles<const D: usize>(query: &impl Generators<D>, witness: &Witness) -> 
     let nearest = |((&index, normal), length): ((&usize, &[f64; 3]), f64)| {
         let step = dot(&values, normal) / determinant;
         // how far the product with the normal is off, then the quotient
-        let along = (error + DETERMINANT_OF_IMAGES * size) * (volume / length) + PRODUCT_UNDERFLOW;
+        let rounding = DETERMINANT_OF_IMAGES * (volume / length);
+        let along = error * (sum_norm(normal) + rounding) + size * rounding + PRODUCT_UNDERFLOW;
         let off = (along + step.abs() * DETERMINANT_OF_IMAGES * volume) / least + 4.0 * UNIT * step.abs();
         let off = off * LONG_SUM + PRODUCT_UNDERFLOW;
         let start = witness.coefficients[index];
@@ -317,7 +318,7 @@ mod tests {
         }
     }
 
-    /// Doubles nearly always suffice.
+    /// Doubles suffice mostly, but not for coefficients much smaller than the others.
     #[test]
     fn doubles_tell_them() {
         let random = &mut Pcg64Mcg::seed_from_u64(3);
@@ -340,7 +341,7 @@ mod tests {
                     (asked, told) = (asked + 1, told + usize::from(was_told));
                 }
             }
-            assert!(asked >= 60 && 10 * told >= 9 * asked, "{n}: {told} of {asked}");
+            assert!(asked >= 60 && 4 * told >= 3 * asked, "{n}: {told} of {asked}");
         }
     }
 

@@ -11,7 +11,7 @@ use wide::f64x2;
 use super::double_double::BoundedDoubleDouble;
 use super::exact_sum::exact_sum;
 use super::lanes::total;
-use super::tolerance::{COMBINED_BLOCK, COMBINED_JOIN, PRODUCT_UNDERFLOW};
+use super::tolerance::{COMBINED_SUM, PRODUCT_UNDERFLOW};
 
 /// Vectors whose small parts are added up before they join those of the others, so that few roundings take part.
 const BLOCK: usize = 64;
@@ -24,16 +24,26 @@ const HEAD: f64 = f64::from_bits(u64::MAX << 27);
 struct Sum {
     head: f64,
     tail: f64,
+    /// What rounding the tail leaves behind.
+    rest: f64,
     magnitude: f64,
 }
 
 impl Sum {
-    fn add(&mut self, [first, second]: [f64; 2]) {
-        for part in [first, second] {
+    fn add(&mut self, lanes: &Lanes) {
+        for part in lanes.head.to_array() {
             let (head, rest) = exact_sum(self.head, part);
             self.head = head;
-            self.tail += rest;
+            self.add_small(rest);
         }
+        self.add_small(total(lanes.tail));
+        self.magnitude += total(lanes.magnitude);
+    }
+
+    fn add_small(&mut self, small: f64) {
+        let (tail, rest) = exact_sum(self.tail, small);
+        self.tail = tail;
+        self.rest += rest;
     }
 }
 
@@ -79,17 +89,14 @@ pub(crate) fn combined_sum<const D: usize>(vectors: &[[f64; D]], coefficients: &
         if let ([last], [place]) = (last, last_place) {
             read([*last, [0.0; D]], [*place, 0.0]);
         }
-        for (sum, lanes) in sums.iter_mut().zip(lanes) {
-            sum.add(lanes.head.to_array());
-            sum.tail += total(lanes.tail);
-            sum.magnitude += total(lanes.magnitude);
+        for (sum, lanes) in sums.iter_mut().zip(&lanes) {
+            sum.add(lanes);
         }
     }
     let count = vectors.len() as f64;
-    let relative = COMBINED_BLOCK + (count / BLOCK as f64 + 1.0) * COMBINED_JOIN;
     array::from_fn(|k| {
-        let Sum { head, tail, magnitude } = sums[k];
-        BoundedDoubleDouble::of_parts(head, tail, relative * magnitude + count * PRODUCT_UNDERFLOW)
+        let Sum { head, tail, rest, magnitude } = sums[k];
+        BoundedDoubleDouble::of_parts(head, tail + rest, COMBINED_SUM * magnitude + count * PRODUCT_UNDERFLOW)
     })
 }
 

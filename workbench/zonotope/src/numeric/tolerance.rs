@@ -72,14 +72,12 @@ pub const NEAREST_POINT_ROUNDING: f64 = 32.0 * UNIT;
 /// taken of a rounded result.
 pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
-/// Error of a coordinate of a [combined sum](super::combined_sum) within blocks of 64 vectors, in terms of Σ |c v|.
+/// Error of a coordinate of a [combined sum](super::combined_sum), in terms of Σ |c v|.
 ///
-/// What joins the small part of a block is below 2^-24 |c v| and the rounding error of its large part; each of the 32
-/// additions of a lane is off by u times the small part, which stays below 2^-23 Σ |c v|: 2^-71 with all others.
-pub(crate) const COMBINED_BLOCK: f64 = power_of_two(-71);
-
-/// What joining a block adds to that error: three additions of small parts, each off by u times at most 2^-23 Σ |c v|.
-pub(crate) const COMBINED_JOIN: f64 = power_of_two(-74);
+/// A small part of a term is at most 2^-24 |c v|, its own roundings are below 2^-75 |c v|. Within a block of 64 vectors it
+/// goes through 32 additions, each off by u times at most 2^-24 Σ |c v|: 2^-72 in all. What joining the blocks rounds
+/// off is kept, so that it is off by u² at most. Together that is less than 2^-71.
+pub(crate) const COMBINED_SUM: f64 = power_of_two(-71);
 
 /// Factor by which bounds on numbers of two doubles are multiplied: (1 − u)^k (1 + 2^-40) > 1 for every k up to 2^12
 /// roundings.
