@@ -18,13 +18,11 @@ pub(crate) fn at_most(exact: &Dyadic) -> f64 {
 }
 
 /// The least double that is not below a fraction; infinite above the largest double.
-#[allow(dead_code)]
 pub(crate) fn fraction_at_least(exact: &Rational) -> f64 {
     least_upper(exact.to_f64_fast(), |value| Dyadic::from_f64(value).to_rational() < *exact)
 }
 
 /// The greatest double that is not above a fraction; negative infinity below the lowest double.
-#[allow(dead_code)]
 pub(crate) fn fraction_at_most(exact: &Rational) -> f64 {
     0.0 - fraction_at_least(&-exact.clone())
 }
@@ -46,7 +44,6 @@ fn least_upper(near: f64, is_below: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// The next double above one that is not negative, where 0 is known to be exact and stays.
-#[allow(dead_code)]
 pub(crate) fn above(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { value.next_up() }
 }

@@ -1,9 +1,9 @@
 //! The answer: a zonotope along the directions with what proves it small, or the proof that there is none.
 
 use super::problem::FixedDirections;
-use crate::enclosing::outward::rounded_towards;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::outward::Loss;
 use crate::zonotope::Zonotope;
 
 /// The outcome: a zonotope, or the proof that there is none.
@@ -110,25 +110,18 @@ impl<const D: usize> DirectedZonotope<D> {
     /// `None` where a product leaves the range of doubles.
     pub fn zonotope(&self, problem: &FixedDirections<'_, D>) -> Option<Zonotope<D>> {
         let mut generators = Vec::new();
-        let mut lost: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
+        let mut loss = Loss::none();
         for (v, &c) in problem.directions().iter().zip(&self.coefficients) {
             let exact = v.map(|v| &Dyadic::from_f64(v) * &Dyadic::from_f64(c));
-            let rounded = exact.clone().map(|e| e.to_f64());
+            let rounded = loss.round(&exact);
             if rounded.iter().any(|r| !r.is_finite()) {
                 return None;
-            }
-            for ((lost, exact), &rounded) in lost.iter_mut().zip(&exact).zip(&rounded) {
-                *lost = &*lost + &(exact - &Dyadic::from_f64(rounded)).abs();
             }
             if rounded.iter().any(|r| *r != 0.0) {
                 generators.push(rounded);
             }
         }
-        for (axis, lost) in lost.iter().enumerate().filter(|(_, lost)| !lost.is_zero()) {
-            let mut generator = [0.0; D];
-            generator[axis] = rounded_towards(lost, f64::INFINITY);
-            generators.push(generator);
-        }
+        generators.extend(loss.generators());
         Zonotope::new(self.center, generators).ok()
     }
 }

@@ -1,6 +1,6 @@
 //! The farthest of many points along each of several normals, with the points read from memory once.
 
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::linear::dot;
 
 /// The number of points that are looked at together: their coordinates stay in the cache while all normals pass over
 /// them.

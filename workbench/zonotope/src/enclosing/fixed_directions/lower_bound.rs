@@ -10,9 +10,9 @@ use super::problem::FixedDirections;
 use super::scaled::Scaled;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::ray_exit::dot;
 
 /// Multipliers in doubles that add up to zero exactly, pairs of a point and a vector, from vectors at points that do so
 /// nearly. The vectors at one point are added up, all are rounded, and the longest makes up for the others. Empty if

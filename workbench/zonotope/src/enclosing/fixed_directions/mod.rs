@@ -19,7 +19,8 @@
 //!
 //! # The way from directions to a zonotope
 //! 1. `solve` holds the steps that the methods share, in order; it is the file to read first.
-//! 2. `span` and `scaled` take coordinates of the directions' span, of ordinary size, and one direction for each line.
+//! 2. `departure` finds a point off the directions' span, if there is one; `scaled` takes coordinates of the span, of
+//!    ordinary size, and one direction for each line.
 //! 3. `by_row_generation/generation` and `normal_simplex` solve the linear program over the normals found so far, in
 //!    doubles.
 //! 4. [`zonotope::ray_exit`](crate::zonotope) finds the facet through which the ray to a point outside leaves; its
@@ -37,6 +38,7 @@ mod answer;
 pub mod brute_force;
 pub mod by_row_generation;
 mod contain;
+mod departure;
 mod farthest;
 mod lower_bound;
 mod method;
@@ -46,7 +48,6 @@ mod problem;
 pub mod rational;
 mod scaled;
 mod solve;
-mod span;
 #[cfg(feature = "linear-programming")]
 pub mod support_form;
 

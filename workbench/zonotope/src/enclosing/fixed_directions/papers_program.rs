@@ -51,7 +51,6 @@ use super::answer::Enclosure;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
 use super::solve::solve_with;
-use super::span::Span;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::zonotope::ray_exit::FacetDescent;
 
@@ -61,8 +60,8 @@ const LARGEST_TOUCHING_REACH: f64 = 1.0 + 1e-6;
 /// The extreme points that the program has constraints for, in increasing order: the farthest points along all C(k, d
 /// − 1) facet normals, both ways. Empty if the directions do not span the differences of the points.
 pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<usize> {
-    let span = Span::of(problem.directions());
-    if span.first_departure(problem.points()).is_some() || span.dimension() == 0 {
+    let span = Span::of_doubles(problem.directions());
+    if first_departure(&span, problem.points()).is_some() || span.rank() == 0 {
         return Vec::new();
     }
     let scaled = Scaled::new(problem, &span);

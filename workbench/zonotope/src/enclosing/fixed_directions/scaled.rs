@@ -8,8 +8,8 @@
 use std::cmp::Ordering;
 
 use super::problem::FixedDirections;
-use super::span::Span;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::Span;
 use crate::numeric::scaling::{PowerOfTwo, binary_exponent, scale_by_power_of_two, scaled_difference};
 
 /// A direction that is kept: v = `vector` · 2^`exponent` in the coordinates of the span.
@@ -44,7 +44,7 @@ pub(crate) struct Scaled<const D: usize> {
 pub(crate) struct Setting<'a, const D: usize> {
     pub(crate) problem: &'a FixedDirections<'a, D>,
     pub(crate) scaled: &'a Scaled<D>,
-    pub(crate) span: &'a Span<D>,
+    pub(crate) span: &'a Span,
 }
 
 impl<const D: usize> Scaled<D> {
@@ -53,8 +53,8 @@ impl<const D: usize> Scaled<D> {
         scaled_difference(p, q, -self.exponent)
     }
 
-    pub(crate) fn new(problem: &FixedDirections<'_, D>, span: &Span<D>) -> Self {
-        let coordinates = span.pivots().to_vec();
+    pub(crate) fn new(problem: &FixedDirections<'_, D>, span: &Span) -> Self {
+        let coordinates = span.pivots().collect::<Vec<_>>();
         let inside = |v: &[f64; D]| -> [f64; D] { std::array::from_fn(|i| coordinates.get(i).map_or(0.0, |&c| v[c])) };
         let first = inside(&problem.points()[0]);
         // Where a difference overflows, it is taken of halved coordinates; elsewhere not, since halving rounds the
@@ -145,7 +145,7 @@ mod tests {
         let directions = [[1.0, 2.0], [0.0, 0.0], [-2.0, -4.0], [1.0, 0.0], [0.5, 1.0]];
         let problem =
             FixedDirections::new(&[[0.0, 0.0], [8.0, 1.0]], &directions, &[1.0, 1.0, 1.0, 3.0, 1.0]).expect("valid");
-        let scaled = Scaled::new(&problem, &Span::of(&directions));
+        let scaled = Scaled::new(&problem, &Span::of_doubles(&directions));
         let kept: Vec<usize> = scaled.directions.iter().map(|d| d.index).collect();
         assert_eq!(kept, [2, 3]);
         assert_eq!((scaled.points[1], scaled.exponent), ([1.0, 0.125], 3));

@@ -16,8 +16,9 @@ use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational::refine;
 use super::scaled::{Scaled, Setting};
-use super::span::{Span, rational};
-use crate::enclosing::outward::rounded_towards;
+use crate::enclosing::fixed_directions::departure::first_departure;
+use crate::numeric::exact_linear::{Span, rational};
+use crate::numeric::outward::at_most;
 use crate::tally::Tally;
 
 /// Solves a problem. A method that knows normals beforehand adds them in `add_known_normals`: it is called with the
@@ -30,8 +31,8 @@ pub(super) fn solve_with<const D: usize, T: Tally>(
     tally: &mut T,
     add_known_normals: impl FnOnce(&Scaled<D>, &mut Generation<'_, D>, &mut T) -> Result<usize, FixedDirectionsError>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
-    let span = Span::of(problem.directions());
-    if let Some(departure) = span.first_departure(problem.points()) {
+    let span = Span::of_doubles(problem.directions());
+    if let Some(departure) = first_departure(&span, problem.points()) {
         return Ok(Enclosure::Infeasible(OffSpan { points: [0, departure.point], functional: departure.functional }));
     }
     let scaled = Scaled::new(problem, &span);
@@ -67,7 +68,7 @@ fn prove<const D: usize>(
     let unbalanced: Vec<(usize, [f64; D])> =
         program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
     let (bound, multipliers) = proven_bound(problem, scaled, &unbalanced);
-    let lower_bound = rounded_towards(&bound, f64::NEG_INFINITY);
+    let lower_bound = at_most(&bound);
     let effort =
         Effort { rows: program.rows().len(), rounds: generation.rounds, passes: generation.passes, exact: false };
     let coefficients = program.coefficients().to_vec();

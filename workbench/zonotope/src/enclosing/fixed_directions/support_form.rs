@@ -49,7 +49,7 @@ use super::answer::Enclosure;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::solve::solve_with;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::linear::dot;
 
 /// A row whose two sides differ by less than this in scaled coordinates may be tight at the optimum.
 const TIGHTNESS_TOLERANCE: f64 = 1e-6;

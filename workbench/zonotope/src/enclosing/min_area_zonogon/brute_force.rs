@@ -19,7 +19,7 @@
 //! `points`: n × 2, h up to about 20.
 //!
 //! # Numerics
-//! Everything is exact rational arithmetic; no code is shared with the methods.
+//! Everything is exact rational arithmetic; above the ground floor no code is shared with the methods.
 //!
 //! # Errors
 //! None.
@@ -37,13 +37,13 @@
 //! ```
 
 use crate::numeric::Rational;
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{determinant, rational};
 
 type Point = [Rational; 2];
 
 /// The least area and the vertices of the arrangement at which it is taken.
 pub fn least_area(points: &[[f64; 2]]) -> (Rational, Vec<Point>) {
-    let hull = convex_hull(points.iter().map(|p| p.map(|v| Dyadic::from_f64(v).to_rational())).collect());
+    let hull = convex_hull(points.iter().map(|p| p.map(rational)).collect());
     if hull.len() < 3 {
         return (Rational::ZERO, Vec::new());
     }
@@ -70,32 +70,36 @@ fn centered_area(points: &[Point], [ox, oy]: &Point) -> Rational {
     let reflected = points.iter().map(|[x, y]| [ox + ox - x, oy + oy - y]);
     let hull = convex_hull(points.iter().cloned().chain(reflected).collect());
     let next = hull.iter().cycle().skip(1);
-    let doubled = hull.iter().zip(next).fold(Rational::ZERO, |sum, (a, b)| sum + &a[0] * &b[1] - &a[1] * &b[0]);
+    let doubled = hull.iter().zip(next).fold(Rational::ZERO, |sum, (a, b)| sum + determinant(&[a, b]));
     doubled / Rational::from(2)
 }
 
 /// The line ℓ_t: the midpoint of P_s P_t, a point on it, and e_t, its direction.
 fn bisector(hull: &[Point], t: usize) -> [Point; 2] {
     let (from, to) = (&hull[t], &hull[(t + 1) % hull.len()]);
-    let edge = [&to[0] - &from[0], &to[1] - &from[1]];
-    let height = |p: &Point| cross(from, to, p);
+    let height = |p: &Point| doubled_area(from, to, p);
     let far = hull.iter().max_by_key(|p| height(p)).expect("a hull has vertices");
     let half = Rational::from(2);
-    [[(&from[0] + &far[0]) / &half, (&from[1] + &far[1]) / &half], edge]
+    [[(&from[0] + &far[0]) / &half, (&from[1] + &far[1]) / &half], difference(from, to)]
 }
 
 /// The crossing of two lines, each a point and a direction; `None` for parallel ones.
 fn meet([p, u]: &[Point; 2], [q, v]: &[Point; 2]) -> Option<Point> {
-    let determinant = &u[0] * &v[1] - &u[1] * &v[0];
-    (determinant != Rational::ZERO).then(|| {
-        let along = ((&q[0] - &p[0]) * &v[1] - (&q[1] - &p[1]) * &v[0]) / determinant;
+    let turn = determinant(&[u, v]);
+    (turn != Rational::ZERO).then(|| {
+        let along = determinant(&[&difference(p, q), v]) / turn;
         [&p[0] + &along * &u[0], &p[1] + &along * &u[1]]
     })
 }
 
-/// The cross product of b − a and c − a.
-fn cross(a: &Point, b: &Point, c: &Point) -> Rational {
-    (&b[0] - &a[0]) * (&c[1] - &a[1]) - (&b[1] - &a[1]) * (&c[0] - &a[0])
+/// Twice the area of the triangle abc, positive where it turns to the left.
+fn doubled_area(a: &Point, b: &Point, c: &Point) -> Rational {
+    determinant(&[difference(a, b), difference(a, c)])
+}
+
+/// to − from.
+fn difference(from: &Point, to: &Point) -> Point {
+    [&to[0] - &from[0], &to[1] - &from[1]]
 }
 
 /// The strictly convex hull, counter-clockwise from the lexicographically smallest point.
@@ -108,7 +112,8 @@ fn convex_hull(mut points: Vec<Point>) -> Vec<Point> {
     let chain = |points: &mut dyn Iterator<Item = &Point>| {
         let mut chain: Vec<Point> = Vec::new();
         for p in points {
-            while chain.len() > 1 && cross(&chain[chain.len() - 2], &chain[chain.len() - 1], p) <= Rational::ZERO {
+            while chain.len() > 1 && doubled_area(&chain[chain.len() - 2], &chain[chain.len() - 1], p) <= Rational::ZERO
+            {
                 chain.pop();
             }
             chain.push(p.clone());

@@ -56,11 +56,11 @@ use super::answer::{MinAreaError, MinAreaZonogon};
 use super::rounded_center::{Kernel, RoundedCenter};
 use super::segment::around_segment;
 use crate::enclosing::bisectors::Bisectors;
-use crate::enclosing::outward::rounded_towards;
 use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
 use crate::hull::{ConvexHull, convex_hull_counted};
 use crate::lad::{LadOptimum, Method};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::outward::at_most;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
 
@@ -120,7 +120,7 @@ impl Rounded {
     fn around(center: &RoundedCenter, bisectors: &Bisectors, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
         let outward = center.outward(hull, farthest, &bisectors.frame);
         let least = Dyadic::from_f64(outward.area_below) - center.gap.clone();
-        let lower_bound = rounded_towards(&least, f64::NEG_INFINITY).max(0.0);
+        let lower_bound = at_most(&least).max(0.0);
         Self { zonogon: outward.zonogon, area: outward.area_above, lower_bound }
     }
 

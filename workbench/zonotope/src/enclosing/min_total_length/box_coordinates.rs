@@ -5,8 +5,9 @@
 
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::ray_exit::{FacetDescent, dot};
+use crate::zonotope::ray_exit::FacetDescent;
 
 /// The smallest box around the points along [`Frame::long`]: half its width along each of these axes is the unit of
 /// length there.

@@ -6,8 +6,9 @@
 //! vectors in an intersection of d − 2 of the planes. So the vertices are found by walks around all such circles. A
 //! walk crosses the other planes in the order of their angles, and each crossing changes one sign.
 
+use crate::numeric::linear::dot;
+use crate::numeric::subsets::for_each_subset;
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::ray_exit::dot;
 
 /// The vertices of a dual zonotope that an enumeration found far from the origin.
 pub(crate) struct FarVertices<const D: usize> {
@@ -35,7 +36,7 @@ pub(crate) fn far_vertices<const D: usize>(rank: usize, multipliers: &[[f64; D]]
     }
     let mut is_walked = false;
     let mut circle = Circle { multipliers, crossings: Vec::with_capacity(multipliers.len()) };
-    for_subsets(multipliers.len(), rank.saturating_sub(2), |subset| {
+    for_each_subset(multipliers.len(), rank.saturating_sub(2), |subset| {
         if let Some((distance, vertex)) = circle.farthest(rank, subset, least, &mut on_circles) {
             is_walked = true;
             farthest = farthest.max(distance);
@@ -86,19 +87,6 @@ fn climb<const D: usize>(multipliers: &[[f64; D]], mut vertex: [f64; D]) -> [f64
         vertex = next;
     }
     vertex
-}
-
-/// Visits every subset of 0 … `count` − 1 of a size, in lexicographic order.
-fn for_subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
-    let mut subset: Vec<usize> = (0..size).collect();
-    while subset.last().is_none_or(|&last| last < count) {
-        visit(&subset);
-        let Some(moving) = (0..size).rev().find(|&i| subset[i] + size - i < count) else { break };
-        subset[moving] += 1;
-        for i in moving + 1..size {
-            subset[i] = subset[i - 1] + 1;
-        }
-    }
 }
 
 /// A walk around a circle of directions orthogonal to a subset of the multipliers, with room that the next walk uses

@@ -3,8 +3,8 @@
 //!
 //! Lengths and angles are those of space but for that factor, so the total length may be minimised in the frame.
 
+use crate::numeric::linear::dot;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
-use crate::zonotope::ray_exit::dot;
 
 /// Orthonormal axes of the affine hull of points, within rounding, and the points in their coordinates. If the points
 /// span all space, the axes are the coordinate axes, so that no coordinate is rounded by turning.

@@ -1,7 +1,7 @@
 //! A zonotope in the coordinates of the frame: what the searches in floating point find.
 
 use crate::enclosing::fixed_directions::Generation;
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::linear::dot;
 
 /// A zonotope in the coordinates of the frame, around all points but for rounding.
 pub(super) struct FrameZonotope<const D: usize> {

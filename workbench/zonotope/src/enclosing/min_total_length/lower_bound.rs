@@ -8,10 +8,9 @@ use super::answer::LengthMultiplier;
 use super::dual_zonotope::{FarVertices, far_vertices};
 use super::frame::Frame;
 use crate::enclosing::fixed_directions::balanced;
-use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
-use crate::zonotope::ray_exit::dot;
 
 /// The greatest lower bound so far, and the multipliers in the frame that prove it.
 pub(super) struct BestBound<const D: usize> {
@@ -72,6 +71,6 @@ impl<const D: usize> BestBound<D> {
             lower = lower.next_down();
         }
         let multipliers = multipliers.into_iter().map(|(point, vector)| LengthMultiplier { point, vector }).collect();
-        (rounded_towards(&Dyadic::from_f64(lower.max(0.0)), f64::NEG_INFINITY), multipliers)
+        (lower.max(0.0), multipliers)
     }
 }

@@ -6,11 +6,12 @@
 //! g_i with the same signs, a point of the rounded zonogon. So that zonogon contains Z(O) if it is widened by max |2
 //! E_k − E_n| along each axis.
 
-use super::{Outward, above, rounded_towards, widened};
+use super::{Outward, widened};
 use crate::enclosing::bisectors::Frame;
 use crate::enclosing::centered_zonogon::{BoundaryVertex, CenteredZonogon};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::outward::{above, at_least, at_most};
 use crate::numeric::tolerance::UNIT;
 
 /// A rounded number and a bound on its error.
@@ -26,11 +27,7 @@ pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
         if frame.sums_are_doubles() { one_by_one(exact) } else { with_errors_carried_on(exact) };
     generators.retain(|generator| *generator != [0.0, 0.0]);
     let zonogon = widened(exact.center(), generators, slack);
-    Outward {
-        area_below: rounded_towards(&exact.exact_area(), f64::NEG_INFINITY),
-        area_above: rounded_towards(&zonogon.exact_area(), f64::INFINITY),
-        zonogon,
-    }
+    Outward { area_below: at_most(&exact.exact_area()), area_above: at_least(&zonogon.exact_area()), zonogon }
 }
 
 /// Generators from half-edges that are rounded independently, and the sum of their errors along each axis, rounded up.
@@ -67,7 +64,7 @@ fn with_errors_carried_on(exact: &CenteredZonogon) -> (Vec<[f64; 2]>, [f64; 2]) 
             most = most.max(off.clone());
         }
         let farthest = [least, most].map(|extreme| (extreme.scaled(1) - off.clone()).abs());
-        let [a, b] = farthest.map(|distance| rounded_towards(&distance, f64::INFINITY));
+        let [a, b] = farthest.map(|distance| at_least(&distance));
         a.max(b)
     });
     (generators, slack)

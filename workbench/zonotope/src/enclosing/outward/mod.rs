@@ -16,7 +16,7 @@ use super::bisectors::Frame;
 use super::boundary_vertex::BoundaryVertex;
 use super::centered_zonogon::CenteredZonogon;
 use super::half_turn::HalfTurn;
-use crate::numeric::dyadic::Dyadic;
+use crate::numeric::outward::axis_generators;
 use crate::zonotope::Zonotope;
 
 pub(crate) use exact::round_outward as round_outward_exactly;
@@ -39,8 +39,8 @@ pub(crate) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Outward {
 }
 
 /// The zonogon of rounded half-edges, widened by the sums of their errors.
-fn widened(center: [f64; 2], mut generators: Vec<[f64; 2]>, [a, b]: [f64; 2]) -> Zonotope<2> {
-    generators.extend([[a, 0.0], [0.0, b]].into_iter().filter(|slack| *slack != [0.0, 0.0]));
+fn widened(center: [f64; 2], mut generators: Vec<[f64; 2]>, slack: [f64; 2]) -> Zonotope<2> {
+    generators.extend(axis_generators(slack));
     Zonotope::new(center, generators).expect("half-edges of finite points are finite")
 }
 
@@ -48,24 +48,4 @@ fn widened(center: [f64; 2], mut generators: Vec<[f64; 2]>, [a, b]: [f64; 2]) ->
 #[inline(always)]
 fn sense(vertex: BoundaryVertex) -> f64 {
     1.0 - 2.0 * f64::from(u8::from(vertex.reflected))
-}
-
-/// The next double above a positive one; zero for zero.
-fn above(value: f64) -> f64 {
-    if value == 0.0 { 0.0 } else { value.next_up() }
-}
-
-/// The double nearest to a number, or the next one on the given side if it lies on the other.
-pub(crate) fn rounded_towards(exact: &Dyadic, side: f64) -> f64 {
-    let mut value = exact.to_f64().clamp(-f64::MAX, f64::MAX);
-    while side > value && Dyadic::from_f64(value) < *exact {
-        value = value.next_up();
-        if value == f64::INFINITY {
-            return value;
-        }
-    }
-    while side < value && Dyadic::from_f64(value) > *exact {
-        value = value.next_down();
-    }
-    value
 }

@@ -4,12 +4,13 @@
 //! A half-edge is off by one rounding of the result and one of a far smaller tail. The area of Z(O)
 //! is Σ (vertex − O) × (next vertex − vertex) over half the boundary; no term is negative.
 
-use super::{Outward, above, rounded_towards, sense, widened};
+use super::{Outward, sense, widened};
 use crate::enclosing::bisectors::Frame;
 use crate::enclosing::boundary_vertex::BoundaryVertex;
 use crate::enclosing::half_turn::{EdgeVisitor, HalfTurn};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::outward::{above, at_least, at_most};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
 /// For hulls of at most this many edges Z(O) is rounded in exact arithmetic, which costs little there.
@@ -85,8 +86,8 @@ impl Gathered<'_> {
         let area_above = in_input_units((area + error + excess) * (1.0 + 4.0 * UNIT));
         (2.0 * error + excess <= AREA_PRECISION * area).then(|| Outward {
             zonogon: widened(center, generators, slack),
-            area_below: rounded_towards(&area_below, f64::NEG_INFINITY),
-            area_above: rounded_towards(&area_above, f64::INFINITY),
+            area_below: at_most(&area_below),
+            area_above: at_least(&area_above),
         })
     }
 }

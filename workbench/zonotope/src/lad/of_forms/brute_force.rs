@@ -39,6 +39,8 @@
 //! assert_eq!(brute_force::minimum(&problem), Some(2.into()));
 //! ```
 
+use dashu_int::ops::Abs;
+
 use super::problem::SpaceLadProblem;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -63,9 +65,9 @@ pub fn minimum(problem: &SpaceLadProblem) -> Option<Rational> {
         let unit = std::array::from_fn(|k| if k == axis { Rational::ONE } else { Rational::ZERO });
         planes.push((unit, Rational::ZERO));
     }
-    let slope = |u: &Vector| planes[..weighted].iter().fold(dot(&linear, u), |sum, (a, _)| sum + absolute(dot(a, u)));
+    let slope = |u: &Vector| planes[..weighted].iter().fold(dot(&linear, u), |sum, (a, _)| sum + dot(a, u).abs());
     let value = |x: &Vector, w: &Rational| {
-        planes[..weighted].iter().fold(dot(&linear, x), |sum, (a, b)| sum + absolute(dot(a, x) + b * w)) / w
+        planes[..weighted].iter().fold(dot(&linear, x), |sum, (a, b)| sum + (dot(a, x) + b * w).abs()) / w
     };
     let mut best: Option<Rational> = None;
     for (i, (a, d)) in planes.iter().enumerate() {
@@ -83,14 +85,10 @@ pub fn minimum(problem: &SpaceLadProblem) -> Option<Rational> {
                 let (first, second) = (cross(b, c), cross(c, a));
                 let turn = if weight < Rational::ZERO { Rational::ONE } else { Rational::NEG_ONE };
                 let x: Vector = std::array::from_fn(|k| (&first[k] * d + &second[k] * e + &line[k] * f) * &turn);
-                let value = value(&x, &absolute(weight));
+                let value = value(&x, &weight.abs());
                 best = Some(best.map_or(value.clone(), |best| best.min(value)));
             }
         }
     }
     best
-}
-
-fn absolute(value: Rational) -> Rational {
-    if value < Rational::ZERO { -value } else { value }
 }

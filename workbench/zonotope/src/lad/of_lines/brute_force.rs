@@ -51,6 +51,7 @@
 //! ```
 
 use dashu_int::IBig;
+use dashu_int::ops::Abs;
 
 use super::certificate::LadCertificate;
 use super::input::LadProblem;
@@ -197,7 +198,7 @@ impl Objective {
     }
 
     fn value(&self, x: &Vector) -> Rational {
-        self.lines.iter().fold(dot(&self.linear, x), |sum, line| sum + absolute(line.value(x)))
+        self.lines.iter().fold(dot(&self.linear, x), |sum, line| sum + line.value(x).abs())
     }
 
     /// Every direction along which the objective must be tried: both ways along each line and across it, and along the
@@ -214,7 +215,7 @@ impl Objective {
     }
 
     fn slope_at_infinity(&self, u: &Vector) -> Rational {
-        self.lines.iter().fold(dot(&self.linear, u), |sum, line| sum + absolute(dot(&line.normal, u)))
+        self.lines.iter().fold(dot(&self.linear, u), |sum, line| sum + dot(&line.normal, u).abs())
     }
 
     fn slope(&self, x: &Vector, u: &Vector) -> Rational {
@@ -223,7 +224,7 @@ impl Objective {
             match value.cmp(&Rational::ZERO) {
                 std::cmp::Ordering::Greater => sum + rate,
                 std::cmp::Ordering::Less => sum - rate,
-                std::cmp::Ordering::Equal => sum + absolute(rate),
+                std::cmp::Ordering::Equal => sum + rate.abs(),
             }
         })
     }
@@ -257,18 +258,14 @@ fn is_in_zonogon(v: &Vector, generators: &[&Vector]) -> bool {
     let axes = [[1, 0], [0, 1]].map(|u| u.map(Rational::from));
     let normals = generators.iter().flat_map(|g| [turned(g), (*g).clone()]).chain(axes);
     let is_within = |u: Vector| {
-        let width = generators.iter().fold(Rational::ZERO, |sum, g| sum + absolute(dot(g, &u)));
-        absolute(dot(v, &u)) <= width
+        let width = generators.iter().fold(Rational::ZERO, |sum, g| sum + dot(g, &u).abs());
+        dot(v, &u).abs() <= width
     };
     normals.into_iter().all(is_within)
 }
 
 fn is_zero(v: &Vector) -> bool {
     v.iter().all(|v| *v == Rational::ZERO)
-}
-
-fn absolute(value: Rational) -> Rational {
-    if value < Rational::ZERO { -value } else { value }
 }
 
 fn rank(vectors: &[Vector]) -> u8 {

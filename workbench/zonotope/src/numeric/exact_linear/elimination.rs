@@ -14,7 +14,6 @@ pub(crate) fn solve(columns: &[Vec<Rational>], right: &[Rational]) -> Option<Vec
 }
 
 /// The inverse of a square matrix, row by row; `None` if it is singular.
-#[allow(dead_code)]
 pub(crate) fn inverse(matrix: Vec<Vec<Rational>>) -> Option<Vec<Vec<Rational>>> {
     let size = matrix.len();
     let mut rows = matrix;

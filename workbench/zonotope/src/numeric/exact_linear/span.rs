@@ -118,7 +118,6 @@ impl Span {
     }
 
     /// The member of the span with given pivot coordinates.
-    #[allow(dead_code)]
     pub(crate) fn member(&self, coordinates: &[Rational]) -> Vec<Rational> {
         let coordinate = |c: usize| {
             let terms = self.rows.iter().zip(coordinates).map(|(row, x)| row.rate(c) * x);
@@ -131,7 +130,6 @@ impl Span {
     /// [`other_coordinates`](Self::other_coordinates) and 1 there.
     ///
     /// e_j − Σ_k (row_k[j] / head_k) e_pivot(k) is orthogonal to each row.
-    #[allow(dead_code)]
     pub(crate) fn annihilators(&self) -> Vec<Vec<Rational>> {
         self.other_coordinates().map(|other| self.annihilator(other)).collect()
     }

@@ -1,5 +1,7 @@
 //! Inverses of matrices of doubles, by Gauss–Jordan elimination with row pivoting.
 
+use super::add_multiple;
+
 /// The inverse of the leading `rank` × `rank` square of a matrix, 0 elsewhere; `None` if it is singular or its inverse
 /// leaves the doubles.
 pub(crate) fn inverse<const D: usize>(rank: usize, matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
@@ -32,18 +34,19 @@ pub(crate) fn invert<Row: AsMut<[f64]>>(left: &mut [Row], right: &mut [Row], ran
         for row in (0..rank).filter(|&row| row != column) {
             let factor = left[row].as_mut()[column];
             if factor != 0.0 {
-                subtract_multiple(left, row, factor, column);
-                subtract_multiple(right, row, factor, column);
+                // what is left of the column was made the identity already
+                subtract_multiple(left, row, factor, column, column);
+                subtract_multiple(right, row, factor, column, 0);
             }
         }
     }
     Some(())
 }
 
-/// Subtracts a multiple of one row from another.
-fn subtract_multiple<Row: AsMut<[f64]>>(rows: &mut [Row], row: usize, factor: f64, from: usize) {
+/// Subtracts a multiple of one row from another, from a column on.
+fn subtract_multiple<Row: AsMut<[f64]>>(rows: &mut [Row], row: usize, factor: f64, from: usize, first: usize) {
     let [row, from] = rows.get_disjoint_mut([row, from]).expect("two different rows of the matrix");
-    row.as_mut().iter_mut().zip(from.as_mut()).for_each(|(a, b)| *a -= factor * *b);
+    add_multiple(&mut row.as_mut()[first..], -factor, &from.as_mut()[first..]);
 }
 
 #[cfg(test)]

@@ -18,10 +18,8 @@ mod norms;
 mod products;
 mod ring;
 
-#[allow(unused_imports)]
 pub(crate) use inverse::{inverse, invert};
 pub(crate) use minors::{determinant, hyperplane_normal};
 pub(crate) use norms::{euclidean_norm, max_norm, sum_norm};
-#[allow(unused_imports)]
-pub(crate) use products::{cross, cyclic_cross_products, dot, sum_of_products};
+pub(crate) use products::{add_multiple, cross, cyclic_cross_products, dot, sum_of_products};
 pub(crate) use ring::Ring;

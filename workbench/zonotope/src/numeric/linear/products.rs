@@ -27,6 +27,12 @@ pub(crate) fn sum_of_products<T: Ring>(a: &[T], b: &[T]) -> T {
     sum.unwrap_or(T::ZERO)
 }
 
+/// Adds a multiple of one vector to another, over as many coordinates as both have.
+#[inline]
+pub(crate) fn add_multiple(sum: &mut [f64], factor: f64, vector: &[f64]) {
+    sum.iter_mut().zip(vector).for_each(|(s, v)| *s += factor * v);
+}
+
 /// a × b.
 #[inline(always)]
 pub(crate) fn cross<T: Ring>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
@@ -37,7 +43,6 @@ pub(crate) fn cross<T: Ring>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
 /// b × c, c × a and a × b: each is orthogonal to two of the vectors, and its product with the third is det(a, b, c).
 /// Divided by that determinant they are the rows of the inverse of the matrix with columns a, b, c.
 #[inline(always)]
-#[allow(dead_code)]
 pub(crate) fn cyclic_cross_products<T: Ring>(a: &[T; 3], b: &[T; 3], c: &[T; 3]) -> [[T; 3]; 3] {
     [cross(b, c), cross(c, a), cross(a, b)]
 }

@@ -1,7 +1,7 @@
 //! One facet of the zonotopes along some directions: what spans it, on which side the other directions are, and what
 //! lies beyond its edges.
 
-use super::descent::{dot, inverse};
+use crate::numeric::linear::{dot, inverse};
 
 /// The place of a chart that does not exist.
 pub(crate) const NOWHERE: u32 = u32::MAX;

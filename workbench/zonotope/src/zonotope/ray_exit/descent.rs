@@ -10,7 +10,7 @@
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-pub(crate) use crate::numeric::linear::{dot, inverse};
+use crate::numeric::linear::{dot, inverse};
 use crate::numeric::tolerance::UNIT;
 
 /// Where a ray leaves the zonotope.

@@ -12,7 +12,8 @@
 use std::collections::BTreeMap;
 
 use super::chart::{Chart, NOWHERE};
-use super::descent::{FacetDescent, dot};
+use super::descent::FacetDescent;
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::UNIT;
 
 /// The facets of zonotopes along directions, as far as they are known.

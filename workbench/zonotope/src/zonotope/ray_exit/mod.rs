@@ -12,5 +12,5 @@ mod chart;
 mod descent;
 mod facet_map;
 
-pub(crate) use descent::{Facet, FacetDescent, dot, inverse};
+pub(crate) use descent::{Facet, FacetDescent};
 pub(crate) use facet_map::{Exit, FacetMap};

@@ -14,7 +14,7 @@ use wide::f64x2;
 use crate::collision::by_lad::early::passes::{Carried, Passes, Runs};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
-use crate::numeric::linear::{cross, dot, sum_norm};
+use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 
 /// No coefficient is nearer to ±1 than this leaves room for.
 pub(crate) const WELL_WITHIN: f64 = 0.9999;
@@ -246,7 +246,7 @@ impl Moments {
         let [xx, xy, xz, yy, yz, zz] = self.hessian;
         let trace = xx + yy + zz;
         let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-        let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+        let minors = cyclic_cross_products(&rows[0], &rows[1], &rows[2]);
         let determinant = dot(&rows[0], &minors[0]);
         let inverse = 1.0 / determinant;
         let is_thick = determinant > THICK_DETERMINANT * trace * trace * trace;
@@ -259,7 +259,7 @@ impl Moments {
         let trace = xx + yy + zz;
         let more = DIAGONAL_SHIFT * trace;
         let rows = [[xx + more, xy, xz], [xy, yy + more, yz], [xz, yz, zz + more]];
-        let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+        let minors = cyclic_cross_products(&rows[0], &rows[1], &rows[2]);
         let determinant = dot(&rows[0], &minors[0]);
         let inverse = 1.0 / determinant;
         let solve = |r: &[f64; 3]| minors.map(|row| dot(&row, r) * inverse);

@@ -2,7 +2,7 @@
 
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, cross, cyclic_cross_products, dot, exact, is_zero, rounded_direction};
 
 /// How many generators are proposed as the next of a basis.
 const PROPOSAL_LIMIT: usize = 3;
@@ -26,7 +26,7 @@ impl Basis {
             vectors.push(next);
         }
         let [a, b, c] = [&vectors[0], &vectors[1], &vectors[2]];
-        let dual = [cross(b, c), cross(c, a), cross(a, b)];
+        let dual = cyclic_cross_products(a, b, c);
         let determinant = dot(a, &dual[0]);
         debug_assert!(!determinant.is_zero(), "the members are independent");
         if determinant.sign().is_lt() {

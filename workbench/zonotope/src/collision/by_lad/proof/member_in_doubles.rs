@@ -11,7 +11,7 @@ use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::{cyclic_cross_products, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
 
@@ -144,7 +144,7 @@ fn prove_by_others(
 
 /// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).
 fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3]> {
-    let normals = [cross(b, c), cross(c, a), cross(a, b)];
+    let normals = cyclic_cross_products(a, b, c);
     let determinant = dot(c, &normals[2]);
     let negative = determinant.sign()? < 0;
     let determinant = if negative { determinant.negated() } else { determinant };
@@ -158,7 +158,7 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
 fn attempt(query: &dyn KernelQuery, certain: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
     let [a, b] = &certain.vectors;
     let c = &query.generator(attempt.third);
-    let normals = [cross(b, c), cross(c, a), cross(a, b)];
+    let normals = cyclic_cross_products(a, b, c);
     let determinant = dot(c, &normals[2]);
     let rest = [0, 1, 2].map(|k| p[k].value - (certain.sum[k].value - attempt.sign * c[k]) * attempt.factor);
     let largest = normals.iter().fold(0.0f64, |m, normal| m.max((dot(&rest, normal) / determinant).abs()));
@@ -172,6 +172,7 @@ mod tests {
     use crate::collision::Location;
     use crate::interop::verifier::check_location;
     use crate::lad::of_generators::cells::reduced::Reduced;
+    use crate::numeric::linear::cross;
     use crate::zonotope::query::Query;
 
     /// The proof from the vertex of the first two generators, checked exactly.

@@ -8,7 +8,7 @@ use crate::lad::of_generators::generators::{Generators, Posed};
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, exact, is_zero};
+use crate::numeric::exact_linear::{ExactVector, cross, cyclic_cross_products, dot, exact, is_zero};
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
@@ -76,8 +76,7 @@ fn check_proof(query: &PosedQuery<'_>, location: &Location<3>) {
             let solved = match witness.basis[..] {
                 [] => is_zero(&rest),
                 [a, b, c] => {
-                    let normals =
-                        [cross(&images[b], &images[c]), cross(&images[c], &images[a]), cross(&images[a], &images[b])];
+                    let normals = cyclic_cross_products(&images[a], &images[b], &images[c]);
                     let determinant = dot(&images[a], &normals[0]).abs();
                     !determinant.is_zero() && normals.iter().all(|normal| dot(&rest, normal).abs() <= determinant)
                 }

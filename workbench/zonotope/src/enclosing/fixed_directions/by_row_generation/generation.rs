@@ -5,8 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::normal_simplex::{NormalProgram, NormalRow, Stuck};
 use crate::enclosing::fixed_directions::farthest::{Far, farthest};
+use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::ray_exit::{FacetMap, dot};
+use crate::zonotope::ray_exit::FacetMap;
 
 /// A program over normals, with the points that it is for and the facets met so far.
 pub(crate) struct Generation<'a, const D: usize> {

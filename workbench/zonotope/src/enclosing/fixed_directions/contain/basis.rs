@@ -2,9 +2,9 @@
 
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::Scaled;
-use crate::enclosing::fixed_directions::span::{Span, rational};
 use crate::numeric::Rational;
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::exact_linear::{Span, inverse, rational};
+use crate::numeric::linear::dot;
 
 /// The indices of at most `rank` vectors that are independent but for rounding: each is the one farthest from the span
 /// of those before.
@@ -47,7 +47,7 @@ pub(in crate::enclosing::fixed_directions) fn long_basis<const D: usize>(
     let basis = independent(scaled.rank, &lengthened);
     let exactly = |basis: &[usize]| {
         let vectors: Vec<[f64; D]> = basis.iter().map(|&b| problem.directions()[scaled.directions[b].index]).collect();
-        Span::of(&vectors).dimension()
+        Span::of_doubles(&vectors).rank()
     };
     if basis.len() == scaled.rank && exactly(&basis) == scaled.rank {
         return basis;
@@ -69,30 +69,7 @@ pub(in crate::enclosing::fixed_directions) fn exact_inverse<const D: usize>(
     scaled: &Scaled<D>,
     basis: &[usize],
 ) -> Vec<Vec<Rational>> {
-    let rank = basis.len();
-    let mut rows: Vec<Vec<Rational>> = scaled
-        .coordinates
-        .iter()
-        .enumerate()
-        .map(|(r, &c)| {
-            let left = basis.iter().map(|&b| rational(problem.directions()[scaled.directions[b].index][c]));
-            left.chain((0..rank).map(|k| if k == r { Rational::ONE } else { Rational::ZERO })).collect()
-        })
-        .collect();
-    for column in 0..rank {
-        let Some(pivot) = (column..rank).find(|&row| !rows[row][column].is_zero()) else { continue };
-        rows.swap(column, pivot);
-        let head = rows[column][column].clone();
-        let pivot_row: Vec<Rational> = rows[column].iter().map(|v| v / &head).collect();
-        for row in rows.iter_mut() {
-            let factor = row[column].clone();
-            if !factor.is_zero() {
-                for (v, p) in row.iter_mut().zip(&pivot_row) {
-                    *v -= &factor * p;
-                }
-            }
-        }
-        rows[column] = pivot_row;
-    }
-    rows.into_iter().map(|row| row[rank..].to_vec()).collect()
+    let row =
+        |&c: &usize| basis.iter().map(|&b| rational(problem.directions()[scaled.directions[b].index][c])).collect();
+    inverse(scaled.coordinates.iter().map(row).collect()).expect("a basis has an inverse")
 }

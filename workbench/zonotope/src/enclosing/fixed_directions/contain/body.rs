@@ -1,12 +1,15 @@
 //! The zonotope whose containment is being proved: a centre and coefficients in doubles, with a basis of directions.
 
+use dashu_int::ops::Abs;
+
 use super::basis::{exact_inverse, long_basis};
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::Scaled;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::sum_of_products;
+use crate::numeric::linear::inverse;
 use crate::numeric::scaling::scale_by_power_of_two;
-use crate::zonotope::ray_exit::inverse;
 
 /// A zonotope along the kept directions of a problem, whose containment of points is proved.
 pub(super) struct Body<'a, const D: usize> {
@@ -66,9 +69,7 @@ impl<'a, const D: usize> Body<'a, D> {
     /// The magnitudes of the coordinates of a vector with respect to the basis, exactly.
     pub(super) fn magnitudes_in_basis(&self, vector: &[Dyadic]) -> Vec<Rational> {
         let vector: Vec<Rational> = vector.iter().map(Dyadic::to_rational).collect();
-        let entry = |row: &Vec<Rational>| row.iter().zip(&vector).fold(Rational::ZERO, |sum, (m, v)| sum + m * v);
-        let entries = self.exact_inverse.iter().map(entry);
-        entries.map(|x| if x < Rational::ZERO { -x } else { x }).collect()
+        self.exact_inverse.iter().map(|row| sum_of_products(row, &vector).abs()).collect()
     }
 
     /// The residual point − p − Σ δ_i c_i v_i in the coordinates of the span, exactly.

@@ -6,8 +6,9 @@
 //! the miss, so the point is inside.
 
 use super::body::Body;
+use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
-use crate::zonotope::ray_exit::{Exit, dot};
+use crate::zonotope::ray_exit::Exit;
 
 /// A rounded inverse whose product with the matrix is farther from the identity than this proves nothing.
 const LARGEST_INVERSE_ERROR: f64 = 1e-3;

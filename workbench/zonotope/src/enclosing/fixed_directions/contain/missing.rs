@@ -9,7 +9,7 @@ use super::body::Body;
 use super::thickened::Thickened;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::zonotope::ray_exit::{dot, inverse};
+use crate::numeric::linear::{dot, inverse};
 
 /// A ray counts as reaching its point if it leaves at a multiple of the point that is below 1 by less than this.
 const REACH_TOLERANCE: f64 = 1e-12;

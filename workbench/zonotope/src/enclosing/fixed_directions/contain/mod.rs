@@ -26,12 +26,12 @@ mod thickened;
 use super::answer::{DirectedZonotope, Effort};
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
-use super::span::rational;
-use crate::enclosing::outward::rounded_towards;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
+use crate::numeric::outward::{at_least, fraction_at_least};
 use crate::numeric::scaling::scale_by_power_of_two;
-use crate::zonotope::ray_exit::{Exit, FacetMap, dot};
+use crate::zonotope::ray_exit::{Exit, FacetMap};
 use body::Body;
 use thickened::Thickened;
 
@@ -76,7 +76,7 @@ pub(super) fn contain<const D: usize>(
     for (&b, enlargement) in body.basis.iter().zip(enlargements) {
         if !enlargement.is_zero() {
             let exact = Dyadic::from_f64(coefficients[b]).to_rational() + enlargement;
-            coefficients[b] = above(&exact);
+            coefficients[b] = fraction_at_least(&exact);
         }
     }
     for (direction, c) in scaled.directions.iter().zip(&coefficients) {
@@ -138,31 +138,10 @@ fn enlargements<const D: usize>(body: &Body<'_, D>, map: &mut FacetMap<D>) -> (V
     (enlargements, worst)
 }
 
-/// A double not below a rational that is not negative.
-pub(crate) fn above(exact: &Rational) -> f64 {
-    if exact.is_zero() {
-        return 0.0;
-    }
-    let mut value = exact.to_f64_fast().max(f64::from_bits(1));
-    while value.is_finite() && rational(value) < *exact {
-        value = value.next_up();
-    }
-    value
-}
-
-/// A double not above a rational that is not negative.
-pub(crate) fn below(exact: &Rational) -> f64 {
-    let mut value = exact.to_f64_fast().clamp(0.0, f64::MAX);
-    while value > 0.0 && rational(value) > *exact {
-        value = value.next_down();
-    }
-    value
-}
-
 /// The value Σ w_i c_i, rounded up; infinite above the largest double.
 pub(crate) fn value_above(weights: &[f64], coefficients: &[f64]) -> f64 {
     let sum = weights.iter().zip(coefficients).fold(Dyadic::zero(), |sum, (&w, &c)| {
         if w == 0.0 || c == 0.0 { sum } else { sum + &Dyadic::from_f64(w) * &Dyadic::from_f64(c) }
     });
-    rounded_towards(&sum, f64::INFINITY)
+    at_least(&sum)
 }

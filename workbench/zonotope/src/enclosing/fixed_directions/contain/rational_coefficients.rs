@@ -2,8 +2,8 @@
 
 use super::body::Body;
 use crate::enclosing::fixed_directions::rational::simplex::{Column, maximize};
-use crate::enclosing::fixed_directions::span::rational;
 use crate::numeric::Rational;
+use crate::numeric::exact_linear::rational;
 
 impl<const D: usize> Body<'_, D> {
     /// Coefficients, rounded to doubles, for which enlarging the basis by the residual costs least.

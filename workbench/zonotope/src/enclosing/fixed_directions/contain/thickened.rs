@@ -5,7 +5,8 @@
 //! repeated with the shortest generators of a basis lengthened, step by step. The coefficients found are used with the
 //! zonotope as it is.
 
-use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
+use crate::numeric::linear::dot;
+use crate::zonotope::ray_exit::{Facet, FacetDescent};
 
 /// A zonotope and thickened versions of it, each with its own search for facets.
 pub(crate) struct Thickened<'a, const D: usize> {

@@ -48,10 +48,14 @@
 mod refine;
 pub(super) mod simplex;
 
+use dashu_int::ops::Abs;
+
 use super::answer::ExactOptimum;
 use super::problem::FixedDirections;
-use super::span::{Span, rational};
+use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::Rational;
+use crate::numeric::exact_linear::{Span, hyperplane_normal, rational, sum_of_products};
+use crate::numeric::subsets::for_each_subset;
 use simplex::{Column, maximize};
 
 pub(super) use refine::refine;
@@ -59,42 +63,41 @@ pub(super) use refine::refine;
 /// The least Σ w_i c_i with a centre, coefficients and multipliers that attain it; `None` when no zonotope along the
 /// directions contains the points.
 pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>) -> Option<ExactOptimum<D>> {
-    let span = Span::of(problem.directions());
-    if span.first_departure(problem.points()).is_some() {
+    let span = Span::of_doubles(problem.directions());
+    if first_departure(&span, problem.points()).is_some() {
         return None;
     }
     let inside = |vectors: &[[f64; D]]| -> Vec<Vec<Rational>> {
-        vectors.iter().map(|v| span.pivots().iter().map(|&c| rational(v[c])).collect()).collect()
+        vectors.iter().map(|v| span.pivots().map(|c| rational(v[c])).collect()).collect()
     };
     let (points, directions) = (inside(problem.points()), inside(problem.directions()));
     let weights: Vec<Rational> = problem.weights().iter().map(|&w| rational(w)).collect();
-    let half = normals(&directions, span.dimension());
+    let half = normals(&directions, span.rank());
     let both: Vec<Vec<Rational>> = half.into_iter().flat_map(|u| [u.iter().map(|c| -c.clone()).collect(), u]).collect();
     let mut farthest = Vec::with_capacity(both.len());
     let columns: Vec<Column> = both
         .iter()
         .map(|u| {
-            let heights: Vec<Rational> = points.iter().map(|p| product(u, p)).collect();
+            let heights: Vec<Rational> = points.iter().map(|p| sum_of_products(u, p)).collect();
             let far = (0..points.len()).max_by_key(|&j| &heights[j]).expect("there is a point");
             farthest.push(far);
             Column {
-                inequalities: directions.iter().map(|v| absolute(product(u, v))).collect(),
+                inequalities: directions.iter().map(|v| sum_of_products(u, v).abs()).collect(),
                 equalities: u.clone(),
                 gain: heights[far].clone(),
             }
         })
         .collect();
-    let optimum =
-        maximize(&columns, &weights, span.dimension()).expect("a zonotope along the directions holds the points");
+    let optimum = maximize(&columns, &weights, span.rank()).expect("a zonotope along the directions holds the points");
     let first = problem.points()[0].map(rational);
     let shift: Vec<Rational> = optimum.equality_prices.iter().zip(&points[0]).map(|(p, first)| p - first).collect();
-    let lifted = span.lift(&shift);
+    let lifted = span.member(&shift);
     let center = std::array::from_fn(|c| &first[c] + &lifted[c]);
     let multipliers = farthest.into_iter().zip(both.iter().zip(&optimum.solution)).filter(|(_, (_, y))| !y.is_zero());
     let multipliers = multipliers
         .map(|(point, (u, y))| {
             let mut multiplier: [Rational; D] = std::array::from_fn(|_| Rational::ZERO);
-            for (component, &coordinate) in u.iter().zip(span.pivots()) {
+            for (component, coordinate) in u.iter().zip(span.pivots()) {
                 multiplier[coordinate] = y * component;
             }
             (point, multiplier)
@@ -105,47 +108,14 @@ pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>)
 
 /// A normal of each (dimension − 1)-subset of the directions that has one, up to sign.
 fn normals(directions: &[Vec<Rational>], dimension: usize) -> Vec<Vec<Rational>> {
-    let Some(size) = dimension.checked_sub(1) else { return Vec::new() };
     let mut found = Vec::new();
-    let mut subset: Vec<usize> = (0..size).collect();
-    while subset.last().is_none_or(|&last| last < directions.len()) {
+    let Some(size) = dimension.checked_sub(1) else { return found };
+    for_each_subset(directions.len(), size, |subset| {
         let rows: Vec<&[Rational]> = subset.iter().map(|&i| &directions[i][..]).collect();
-        let normal: Vec<Rational> = (0..dimension)
-            .map(|c| {
-                let others: Vec<usize> = (0..dimension).filter(|&other| other != c).collect();
-                let minor = determinant(&rows, &others);
-                if c % 2 == 0 { minor } else { -minor }
-            })
-            .collect();
+        let normal = hyperplane_normal(&rows);
         if normal.iter().any(|c| !c.is_zero()) {
             found.push(normal);
         }
-        let Some(moving) = (0..size).rev().find(|&i| subset[i] + size - i < directions.len()) else { break };
-        subset[moving] += 1;
-        for i in moving + 1..size {
-            subset[i] = subset[i - 1] + 1;
-        }
-    }
+    });
     found
-}
-
-/// The determinant of the given columns of some rows, along the first row.
-fn determinant(rows: &[&[Rational]], columns: &[usize]) -> Rational {
-    let Some((row, rest)) = rows.split_first() else { return Rational::ONE };
-    columns.iter().enumerate().fold(Rational::ZERO, |sum, (i, &column)| {
-        if row[column].is_zero() {
-            return sum;
-        }
-        let others: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
-        let term = &row[column] * determinant(rest, &others);
-        if i % 2 == 0 { sum + term } else { sum - term }
-    })
-}
-
-fn product(a: &[Rational], b: &[Rational]) -> Rational {
-    a.iter().zip(b).fold(Rational::ZERO, |sum, (x, y)| sum + x * y)
-}
-
-fn absolute(value: Rational) -> Rational {
-    if value < Rational::ZERO { -value } else { value }
 }

@@ -6,12 +6,13 @@
 
 use super::min_length_in_rationals;
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
+use crate::enclosing::fixed_directions::contain::contain;
 use crate::enclosing::fixed_directions::contain::flat_center::cheapest_center;
-use crate::enclosing::fixed_directions::contain::{below, contain};
 use crate::enclosing::fixed_directions::problem::{FixedDirections, FixedDirectionsError};
 use crate::enclosing::fixed_directions::scaled::Setting;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::outward::fraction_at_most;
 use crate::zonotope::ray_exit::FacetMap;
 
 /// The rational program is solved for at most this many facet normals, up to sign.
@@ -47,7 +48,7 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
         let points: Vec<[f64; D]> = active.iter().map(|&j| problem.points()[j]).collect();
         let part = FixedDirections::new(&points, &directions, &weights)?;
         let Some(optimum) = min_length_in_rationals(&part) else { return Ok(()) };
-        let lower_bound = below(&optimum.value);
+        let lower_bound = fraction_at_most(&optimum.value);
         let (centers, coefficients) = candidates(setting, &optimum);
         answer.effort.exact = true;
         if lower_bound >= answer.lower_bound {

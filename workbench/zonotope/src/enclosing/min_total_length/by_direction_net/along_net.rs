@@ -11,7 +11,7 @@ use crate::enclosing::min_total_length::conclude::{around_equal_points, conclude
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::linear::dot;
 
 /// The relative precision, as a share of ε, to which dual constraints hold at the end; the program for a whole net is
 /// solved as precisely.

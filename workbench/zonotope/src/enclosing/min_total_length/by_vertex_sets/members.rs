@@ -8,7 +8,7 @@ use super::vertex_sets::VertexSets;
 use crate::enclosing::fixed_directions::balanced;
 use crate::enclosing::min_total_length::box_coordinates::{BoxCoordinates, Position};
 use crate::enclosing::min_total_length::frame::Frame;
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::linear::dot;
 
 /// In a round up to this many points become members, or a quarter as many as there are members if that is more.
 const LEAST_JOINING_LIMIT: usize = 16;

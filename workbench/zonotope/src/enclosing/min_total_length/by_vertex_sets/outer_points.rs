@@ -11,7 +11,8 @@ use std::cmp::Ordering;
 
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::dyadic::Dyadic;
-use crate::zonotope::ray_exit::{dot, inverse};
+use crate::numeric::exact_linear::determinant;
+use crate::numeric::linear::{dot, inverse};
 
 /// Fewer points than this are all kept: their linear programs would cost more than the points cost the search.
 const LEAST_POINT_COUNT: usize = 48;
@@ -140,22 +141,6 @@ fn is_in_simplex<const D: usize>(q: &[f64; D], apex: &[f64; D], corners: &[[f64;
         part.sign() == whole.sign()
     });
     is_within && !whole.is_zero() && rest.sign() == whole.sign()
-}
-
-/// The determinant of a square matrix.
-fn determinant(rows: &[Vec<Dyadic>]) -> Dyadic {
-    let columns: Vec<usize> = (0..rows.len()).collect();
-    minor(rows, &columns)
-}
-
-/// The determinant of the rows in some columns, as many as rows, by expansion along the first row.
-fn minor(rows: &[Vec<Dyadic>], columns: &[usize]) -> Dyadic {
-    let Some((row, rest)) = rows.split_first() else { return Dyadic::new(1.into(), 0) };
-    columns.iter().enumerate().fold(Dyadic::zero(), |sum, (i, &column)| {
-        let others: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
-        let term = &row[column] * &minor(rest, &others);
-        if i % 2 == 0 { sum + term } else { sum - term }
-    })
 }
 
 #[cfg(test)]

@@ -11,8 +11,8 @@ use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;
+use crate::numeric::linear::dot;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::ray_exit::dot;
 
 /// The shortest zonotope that set generation has found.
 pub(super) struct Found<const D: usize> {

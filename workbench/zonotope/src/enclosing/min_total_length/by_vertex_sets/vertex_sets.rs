@@ -15,9 +15,10 @@
 use std::collections::BTreeSet;
 
 use super::interior::cone::ConeVector;
-use super::interior::scalar::{Scalar, dot, plus, real, values, zero};
+use super::interior::scalar::{Scalar, plus, real, values, zero};
 use super::point_set::PointSet;
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
+use crate::numeric::linear::dot;
 
 /// A set of points, with the slack and the dual variable of its constraint.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@
 //! off there. A least-squares change without weights would push all alike.
 
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
-use crate::zonotope::ray_exit::{dot, inverse};
+use crate::numeric::linear::{dot, inverse};
 
 /// The coefficients for a vector are corrected at most this many times.
 const ROUND_LIMIT: usize = 8;

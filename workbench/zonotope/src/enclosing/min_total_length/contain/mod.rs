@@ -6,8 +6,9 @@
 //! all points. That is why the search above may be in floating point, and why its generators are not changed to fit:
 //! the axes add to the length about what the generators miss of the points, which is rounding.
 
-use crate::enclosing::outward::rounded_towards;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
+use crate::numeric::outward::{at_least, axis_generators};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 
@@ -16,7 +17,7 @@ mod coefficients;
 use super::box_coordinates::BoxCoordinates;
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
-use crate::zonotope::ray_exit::{Facet, FacetDescent, dot};
+use crate::zonotope::ray_exit::{Facet, FacetDescent};
 use coefficients::CoefficientRefinement;
 
 /// A generator shorter than this in box coordinates, relative to the longest, is left out: it is rounding noise, which
@@ -88,11 +89,7 @@ pub(super) fn around<const D: usize>(
             }
         }
     }
-    for (axis, lost) in lost.iter().enumerate().filter(|(_, lost)| !lost.is_zero()) {
-        let mut generator = [0.0; D];
-        generator[axis] = rounded_towards(lost, f64::INFINITY);
-        generators.push(generator);
-    }
+    generators.extend(axis_generators(lost.each_ref().map(at_least)));
     let length = length_above(&generators);
     let zonotope = Zonotope::new(outer, generators).ok()?;
     length.is_finite().then_some((zonotope, length))
@@ -111,7 +108,7 @@ pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
         // The product is exact: as a double it might be denormal, with few bits.
         &Dyadic::from_f64(largest) * &Dyadic::from_f64(factor)
     });
-    let length = rounded_towards(&lengths.fold(Dyadic::zero(), |sum, length| sum + length), f64::INFINITY);
+    let length = at_least(&lengths.fold(Dyadic::zero(), |sum, length| sum + length));
     if length < f64::MIN_POSITIVE { tiny_length_above(generators) } else { length }
 }
 
@@ -120,5 +117,5 @@ pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
 fn tiny_length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
     let square = |g: &[f64; D]| g.iter().map(|c| Dyadic::from_f64(*c)).fold(Dyadic::zero(), |sum, c| sum + &c * &c);
     let length = generators.iter().map(|g| square(g).root_above()).fold(Dyadic::zero(), |sum, length| sum + length);
-    rounded_towards(&length, f64::INFINITY)
+    at_least(&length)
 }

@@ -19,7 +19,7 @@ use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;
 use crate::hull::convex_hull;
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::linear::dot;
 
 /// An affine lower bound of the length as a function of the centre x, length(x) ≥ height + slope · x, with equality at
 /// the centre whose zonogon it comes from; and the multipliers that prove it.

@@ -6,7 +6,7 @@
 //! ρ), and the gauge of any x is at most s |x|_1.
 
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::linear::{cross, dot, sum_norm};
+use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 use crate::numeric::tolerance::{MODERATE_SIZES, UNIT};
 
 /// Generators read side by side.
@@ -29,7 +29,7 @@ pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
         }
     }
     let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-    let minors = [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+    let minors = cyclic_cross_products(&rows[0], &rows[1], &rows[2]);
     let determinant = dot(&rows[0], &minors[0]);
     let inverse = minors.map(|row| row.map(|c| c / determinant));
     let size = inverse.each_ref().map(sum_norm).iter().fold(0.0f64, |m, v| m.max(*v));

@@ -16,7 +16,8 @@
 mod pricing;
 mod refactor;
 
-use crate::zonotope::ray_exit::dot;
+use crate::numeric::lanes::product_of_rows;
+use crate::numeric::linear::dot;
 
 /// A normal with the farthest point along it: a row of the program, and a column of the dual.
 #[derive(Clone, Debug)]
@@ -168,7 +169,7 @@ impl<const D: usize> NormalProgram<D> {
     /// The values of the basic variables, by the inverse.
     fn solve_values(&self) -> Vec<f64> {
         let bounds: Vec<f64> = (0..self.size()).map(|i| self.bound(i)).collect();
-        self.inverse.iter().map(|row| product(row, &bounds)).collect()
+        self.inverse.iter().map(|row| product_of_rows::<4>(row, &bounds)).collect()
     }
 
     /// Moves to the optimal basis for the normals so far.
@@ -230,7 +231,11 @@ impl<const D: usize> NormalProgram<D> {
             let slacks = (0..self.directions.len()).filter(|&i| !self.slack_is_basic[i]);
             let normals = normals.map(|j| {
                 let entries = &self.entries[j];
-                (Basic::Normal(j), product(row, entries), product(entries, &self.prices) - self.rows[j].height)
+                (
+                    Basic::Normal(j),
+                    product_of_rows::<4>(row, entries),
+                    product_of_rows::<4>(entries, &self.prices) - self.rows[j].height,
+                )
             });
             let slacks = slacks.map(|i| (Basic::Slack(i), row[self.rank + i], self.prices[self.rank + i]));
             let falling: Vec<(Basic, f64, f64)> = normals
@@ -285,23 +290,4 @@ impl<const D: usize> NormalProgram<D> {
         self.pivots_since_inverse += 1;
         self.pivots += 1;
     }
-}
-
-fn add_multiple(sum: &mut [f64], factor: f64, vector: &[f64]) {
-    for (s, v) in sum.iter_mut().zip(vector) {
-        *s += factor * v;
-    }
-}
-
-/// The sum of products, in four partial sums.
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    let (mut a, mut b) = (a.chunks_exact(4), b.chunks_exact(4));
-    let mut sums = [0.0; 4];
-    for (x, y) in a.by_ref().zip(b.by_ref()) {
-        for i in 0..4 {
-            sums[i] += x[i] * y[i];
-        }
-    }
-    let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(x, y)| x * y).sum();
-    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }

@@ -3,7 +3,9 @@
 //! The basic slacks are columns of the identity. So only a block has to be inverted, that of the basic normals and of
 //! the tight constraints, which have no basic slack.
 
-use super::{Basic, NormalProgram, Stuck, add_multiple, product};
+use super::{Basic, NormalProgram, Stuck};
+use crate::numeric::lanes::product_of_rows;
+use crate::numeric::linear::{add_multiple, invert};
 
 /// The number of times that values and prices are refined by the residuals of their equations.
 const REFINEMENTS: usize = 2;
@@ -24,9 +26,11 @@ impl<const D: usize> NormalProgram<D> {
             return Err(Stuck);
         }
         // Row t of the block holds the entries of tight constraint t for the basic normals.
-        let block: Vec<Vec<f64>> =
+        let mut left: Vec<Vec<f64>> =
             tight.iter().map(|&t| normals.iter().map(|&(_, j)| self.entries[j][t]).collect()).collect();
-        let block = dense_inverse(block).ok_or(Stuck)?;
+        let unit = |i: usize| (0..tight.len()).map(|j| f64::from(u8::from(i == j))).collect();
+        let mut block: Vec<Vec<f64>> = (0..tight.len()).map(unit).collect();
+        invert(&mut left, &mut block, tight.len()).ok_or(Stuck)?;
         let mut inverse = vec![vec![0.0; size]; size];
         for (&(at, _), row) in normals.iter().zip(&block) {
             for (&t, &v) in tight.iter().zip(row) {
@@ -61,9 +65,10 @@ impl<const D: usize> NormalProgram<D> {
             };
             let missing: Vec<f64> = tight.iter().map(missing).collect();
             for (&(at, _), row) in normals.iter().zip(&block) {
-                self.values[at] += product(row, &missing);
+                self.values[at] += product_of_rows::<4>(row, &missing);
             }
-            let missing = |&(_, j): &(usize, usize)| self.rows[j].height - product(&self.entries[j], &prices);
+            let missing =
+                |&(_, j): &(usize, usize)| self.rows[j].height - product_of_rows::<4>(&self.entries[j], &prices);
             let missing: Vec<f64> = normals.iter().map(missing).collect();
             for (&(at, _), miss) in normals.iter().zip(missing) {
                 add_multiple(&mut prices, miss, &self.inverse[at]);
@@ -73,35 +78,4 @@ impl<const D: usize> NormalProgram<D> {
         self.pivots_since_inverse = 0;
         if self.prices.iter().chain(&self.values).all(|v| v.is_finite()) { Ok(()) } else { Err(Stuck) }
     }
-}
-
-/// Gauss–Jordan elimination with row pivoting; `None` for a singular matrix.
-fn dense_inverse(mut left: Vec<Vec<f64>>) -> Option<Vec<Vec<f64>>> {
-    let size = left.len();
-    let mut right: Vec<Vec<f64>> =
-        (0..size).map(|i| (0..size).map(|j| f64::from(u8::from(i == j))).collect()).collect();
-    for column in 0..size {
-        let pivot = (column..size).max_by(|&a, &b| left[a][column].abs().total_cmp(&left[b][column].abs()))?;
-        let head = left[pivot][column];
-        if head == 0.0 || !head.is_finite() {
-            return None;
-        }
-        left.swap(column, pivot);
-        right.swap(column, pivot);
-        let mut pivot_left = std::mem::take(&mut left[column]);
-        let mut pivot_right = std::mem::take(&mut right[column]);
-        for v in pivot_left.iter_mut().chain(&mut pivot_right) {
-            *v /= head;
-        }
-        for row in (0..size).filter(|&row| row != column) {
-            let factor = left[row][column];
-            if factor != 0.0 {
-                add_multiple(&mut left[row][column..], -factor, &pivot_left[column..]);
-                add_multiple(&mut right[row], -factor, &pivot_right);
-            }
-        }
-        left[column] = pivot_left;
-        right[column] = pivot_right;
-    }
-    Some(right)
 }

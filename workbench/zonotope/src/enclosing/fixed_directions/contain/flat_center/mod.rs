@@ -14,9 +14,9 @@ use super::basis::{exact_inverse, long_basis};
 use super::body::generators;
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::{Scaled, Setting};
-use crate::enclosing::fixed_directions::span::{Span, rational};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{Span, rational, sum_of_products};
 use crate::numeric::scaling::binary_exponent;
 
 /// The grid of a small coordinate has at most this many bits below the last bit of the largest coordinate.
@@ -34,7 +34,7 @@ const FREE_DIRECTION_SHARE: f64 = 1e-6;
 /// The place that a centre should have in the affine span of the points, and the cost of missing it.
 struct Target<'a, const D: usize> {
     problem: &'a FixedDirections<'a, D>,
-    span: &'a Span<D>,
+    span: &'a Span,
     /// The place in the pivot coordinates of the span.
     place: Vec<Rational>,
     /// The independent rows of a linear map of the pivot coordinates. The cost of a miss is the length of its image.
@@ -83,7 +83,7 @@ impl<const D: usize> Target<'_, D> {
     /// The cheapest candidate for the centre: the point of the grid, or one of the first points of the problem.
     fn center(&self) -> [f64; D] {
         let miss = |center: &[f64; D]| {
-            let image = self.image(&self.span.pivots().iter().map(|&c| rational(center[c])).collect::<Vec<_>>());
+            let image = self.image(&self.span.pivots().map(|c| rational(center[c])).collect::<Vec<_>>());
             let target = self.image(&self.place);
             image.iter().zip(&target).fold(Rational::ZERO, |sum, (a, b)| sum + (a - b) * (a - b))
         };
@@ -95,38 +95,35 @@ impl<const D: usize> Target<'_, D> {
 
     /// The image of a vector in pivot coordinates under the cost's linear map.
     fn image(&self, coordinates: &[Rational]) -> Vec<Rational> {
-        let entry = |row: &Vec<Rational>| row.iter().zip(coordinates).fold(Rational::ZERO, |sum, (a, x)| sum + a * x);
-        self.cost.iter().map(entry).collect()
+        self.cost.iter().map(|row| sum_of_products(row, coordinates)).collect()
     }
 
     /// The point nearest to the place, of the finest grid for which it is a point of doubles.
     fn on_a_grid(&self) -> Option<[f64; D]> {
         let first = self.problem.points()[0].map(rational);
-        let shift: Vec<Rational> = self.place.iter().zip(self.span.pivots()).map(|(p, &c)| p - &first[c]).collect();
-        let lifted = self.span.lift(&shift);
+        let shift: Vec<Rational> = self.place.iter().zip(self.span.pivots()).map(|(p, c)| p - &first[c]).collect();
+        let lifted = self.span.member(&shift);
         let exponents: [i64; D] = std::array::from_fn(|c| {
             let place = (&first[c] + &lifted[c]).to_f64_fast();
             binary_exponent(place.clamp(-f64::MAX, f64::MAX)).map_or(LEAST_EXPONENT, i64::from)
         });
         let top = exponents.into_iter().max().unwrap_or(LEAST_EXPONENT);
         let mut exponents = exponents.map(|e| (e.max(top - EXTRA_BIT_LIMIT) - 52).max(LEAST_EXPONENT));
-        let zeros: Vec<[Rational; D]> = self.span.annihilators();
+        let zeros = self.span.annihilators();
         for _ in 0..GRID_LIMIT {
             let units = exponents.map(|e| Dyadic::new(IBig::ONE, e).to_rational());
             let rows = zeros.iter().map(|zero| {
-                let right = zero.iter().zip(&first).fold(Rational::ZERO, |sum, (a, b)| sum - a * b);
+                let right = -sum_of_products(zero, &first);
                 whole([zero.iter().zip(&units).map(|(a, unit)| a * unit).chain([right]).collect()]).swap_remove(0)
             });
-            let cost = self.cost.iter().map(|row| {
-                let pivots = self.span.pivots().iter();
-                row.iter().zip(pivots).map(|(a, &c)| a * &units[c]).collect()
-            });
+            let cost =
+                self.cost.iter().map(|row| row.iter().zip(self.span.pivots()).map(|(a, c)| a * &units[c]).collect());
             // The cost and the target are made whole together, by the same multiple.
             let mut cost: Vec<Vec<IBig>> = whole(cost.chain([self.image(&self.place)]));
             let target = cost.pop()?;
             let image = |x: &[IBig]| {
                 let entry = |row: &Vec<IBig>| {
-                    row.iter().zip(self.span.pivots()).fold(IBig::ZERO, |sum, (a, &c)| sum + a * &x[c])
+                    row.iter().zip(self.span.pivots()).fold(IBig::ZERO, |sum, (a, c)| sum + a * &x[c])
                 };
                 cost.iter().map(entry).collect()
             };

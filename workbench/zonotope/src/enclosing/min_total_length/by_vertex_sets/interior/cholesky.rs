@@ -80,12 +80,12 @@ impl<R: Scalar> Cholesky<R> {
     /// the matrix's diagonal entry is not positive, or the pivot is not a number.
     fn finish(&mut self, row: usize, block: usize) -> Option<()> {
         for column in block..row {
-            let rest = self.row(row, row)[column] - R::product(self.row(row, column), self.row(column, column));
+            let rest = self.row(row, row)[column] - R::row_product(self.row(row, column), self.row(column, column));
             let entry = rest / self.row(column, column + 1)[column];
             self.set(row, column, entry);
         }
         let diagonal = self.row(row, row + 1)[row];
-        let square = diagonal - R::product(self.row(row, row), self.row(row, row));
+        let square = diagonal - R::row_product(self.row(row, row), self.row(row, row));
         if square.value().is_nan() || diagonal.value() <= 0.0 {
             return None;
         }
@@ -101,7 +101,7 @@ impl<R: Scalar> Factor<R> {
         let Self(matrix) = self;
         let mut x = right.to_vec();
         for row in 0..matrix.unknowns {
-            x[row] = (x[row] - R::product(matrix.row(row, row), &x[..row])) / matrix.row(row, row + 1)[row];
+            x[row] = (x[row] - R::row_product(matrix.row(row, row), &x[..row])) / matrix.row(row, row + 1)[row];
         }
         for row in (0..matrix.unknowns).rev() {
             x[row] = x[row] / matrix.row(row, row + 1)[row];

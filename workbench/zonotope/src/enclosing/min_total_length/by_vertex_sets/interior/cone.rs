@@ -4,7 +4,8 @@
 //! J = diag(1, −1 … −1). The Jordan product a ∘ b = (a · b, a_0 b' + b_0 a') has the unit (1, 0) and the inverse
 //! x⁻¹ = J x / xᵀ J x.
 
-use super::scalar::{Scalar, dot, plus, zero};
+use super::scalar::{Scalar, plus, zero};
+use crate::numeric::linear::dot;
 
 /// A vector (x_0, x') with the head x_0 and the rest x'. It is in the cone if the head is at least the length of the
 /// rest.

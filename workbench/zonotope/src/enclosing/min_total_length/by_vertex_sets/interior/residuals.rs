@@ -5,8 +5,9 @@
 //! proportion to their lengths, which leaves short ones short.
 
 use super::cholesky::Cholesky;
-use super::scalar::{Scalar, dot, plus, values, zero};
+use super::scalar::{Scalar, plus, values, zero};
 use crate::enclosing::min_total_length::by_vertex_sets::vertex_sets::{VertexSets, doubled_sum_after_first};
+use crate::numeric::linear::dot;
 
 /// The residuals are removed at most this many times in sequence.
 const CORRECTION_LIMIT: usize = 4;

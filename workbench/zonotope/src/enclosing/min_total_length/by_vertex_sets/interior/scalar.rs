@@ -5,13 +5,16 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use wide::f64x2;
 
 use crate::numeric::double_double::DoubleDouble;
+use crate::numeric::lanes::product_of_rows;
+use crate::numeric::linear::{Ring, sum_of_products};
 
 /// The number of rows in a block whose products with two other rows are computed at once.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) const BLOCK: usize = 4;
 
 /// A floating-point number in which the interior-point method computes.
 pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
-    Copy
+    Ring
+    + Copy
     + PartialOrd
     + From<f64>
     + Neg<Output = Self>
@@ -34,12 +37,12 @@ pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
 
     /// The dot products of the rows of a block with two other rows, all of the same even length.
     fn products(rows: [&[Self]; BLOCK], others: [&[Self]; 2]) -> [[Self; 2]; BLOCK] {
-        rows.map(|row| others.map(|other| Self::product(row, other)))
+        rows.map(|row| others.map(|other| Self::row_product(row, other)))
     }
 
     /// The dot product of two rows of equal length.
-    fn product(a: &[Self], b: &[Self]) -> Self {
-        a.iter().zip(b).fold(Self::from(0.0), |sum, (a, b)| sum + *a * *b)
+    fn row_product(a: &[Self], b: &[Self]) -> Self {
+        sum_of_products(a, b)
     }
 }
 
@@ -82,17 +85,8 @@ impl Scalar for f64 {
         sums.map(|pair| pair.map(|sum| sum.to_array().iter().sum()))
     }
 
-    /// The dot product of two rows of equal length, in eight partial sums, which the processor can take side by side.
-    fn product(a: &[f64], b: &[f64]) -> f64 {
-        let (mut a, mut b) = (a.chunks_exact(8), b.chunks_exact(8));
-        let mut sums = [0.0; 8];
-        for (x, y) in a.by_ref().zip(b.by_ref()) {
-            for i in 0..8 {
-                sums[i] += x[i] * y[i];
-            }
-        }
-        let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(x, y)| x * y).sum();
-        sums.iter().sum::<f64>() + rest
+    fn row_product(a: &[f64], b: &[f64]) -> f64 {
+        product_of_rows::<8>(a, b)
     }
 }
 
@@ -111,14 +105,6 @@ pub(in crate::enclosing::min_total_length::by_vertex_sets) fn values<R: Scalar, 
     v: &[R; D],
 ) -> [f64; D] {
     v.map(R::value)
-}
-
-/// The dot product a · b.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) fn dot<R: Scalar, const D: usize>(
-    a: &[R; D],
-    b: &[R; D],
-) -> R {
-    a.iter().zip(b).fold(R::from(0.0), |sum, (a, b)| sum + *a * *b)
 }
 
 /// The vector a + factor · b.

@@ -5,7 +5,8 @@
 //! towards s ∘ z = μ treats both alike. It has the form W = β (2 v vᵀ − J) with vᵀ J v = 1.
 
 use super::cone::ConeVector;
-use super::scalar::{Scalar, dot};
+use super::scalar::Scalar;
+use crate::numeric::linear::dot;
 
 /// The Nesterov–Todd scaling W of a slack and a dual variable.
 pub(super) struct Scaling<R, const D: usize> {
