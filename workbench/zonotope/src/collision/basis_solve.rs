@@ -1,7 +1,7 @@
 //! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for
 //! a witness.
 
-use super::location::Witness;
+use super::query::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear;

@@ -50,8 +50,7 @@
 
 use std::cmp::Ordering;
 
-use super::gauge::Gauge;
-use super::location::{Location, Separation};
+use super::query::{Gauge, Location, Separation};
 use super::tightest_facet::{TightestFacet, Vector, witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;

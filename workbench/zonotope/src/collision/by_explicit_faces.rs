@@ -47,8 +47,7 @@
 //! ```
 
 use super::basis_solve::near_witness;
-use super::gauge::Gauge;
-use super::location::{Location, Separation, Witness};
+use super::query::{Gauge, Location, Separation, Witness};
 use super::tightest_facet::{TightestFacet, Vector};
 use super::to_doubles::rounded_off_a_basis;
 use crate::numeric::dyadic::Dyadic;

@@ -49,10 +49,10 @@ mod nearest;
 
 use nearest::Simplex;
 
+use crate::numeric::lanes::extreme_sum;
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::NEAREST_POINT_ROUNDING;
 use crate::tally::{Operation, Tally};
-use crate::zonotope::passes::extreme_sum;
 use crate::zonotope::query::Query;
 
 /// The most steps before giving up.

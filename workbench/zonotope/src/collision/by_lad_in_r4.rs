@@ -52,8 +52,7 @@
 //! ```
 
 use super::basis_solve::{left_over, solve};
-use super::gauge::Gauge;
-use super::location::{Location, Separation, Witness};
+use super::query::{Gauge, Location, Separation, Witness};
 use super::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
 use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend};

@@ -48,7 +48,7 @@
 
 mod proof;
 
-use super::location::{Location, Witness};
+use super::query::{Location, Witness};
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};

@@ -38,12 +38,9 @@ pub mod by_lad_in_r4;
 #[cfg(feature = "linear-programming")]
 pub mod by_linear_program;
 pub mod by_slope_selection;
-mod gauge;
-mod location;
 mod method;
 mod nearest_basis;
-mod of_bodies;
-mod of_posed_bodies;
+mod query;
 mod tightest_facet;
 mod to_doubles;
 pub mod upper_hull;
@@ -52,8 +49,6 @@ pub use by_lad::{gauge, locate};
 
 pub use crate::zonotope::posed_query::PosedQuery;
 pub use crate::zonotope::query::Query;
-pub use gauge::Gauge;
-pub use location::{Location, Separation, Status, Witness};
 pub use method::{Finding, Method, MethodError};
 pub use nearest_basis::Proved;
-pub use of_posed_bodies::PosedZonotope;
+pub use query::{Gauge, Location, PosedZonotope, Separation, Status, Witness};

@@ -10,8 +10,7 @@
 //! its neighbours to choose from, or the basis does not span the space, exact arithmetic answers.
 
 use super::basis_solve::{left_over, solve};
-use super::gauge::Gauge;
-use super::location::{Location, Witness};
+use super::query::{Gauge, Location, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;

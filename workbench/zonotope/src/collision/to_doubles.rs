@@ -1,6 +1,6 @@
 //! From rational coefficients of a member to a witness, whose coefficients off a basis are doubles.
 
-use super::location::Witness;
+use super::query::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::dependence;

@@ -108,6 +108,11 @@ pub(crate) fn difference(from: [f64; 3], to: [f64; 3]) -> BoundedVector {
     })
 }
 
+/// A bound as it is, infinite where it is NaN.
+pub(crate) fn finite_or_infinity(bound: f64) -> f64 {
+    if bound.is_finite() { bound } else { f64::INFINITY }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,7 +10,7 @@
 //! | `exact_linear/` | vectors, spans, inverses and solutions on exact numbers |
 //! | `exact_product` | the product of two doubles without rounding |
 //! | [`exact_sum`] | the exact sum of any number of doubles |
-//! | `lanes` | passes over vectors of space, two side by side |
+//! | `lanes/` | passes over vectors: support function, extreme vertex, dot products, in sums side by side |
 //! | `linear/` | dot and cross products, determinants and inverses |
 //! | [`non_finite`] | the refusal of numbers that are NaN or infinite, with the place where they stand |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |

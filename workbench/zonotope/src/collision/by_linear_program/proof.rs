@@ -2,7 +2,7 @@
 
 use super::Answer;
 use crate::collision::basis_solve::near_witness;
-use crate::collision::location::{Location, Separation};
+use crate::collision::query::{Location, Separation};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
 use crate::zonotope::query::Query;

@@ -48,10 +48,12 @@
 
 use super::all_normals::extreme_points;
 use super::answer::Enclosure;
+use super::departure::first_departure;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
 use super::solve::solve_with;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
+use crate::numeric::exact_linear::Span;
 use crate::zonotope::ray_exit::FacetDescent;
 
 /// A point whose ray leaves the zonotope at a smaller multiple of it than this may lie on its boundary at the optimum.

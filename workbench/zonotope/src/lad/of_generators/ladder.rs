@@ -44,9 +44,9 @@ use super::span::prism::Prism;
 use super::support::separates;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::lanes::bounded_sum;
 use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
-use crate::zonotope::passes::bounded_sum;
 
 /// At most this many generators are searched all at once, without a sample.
 const WHOLE_LIMIT: usize = 128;

@@ -4,9 +4,12 @@
 //! |---|---|
 //! | `plain` | the sum of two doubles as one number, 104 bits, without a bound on its error |
 //! | `bounded` | the same with a bound on the distance from the exact value, 98 bits: comparisons know whether they are certain |
+//! | `direction` | an exact direction of space, and the signs of its products with vectors |
 
 mod bounded;
+mod direction;
 mod plain;
 
 pub(crate) use bounded::BoundedDoubleDouble;
+pub(crate) use direction::DoubleDoubleDirection;
 pub(crate) use plain::DoubleDouble;

@@ -5,11 +5,11 @@ use std::ops::Range;
 use super::circles::{Circles, Crossings};
 use super::position::{Position, Step};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::lanes::Extents;
 use crate::numeric::scaling::power_of_two;
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
 use crate::zonotope::directions::{Directions, Member};
-use crate::zonotope::passes::Extents;
 
 /// A vertex of a [`FaceLattice`], by its index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

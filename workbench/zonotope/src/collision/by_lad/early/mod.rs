@@ -35,9 +35,9 @@ use crate::collision::{Location, Separation, Witness};
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::bounded::{self, BoundedVector};
+use crate::numeric::lanes::bounded_sum;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
-use crate::zonotope::passes::bounded_sum;
 
 /// With at most this many generators no sample is taken.
 const WHOLE_LIMIT: usize = 320;

@@ -6,8 +6,8 @@ use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes, Runs}
 use crate::collision::{PosedQuery, Query};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::lanes::bounded_sum_near;
 use crate::numeric::tolerance::DETERMINANT_OF_IMAGES;
-use crate::zonotope::passes::bounded_sum_near;
 
 /// A query about posed bodies whose matrices have entries of moderate size.
 #[derive(Debug)]

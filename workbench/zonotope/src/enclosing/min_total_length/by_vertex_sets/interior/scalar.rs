@@ -2,10 +2,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use wide::f64x2;
-
 use crate::numeric::double_double::DoubleDouble;
-use crate::numeric::lanes::product_of_rows;
+use crate::numeric::lanes::{product_of_rows, products_of_four_rows};
 use crate::numeric::linear::{Ring, sum_of_products};
 
 /// The number of rows in a block whose products with two other rows are computed at once.
@@ -71,18 +69,8 @@ impl Scalar for f64 {
         self
     }
 
-    fn products([p, q, r, s]: [&[f64]; BLOCK], [a, b]: [&[f64]; 2]) -> [[f64; 2]; BLOCK] {
-        let mut sums = [[f64x2::ZERO; 2]; BLOCK];
-        let [p, q, r, s, a, b] = [p, q, r, s, a, b].map(|row| row.as_chunks::<2>().0);
-        for (((((p, q), r), s), a), b) in p.iter().zip(q).zip(r).zip(s).zip(a).zip(b) {
-            let (a, b) = (f64x2::from(*a), f64x2::from(*b));
-            for (sums, row) in sums.iter_mut().zip([p, q, r, s]) {
-                let row = f64x2::from(*row);
-                sums[0] += row * a;
-                sums[1] += row * b;
-            }
-        }
-        sums.map(|pair| pair.map(|sum| sum.to_array().iter().sum()))
+    fn products(rows: [&[f64]; BLOCK], others: [&[f64]; 2]) -> [[f64; 2]; BLOCK] {
+        products_of_four_rows(rows, others)
     }
 
     fn row_product(a: &[f64], b: &[f64]) -> f64 {

@@ -1,4 +1,4 @@
-//! The answer to a [`Query`](super::Query), with its proof.
+//! The answer to a [`Query`](crate::collision::Query), with its proof.
 
 use std::fmt;
 
@@ -53,7 +53,7 @@ pub enum Separation<const D: usize> {
 
 impl<const D: usize> Separation<D> {
     /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
-    pub(super) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
+    pub(in crate::collision) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
         let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let scaled = direction.clone().map(|v| v.scaled(-largest));
         let rounded = scaled.clone().map(|v| v.to_f64());

@@ -1,8 +1,8 @@
 //! What a body of space under a pose is asked. A moved body keeps its generators: the pose is part of the question, and
 //! exact like it.
 
-use super::by_lad::{gauge_posed, locate_posed};
 use super::{Gauge, Location};
+use crate::collision::by_lad::{gauge_posed, locate_posed};
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;

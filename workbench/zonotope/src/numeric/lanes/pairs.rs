@@ -1,4 +1,4 @@
-//! Passes over vectors of space, two side by side.
+//! Two vectors of space side by side: the operations of passes that take generators in pairs.
 
 use wide::f64x2;
 
@@ -45,25 +45,4 @@ pub(crate) fn total(lanes: f64x2) -> f64 {
 #[inline(always)]
 pub(crate) fn totals([x, y, z]: &Columns) -> [f64; 3] {
     [total(*x), total(*y), total(*z)]
-}
-
-/// Σ a_k b_k in partial sums side by side, which are joined from halves.
-#[inline]
-pub(crate) fn product_of_rows<const LANES: usize>(a: &[f64], b: &[f64]) -> f64 {
-    let ((a, rest_of_a), (b, rest_of_b)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..LANES {
-            sums[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f64 = rest_of_a.iter().zip(rest_of_b).map(|(a, b)| a * b).sum();
-    let mut count = LANES;
-    while count > 1 {
-        count /= 2;
-        for lane in 0..count {
-            sums[lane] += sums[lane + count];
-        }
-    }
-    sums[0] + rest
 }

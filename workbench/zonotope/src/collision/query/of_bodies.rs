@@ -3,7 +3,8 @@
 //! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
 //! himself and hands it to a [`Method`].
 
-use super::{Finding, Gauge, Location, Method, Query};
+use super::{Gauge, Location};
+use crate::collision::{Finding, Method, Query};
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
 

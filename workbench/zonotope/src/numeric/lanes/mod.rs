@@ -1,0 +1,26 @@
+//! Passes over vectors: many terms summed up side by side in doubles, the same on every machine.
+//!
+//! | file | what it computes |
+//! |---|---|
+//! | `absolute_sum` | the support function of a centred zonotope |
+//! | `bounded_sum` | the same in space, with a bound on its error from the same pass |
+//! | `extreme_sum` | an extreme vertex of a centred zonotope |
+//! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
+//! | `row_products` | dot products of rows of any length |
+//! | `pairs` | vectors of space, two side by side, for passes with their own sums |
+//! | `partial_sums` | how many sums are kept side by side, and how they are joined |
+
+mod absolute_sum;
+mod bounded_sum;
+mod extents;
+mod extreme_sum;
+mod pairs;
+mod partial_sums;
+mod row_products;
+
+pub use absolute_sum::absolute_sum;
+pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};
+pub use extents::Extents;
+pub use extreme_sum::extreme_sum;
+pub(crate) use pairs::{Columns, clipped, columns, for_pairs, product, size, total, totals};
+pub(crate) use row_products::{product_of_rows, products_of_four_rows};
