@@ -1,7 +1,7 @@
 //! Z(O) for a given centre against the hull of the points and their reflections, on all point families.
 
 use dashu_ratio::RBig;
-use paper_checks::plane;
+use paper_checks::definitions::plane;
 use proptest::prelude::*;
 use tests::point_families::{Point, Points};
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::convert::identity;
 
-use paper_checks::plane;
+use paper_checks::definitions::plane;
 use proptest::prelude::*;
 use tests::point_families::Point;
 use zonotope::hull::{antipodal, brute_force, convex_hull};

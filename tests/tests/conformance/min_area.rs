@@ -3,7 +3,7 @@
 use std::convert::identity;
 
 use dashu_ratio::RBig;
-use paper_checks::plane;
+use paper_checks::definitions::plane;
 use proptest::prelude::*;
 use tests::kernel_twin::exactly;
 use tests::numbers::power_of_two;

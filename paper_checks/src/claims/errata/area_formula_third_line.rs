@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygon, polygons, random_center};
-use crate::plane::{Point, zonogon_area};
-use crate::runs::{displayed_lines, first_points_area, runs};
+use crate::definitions::plane::{Point, zonogon_area};
+use crate::definitions::runs::{displayed_lines, first_points_area, runs};
+use crate::instances::polygons::{generator, polygon, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,10 +3,10 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygon, polygons, random_center};
-use crate::plane::{Point, bisectors, cell_gradient, hinge_sum, least_area};
-use crate::ratio::fraction;
-use crate::subdifferential::{deciding_interval, least_on_vertical};
+use crate::definitions::plane::{Point, bisectors, cell_gradient, hinge_sum, least_area};
+use crate::definitions::ratio::fraction;
+use crate::definitions::subdifferential::{deciding_interval, least_on_vertical};
+use crate::instances::polygons::{generator, polygon, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

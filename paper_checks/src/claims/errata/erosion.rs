@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::space::{Body, Vector};
+use crate::definitions::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -4,7 +4,7 @@ use zonotope::collision::{Query, by_lad};
 use zonotope::zonotope::Zonotope;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::space::{Body, Vector};
+use crate::definitions::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

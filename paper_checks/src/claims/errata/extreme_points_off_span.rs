@@ -5,8 +5,8 @@ use zonotope::enclosing::fixed_directions::rational::min_length_in_rationals;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{Row, dot, doubles, facet_normals, papers_program, rows};
-use crate::ratio::{exactly, fraction, integer};
+use crate::definitions::enclosing::{Row, dot, doubles, facet_normals, papers_program, rows};
+use crate::definitions::ratio::{exactly, fraction, integer};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,10 +3,10 @@
 use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, random_polygon};
-use crate::library::{doubles, encloses};
-use crate::plane::{Point, convex_hull, least_area, signed_area, zonogon_area};
-use crate::ratio::{fraction, integer};
+use crate::definitions::plane::{Point, convex_hull, least_area, signed_area, zonogon_area};
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::{generator, random_polygon};
+use crate::proofs::library::{doubles, encloses};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -2,11 +2,11 @@
 
 use zonotope::collision::{Query, by_lad};
 
-use crate::bodies::{are_independent, bodies, random_member, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::ratio::fraction;
-use crate::space::Vector;
+use crate::definitions::ratio::fraction;
+use crate::definitions::space::Vector;
+use crate::instances::bodies::{are_independent, bodies, random_member, random_vector};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

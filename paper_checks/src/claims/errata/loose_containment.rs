@@ -7,10 +7,10 @@ use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{Row, dot, root_above};
-use crate::instances::generator;
-use crate::length_proofs::check_shortest;
-use crate::ratio::{fraction, integer};
+use crate::definitions::enclosing::{Row, dot, root_above};
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::generator;
+use crate::proofs::lengths::check_shortest;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

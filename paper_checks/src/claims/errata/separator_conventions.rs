@@ -4,8 +4,8 @@ use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::separator;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::plane::Point;
-use crate::ratio::fraction;
+use crate::definitions::plane::Point;
+use crate::definitions::ratio::fraction;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

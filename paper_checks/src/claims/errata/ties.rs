@@ -1,9 +1,9 @@
 //! Vertices that share an x, and vertical lines.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::polygon;
-use crate::plane::{arrangement_vertices, bisectors};
-use crate::ratio::integer;
+use crate::definitions::plane::{arrangement_vertices, bisectors};
+use crate::definitions::ratio::integer;
+use crate::instances::polygons::polygon;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -5,15 +5,15 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::{in_the_plane, min_length_enclosing};
 
-use crate::bodies::generators_in_general_position;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{root_above, rows};
-use crate::instances::{generator, polygons};
-use crate::length_proofs::{check_shortest, length};
-use crate::library::doubles;
-use crate::plane::{Point, zonogon_about};
-use crate::ratio::{exactly, fraction, integer};
-use crate::space::Body;
+use crate::definitions::enclosing::{root_above, rows};
+use crate::definitions::plane::{Point, zonogon_about};
+use crate::definitions::ratio::{exactly, fraction, integer};
+use crate::definitions::space::Body;
+use crate::instances::bodies::generators_in_general_position;
+use crate::instances::polygons::{generator, polygons};
+use crate::proofs::lengths::{check_shortest, length};
+use crate::proofs::library::doubles;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, random_point};
-use crate::plane::Point;
-use crate::ratio::{fraction, integer};
+use crate::definitions::plane::Point;
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::{generator, random_point};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -7,8 +7,8 @@ use zonotope::enclosing::fixed_directions::rational::min_length_in_rationals;
 
 use super::random_problem;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{doubles, extreme_points, facet_normals, least_length, rows};
-use crate::instances::generator;
+use crate::definitions::enclosing::{doubles, extreme_points, facet_normals, least_length, rows};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -9,10 +9,10 @@ use zonotope::linear_program::Clarabel;
 
 use super::random_problem;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{doubles, extreme_points, facet_normals, least_length, papers_program, rows};
-use crate::instances::generator;
-use crate::length_proofs::check_directed;
-use crate::ratio::{exactly, integer};
+use crate::definitions::enclosing::{doubles, extreme_points, facet_normals, least_length, papers_program, rows};
+use crate::definitions::ratio::{exactly, integer};
+use crate::instances::polygons::generator;
+use crate::proofs::lengths::check_directed;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

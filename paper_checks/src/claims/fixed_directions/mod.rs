@@ -8,7 +8,7 @@ pub(crate) mod theorem_4_6;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
-use crate::enclosing::{rank, rows};
+use crate::definitions::enclosing::{rank, rows};
 
 /// Random lattice points, and directions that span; one direction in three is a multiple of another one when there are
 /// enough.

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use rand::RngExt;
 use zonotope::zonotope::combinatorics;
 
-use crate::bodies::{BodyInstance, bodies, bodies_in_general_position};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::space::{Body, Vector};
+use crate::definitions::space::{Body, Vector};
+use crate::instances::bodies::{BodyInstance, bodies, bodies_in_general_position};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

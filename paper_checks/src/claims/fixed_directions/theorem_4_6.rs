@@ -10,11 +10,11 @@ use zonotope::linear_program::Clarabel;
 
 use super::random_problem;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{doubles, least_length, rows};
+use crate::definitions::enclosing::{doubles, least_length, rows};
+use crate::definitions::ratio::{exactly, integer};
 use crate::growth::verdict;
-use crate::instances::generator;
-use crate::length_proofs::check_directed;
-use crate::ratio::{exactly, integer};
+use crate::instances::polygons::generator;
+use crate::proofs::lengths::check_directed;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

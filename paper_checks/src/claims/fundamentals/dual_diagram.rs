@@ -5,11 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::plane::Point;
-use crate::ratio::integer;
-use crate::space::Body;
-use crate::upper_hull::{UpperFacet, line_value, project, tilings};
+use crate::definitions::plane::Point;
+use crate::definitions::ratio::integer;
+use crate::definitions::space::Body;
+use crate::definitions::upper_hull::{UpperFacet, line_value, project, tilings};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

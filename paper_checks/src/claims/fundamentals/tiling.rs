@@ -2,12 +2,12 @@
 
 use dashu_ratio::RBig;
 
-use crate::bodies::{bodies_in_general_position, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::plane::{Point, convex_hull, signed_area, turn};
-use crate::ratio::{fraction, integer};
-use crate::upper_hull::project;
+use crate::definitions::plane::{Point, convex_hull, signed_area, turn};
+use crate::definitions::ratio::{fraction, integer};
+use crate::definitions::upper_hull::project;
+use crate::instances::bodies::{bodies_in_general_position, random_vector};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

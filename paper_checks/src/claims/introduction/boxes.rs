@@ -1,10 +1,10 @@
 //! Boxes are zonotopes of three orthogonal generators.
 
-use crate::bodies::random_vector;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::ratio::integer;
-use crate::space::{Body, Vector};
+use crate::definitions::ratio::integer;
+use crate::definitions::space::{Body, Vector};
+use crate::instances::bodies::random_vector;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

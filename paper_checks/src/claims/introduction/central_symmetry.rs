@@ -1,10 +1,10 @@
 //! Central symmetry of a zonotope and of its boundary.
 
-use crate::bodies::bodies;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::ratio::integer;
-use crate::space::Vector;
+use crate::definitions::ratio::integer;
+use crate::definitions::space::Vector;
+use crate::instances::bodies::bodies;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -1,9 +1,9 @@
 //! Facets of a zonotope.
 
-use crate::bodies::{bodies_in_general_position, degenerate_bodies};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::space::{Facet, Vector};
+use crate::definitions::space::{Facet, Vector};
+use crate::instances::bodies::{bodies_in_general_position, degenerate_bodies};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::ratio::fraction;
-use crate::space::{Body, Vector};
+use crate::definitions::ratio::fraction;
+use crate::definitions::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 
 use dashu_ratio::RBig;
 
-use crate::bodies::bodies;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::space::Vector;
+use crate::definitions::space::Vector;
+use crate::instances::bodies::bodies;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -2,9 +2,9 @@
 
 use zonotope::zonotope::combinatorics;
 
-use crate::bodies::bodies_in_general_position;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
+use crate::instances::bodies::bodies_in_general_position;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

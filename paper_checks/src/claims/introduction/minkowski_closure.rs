@@ -1,10 +1,10 @@
 //! Sums and differences of zonotopes are zonotopes.
 
-use crate::bodies::{bodies, random_member, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::ratio::integer;
-use crate::space::{Body, Vector};
+use crate::definitions::ratio::integer;
+use crate::definitions::space::{Body, Vector};
+use crate::instances::bodies::{bodies, random_member, random_vector};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, listed, polygons};
-use crate::plane::{Point, convex_hull, zonogon_about};
-use crate::ratio::{fraction, integer};
+use crate::definitions::plane::{Point, convex_hull, zonogon_about};
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::{generator, listed, polygons};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

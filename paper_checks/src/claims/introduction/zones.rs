@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::bodies::bodies_in_general_position;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::space::{Facet, Vector};
+use crate::definitions::space::{Facet, Vector};
+use crate::instances::bodies::bodies_in_general_position;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

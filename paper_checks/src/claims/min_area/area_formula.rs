@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, listed, polygons, random_center};
-use crate::plane::zonogon_area;
-use crate::runs::{displayed_lines, runs};
+use crate::definitions::plane::zonogon_area;
+use crate::definitions::runs::{displayed_lines, runs};
+use crate::instances::polygons::{generator, listed, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

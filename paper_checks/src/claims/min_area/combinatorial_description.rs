@@ -1,10 +1,10 @@
 //! The runs of Z(O).
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, listed, polygons, random_center};
-use crate::library::{centered_zonogon, double};
-use crate::plane::Point;
-use crate::runs::{Run, runs};
+use crate::definitions::plane::Point;
+use crate::definitions::runs::{Run, runs};
+use crate::instances::polygons::{generator, listed, polygons, random_center};
+use crate::proofs::library::{centered_zonogon, double};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

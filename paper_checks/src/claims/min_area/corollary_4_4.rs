@@ -1,9 +1,9 @@
 //! Corollary 4.4, and more: f is convex.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Point, arrangement_vertices, bisectors, zonogon_area};
-use crate::ratio::integer;
+use crate::definitions::plane::{Point, arrangement_vertices, bisectors, zonogon_area};
+use crate::definitions::ratio::integer;
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

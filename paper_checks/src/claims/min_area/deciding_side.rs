@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Point, bisectors, hinge_sum, least_area, zonogon_area};
-use crate::subdifferential::{deciding_interval, least_on_vertical};
+use crate::definitions::plane::{Point, bisectors, hinge_sum, least_area, zonogon_area};
+use crate::definitions::subdifferential::{deciding_interval, least_on_vertical};
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

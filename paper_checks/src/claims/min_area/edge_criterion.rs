@@ -4,9 +4,9 @@ use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
 use std::cmp::Ordering;
 
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Point, bisector, farthest_vertices, turn, zonogon_about};
-use crate::ratio::integer;
+use crate::definitions::plane::{Point, bisector, farthest_vertices, turn, zonogon_about};
+use crate::definitions::ratio::integer;
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

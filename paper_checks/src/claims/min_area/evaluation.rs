@@ -8,10 +8,10 @@ use zonotope::hull::convex_hull;
 use zonotope::tally::OperationCounts;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::definitions::plane::{Point, zonogon_area};
 use crate::growth;
-use crate::instances::{generator, polygons, random_center};
-use crate::library::{double, doubles};
-use crate::plane::{Point, zonogon_area};
+use crate::instances::polygons::{generator, polygons, random_center};
+use crate::proofs::library::{double, doubles};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

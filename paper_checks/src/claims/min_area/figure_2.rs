@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, listed, polygons, random_center};
-use crate::plane::{Point, signed_area, zonogon_area};
-use crate::runs::{Run, runs};
+use crate::definitions::plane::{Point, signed_area, zonogon_area};
+use crate::definitions::runs::{Run, runs};
+use crate::instances::polygons::{generator, listed, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -1,10 +1,10 @@
 //! Z(O) is the best zonogon about O.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::library::{centered_zonogon, double};
-use crate::plane::{Point, convex_hull, turn, zonogon_about};
-use crate::ratio::integer;
+use crate::definitions::plane::{Point, convex_hull, turn, zonogon_about};
+use crate::definitions::ratio::integer;
+use crate::instances::polygons::{generator, polygons, random_center};
+use crate::proofs::library::{centered_zonogon, double};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -8,9 +8,9 @@ use zonotope::lad::by_slope_selection::{SearchStep, Side, trace};
 use zonotope::lad::{LadProblem, WeightedLine};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons};
-use crate::library::double;
-use crate::plane::{Bisector, Point, bisectors, least_area};
+use crate::definitions::plane::{Bisector, Point, bisectors, least_area};
+use crate::instances::polygons::{generator, polygons};
+use crate::proofs::library::double;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

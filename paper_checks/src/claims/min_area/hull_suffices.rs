@@ -4,9 +4,9 @@ use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 
 use rand::RngExt;
 
-use crate::instances::{generator, random_point};
-use crate::plane::{Point, convex_hull, zonogon_about};
-use crate::ratio::{fraction, integer};
+use crate::definitions::plane::{Point, convex_hull, zonogon_about};
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::{generator, random_point};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

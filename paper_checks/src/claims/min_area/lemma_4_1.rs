@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Bisector, Point, bisectors, cell, cell_gradient, hinge_sum, zonogon_area};
-use crate::ratio::{fraction, integer};
+use crate::definitions::plane::{Bisector, Point, bisectors, cell, cell_gradient, hinge_sum, zonogon_area};
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, parabola_polygon, polygons, random_center, random_point};
-use crate::plane::{Bisector, Point, bisectors, zonogon_area};
-use crate::ratio::integer;
+use crate::definitions::plane::{Bisector, Point, bisectors, zonogon_area};
+use crate::definitions::ratio::integer;
+use crate::instances::polygons::{generator, parabola_polygon, polygons, random_center, random_point};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Bisector, Point, bisectors, zonogon_area};
-use crate::ratio::integer;
+use crate::definitions::plane::{Bisector, Point, bisectors, zonogon_area};
+use crate::definitions::ratio::integer;
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,10 +3,10 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{Point, zonogon_about, zonogon_area};
-use crate::ratio::{fraction, integer};
-use crate::runs::runs;
+use crate::definitions::plane::{Point, zonogon_about, zonogon_area};
+use crate::definitions::ratio::{fraction, integer};
+use crate::definitions::runs::runs;
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -1,9 +1,9 @@
 //! The minimum is at a vertex of the arrangement.
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::{generator, polygons, random_center};
-use crate::plane::{bisectors, least_area, zonogon_area};
-use crate::subdifferential::is_minimizer;
+use crate::definitions::plane::{bisectors, least_area, zonogon_area};
+use crate::definitions::subdifferential::is_minimizer;
+use crate::instances::polygons::{generator, polygons, random_center};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

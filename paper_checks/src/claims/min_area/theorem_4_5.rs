@@ -8,11 +8,11 @@ use zonotope::lad::Method;
 use zonotope::tally::OperationCounts;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::definitions::plane::{Point, least_area, zonogon_area};
+use crate::definitions::ratio::{exactly, integer};
 use crate::growth;
-use crate::instances::{Instance, generator, polygons, random_polygon};
-use crate::library::{doubles, encloses};
-use crate::plane::{Point, least_area, zonogon_area};
-use crate::ratio::{exactly, integer};
+use crate::instances::polygons::{Instance, generator, polygons, random_polygon};
+use crate::proofs::library::{doubles, encloses};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -5,11 +5,11 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
-use crate::bodies::degenerate_bodies;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{doubles, rows};
-use crate::instances::generator;
-use crate::pyramids::{volume_by_pyramids, volume_of_parallelepipeds};
+use crate::definitions::enclosing::{doubles, rows};
+use crate::definitions::pyramids::{volume_by_pyramids, volume_of_parallelepipeds};
+use crate::instances::bodies::degenerate_bodies;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -6,9 +6,9 @@ use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{Row, absolute, dot, facet_normals};
-use crate::instances::generator;
-use crate::ratio::{exactly, fraction, integer};
+use crate::definitions::enclosing::{Row, absolute, dot, facet_normals};
+use crate::definitions::ratio::{exactly, fraction, integer};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

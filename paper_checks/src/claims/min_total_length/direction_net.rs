@@ -7,9 +7,9 @@ use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::direction_net::cell_middles;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::{Row, absolute, dot, exact_rows};
-use crate::instances::generator;
-use crate::ratio::{fraction, integer};
+use crate::definitions::enclosing::{Row, absolute, dot, exact_rows};
+use crate::definitions::ratio::{fraction, integer};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

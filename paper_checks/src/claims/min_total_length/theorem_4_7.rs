@@ -6,7 +6,7 @@ use zonotope::enclosing::min_total_length::{Net, by_direction_net, min_length_en
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::growth::verdict;
-use crate::length_proofs::check_shortest;
+use crate::proofs::lengths::check_shortest;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

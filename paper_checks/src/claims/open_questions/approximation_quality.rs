@@ -6,13 +6,13 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::min_length_enclosing;
 
-use crate::bodies::random_vector;
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::enclosing::absolute;
-use crate::instances::generator;
-use crate::length_proofs::check_shortest;
-use crate::ratio::{fraction, integer};
-use crate::space::{Body, Vector};
+use crate::definitions::enclosing::absolute;
+use crate::definitions::ratio::{fraction, integer};
+use crate::definitions::space::{Body, Vector};
+use crate::instances::bodies::random_vector;
+use crate::instances::polygons::generator;
+use crate::proofs::lengths::check_shortest;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -7,7 +7,7 @@ use rand_pcg::Pcg64Mcg;
 use zonotope::collision::{Query, by_lad_in_r4};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -3,9 +3,9 @@
 use dashu_ratio::RBig;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::plane::Point;
-use crate::upper_hull::tilings;
+use crate::definitions::plane::Point;
+use crate::definitions::upper_hull::tilings;
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

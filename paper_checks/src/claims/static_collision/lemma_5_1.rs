@@ -2,11 +2,11 @@
 
 use zonotope::collision::{Query, by_lad};
 
-use crate::bodies::{BodyInstance, bodies, random_member};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::proofs::{Proof, proof_of};
-use crate::space::{Body, Vector};
+use crate::definitions::space::{Body, Vector};
+use crate::instances::bodies::{BodyInstance, bodies, random_member};
+use crate::instances::polygons::generator;
+use crate::proofs::locations::{Proof, proof_of};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

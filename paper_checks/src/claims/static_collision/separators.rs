@@ -6,14 +6,14 @@ use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::{separator, separator_counted};
 use zonotope::tally::OperationCounts;
 
-use crate::bodies::{doubles, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::definitions::plane::Point;
+use crate::definitions::ratio::integer;
+use crate::definitions::space::Body;
+use crate::definitions::upper_hull::{UpperFacet, project, tilings};
 use crate::growth;
-use crate::instances::generator;
-use crate::plane::Point;
-use crate::ratio::integer;
-use crate::space::Body;
-use crate::upper_hull::{UpperFacet, project, tilings};
+use crate::instances::bodies::{doubles, random_vector};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

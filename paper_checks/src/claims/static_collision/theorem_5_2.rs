@@ -6,13 +6,13 @@ use zonotope::collision::{Query, by_lad, by_slope_selection};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
-use crate::bodies::{bodies, bodies_in_general_position, random_member, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::definitions::ratio::fraction;
+use crate::definitions::space::{Body, Vector};
 use crate::growth;
-use crate::instances::generator;
-use crate::proofs::proof_of;
-use crate::ratio::fraction;
-use crate::space::{Body, Vector};
+use crate::instances::bodies::{bodies, bodies_in_general_position, random_member, random_vector};
+use crate::instances::polygons::generator;
+use crate::proofs::locations::proof_of;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -2,11 +2,11 @@
 
 use dashu_ratio::RBig;
 
-use crate::bodies::{bodies, random_member, random_vector};
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::instances::generator;
-use crate::ratio::{fraction, integer};
-use crate::space::{Facet, Vector};
+use crate::definitions::ratio::{fraction, integer};
+use crate::definitions::space::{Facet, Vector};
+use crate::instances::bodies::{bodies, random_member, random_vector};
+use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {

@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
 
-use crate::plane::{Bisector, Point, hinge_sum};
-use crate::ratio::integer;
+use crate::definitions::plane::{Bisector, Point, hinge_sum};
+use crate::definitions::ratio::integer;
 
 /// Twice the gradients of the lines that pass strictly to the right of `center`, summed, and those of the lines
 /// through it, listed: the subdifferential of f is the sum plus every combination of the list with factors in [0, 1].

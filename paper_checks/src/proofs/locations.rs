@@ -3,8 +3,8 @@
 use dashu_ratio::RBig;
 use zonotope::collision::{Location, Separation, Witness};
 
-use crate::ratio::{exactly, integer};
-use crate::space::Vector;
+use crate::definitions::ratio::{exactly, integer};
+use crate::definitions::space::Vector;
 
 /// What an answer proves about a displacement p and the zonotope of some generators about the origin.
 #[derive(Debug)]

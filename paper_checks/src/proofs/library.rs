@@ -5,7 +5,7 @@ use zonotope::enclosing::min_area_zonogon::MinAreaZonogon;
 use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;
 
-use crate::plane::{Point, generated_zonogon_contains};
+use crate::definitions::plane::{Point, generated_zonogon_contains};
 
 /// The points in doubles, each coordinate rounded.
 pub(crate) fn doubles(points: &[Point]) -> Vec<[f64; 2]> {

@@ -4,8 +4,8 @@ use dashu_ratio::RBig;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
-use crate::ratio::{fraction, integer};
-use crate::space::{Body, Vector};
+use crate::definitions::ratio::{fraction, integer};
+use crate::definitions::space::{Body, Vector};
 
 /// A body with the words that name it in a witness; its coordinates are integers.
 #[derive(Clone, Debug)]

@@ -8,7 +8,7 @@ use std::fmt;
 
 use dashu_ratio::RBig;
 
-use crate::ratio::{exactly, integer};
+use crate::definitions::ratio::{exactly, integer};
 
 /// A point or vector of space.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

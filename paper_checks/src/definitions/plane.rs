@@ -9,7 +9,7 @@ use std::fmt;
 
 use dashu_ratio::RBig;
 
-use crate::ratio::{exactly, integer};
+use crate::definitions::ratio::{exactly, integer};
 
 /// A point or vector of the plane.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,9 +2,9 @@
 
 use dashu_ratio::RBig;
 
-use crate::bodies::{BodyInstance, bodies_in_general_position};
-use crate::plane::Point;
-use crate::space::{Body, Vector};
+use crate::definitions::plane::Point;
+use crate::definitions::space::{Body, Vector};
+use crate::instances::bodies::{BodyInstance, bodies_in_general_position};
 
 /// A facet that looks up.
 #[derive(Clone, Debug)]

@@ -85,7 +85,7 @@ fn pivot(rows: &mut [Vec<RBig>], basis: &mut [usize], row: usize, column: usize)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ratio::{fraction, integer};
+    use crate::definitions::ratio::{fraction, integer};
 
     fn equation(coefficients: &[i64], right: i64) -> Equation {
         Equation { coefficients: coefficients.iter().copied().map(integer).collect(), right: integer(right) }

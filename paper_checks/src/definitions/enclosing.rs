@@ -7,8 +7,8 @@ use std::collections::BTreeSet;
 
 use dashu_ratio::RBig;
 
-use crate::linear_program::{Equation, least};
-use crate::ratio::{exactly, integer};
+use crate::definitions::linear_program::{Equation, least};
+use crate::definitions::ratio::{exactly, integer};
 
 /// A vector of any dimension.
 pub(crate) type Row = Vec<RBig>;
@@ -197,7 +197,7 @@ pub(crate) fn first_outside(center: &[RBig], generators: &[Row], points: &[Row])
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ratio::fraction;
+    use crate::definitions::ratio::fraction;
 
     #[test]
     fn the_two_programs_by_hand() {

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::plane::{Point, convex_hull};
-use crate::ratio::{fraction, integer};
+use crate::definitions::plane::{Point, convex_hull};
+use crate::definitions::ratio::{fraction, integer};
 
 /// A polygon with the words that name it in a witness.
 #[derive(Clone, Debug)]

@@ -4,9 +4,9 @@ use dashu_ratio::RBig;
 use zonotope::enclosing::fixed_directions::{DirectedZonotope, FixedDirections};
 use zonotope::enclosing::min_total_length::MinLengthZonotope;
 
-use crate::enclosing::{Row, absolute, dot, exact_rows, first_outside, root_above};
-use crate::ratio::{exactly, fraction, integer};
-use crate::space::{Body, Vector};
+use crate::definitions::enclosing::{Row, absolute, dot, exact_rows, first_outside, root_above};
+use crate::definitions::ratio::{exactly, fraction, integer};
+use crate::definitions::space::{Body, Vector};
 
 /// How far, relatively, the sum of rounded lengths may be above the exact one.
 fn rounding() -> RBig {

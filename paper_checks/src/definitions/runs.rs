@@ -2,8 +2,8 @@
 
 use dashu_ratio::RBig;
 
-use crate::plane::{Point, signed_area, zonogon_about};
-use crate::ratio::integer;
+use crate::definitions::plane::{Point, signed_area, zonogon_about};
+use crate::definitions::ratio::integer;
 
 /// One period of the description: P_a … P_b and the reflected P'_{a'} … P'_{b'} that follow it.
 #[derive(Clone, Debug)]

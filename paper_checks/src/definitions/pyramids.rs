@@ -2,8 +2,8 @@
 
 use dashu_ratio::RBig;
 
-use crate::enclosing::{Row, absolute, dot, facet_normals, subsets};
-use crate::ratio::integer;
+use crate::definitions::enclosing::{Row, absolute, dot, facet_normals, subsets};
+use crate::definitions::ratio::integer;
 
 /// The volume of { Σ δ_i g_i : |δ_i| <= 1 } in the dimension of its generators, 0 if the body is flat.
 ///
@@ -59,7 +59,7 @@ fn without(vector: &[RBig], axis: usize) -> Row {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::enclosing::rows;
+    use crate::definitions::enclosing::rows;
 
     #[test]
     fn volumes_worked_out_by_hand() {

@@ -1,0 +1,9 @@
+//! What the checks are run on: random instances from a seed, and the degenerate ones that random draws miss.
+//!
+//! | file | what it draws |
+//! |---|---|
+//! | [`polygons`] | convex polygons and points of the plane |
+//! | [`bodies`] | zonotopes of R^3 |
+
+pub mod bodies;
+pub mod polygons;
