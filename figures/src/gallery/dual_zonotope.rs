@@ -68,7 +68,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     Ok(scene.finish())
 }
 
-/// A point, from 0, and the vector that pulls at it.
+/// A point, from 0, and its multiplier.
 type Force = (usize, [f64; 2]);
 
 fn norm([x, y]: [f64; 2]) -> f64 {

@@ -8,3 +8,4 @@ mod ids;
 mod imports;
 mod layout;
 mod manual;
+mod sizes;

@@ -87,7 +87,7 @@ pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, Str
     Ok(check_min_length_all(&points, float(input, "epsilon")?, &answer).in_words())
 }
 
-/// Points and the vectors that pull at them.
+/// Points and their multipliers, vectors that the batch interface calls forces.
 fn forces<T>(certificate: &Tree, read: impl Fn(&Tree) -> Option<T>) -> Result<Vec<(usize, T)>, String> {
     let list = member(certificate, "forces")?.list().ok_or("`forces` is not a list")?;
     let force = |tree: &Tree| {

@@ -35,7 +35,7 @@ pub struct MinLengthAnswer {
     pub ratio: f64,
     /// The claim that the length is at most 1 + ε times the lower bound, or that it is not, if there is one.
     pub within_epsilon: Option<bool>,
-    /// The proof of the bound: points, from 0, and the vector that pulls at each.
+    /// The proof of the bound: points, from 0, and the multiplier of each, a vector.
     pub forces: Vec<(usize, Vec<f64>)>,
 }
 
@@ -222,8 +222,8 @@ mod tests {
         [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|point| point.to_vec()).to_vec()
     }
 
-    /// A diamond is a zonogon; pulls along the axes prove that nothing around it is shorter: their vertices are (±2,
-    /// ±2).
+    /// A diamond is a zonogon; multipliers along the axes prove that nothing around it is shorter: the vertices of their
+    /// zonotope are (±2, ±2).
     fn answer() -> MinLengthAnswer {
         MinLengthAnswer {
             length: 2.0_f64.sqrt(),

@@ -46,7 +46,7 @@ pub enum DirectedAnswer {
         coefficients: Vec<f64>,
         /// The claimed bound below the value of every zonotope around the points.
         lower_bound: f64,
-        /// The proof of the bound: points, from 0, and the vector that pulls at each.
+        /// The proof of the bound: points, from 0, and the multiplier of each, a vector.
         forces: Vec<(usize, Vec<Fraction>)>,
     },
     /// There is said to be none.

@@ -153,7 +153,7 @@ impl<'a> LineArrangement<'a> {
 
     /// How many pairs of lines cross, whether or not at the same point. O(n).
     pub fn vertex_count(&self) -> u64 {
-        self.crossings_among(0..self.place_count() as u32) + (self.verticals.len() * self.places.len()) as u64
+        self.crossings_among(0..self.place_count() as u32) + self.verticals.len() as u64 * self.places.len() as u64
     }
 
     /// How many pairs among lines that are not vertical, given by ascending places, cross.

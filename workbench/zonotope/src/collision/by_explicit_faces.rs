@@ -152,9 +152,9 @@ fn tightest(generators: &[[f64; 3]], point: &ExactVector, tally: &mut impl Tally
     tally.add(Operation::LineEvaluation, u64::from(half));
     let probe = Probe::new(&lattice, point);
     let bounds: Vec<[f64; 2]> = (0..half).map(|facet| probe.bounds(&lattice, Facet(facet))).collect();
-    let certain = bounds.iter().fold(0.0f64, |best, [low, _]| best.max(*low));
+    let greatest_lower_bound = bounds.iter().fold(0.0f64, |best, [low, _]| best.max(*low));
     let mut best: Option<TightestFacet> = None;
-    for facet in (0..half).filter(|&facet| bounds[facet as usize][1] >= certain).map(Facet) {
+    for facet in (0..half).filter(|&facet| bounds[facet as usize][1] >= greatest_lower_bound).map(Facet) {
         tally.add(Operation::ExactFallback, 1);
         let normal = exact_normal(&lattice, facet);
         let along = dot(&normal, point);

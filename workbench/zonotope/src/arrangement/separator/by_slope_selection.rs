@@ -117,7 +117,7 @@ fn meeting_order(dual: &DualArrangement, cut: &Cut, k: u64) -> Result<(Vec<u32>,
             dual.lines().turn(&mut above[start..]);
             continue;
         }
-        left += dual.lines().crossings_among(group.iter().copied()) + (at.len() * group.len()) as u64;
+        left += dual.lines().crossings_among(group.iter().copied()) + at.len() as u64 * group.len() as u64;
         if left > k {
             let facet = slanted(dual, group.iter().copied()).chain(&dual.level[at]);
             let mut generators: Vec<usize> = facet.map(|upward| upward.generator as usize).collect();

@@ -116,8 +116,8 @@ impl Chain {
         let mut left = rise;
         let below = |edge: &usize| {
             left -= 2.0 * height(*edge);
-            let certain = left > error;
-            !certain
+            let is_certain = left > error;
+            !is_certain
         };
         (0..self.places.len()).find(below).unwrap_or(self.places.len())
     }

@@ -47,10 +47,10 @@ impl Frame {
         let determinant = a[0] * (b[1] * c[2] - b[2] * c[1])
             + a[1] * (b[2] * c[0] - b[0] * c[2])
             + a[2] * (b[0] * c[1] - b[1] * c[0]);
-        let certain = determinant.abs() - 16.0 * UNIT * size * size * size;
+        let least_determinant = determinant.abs() - 16.0 * UNIT * size * size * size;
         // the least factor of a length is the determinant over the two others; an image is off by less than 4 u ‖M‖ |v|
-        let least = certain / (norm * norm) * (1.0 - 8.0 * UNIT);
-        let is_sound = certain > 0.0 && size < DISTORTION_LIMIT * least && (1e-60..1e60).contains(&size);
+        let least = least_determinant / (norm * norm) * (1.0 - 8.0 * UNIT);
+        let is_sound = least_determinant > 0.0 && size < DISTORTION_LIMIT * least && (1e-60..1e60).contains(&size);
         let relative_error = if is_sound { 8.0 * UNIT * size / least } else { f64::INFINITY };
         let is_identity = m == Pose::IDENTITY.matrix();
         Self { pose: *pose, is_identity, norm, size, relative_error: if is_identity { 0.0 } else { relative_error } }

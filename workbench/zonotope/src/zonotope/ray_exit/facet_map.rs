@@ -168,7 +168,7 @@ impl<const D: usize> FacetMap<D> {
         if let Some(&place) = self.place_of.get(&key) {
             return place;
         }
-        if self.charts.len() * (self.directions.len() + 8 * D * D) > KEPT_NUMBER_LIMIT {
+        if self.charts.len().saturating_mul(self.directions.len() + 8 * D * D) > KEPT_NUMBER_LIMIT {
             return NOWHERE;
         }
         let place = self.charts.len() as u32;

@@ -16,7 +16,7 @@ use crate::numeric::exact_linear::{ExactVector, difference, multiple, negated, s
 /// Σ δ_i v_i = λ p, λ ≥ 1, with a basis that spans all generators.
 pub(crate) struct Combination<'a> {
     pub(crate) query: &'a dyn KernelQuery,
-    pub(crate) exit: &'a ExactOptimum,
+    pub(crate) optimum: &'a ExactOptimum,
     pub(crate) p: &'a ExactVector,
     pub(crate) basis: Basis,
     /// Other generators that would complete the two generators of the optimum.
@@ -24,15 +24,15 @@ pub(crate) struct Combination<'a> {
 }
 
 impl<'a> Combination<'a> {
-    pub(crate) fn new(query: &'a dyn KernelQuery, exit: &'a ExactOptimum, p: &'a ExactVector) -> Self {
-        let plane = Basis::new(exit.basis.iter().map(|&b| (b, query.exact_generator(b))).collect());
+    pub(crate) fn new(query: &'a dyn KernelQuery, optimum: &'a ExactOptimum, p: &'a ExactVector) -> Self {
+        let plane = Basis::new(optimum.basis.iter().map(|&b| (b, query.exact_generator(b))).collect());
         let (basis, others) = Basis::spanning(query, plane);
-        Self { query, exit, p, basis, others }
+        Self { query, optimum, p, basis, others }
     }
 
     /// The basis of the optimum's generators alone.
     fn plane(&self) -> Basis {
-        Basis::new(self.exit.basis.iter().map(|&b| (b, self.query.exact_generator(b))).collect())
+        Basis::new(self.optimum.basis.iter().map(|&b| (b, self.query.exact_generator(b))).collect())
     }
 
     /// Whether the generators span space.
@@ -42,13 +42,13 @@ impl<'a> Combination<'a> {
 
     /// The proof with one factor for all generators off a basis, if a factor of doubles leaves the basis room.
     pub(crate) fn witness(&self) -> Option<Witness> {
-        let ExactOptimum { reach, along, .. } = self.exit;
+        let ExactOptimum { reach, along, .. } = self.optimum;
         if reach == along {
             return self.scaled(&self.plane(), 1.0);
         }
         let inverse = self.factor();
         let of = |index| self.query.exact_generator(index);
-        let others = self.others.iter().filter(|_| self.exit.basis.len() == 2).map(|&i| self.plane().with(i, of));
+        let others = self.others.iter().filter(|_| self.optimum.basis.len() == 2).map(|&i| self.plane().with(i, of));
         std::iter::once(self.basis.clone())
             .chain(others)
             .flat_map(|basis| [(basis.clone(), inverse), (basis, 1.0)])
@@ -57,12 +57,12 @@ impl<'a> Combination<'a> {
 
     /// 1 / λ in doubles, at most 1.
     pub(crate) fn factor(&self) -> f64 {
-        self.exit.along.ratio(&self.exit.reach).min(1.0)
+        self.optimum.along.ratio(&self.optimum.reach).min(1.0)
     }
 
     /// The proof with the coefficient ±`factor` off the basis, if it is one.
     fn scaled(&self, basis: &Basis, factor: f64) -> Option<Witness> {
-        let signs = &self.exit.signs;
+        let signs = &self.optimum.signs;
         // the optimum's sum includes the third generator of the basis
         let in_basis = basis.generators.iter().fold(None, |total: Option<ExactVector>, &b| match signs[b] {
             0 => total,
@@ -72,7 +72,7 @@ impl<'a> Combination<'a> {
                 Some(total.map_or_else(|| v.clone(), |total| sum(&total, &v)))
             }
         });
-        let off = in_basis.map_or_else(|| self.exit.sum.clone(), |v| difference(&self.exit.sum, &v));
+        let off = in_basis.map_or_else(|| self.optimum.sum.clone(), |v| difference(&self.optimum.sum, &v));
         let rest = difference(self.p, &multiple(&Dyadic::from_f64(factor), &off));
         let numerators = basis.numerators(&rest);
         if numerators.iter().any(|n| n.clone().abs() > *basis.determinant()) {

@@ -37,66 +37,66 @@ struct Attempt {
 /// The proof of a member whose gauge is less than 1.
 pub(crate) fn witness(
     query: &dyn KernelQuery,
-    certain: &RoundedOptimum,
+    optimum: &RoundedOptimum,
     cells: &NestedCells,
     p: &BoundedVector,
 ) -> Option<(Witness, Rung)> {
-    let inverse = (certain.along.value / certain.reach.value).min(1.0);
+    let inverse = (optimum.along.value / optimum.reach.value).min(1.0);
     let n = query.len();
-    let last = certain.cell();
+    let last = optimum.cell();
     let sign = |index: usize| cells.sign(query, &last, index);
-    let is_shared = |i: &usize| certain.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
+    let is_shared = |i: &usize| optimum.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
     let picks =
-        (0..n).step_by(n.div_ceil(THIRD_CANDIDATES).max(1)).filter(|i| !certain.basis.contains(i) && !is_shared(i));
+        (0..n).step_by(n.div_ceil(THIRD_CANDIDATES).max(1)).filter(|i| !optimum.basis.contains(i) && !is_shared(i));
     // far enough from the ends: no other pick is much better, unless rounding forbids this one
     let mut enough = MARGIN_SHARE * (1.0 - inverse);
     let mut best = Attempt { third: 0, sign: 0.0, factor: 0.0, margin: 0.0 };
     for third in picks {
         let sign = sign(third);
         let v = query.generator(third);
-        let height = sign * dot(&v, &certain.direction.map(|c| c.value)) / certain.reach.value;
+        let height = sign * dot(&v, &optimum.direction.map(|c| c.value)) / optimum.reach.value;
         let moved = (inverse * (1.0 + THIRD_ROOM * height)).min(1.0);
         for factor in [moved, inverse, 1.0] {
-            let own = attempt(query, certain, p, Attempt { third, sign, factor, margin: 0.0 });
+            let own = attempt(query, optimum, p, Attempt { third, sign, factor, margin: 0.0 });
             if own.margin > best.margin {
                 best = own;
             }
         }
         if best.margin > enough && enough > 0.0 {
-            if let Some(found) = prove(query, certain, cells, p, best) {
+            if let Some(found) = prove(query, optimum, cells, p, best) {
                 return Some((found, Rung::RoundedCoefficients));
             }
             enough = 0.0;
         }
     }
-    let proved = if best.margin > 0.0 { prove(query, certain, cells, p, best) } else { None };
+    let proved = if best.margin > 0.0 { prove(query, optimum, cells, p, best) } else { None };
     match proved {
         Some(witness) => Some((witness, Rung::RoundedCoefficients)),
-        None => Some((prove_by_others(query, certain, cells, p, inverse)?, Rung::WellSpreadBasis)),
+        None => Some((prove_by_others(query, optimum, cells, p, inverse)?, Rung::WellSpreadBasis)),
     }
 }
 
 /// The proof by an attempt, if rounding leaves no doubt of it.
 fn prove(
     query: &dyn KernelQuery,
-    certain: &RoundedOptimum,
+    optimum: &RoundedOptimum,
     cells: &NestedCells,
     p: &BoundedVector,
     attempt: Attempt,
 ) -> Option<Witness> {
     let Attempt { third, sign, factor, .. } = attempt;
-    let [a, b] = certain.bounded_vectors();
+    let [a, b] = optimum.bounded_vectors();
     let c = approximate(query.generator(third), query.relative_error());
-    let off = [0, 1, 2].map(|k| certain.sum[k] - c[k] * Bounded::exact(sign));
+    let off = [0, 1, 2].map(|k| optimum.sum[k] - c[k] * Bounded::exact(sign));
     // the coefficients of those that share are rounded
-    let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * certain.shared + f64::MIN_POSITIVE) };
+    let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * optimum.shared + f64::MIN_POSITIVE) };
     let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
     let own = solve(&[a, b, c], &rest)?;
-    let mut coefficients = cells.coefficients(query, &certain.cell(), factor);
-    for &(index, share) in &certain.shares {
+    let mut coefficients = cells.coefficients(query, &optimum.cell(), factor);
+    for &(index, share) in &optimum.shares {
         coefficients[index] = share * factor;
     }
-    let mut basis = vec![certain.basis[0], certain.basis[1], third];
+    let mut basis = vec![optimum.basis[0], optimum.basis[1], third];
     for (&index, value) in basis.iter().zip(own) {
         coefficients[index] = value;
     }
@@ -107,30 +107,30 @@ fn prove(
 /// The proof where the two of the vertex are nearly parallel: three others, well spread, make up for the rest.
 fn prove_by_others(
     query: &dyn KernelQuery,
-    certain: &RoundedOptimum,
+    optimum: &RoundedOptimum,
     cells: &NestedCells,
     p: &BoundedVector,
     factor: f64,
 ) -> Option<Witness> {
     let basis = well_spread(query.len(), |i| query.generator(i))?;
-    let is_other = |i: &usize| !certain.basis.contains(i) && certain.shares.iter().all(|(index, _)| index != i);
+    let is_other = |i: &usize| !optimum.basis.contains(i) && optimum.shares.iter().all(|(index, _)| index != i);
     basis.iter().all(is_other).then_some(())?;
-    let signs = basis.map(|i| cells.sign(query, &certain.cell(), i));
+    let signs = basis.map(|i| cells.sign(query, &optimum.cell(), i));
     let vectors = basis.map(|i| approximate(query.generator(i), query.relative_error()));
-    let pair = certain.bounded_vectors();
-    let parts = certain.rest.coefficients;
+    let pair = optimum.bounded_vectors();
+    let parts = optimum.rest.coefficients;
     // the coefficients of those that share, and of the two of the vertex, are rounded
-    let size = certain.shared + certain.vectors.as_flattened().iter().map(|c| c.abs()).sum::<f64>();
+    let size = optimum.shared + optimum.vectors.as_flattened().iter().map(|c| c.abs()).sum::<f64>();
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * size + f64::MIN_POSITIVE) };
     let rest = [0, 1, 2].map(|k| {
         let ends = pair[0][k] * Bounded::exact(parts[0]) + pair[1][k] * Bounded::exact(parts[1]);
         let own = (0..3).map(|i| vectors[i][k] * Bounded::exact(-signs[i]));
-        let off = own.fold(certain.sum[k] + ends, |sum, term| sum + term);
+        let off = own.fold(optimum.sum[k] + ends, |sum, term| sum + term);
         p[k] - off * Bounded::exact(factor) + rounded
     });
     let own = solve(&vectors, &rest)?;
-    let mut coefficients = cells.coefficients(query, &certain.cell(), factor);
-    let shares = certain.shares.iter().copied().chain(certain.basis.into_iter().zip(parts));
+    let mut coefficients = cells.coefficients(query, &optimum.cell(), factor);
+    let shares = optimum.shares.iter().copied().chain(optimum.basis.into_iter().zip(parts));
     for (index, share) in shares {
         coefficients[index] = share * factor;
     }
@@ -155,12 +155,12 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
 }
 
 /// The attempt with its margin.
-fn attempt(query: &dyn KernelQuery, certain: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
-    let [a, b] = &certain.vectors;
+fn attempt(query: &dyn KernelQuery, optimum: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
+    let [a, b] = &optimum.vectors;
     let c = &query.generator(attempt.third);
     let normals = cyclic_cross_products(a, b, c);
     let determinant = dot(c, &normals[2]);
-    let rest = [0, 1, 2].map(|k| p[k].value - (certain.sum[k].value - attempt.sign * c[k]) * attempt.factor);
+    let rest = [0, 1, 2].map(|k| p[k].value - (optimum.sum[k].value - attempt.sign * c[k]) * attempt.factor);
     let largest = normals.iter().fold(0.0f64, |m, normal| m.max((dot(&rest, normal) / determinant).abs()));
     // none where the third is in the plane of the others
     Attempt { margin: if determinant == 0.0 { 0.0 } else { 1.0 - largest }, ..attempt }
@@ -179,8 +179,8 @@ mod tests {
     fn prove(generators: &[[f64; 3]], p: [f64; 3]) -> Option<Witness> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = crate::numeric::bounded::exact(p);
-        let certain = RoundedOptimum::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
-        let (witness, _) = witness(&query, &certain, &NestedCells::default(), &p)?;
+        let optimum = RoundedOptimum::at(&[Reduced::whole(&query)], &p, [0, 1]).ok()?;
+        let (witness, _) = witness(&query, &optimum, &NestedCells::default(), &p)?;
         assert!(check_location(&query, &Location::Inside(witness.clone())).is_right());
         Some(witness)
     }

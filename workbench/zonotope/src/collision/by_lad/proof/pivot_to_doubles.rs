@@ -29,13 +29,13 @@ struct Walk<'a> {
 /// The proof with ±`factor`, a double near 1 / λ, for nearly all generators. Expected O(n), at most O(n log n) exact
 /// additions and O(n) pivots.
 pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
-    let signs = &combination.exit.signs;
+    let signs = &combination.optimum.signs;
     let basis = combination.basis.clone();
     let group: Vec<usize> = (0..signs.len()).filter(|i| signs[*i] != 0 && !basis.generators.contains(i)).collect();
     let waiting = sum_of(combination, &group);
     let coefficients = vec![0.0; signs.len()];
     let mut walk = Walk { combination, basis, coefficients, rest: combination.p.clone(), waiting, factor };
-    walk.settle(&group);
+    walk.assign(&group);
     let numerators = walk.basis.numerators(&walk.rest);
     for (&b, numerator) in walk.basis.generators.iter().zip(&numerators) {
         walk.coefficients[b] = rounded(numerator, walk.basis.determinant());
@@ -44,11 +44,13 @@ pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
 }
 
 fn sum_of(combination: &Combination<'_>, group: &[usize]) -> ExactVector {
-    combination.query.signed_sum_of(&mut group.iter().map(|&i| (i, combination.exit.signs[i])))
+    combination.query.signed_sum_of(&mut group.iter().map(|&i| (i, combination.optimum.signs[i])))
 }
 
 impl Walk<'_> {
-    fn settle(&mut self, group: &[usize]) {
+    /// Gives the generators of a group ±`factor` if that leaves the coefficients of the basis in [−1, 1]; else the halves
+    /// of the group are tried, and a single generator is exchanged for a member of the basis.
+    fn assign(&mut self, group: &[usize]) {
         if group.is_empty() {
             return;
         }
@@ -58,21 +60,21 @@ impl Walk<'_> {
         if self.numerators(&rest, &waiting).iter().all(|n| self.is_coefficient(n)) {
             (self.rest, self.waiting) = (rest, waiting);
             for &i in group {
-                self.coefficients[i] = self.factor * f64::from(self.combination.exit.signs[i]);
+                self.coefficients[i] = self.factor * f64::from(self.combination.optimum.signs[i]);
             }
         } else if let &[generator] = group {
             self.pivot(generator, &rest, waiting);
         } else {
             let (first, second) = group.split_at(group.len() / 2);
-            self.settle(first);
-            self.settle(second);
+            self.assign(first);
+            self.assign(second);
         }
     }
 
     /// The coefficients of the basis times λ's numerator and the determinant.
     fn numerators(&self, rest: &ExactVector, waiting: &ExactVector) -> Vec<Dyadic> {
-        let exit = self.combination.exit;
-        self.basis.numerators(&difference(&multiple(&exit.reach, rest), &multiple(&exit.along, waiting)))
+        let optimum = self.combination.optimum;
+        self.basis.numerators(&difference(&multiple(&optimum.reach, rest), &multiple(&optimum.along, waiting)))
     }
 
     fn is_coefficient(&self, numerator: &Dyadic) -> bool {
@@ -81,7 +83,7 @@ impl Walk<'_> {
 
     /// A coefficient of 1 in the scale of [`numerators`](Self::numerators).
     fn one(&self) -> Dyadic {
-        &self.combination.exit.reach * self.basis.determinant()
+        &self.combination.optimum.reach * self.basis.determinant()
     }
 
     /// Leaves the basis member that reaches ±1 first on the way to `rest` and `waiting` at that value; the generator
@@ -104,7 +106,7 @@ impl Walk<'_> {
         let (member, side, ..) = (0..starts.len())
             .filter_map(departure)
             .min_by(earlier)
-            .expect("the group was not settled because a coefficient leaves [−1, 1]");
+            .expect("the group was not assigned because a coefficient leaves [−1, 1]");
         let leaving = self.basis.generators[member];
         let query = self.combination.query;
         self.coefficients[leaving] = side;

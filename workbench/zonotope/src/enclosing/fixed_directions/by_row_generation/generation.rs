@@ -70,7 +70,7 @@ impl<'a, const D: usize> Generation<'a, D> {
             .zip(ends)
             .map(|(u, [low, high])| (row_of(u.map(|c| -c), Far { height: -low.height, ..low }), row_of(*u, high)))
             .unzip();
-        tally.add(Operation::PointRead, 2 * (rank * points.len()) as u64);
+        tally.add(Operation::PointRead, 2 * rank as u64 * points.len() as u64);
         let mut generation = Self {
             rank,
             points,
@@ -192,7 +192,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         let violated: Vec<ViolatedFacet<D>> = violated.into_iter().take(most).collect();
         let normals: Vec<[f64; D]> = violated.iter().map(|facet| facet.normal).collect();
         let count = if over_all { self.points.len() } else { self.working.len() };
-        tally.add(Operation::PointRead, (count * normals.len()) as u64);
+        tally.add(Operation::PointRead, count as u64 * normals.len() as u64);
         let far = if over_all {
             farthest(self.points, 0..self.points.len(), &normals)
         } else {

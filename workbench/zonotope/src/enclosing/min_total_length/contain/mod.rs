@@ -42,7 +42,7 @@ pub(super) fn around<const D: usize>(
     let used: Vec<[f64; D]> = inner.iter().copied().filter(|g| !is_noise(g)).collect();
     let mut generators: Vec<[f64; D]> = used.iter().map(|g| frame.vector(g)).collect();
     let outer = frame.point(center);
-    let exactly = points.len() * generators.len() * D <= EXACT_PRODUCTS;
+    let exactly = points.len().saturating_mul(generators.len() * D) <= EXACT_PRODUCTS;
     let extents: [f64; D] = std::array::from_fn(|c| generators.iter().map(|g| g[c].abs()).sum());
     let mut lost: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
     if !generators.iter().flatten().chain(&extents).all(|c| c.is_finite()) {

@@ -179,7 +179,7 @@ impl Zonogon {
     /// many.
     fn witnesses(&self, hull: &[usize]) -> Vec<(usize, Vec<f64>)> {
         let (edges, _) = self.used();
-        if edges.len() * self.own > WITNESS_LIMIT {
+        if edges.len().saturating_mul(self.own) > WITNESS_LIMIT {
             return Vec::new();
         }
         let mut places = vec![None; 2 * self.own];

@@ -195,10 +195,10 @@ mod tests {
     #[test]
     fn a_facet_of_the_cube_worked_out_by_hand() {
         // the ray along (0.3, 0.2, 2) leaves [−1, 1]³ through its top at λ = 1/2
-        let certain = at(&[X, Y, Z], [0.3, 0.2, 2.0], None).expect("inside the top");
-        assert!(certain.is_vertex());
-        assert_eq!((certain.reach.value, certain.along.value, certain.reversed), (1.0, 2.0, false));
-        assert_eq!(certain.slack(f64::INFINITY), 0.0);
+        let optimum = at(&[X, Y, Z], [0.3, 0.2, 2.0], None).expect("inside the top");
+        assert!(optimum.is_vertex());
+        assert_eq!((optimum.reach.value, optimum.along.value, optimum.reversed), (1.0, 2.0, false));
+        assert_eq!(optimum.slack(f64::INFINITY), 0.0);
         let below = at(&[X, Y, Z], [0.3, 0.2, -2.0], None).expect("inside the bottom");
         assert!(below.reversed && below.along.value == 2.0);
     }
@@ -206,10 +206,10 @@ mod tests {
     #[test]
     fn at_an_edge_the_gauge_is_between_two_bounds() {
         // (0.1 + 0.2, 0.1, 0.3) leaves the box of half-sides 1, 1, 1 at an edge, but for rounding
-        let certain = at(&[X, Y, Z], [0.1 + 0.2, 0.1, 0.3], None).expect("at an edge");
-        let slack = certain.slack(f64::INFINITY);
-        assert!(!certain.is_vertex() && slack > 0.0 && slack < 1e-13, "{slack}");
-        assert!(certain.slack(1e-3) < 2e-3 * slack);
+        let optimum = at(&[X, Y, Z], [0.1 + 0.2, 0.1, 0.3], None).expect("at an edge");
+        let slack = optimum.slack(f64::INFINITY);
+        assert!(!optimum.is_vertex() && slack > 0.0 && slack < 1e-13, "{slack}");
+        assert!(optimum.slack(1e-3) < 2e-3 * slack);
     }
 
     #[test]
@@ -218,11 +218,11 @@ mod tests {
         let b = [a[0] + 0.2e-9, a[1] - 0.7e-9, a[2] + 0.4e-9];
         // u is about (0.19, −0.38, −0.76): Z and Y have a minus
         let p = [0, 1, 2].map(|k| 0.5 * (0.3 * a[k] - 0.2 * b[k] - Y[k] - Z[k]));
-        let certain = at(&[a, b, Y, Z], p, None).expect("between the two");
-        assert!(!certain.is_vertex() && certain.excess == [f64::INFINITY; 2]);
-        assert_eq!(certain.slack(f64::INFINITY), f64::INFINITY);
-        assert!(certain.slack(1.0) < 1e-12, "{:e}", certain.slack(1.0));
-        let (gauge, error) = (certain.along.value / certain.reach.value, certain.missing / certain.reach.value);
+        let optimum = at(&[a, b, Y, Z], p, None).expect("between the two");
+        assert!(!optimum.is_vertex() && optimum.excess == [f64::INFINITY; 2]);
+        assert_eq!(optimum.slack(f64::INFINITY), f64::INFINITY);
+        assert!(optimum.slack(1.0) < 1e-12, "{:e}", optimum.slack(1.0));
+        let (gauge, error) = (optimum.along.value / optimum.reach.value, optimum.missing / optimum.reach.value);
         assert!((gauge - 0.5).abs() < 1e-9 && error < 1e-12, "{gauge} {error:e}");
     }
 
@@ -240,12 +240,12 @@ mod tests {
     fn generators_of_the_facet_share_what_the_basis_cannot_make() {
         // the top of X, Y, Z, (1, 1, 0), (1, −1, 0) is an octagon: it holds (2, 1), not (5, 0)
         let body = [X, Y, Z, [1.0, 1.0, 0.0], [1.0, -1.0, 0.0]];
-        let certain = at(&body, [2.0, 1.0, 1.0], None).expect("in the octagon");
-        assert_eq!(certain.shares.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [3, 4]);
-        assert!(certain.shares.iter().all(|(_, share)| share.abs() <= 1.0));
-        assert!(certain.excess.iter().all(|excess| *excess < 1e-12));
+        let optimum = at(&body, [2.0, 1.0, 1.0], None).expect("in the octagon");
+        assert_eq!(optimum.shares.iter().map(|(index, _)| *index).collect::<Vec<_>>(), [3, 4]);
+        assert!(optimum.shares.iter().all(|(_, share)| share.abs() <= 1.0));
+        assert!(optimum.excess.iter().all(|excess| *excess < 1e-12));
         // what the sum lacks to be a multiple of p is a combination of X and Y with coefficients in [−1, 1]
-        let [x, y, z] = certain.sum.map(|c| c.value);
+        let [x, y, z] = optimum.sum.map(|c| c.value);
         assert!(z == 1.0 && (2.0 - x).abs() <= 1.0 + 1e-12 && (1.0 - y).abs() <= 1.0 + 1e-12, "{x} {y}");
         assert!(matches!(at(&body, [5.0, 0.0, 1.0], None), Err(Unproved::Falls(_))));
     }

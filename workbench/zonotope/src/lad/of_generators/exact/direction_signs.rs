@@ -18,7 +18,7 @@ impl<'a> DirectionSigns<'a> {
     }
 
     /// The sign of one generator, if two doubles a coordinate tell it and it is not zero.
-    pub(crate) fn certain(&self, index: usize) -> Option<i8> {
+    pub(crate) fn certain_sign(&self, index: usize) -> Option<i8> {
         let [first, second] = self.query.parts();
         match index.checked_sub(first.rows.len()) {
             None => self.directions[0].certain_sign(&first.rows[index]),
@@ -29,6 +29,6 @@ impl<'a> DirectionSigns<'a> {
     /// The signs of all generators, exactly; `direction` is the one from which this value was made.
     pub(crate) fn all(&self, direction: &ExactVector) -> Vec<i8> {
         let exact = |index: usize| dot(&self.query.exact_generator(index), direction).sign() as i8;
-        (0..self.query.len()).map(|index| self.certain(index).unwrap_or_else(|| exact(index))).collect()
+        (0..self.query.len()).map(|index| self.certain_sign(index).unwrap_or_else(|| exact(index))).collect()
     }
 }

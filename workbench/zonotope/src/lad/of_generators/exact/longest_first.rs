@@ -110,12 +110,12 @@ mod tests {
                 let p = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
                 let query = Query::new([0.0; 3], p, &body).expect("finite");
                 match optimum(&query, &exact(p), &mut ()) {
-                    Ok(exit) => {
+                    Ok(answer) => {
                         found += 1;
                         let reach = query
                             .generators()
-                            .fold(Dyadic::zero(), |sum, v| sum + dot(&exact(*v), &exit.direction).abs());
-                        assert_eq!(reach, exit.reach, "the signs are not those of the direction");
+                            .fold(Dyadic::zero(), |sum, v| sum + dot(&exact(*v), &answer.direction).abs());
+                        assert_eq!(reach, answer.reach, "the signs are not those of the direction");
                     }
                     Err(center) => assert_eq!(center, None),
                 }

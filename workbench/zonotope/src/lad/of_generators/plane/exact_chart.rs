@@ -151,7 +151,7 @@ impl ExactLines for GeneratorLines<'_> {
         let scale = self.offset_scale - self.normal_scale;
         let direction = self.plane.direction([x.clone().scaled(scale), y.clone().scaled(scale), w.clone()]);
         let signs = DirectionSigns::new(self.vectors.query, &direction);
-        Box::new(move |position| signs.certain(self.vectors.index(position)))
+        Box::new(move |position| signs.certain_sign(self.vectors.index(position)))
     }
 
     /// By linearity in the generator: one line, that of the exact sum.

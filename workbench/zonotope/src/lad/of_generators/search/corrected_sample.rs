@@ -101,7 +101,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
         }
         self.tally.add(Operation::GeneratorRead, lines.len() as u64);
         match descend_and_certify(self.problem, &self.levels, &lines, linear, point) {
-            Some((_, Ok(certain))) => Ok(certain),
+            Some((_, Ok(optimum))) => Ok(optimum),
             Some((found, Err(Unproved::Astray(place)))) => Err(NotCertified::Outside(place, Some(found))),
             Some((_, Err(_))) => Err(NotCertified::Doubt),
             None => Err(NotCertified::Outside(depth - 1, None)),
@@ -204,9 +204,9 @@ mod tests {
                     let problem = Problem::new(&query, Goal::Location);
                     let tally = &mut ();
                     let mut search = CorrectedSample { problem: &problem, levels: Vec::new(), tally };
-                    if let Ok(certain) = search.of_sample(&sample) {
-                        assert!(certain.missing <= 1e-9 * certain.reach.value);
-                        found += usize::from(certain.slack(unit_gauge_bound(&query, 1)) < 1e-9);
+                    if let Ok(optimum) = search.of_sample(&sample) {
+                        assert!(optimum.missing <= 1e-9 * optimum.reach.value);
+                        found += usize::from(optimum.slack(unit_gauge_bound(&query, 1)) < 1e-9);
                     }
                 }
                 assert!(found >= 9, "kind {kind}, {n} generators: {found} of 10");
