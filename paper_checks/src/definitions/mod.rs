@@ -1,5 +1,5 @@
-//! The objects of the paper from their definitions, in exact rationals and without regard to speed: the checks' own side
-//! of every comparison.
+//! The objects of the paper from their definitions, in exact rationals and without regard to speed: the checks' own
+//! side of every comparison.
 //!
 //! | file | what it defines |
 //! |---|---|

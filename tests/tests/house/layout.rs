@@ -87,8 +87,8 @@ fn no_source_file_is_longer_than_400_lines() {
     assert!(long.is_empty(), "{long:#?}");
 }
 
-/// A catalog is a folder of equal entries: however many there are, a reader looks up one. Its entries are those that the
-/// `catalog.rs` of its crate lists; all other files count.
+/// A catalog is a folder of equal entries: however many there are, a reader looks up one. Its entries are those that
+/// the `catalog.rs` of its crate lists; all other files count.
 #[test]
 fn no_folder_has_more_than_14_source_files_without_stages() {
     const CATALOGS: [(&str, &str); 3] = [

@@ -1,5 +1,5 @@
-//! Sizes on machines of 32 bits: a product of two sizes overflows there from some 65,000 on, where inputs of millions are
-//! ordinary, so products are taken in 64 bits or saturate.
+//! Sizes on machines of 32 bits: a product of two sizes overflows there from some 65,000 on, where inputs of millions
+//! are ordinary, so products are taken in 64 bits or saturate.
 
 use tests::sources::{LIBRARY, files};
 

@@ -222,8 +222,8 @@ mod tests {
         [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(|point| point.to_vec()).to_vec()
     }
 
-    /// A diamond is a zonogon; multipliers along the axes prove that nothing around it is shorter: the vertices of their
-    /// zonotope are (±2, ±2).
+    /// A diamond is a zonogon; multipliers along the axes prove that nothing around it is shorter: the vertices of
+    /// their zonotope are (±2, ±2).
     fn answer() -> MinLengthAnswer {
         MinLengthAnswer {
             length: 2.0_f64.sqrt(),

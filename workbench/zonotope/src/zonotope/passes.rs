@@ -1,7 +1,7 @@
 //! Passes over generators in plain doubles, with bounds on their errors.
 //!
-//! A pass decides nothing by itself. [`Extents`] are read off once a body; with them every later pass has a bound on its
-//! error, and only where that bound leaves a doubt is exact arithmetic needed.
+//! A pass decides nothing by itself. [`Extents`] are read off once a body; with them every later pass has a bound on
+//! its error, and only where that bound leaves a doubt is exact arithmetic needed.
 
 use super::Zonotope;
 use super::faces::Estimate;

@@ -3,7 +3,8 @@
 use super::partial_sums::{LANES, joined};
 use crate::numeric::linear::dot;
 
-/// Σ |g · direction| over the generators, in doubles; [`Extents::error`](super::Extents::error) bounds how far it is off. O(n).
+/// Σ |g · direction| over the generators, in doubles; [`Extents::error`](super::Extents::error) bounds how far it is
+/// off. O(n).
 ///
 /// Infinite or NaN where a product or a sum leaves the range of doubles.
 #[inline]

@@ -33,9 +33,9 @@ impl<const D: usize> Extents<D> {
         self.sums
     }
 
-    /// A bound for |[`absolute_sum`](super::absolute_sum) − Σ |g · direction||, given the value that was computed; it also bounds by how
-    /// much the exact value of the point of [`extreme_sum`](super::extreme_sum) in this direction falls short of the support function.
-    /// Infinite where anything overflows.
+    /// A bound for |[`absolute_sum`](super::absolute_sum) − Σ |g · direction||, given the value that was computed; it
+    /// also bounds by how much the exact value of the point of [`extreme_sum`](super::extreme_sum) in this direction
+    /// falls short of the support function. Infinite where anything overflows.
     ///
     /// With u = 2^-53, a dot product of D terms is off by at most (D + u') u Σ |g_k u_k| and D denormal steps; a lane
     /// adds ⌈n / 8⌉ of their absolute values and three more additions join the lanes, each off by u times the sum. A
@@ -50,7 +50,8 @@ impl<const D: usize> Extents<D> {
         finite_or_infinity(relative * LONG_SUM + underflow)
     }
 
-    /// A bound for the error of each coordinate of [`extreme_sum`](super::extreme_sum), against the exact sum with the same signs.
+    /// A bound for the error of each coordinate of [`extreme_sum`](super::extreme_sum), against the exact sum with the
+    /// same signs.
     pub fn point_error(&self) -> [f64; D] {
         self.sums.map(|sum| finite_or_infinity((additions(self.count) * UNIT * sum).next_up()))
     }

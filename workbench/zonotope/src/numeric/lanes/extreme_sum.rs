@@ -5,8 +5,9 @@ use crate::numeric::linear::dot;
 
 /// Σ ± g with the signs of g · direction: an extreme vertex of the centred body, in doubles. O(n).
 ///
-/// Its signs are those of computed dot products: [`Extents::error`](super::Extents::error) bounds by how much the point misses the support
-/// function, and [`Extents::point_error`](super::Extents::point_error) how far its coordinates are from those of the vertex with these signs.
+/// Its signs are those of computed dot products: [`Extents::error`](super::Extents::error) bounds by how much the point
+/// misses the support function, and [`Extents::point_error`](super::Extents::point_error) how far its coordinates are
+/// from those of the vertex with these signs.
 #[inline]
 pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> [f64; D] {
     let mut sums = [[0.0; LANES]; D];

@@ -48,8 +48,8 @@ fn sum_of(combination: &Combination<'_>, group: &[usize]) -> ExactVector {
 }
 
 impl Walk<'_> {
-    /// Gives the generators of a group ±`factor` if that leaves the coefficients of the basis in [−1, 1]; else the halves
-    /// of the group are tried, and a single generator is exchanged for a member of the basis.
+    /// Gives the generators of a group ±`factor` if that leaves the coefficients of the basis in [−1, 1]; else the
+    /// halves of the group are tried, and a single generator is exchanged for a member of the basis.
     fn assign(&mut self, group: &[usize]) {
         if group.is_empty() {
             return;

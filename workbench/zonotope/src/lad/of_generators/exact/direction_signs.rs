@@ -1,4 +1,5 @@
-//! The signs of generators for an exact direction: two doubles a coordinate tell nearly all, exact arithmetic the others.
+//! The signs of generators for an exact direction: two doubles a coordinate tell nearly all, exact arithmetic the
+//! others.
 
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::double_double::DoubleDoubleDirection;
