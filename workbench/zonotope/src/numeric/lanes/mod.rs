@@ -23,4 +23,4 @@ pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};
 pub use extents::Extents;
 pub use extreme_sum::extreme_sum;
 pub(crate) use pairs::{Columns, clipped, columns, for_pairs, product, size, total, totals};
-pub(crate) use row_products::{product_of_rows, products_of_four_rows};
+pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};

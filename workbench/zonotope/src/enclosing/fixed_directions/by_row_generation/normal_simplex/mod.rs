@@ -16,7 +16,7 @@
 mod pricing;
 mod refactor;
 
-use crate::numeric::lanes::product_of_rows;
+use crate::numeric::lanes::product_in_fours;
 use crate::numeric::linear::dot;
 
 /// A normal with the farthest point along it: a row of the program, and a column of the dual.
@@ -169,7 +169,7 @@ impl<const D: usize> NormalProgram<D> {
     /// The values of the basic variables, by the inverse.
     fn solve_values(&self) -> Vec<f64> {
         let bounds: Vec<f64> = (0..self.size()).map(|i| self.bound(i)).collect();
-        self.inverse.iter().map(|row| product_of_rows::<4>(row, &bounds)).collect()
+        self.inverse.iter().map(|row| product_in_fours(row, &bounds)).collect()
     }
 
     /// Moves to the optimal basis for the normals so far.
@@ -233,8 +233,8 @@ impl<const D: usize> NormalProgram<D> {
                 let entries = &self.entries[j];
                 (
                     Basic::Normal(j),
-                    product_of_rows::<4>(row, entries),
-                    product_of_rows::<4>(entries, &self.prices) - self.rows[j].height,
+                    product_in_fours(row, entries),
+                    product_in_fours(entries, &self.prices) - self.rows[j].height,
                 )
             });
             let slacks = slacks.map(|i| (Basic::Slack(i), row[self.rank + i], self.prices[self.rank + i]));

@@ -1,7 +1,7 @@
 //! Pricing: which variable enters the basis, and which leaves it.
 
 use super::{Basic, NormalProgram};
-use crate::numeric::lanes::product_of_rows;
+use crate::numeric::lanes::product_in_fours;
 
 /// The number of variables with the largest gains that are priced again and again before all variables are.
 const CANDIDATE_COUNT: usize = 24;
@@ -16,7 +16,7 @@ impl<const D: usize> NormalProgram<D> {
             }
             Basic::Normal(j) => {
                 let entries = &self.entries[j];
-                let gain = self.rows[j].height - product_of_rows::<4>(entries, &self.prices);
+                let gain = self.rows[j].height - product_in_fours(entries, &self.prices);
                 if gain <= 0.01 * self.precision {
                     return None;
                 }
@@ -55,7 +55,7 @@ impl<const D: usize> NormalProgram<D> {
     pub(super) fn column(&self, entering: Basic) -> Vec<f64> {
         match entering {
             Basic::Slack(i) => self.inverse.iter().map(|row| row[self.rank + i]).collect(),
-            Basic::Normal(j) => self.inverse.iter().map(|row| product_of_rows::<4>(row, &self.entries[j])).collect(),
+            Basic::Normal(j) => self.inverse.iter().map(|row| product_in_fours(row, &self.entries[j])).collect(),
         }
     }
 

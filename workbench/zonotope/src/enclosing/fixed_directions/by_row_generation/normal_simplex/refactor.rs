@@ -4,7 +4,7 @@
 //! the tight constraints, which have no basic slack.
 
 use super::{Basic, NormalProgram, Stuck};
-use crate::numeric::lanes::product_of_rows;
+use crate::numeric::lanes::product_in_fours;
 use crate::numeric::linear::{add_multiple, invert};
 
 /// The number of times that values and prices are refined by the residuals of their equations.
@@ -65,10 +65,9 @@ impl<const D: usize> NormalProgram<D> {
             };
             let missing: Vec<f64> = tight.iter().map(missing).collect();
             for (&(at, _), row) in normals.iter().zip(&block) {
-                self.values[at] += product_of_rows::<4>(row, &missing);
+                self.values[at] += product_in_fours(row, &missing);
             }
-            let missing =
-                |&(_, j): &(usize, usize)| self.rows[j].height - product_of_rows::<4>(&self.entries[j], &prices);
+            let missing = |&(_, j): &(usize, usize)| self.rows[j].height - product_in_fours(&self.entries[j], &prices);
             let missing: Vec<f64> = normals.iter().map(missing).collect();
             for (&(at, _), miss) in normals.iter().zip(missing) {
                 add_multiple(&mut prices, miss, &self.inverse[at]);

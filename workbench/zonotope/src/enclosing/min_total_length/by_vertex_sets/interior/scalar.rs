@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::numeric::double_double::DoubleDouble;
-use crate::numeric::lanes::{product_of_rows, products_of_four_rows};
+use crate::numeric::lanes::{product_in_eights, products_of_four_rows};
 use crate::numeric::linear::{Ring, sum_of_products};
 
 /// The number of rows in a block whose products with two other rows are computed at once.
@@ -74,7 +74,7 @@ impl Scalar for f64 {
     }
 
     fn row_product(a: &[f64], b: &[f64]) -> f64 {
-        product_of_rows::<8>(a, b)
+        product_in_eights(a, b)
     }
 }
 
