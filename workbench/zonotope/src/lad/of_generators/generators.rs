@@ -18,7 +18,6 @@ use super::frame::Frame;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near};
-use crate::numeric::linear::dot;
 use crate::numeric::signed_sum::signed_sum;
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
