@@ -3,7 +3,7 @@
 //! Answers are written as JSON, spoilt like the others, and read back; what cannot be read is no answer.
 
 use dashu_ratio::RBig;
-use paper_checks::plane::{self, Point};
+use paper_checks::definitions::plane::{self, Point};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use verifier::{
