@@ -9,7 +9,7 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use experiments::families;
 use zonotope::enclosing::bisectors::Bisectors;
-use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon;
+use zonotope::enclosing::min_area;
 use zonotope::hull::antipodal::farthest_vertices;
 use zonotope::hull::convex_hull;
 use zonotope::lad::Method;
@@ -34,7 +34,7 @@ fn whole(criterion: &mut Criterion) {
                 bench.iter(|| black_box(convex_hull(points)));
             });
             group.bench_with_input(BenchmarkId::new("min_area", n), &points, |bench, points| {
-                bench.iter(|| black_box(min_area_enclosing_zonogon(points)));
+                bench.iter(|| black_box(min_area(points)));
             });
         }
     }

@@ -1,8 +1,7 @@
 //! How much larger than the hull the smallest enclosing zonogon is.
 
-use super::{REAL_INPUTS, kernel_methods, min_area_scaling};
+use super::{REAL_INPUTS, min_area_scaling};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
-use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon_with;
 use zonotope::interop::verifier::check_min_area;
 use zonotope::tally::OperationCounts;
 
@@ -42,22 +41,21 @@ pub const EXPERIMENT: Experiment = Experiment {
 fn measure(case: &Case) -> Result<Measurement, String> {
     let points = case.points()?;
     let mut counts = OperationCounts::default();
-    let method = kernel_methods::method(case)?;
-    let answer =
-        min_area_enclosing_zonogon_with(method, &points, case.seed, &mut counts).map_err(|error| error.to_string())?;
+    let method = min_area_scaling::method(case)?;
+    let answer = method.solve(&points, case.seed, &mut counts).map_err(|error| error.to_string())?;
     let verdict = Verdict::of_verifier("check_min_area", check_min_area(&points, &answer));
     let measurement = Measurement::new(&counts, min_area_scaling::digest(&answer), verdict)
-        .with_value("hull_vertices", answer.hull.vertex_count() as f64)
-        .with_value("face_dimension", f64::from(answer.face_dimension))
-        .with_value("area", answer.area);
-    if !answer.hull.has_area() {
+        .with_value("hull_vertices", answer.proof.hull().vertex_count() as f64)
+        .with_value("face_dimension", f64::from(answer.proof.face_dimension()))
+        .with_value("area", answer.value);
+    if !answer.proof.hull().has_area() {
         return Ok(measurement);
     }
-    let hull_area = area(answer.hull.vertices());
+    let hull_area = area(answer.proof.hull().vertices());
     Ok(measurement
         .with_value("relative_gap", answer.relative_gap())
         .with_value("hull_area", hull_area)
-        .with_value("area_ratio", answer.area / hull_area))
+        .with_value("area_ratio", answer.value / hull_area))
 }
 
 /// The area of a convex polygon, rounded: a fan of triangles from the first vertex.

@@ -5,7 +5,7 @@ use crate::families::clouds::Cloud;
 use crate::hull_in_space::SolidHull;
 use crate::seed::Digest;
 use zonotope::collision::{Query, by_lad, by_lad_in_r4};
-use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_vertex_sets::min_length_enclosing_counted};
+use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
@@ -65,7 +65,7 @@ fn measure_in_space(case: &Case, points: &[[f64; 3]]) -> Result<Measurement, Str
         |body: &Zonotope<3>, p: [f64; 3]| Query::of_point(p, body).is_ok_and(|d| by_lad::locate(&d).is_member());
     let (measurement, answer) = enclosed(case, &corners, is_inside)?;
     let hull_volume = hull.volume(points);
-    let volume = combinatorics(&answer.zonotope).measure.to_f64_fast();
+    let volume = combinatorics(&answer.body).measure.to_f64_fast();
     let range = |c: usize| {
         let values = corners.iter().map(|p| p[c]);
         values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
@@ -87,19 +87,19 @@ fn enclosed<const D: usize>(
         .and_then(|epsilon| epsilon.parse().ok())
         .ok_or_else(|| format!("{} names no precision", case.variant))?;
     let mut counts = OperationCounts::default();
-    let answer = min_length_enclosing_counted(points, epsilon, &mut counts).map_err(|error| error.to_string())?;
-    let outside = points.iter().position(|p| !is_inside(&answer.zonotope, *p));
+    let answer = Method::default().solve(points, epsilon, &mut counts).map_err(|error| error.to_string())?;
+    let outside = points.iter().position(|p| !is_inside(&answer.body, *p));
     let checked = match outside {
         Some(point) => Err(format!("point {point} is outside")),
-        None if answer.ratio > 1.0 + epsilon => Err(format!("the ratio {} is above 1 + {epsilon}", answer.ratio)),
+        None if answer.ratio() > 1.0 + epsilon => Err(format!("the ratio {} is above 1 + {epsilon}", answer.ratio())),
         None => Ok(()),
     };
-    let digest = Digest::default().floats(answer.zonotope.generators().as_flattened());
-    let digest = digest.floats(&[answer.length, answer.lower_bound]).finish();
+    let digest = Digest::default().floats(answer.body.generators().as_flattened());
+    let digest = digest.floats(&[answer.value, answer.lower_bound]).finish();
     let measurement = Measurement::new(&counts, digest, Verdict::of_check("exact membership and the ratio", checked))
-        .with_value("ratio", answer.length / answer.lower_bound)
-        .with_value("length", answer.length)
-        .with_value("generators", answer.zonotope.generators().len() as f64)
-        .with_value("directions", answer.directions as f64);
+        .with_value("ratio", answer.value / answer.lower_bound)
+        .with_value("length", answer.value)
+        .with_value("generators", answer.body.generators().len() as f64)
+        .with_value("directions", answer.effort.rows as f64);
     Ok((measurement, answer))
 }

@@ -3,7 +3,7 @@
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::{self, Cloud};
 use crate::seed::Digest;
-use zonotope::enclosing::min_total_length::{MinLengthZonotope, by_vertex_sets::min_length_enclosing_counted};
+use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope};
 use zonotope::tally::{OperationCounts, Tally};
 
 const SIZES: PerProfile<&[usize]> = PerProfile { quick: &[100, 200], full: &[100, 200, 500, 1000] };
@@ -68,31 +68,31 @@ fn precision(dimension: usize) -> f64 {
 }
 
 fn solve<const D: usize>(points: &[[f64; D]], tally: &mut impl Tally) -> Result<MinLengthZonotope<D>, String> {
-    min_length_enclosing_counted(points, precision(D), tally).map_err(|error| error.to_string())
+    Method::default().solve(points, precision(D), tally).map_err(|error| error.to_string())
 }
 
 fn measure_in<const D: usize>(points: &[[f64; D]]) -> Result<Measurement, String> {
     let mut counts = OperationCounts::default();
     let answer = solve(points, &mut counts)?;
-    let is_kept = if answer.ratio <= 1.0 + precision(D) {
+    let is_kept = if answer.ratio() <= 1.0 + precision(D) {
         Ok(())
     } else {
-        Err(format!("the ratio {} is above 1 + {}", answer.ratio, precision(D)))
+        Err(format!("the ratio {} is above 1 + {}", answer.ratio(), precision(D)))
     };
     let measurement = Measurement::new(&counts, digest(&answer), Verdict::of_check("the proven ratio", is_kept))
-        .with_value("excess", answer.length / answer.lower_bound - 1.0)
-        .with_value("forces", answer.multipliers.len() as f64)
-        .with_value("rounds", answer.progress.len() as f64);
+        .with_value("excess", answer.value / answer.lower_bound - 1.0)
+        .with_value("forces", answer.proof.multipliers.len() as f64)
+        .with_value("rounds", answer.effort.progress.len() as f64);
     let reached = REACHED.iter().filter_map(|(gap, name)| {
-        let round = answer.progress.iter().position(|[upper, lower]| *upper <= (1.0 + gap) * lower)?;
+        let round = answer.effort.progress.iter().position(|[upper, lower]| *upper <= (1.0 + gap) * lower)?;
         Some((name, (round + 1) as f64))
     });
     Ok(reached.fold(measurement, |measurement, (name, round)| measurement.with_value(name, round)))
 }
 
 fn digest<const D: usize>(answer: &MinLengthZonotope<D>) -> u64 {
-    let digest = Digest::default().floats(&answer.zonotope.center());
-    digest.floats(answer.zonotope.generators().as_flattened()).floats(&[answer.length, answer.lower_bound]).finish()
+    let digest = Digest::default().floats(&answer.body.center());
+    digest.floats(answer.body.generators().as_flattened()).floats(&[answer.value, answer.lower_bound]).finish()
 }
 
 fn prepare(case: &Case) -> Result<TimedWork, String> {

@@ -4,9 +4,7 @@ use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quan
 use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
-use zonotope::enclosing::min_total_length::{
-    MinLengthZonotope, Net, by_direction_net, by_vertex_sets::min_length_enclosing_counted,
-};
+use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope, Net};
 use zonotope::tally::OperationCounts;
 
 /// Points of each instance.
@@ -73,22 +71,19 @@ fn measure(case: &Case) -> Result<Measurement, String> {
 fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measurement, String> {
     let epsilon = 1.0 / case.n as f64;
     let mut counts = OperationCounts::default();
-    let net = match case.variant {
-        "papers_net" => Some(Net::Paper),
-        "net_of_cells" => Some(Net::Cells),
-        _ => None,
+    let (method, net) = match case.variant {
+        "papers_net" => (Method::PapersNet, Some(Net::Paper)),
+        "net_of_cells" => (Method::DirectionNet, Some(Net::Cells)),
+        _ => (Method::VertexSets, None),
     };
     let size = net.map(|net| net.size(D, epsilon));
-    let answer = match net {
-        Some(_) if size.is_some_and(|size| size > SOLVED_NET) => None,
-        Some(net) => Some(by_direction_net::min_length_by_net(points, epsilon, net)),
-        None => Some(min_length_enclosing_counted(points, epsilon, &mut counts)),
-    };
+    let is_solved = size.is_none_or(|size| size <= SOLVED_NET);
+    let answer = is_solved.then(|| method.solve(points, epsilon, &mut counts));
     let measurement = match answer.transpose().map_err(|error| error.to_string())? {
         Some(answer) => Measurement::new(&counts, digest(&answer), verdict(&answer, epsilon))
-            .with_value("excess", answer.length / answer.lower_bound - 1.0)
-            .with_value("generators", answer.zonotope.generators().len() as f64)
-            .with_value("directions", answer.directions as f64),
+            .with_value("excess", answer.value / answer.lower_bound - 1.0)
+            .with_value("generators", answer.body.generators().len() as f64)
+            .with_value("directions", answer.effort.rows as f64),
         None => {
             let reason = format!("a net of more than {SOLVED_NET} directions is counted, not solved");
             Measurement::new(&counts, 0, Verdict::Unchecked(reason))
@@ -101,15 +96,15 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measur
 }
 
 fn verdict<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Verdict {
-    let is_kept = if answer.ratio <= 1.0 + epsilon {
+    let is_kept = if answer.ratio() <= 1.0 + epsilon {
         Ok(())
     } else {
-        Err(format!("the ratio {} is above 1 + {epsilon}", answer.ratio))
+        Err(format!("the ratio {} is above 1 + {epsilon}", answer.ratio()))
     };
     Verdict::of_check("the proven ratio", is_kept)
 }
 
 fn digest<const D: usize>(answer: &MinLengthZonotope<D>) -> u64 {
-    let digest = Digest::default().floats(&answer.zonotope.center());
-    digest.floats(answer.zonotope.generators().as_flattened()).floats(&[answer.length, answer.lower_bound]).finish()
+    let digest = Digest::default().floats(&answer.body.center());
+    digest.floats(answer.body.generators().as_flattened()).floats(&[answer.value, answer.lower_bound]).finish()
 }

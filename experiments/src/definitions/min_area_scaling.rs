@@ -1,12 +1,12 @@
 //! Operations and time of the whole of 4.1, from points to a certified zonogon, against the number of points.
 
-use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES, kernel_methods};
+use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
     Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
-use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, min_area_enclosing_zonogon_with};
+use zonotope::enclosing::min_area_zonogon::{Method, MinAreaZonogon};
 use zonotope::hull::convex_hull;
 use zonotope::interop::verifier::check_min_area;
 use zonotope::tally::OperationCounts;
@@ -46,39 +46,42 @@ pub const EXPERIMENT: Experiment = Experiment {
 /// hull, so beyond only the first instance is.
 const VERIFIED_SIZE: usize = 1 << 17;
 
+/// The method of a case, by the name of its variant.
+pub(super) fn method(case: &Case) -> Result<Method, String> {
+    Method::from_id(case.variant).ok_or_else(|| format!("no method for the least area is called {}", case.variant))
+}
+
 /// A hash of the zonogon and of both bounds of its area.
 pub(super) fn digest(answer: &MinAreaZonogon) -> u64 {
     Digest::default()
-        .floats(&answer.zonogon.center())
-        .floats(answer.zonogon.generators().as_flattened())
-        .floats(&[answer.area, answer.lower_bound])
+        .floats(&answer.body.center())
+        .floats(answer.body.generators().as_flattened())
+        .floats(&[answer.value, answer.lower_bound])
         .finish()
 }
 
 fn measure(case: &Case) -> Result<Measurement, String> {
-    let method = kernel_methods::method(case)?;
+    let method = method(case)?;
     let points = case.points()?;
     let mut counts = OperationCounts::default();
-    let answer =
-        min_area_enclosing_zonogon_with(method, &points, case.seed, &mut counts).map_err(|error| error.to_string())?;
+    let answer = method.solve(&points, case.seed, &mut counts).map_err(|error| error.to_string())?;
     let verdict = if case.n <= VERIFIED_SIZE || case.instance == 0 {
         Verdict::of_verifier("check_min_area", check_min_area(&points, &answer))
     } else {
         Verdict::Unchecked(format!("beyond {VERIFIED_SIZE} points the first instance is verified"))
     };
     Ok(Measurement::new(&counts, digest(&answer), verdict)
-        .with_value("hull_vertices", answer.hull.vertex_count() as f64)
+        .with_value("hull_vertices", answer.proof.hull().vertex_count() as f64)
         .with_value("relative_gap", answer.relative_gap()))
 }
 
 fn prepare(case: &Case) -> Result<TimedWork, String> {
-    let (method, seed) = (kernel_methods::method(case)?, case.seed);
+    let (method, seed) = (method(case)?, case.seed);
     let points = case.points()?;
     Ok(Box::new(move |stopwatch| {
         stopwatch.lap("hull", || convex_hull(&points)).map_err(|error| error.to_string())?;
-        let answer = stopwatch
-            .lap("total", || min_area_enclosing_zonogon_with(method, &points, seed, &mut ()))
-            .map_err(|error| error.to_string())?;
+        let answer =
+            stopwatch.lap("total", || method.solve(&points, seed, &mut ())).map_err(|error| error.to_string())?;
         Ok(digest(&answer))
     }))
 }

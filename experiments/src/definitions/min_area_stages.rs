@@ -3,11 +3,10 @@
 use super::{SCALING_FAMILIES, min_area_scaling};
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
 use zonotope::enclosing::bisectors::Bisectors;
-use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon_with;
+use zonotope::enclosing::min_area_zonogon::Method;
 use zonotope::hull::antipodal::farthest_vertices_counted;
 use zonotope::hull::convex_hull_counted;
 use zonotope::interop::verifier::check_min_area;
-use zonotope::lad::Method;
 use zonotope::tally::OperationCounts;
 
 const SIZES: PerProfile<&[usize]> =
@@ -43,11 +42,10 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let [hull_counts, antipodal_counts, kernel_counts] = &mut stages;
     let hull = convex_hull_counted(&points, hull_counts).map_err(|error| error.to_string())?;
     let farthest = farthest_vertices_counted(&hull, antipodal_counts);
-    Method::Pruning.minimize(&Bisectors::new(&hull, &farthest).kernel_problem(), case.seed, kernel_counts);
+    Method::Pruning.kernel().minimize(&Bisectors::new(&hull, &farthest).kernel_problem(), case.seed, kernel_counts);
 
     let mut counts = OperationCounts::default();
-    let answer = min_area_enclosing_zonogon_with(Method::Pruning, &points, case.seed, &mut counts)
-        .map_err(|error| error.to_string())?;
+    let answer = Method::Pruning.solve(&points, case.seed, &mut counts).map_err(|error| error.to_string())?;
     let verdict = if case.n <= VERIFIED_SIZE {
         Verdict::of_verifier("check_min_area", check_min_area(&points, &answer))
     } else {
@@ -70,9 +68,9 @@ fn prepare(case: &Case) -> Result<TimedWork, String> {
             stopwatch.lap("hull", || convex_hull_counted(&points, &mut ())).map_err(|error| error.to_string())?;
         let farthest = stopwatch.lap("antipodal", || farthest_vertices_counted(&hull, &mut ()));
         let problem = stopwatch.lap("lines", || Bisectors::new(&hull, &farthest).kernel_problem());
-        stopwatch.lap("kernel", || Method::Pruning.minimize(&problem, seed, &mut ()));
+        stopwatch.lap("kernel", || Method::Pruning.kernel().minimize(&problem, seed, &mut ()));
         let answer = stopwatch
-            .lap("whole", || min_area_enclosing_zonogon_with(Method::Pruning, &points, seed, &mut ()))
+            .lap("whole", || Method::Pruning.solve(&points, seed, &mut ()))
             .map_err(|error| error.to_string())?;
         Ok(min_area_scaling::digest(&answer))
     }))

@@ -50,7 +50,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let frame = Frame::fit(&WorldBox::around(polygon.vertices()), window.inset(28.0));
     let mut panel = Panel::new(&mut scene, frame);
 
-    let center = best.zonogon.center();
+    let center = best.body.center();
     draw_level_sets(&mut panel, &polygon, &lines, center);
     panel.polygon(polygon.vertices(), &Paint::outline(OUTLINE));
     for (t, line) in lines.iter().enumerate() {

@@ -53,7 +53,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
 fn draw_outline(scene: &mut Scene, outline: &Outline, cell: PageBox) {
     let polygon = Polygon::of_figure(&outline.points);
     let best = polygon.optimum();
-    let corners = best.zonogon.vertices();
+    let corners = best.body.vertices();
     let world = WorldBox::around(corners.iter().chain(polygon.vertices()));
     let middle_latitude = (world.min[1] + world.max[1]) / 2.0;
     let shortening = libm::cos(middle_latitude.to_radians());
@@ -62,11 +62,11 @@ fn draw_outline(scene: &mut Scene, outline: &Outline, cell: PageBox) {
     panel.polygon(&corners, &ZONOGON);
     panel.polygon(&outline.points, &LAND);
     panel.polygon(polygon.vertices(), &Paint::outline(HULL));
-    panel.marker(best.zonogon.center(), &SMALL_CENTER);
+    panel.marker(best.body.center(), &SMALL_CENTER);
 
     let middle = cell.center().x;
     scene.heading(PagePoint::new(middle, cell.min.y + 18.0), &country_name(outline.name));
-    let note = format!("{:.3} × hull", best.area / polygon.area());
+    let note = format!("{:.3} × hull", best.value / polygon.area());
     let style = TextStyle::new(text_size::NOTE, GREY);
     scene.text(PagePoint::new(middle, cell.min.y + 37.0), Anchor::Middle, &style, &note);
 }

@@ -8,7 +8,8 @@ use crate::style::{
     Dash, ENCLOSING, GREY, INPUT_POINT, Marker, OPTIMUM, Paint, REFLECTED, Shape, Stroke, text_size, weight,
 };
 use std::f64::consts::TAU;
-use zonotope::enclosing::min_total_length::{MinLengthZonotope, Net, by_direction_net, min_length_enclosing};
+use zonotope::enclosing::min_length;
+use zonotope::enclosing::min_total_length::{MinLengthZonotope, Net, by_direction_net};
 use zonotope::zonotope::Zonotope;
 
 /// The dual zonotope.
@@ -40,7 +41,7 @@ const MARKED_DISTANCE: f64 = 1e-4;
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let coarse = by_direction_net::min_length_by_net(&POINTS, 0.9, Net::Cells).expect("the points are finite");
-    let fine = min_length_enclosing(&POINTS, 1e-6).expect("the points are finite");
+    let fine = min_length(&POINTS, 1e-6).expect("the points are finite");
     let (width, height) = (2.0 * CELL[0], 2.0 * CELL[1]);
     let mut scene = Scene::new(width, height + 44.0, FIGURE.title, FIGURE.caption);
     for (row, (words, answer)) in [("a coarse net", &coarse), ("directions as needed", &fine)].into_iter().enumerate() {
@@ -49,9 +50,9 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         scene.heading(PagePoint::new(CELL[0] * 0.5, top + 24.0), words);
         scene.heading(PagePoint::new(CELL[0] * 1.5, top + 24.0), "its dual zonogon");
         let style = TextStyle::new(text_size::NOTE, GREY);
-        let length = format!("length {:.4}", answer.length);
+        let length = format!("length {:.4}", answer.value);
         scene.text(PagePoint::new(CELL[0] * 0.5, top + 43.0), Anchor::Middle, &style, &length);
-        let bound = format!("proves at least {:.4}: ratio {:.4}", answer.lower_bound, answer.ratio);
+        let bound = format!("proves at least {:.4}: ratio {:.4}", answer.lower_bound, answer.ratio());
         scene.text(PagePoint::new(CELL[0] * 1.5, top + 43.0), Anchor::Middle, &style, &bound);
         let (forces, dual) = scaled_forces(answer);
         draw_points(&mut scene, window(0.0), answer, &forces);
@@ -77,17 +78,18 @@ fn norm([x, y]: [f64; 2]) -> f64 {
 
 /// The forces, each with its point, and their zonogon, divided by the distance of its farthest vertex.
 fn scaled_forces(answer: &MinLengthZonotope<2>) -> (Vec<Force>, Vec<[f64; 2]>) {
-    let vectors: Vec<[f64; 2]> = answer.multipliers.iter().map(|force| force.vector).collect();
+    let vectors: Vec<[f64; 2]> = answer.proof.multipliers.iter().map(|force| force.vector).collect();
     let dual = Zonotope::new([0.0; 2], vectors).expect("forces are finite").vertices();
     let farthest = dual.iter().map(|&v| norm(v)).fold(f64::MIN_POSITIVE, f64::max);
-    let forces = answer.multipliers.iter().map(|force| (force.point, force.vector.map(|c| c / farthest))).collect();
+    let forces =
+        answer.proof.multipliers.iter().map(|force| (force.point, force.vector.map(|c| c / farthest))).collect();
     (forces, dual.into_iter().map(|v| v.map(|c| c / farthest)).collect())
 }
 
 fn draw_points(scene: &mut Scene, window: PageBox, answer: &MinLengthZonotope<2>, forces: &[Force]) {
     /// The length, in units of the picture, of an arrow for a force of length 1.
     const FORCE_LENGTH: f64 = 5.0;
-    let corners = answer.zonotope.vertices();
+    let corners = answer.body.vertices();
     let tip = |(point, force): &Force| [0, 1].map(|c| POINTS[*point][c] + FORCE_LENGTH * force[c]);
     let tips: Vec<[f64; 2]> = forces.iter().map(tip).collect();
     let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(corners.iter().chain(&tips)), window));

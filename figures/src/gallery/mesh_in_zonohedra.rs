@@ -10,7 +10,7 @@ use experiments::data::mesh;
 use experiments::families::clouds::solid as platonic;
 use experiments::hull_in_space::SolidHull;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
-use zonotope::enclosing::min_total_length::min_length_enclosing;
+use zonotope::enclosing::min_length;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
 /// The zonohedra.
@@ -41,7 +41,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let hull = SolidHull::of(&vertices).expect("a teapot has a volume");
     let hull_volume = hull.volume(&vertices);
     let corners: Vec<[f64; 3]> = hull.vertices().into_iter().map(|vertex| vertices[vertex]).collect();
-    let best = min_length_enclosing(&corners, 0.01).expect("the mesh's coordinates are finite");
+    let best = min_length(&corners, 0.01).expect("the mesh's coordinates are finite");
     let pictures = direction_sets().map(|directions| {
         let (zonohedron, length) = along(&corners, &directions);
         (format!("$k$ = {}", directions.len()), zonohedron, length)

@@ -51,7 +51,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let choices = [
         Choice { center: GIVEN, marker: CENTER, name: "$O$", color: INK, heading: "A given centre $O$", left: 20.0 },
         Choice {
-            center: polygon.optimum().zonogon.center(),
+            center: polygon.optimum().body.center(),
             marker: OPTIMAL_CENTER,
             name: "$O^*$",
             color: OPTIMUM,

@@ -129,12 +129,12 @@ fn write_head(scene: &mut Scene, cell: &PageBox, heading: &str, note: &str) {
 /// The polygon and the zonogon that the search was for.
 fn draw_answer(scene: &mut Scene, cell: PageBox, polygon: &Polygon) {
     let best = polygon.optimum();
-    let corners = best.zonogon.vertices();
+    let corners = best.body.vertices();
     let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&corners), window_of(&cell).inset(14.0)));
     panel.polygon(&corners, &ZONOGON);
     panel.polygon(polygon.vertices(), &INPUT_POLYGON);
     panel.markers(polygon.vertices(), &INPUT_POINT);
-    panel.marker(best.zonogon.center(), &OPTIMAL_CENTER);
+    panel.marker(best.body.center(), &OPTIMAL_CENTER);
     write_head(scene, &cell, "The answer", "the polygon in its zonogon of least area");
 }
 

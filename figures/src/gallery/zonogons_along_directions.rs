@@ -8,7 +8,7 @@ use crate::style::{ENCLOSING, FOCUS, GREY, INPUT, Paint, Stroke, text_size, weig
 use experiments::data::outline;
 use std::f64::consts::PI;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
-use zonotope::enclosing::min_total_length::min_length_enclosing;
+use zonotope::enclosing::min_length;
 use zonotope::zonotope::Zonotope;
 
 /// The zonogons.
@@ -34,17 +34,17 @@ const RAY: Stroke = Stroke::new(FOCUS, weight::FINE);
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let points = shortened(&outline("norway").expect("the outline is among the data").points);
-    let best = min_length_enclosing(&points, 1e-9).expect("the outline's coordinates are finite");
+    let best = min_length(&points, 1e-9).expect("the outline's coordinates are finite");
     let rows = (COUNTS.len() + 1).div_ceil(COLUMNS);
     let (width, height) = (CELL[0] * COLUMNS as f64, CELL[1] * rows as f64);
     let mut scene = Scene::new(width, height + 30.0, FIGURE.title, FIGURE.caption);
     for (number, &count) in COUNTS.iter().enumerate() {
         let directions = spread(count);
         let (zonogon, length) = along(&points, &directions);
-        let note = format!("{:.3} × least length", length / best.length);
+        let note = format!("{:.3} × least length", length / best.value);
         draw_cell(&mut scene, number, &format!("$k$ = {count}"), &note, &points, &zonogon, &directions);
     }
-    draw_cell(&mut scene, COUNTS.len(), "all directions", "least length", &points, &best.zonotope, &[]);
+    draw_cell(&mut scene, COUNTS.len(), "all directions", "least length", &points, &best.body, &[]);
     let entries = [
         LegendEntry::new(Sample::Area(LAND), "outline"),
         LegendEntry::new(Sample::Area(ZONOGON), "zonogon of least total length"),

@@ -4,7 +4,8 @@ pub mod level_sets;
 
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::enclosing::centered_zonogon::CenteredZonogon;
-use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, min_area_enclosing_zonogon};
+use zonotope::enclosing::min_area;
+use zonotope::enclosing::min_area_zonogon::MinAreaZonogon;
 use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
 use zonotope::hull::{ConvexHull, convex_hull};
 
@@ -54,7 +55,7 @@ impl Polygon {
 
     /// The zonogon of least area.
     pub fn optimum(&self) -> MinAreaZonogon {
-        min_area_enclosing_zonogon(&self.points).expect("the points were accepted by the hull already")
+        min_area(&self.points).expect("the points were accepted by the hull already")
     }
 
     /// The area of the hull.
@@ -96,7 +97,7 @@ mod tests {
         let triangle = Polygon::of_figure(&TRIANGLE);
         assert_eq!(triangle.area(), 2.0);
         assert_eq!(triangle.area_at([1.0, 1.0]), 4.0);
-        assert!((triangle.optimum().area - 4.0).abs() < 1e-9);
+        assert!((triangle.optimum().value - 4.0).abs() < 1e-9);
     }
 
     #[test]

@@ -66,15 +66,16 @@ fn balanced_gain(forces: &[(usize, Row)], points: &[Row], dimension: usize) -> R
 /// plane and in space.
 pub(crate) fn check_shortest<const D: usize>(points: &[[f64; D]], answer: &MinLengthZonotope<D>) -> Result<(), String> {
     let points = exact_rows(points);
-    let generators = exact_rows(answer.zonotope.generators());
-    let center: Row = answer.zonotope.center().iter().copied().map(exactly).collect();
+    let generators = exact_rows(answer.body.generators());
+    let center: Row = answer.body.center().iter().copied().map(exactly).collect();
     if let Some(point) = first_outside(&center, &generators, &points) {
         return Err(format!("point {point} is outside"));
     }
-    if exactly(answer.length) * (RBig::ONE + rounding()) < length(&generators) {
-        return Err(format!("the generators are longer than {}", answer.length));
+    if exactly(answer.value) * (RBig::ONE + rounding()) < length(&generators) {
+        return Err(format!("the generators are longer than {}", answer.value));
     }
     let forces: Vec<(usize, Row)> = answer
+        .proof
         .multipliers
         .iter()
         .map(|force| (force.point, force.vector.iter().copied().map(exactly).collect()))
@@ -86,9 +87,9 @@ pub(crate) fn check_shortest<const D: usize>(points: &[[f64; D]], answer: &MinLe
     if &lower * &lower * farthest > &gain * &gain || (gain < RBig::ZERO && lower > RBig::ZERO) {
         return Err(format!("the lower bound {} is above what the forces prove", answer.lower_bound));
     }
-    let ratio = exactly(answer.length) / lower;
-    if ratio > exactly(answer.ratio) {
-        return Err(format!("the ratio is above {}", answer.ratio));
+    let ratio = exactly(answer.value) / lower;
+    if ratio > exactly(answer.ratio()) {
+        return Err(format!("the ratio is above {}", answer.ratio()));
     }
     Ok(())
 }

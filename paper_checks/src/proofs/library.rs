@@ -19,8 +19,8 @@ pub(crate) fn double(point: &Point) -> [f64; 2] {
 
 /// Whether the zonogon of an answer contains every point.
 pub(crate) fn encloses(answer: &MinAreaZonogon, points: &[Point]) -> bool {
-    let center = Point::exactly(answer.zonogon.center());
-    let generators: Vec<Point> = answer.zonogon.generators().iter().copied().map(Point::exactly).collect();
+    let center = Point::exactly(answer.body.center());
+    let generators: Vec<Point> = answer.body.generators().iter().copied().map(Point::exactly).collect();
     points.iter().all(|point| generated_zonogon_contains(&center, &generators, point))
 }
 

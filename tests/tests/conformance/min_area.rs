@@ -10,9 +10,8 @@ use tests::numbers::power_of_two;
 use tests::point_families::Point;
 use tests::runner::for_all;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
-use zonotope::enclosing::min_area_zonogon::{MinAreaZonogon, brute_force, min_area_enclosing_zonogon_with};
+use zonotope::enclosing::min_area_zonogon::{Method, MinAreaZonogon, brute_force};
 use zonotope::interop::verifier::{check_exact_min_area, check_min_area};
-use zonotope::lad::Method;
 
 const CASES: u32 = 250;
 
@@ -31,9 +30,8 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
     let (least, centers) = truth(&hull);
     prop_assert_eq!(&brute_force::least_area(&points).0, &least);
 
-    for method in Method::FAST {
-        let answer = min_area_enclosing_zonogon_with(method, &points, 5, &mut ())
-            .map_err(|error| TestCaseError::fail(error.to_string()))?;
+    for method in Method::ALL {
+        let answer = method.solve(&points, 5, &mut ()).map_err(|error| TestCaseError::fail(error.to_string()))?;
         let verdict = check_min_area(&points, &answer);
         prop_assert!(verdict.is_right(), "{:?}: {:?}", method, verdict);
         let verdict = check_exact_min_area(&points, &answer);
@@ -44,7 +42,7 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
         prop_assert_eq!(&optimum.area, &least, "{:?}", method);
         if hull.len() >= 3 {
             prop_assert_eq!(&plane::zonogon_area(&hull, &center), &least, "{:?}", method);
-            prop_assert_eq!(answer.face_dimension == 0, centers.len() == 1, "{:?}", method);
+            prop_assert_eq!(answer.proof.face_dimension() == 0, centers.len() == 1, "{:?}", method);
         }
         encloses(&given, &answer)?;
         bounds_hold(&points, &least, &answer)?;
@@ -53,9 +51,8 @@ fn agrees(points: Vec<Point>) -> Result<(), TestCaseError> {
 }
 
 fn encloses(points: &[plane::Point], answer: &MinAreaZonogon) -> Result<(), TestCaseError> {
-    let center = plane::Point::exactly(answer.zonogon.center());
-    let generators: Vec<plane::Point> =
-        answer.zonogon.generators().iter().copied().map(plane::Point::exactly).collect();
+    let center = plane::Point::exactly(answer.body.center());
+    let generators: Vec<plane::Point> = answer.body.generators().iter().copied().map(plane::Point::exactly).collect();
     for point in points {
         let inside = plane::generated_zonogon_contains(&center, &generators, point);
         prop_assert!(inside, "{} lies outside", point);
@@ -67,7 +64,7 @@ fn encloses(points: &[plane::Point], answer: &MinAreaZonogon) -> Result<(), Test
 /// to speak of, unless the hull is thin or far from the origin for its size.
 fn bounds_hold(points: &[Point], least: &RBig, answer: &MinAreaZonogon) -> Result<(), TestCaseError> {
     prop_assert!(exactly(answer.lower_bound) <= *least);
-    prop_assert!(answer.lower_bound >= 0.0 && answer.area >= answer.lower_bound);
+    prop_assert!(answer.lower_bound >= 0.0 && answer.value >= answer.lower_bound);
     let coordinates = || points.iter().flatten().map(|value| exactly(value.abs()));
     let largest = coordinates().max().unwrap_or(RBig::ZERO);
     let spread = |axis: usize| {
@@ -79,9 +76,9 @@ fn bounds_hold(points: &[Point], least: &RBig, answer: &MinAreaZonogon) -> Resul
     let excess = exactly(1e-12) * least + unit * largest * (spread(0) + spread(1)) + smallest;
     let upper = least + &excess;
     let out_of_range = upper > exactly(f64::MAX);
-    if answer.area.is_finite() {
-        let area = exactly(answer.area);
-        prop_assert!(area >= *least && area <= upper, "area {} of {:e}", answer.area, least.to_f64_fast());
+    if answer.value.is_finite() {
+        let area = exactly(answer.value);
+        prop_assert!(area >= *least && area <= upper, "area {} of {:e}", answer.value, least.to_f64_fast());
     } else {
         prop_assert!(out_of_range, "the area {:e} is a double", least.to_f64_fast());
     }
@@ -97,8 +94,8 @@ tests::test_on_point_families!(identity, CASES, agrees);
 fn the_excess_is_small() {
     let fat = proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 8..60);
     for_all(&fat, 400, |points| {
-        let answer = min_area_enclosing_zonogon_with(Method::default(), &points, 0, &mut ())
-            .map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let answer =
+            Method::default().solve(&points, 0, &mut ()).map_err(|error| TestCaseError::fail(error.to_string()))?;
         prop_assert!(answer.relative_gap() <= 1e-12, "{}", answer.relative_gap());
         Ok(())
     });

@@ -2,8 +2,7 @@
 
 use serde_json::{Value, json};
 use zonotope::enclosing::min_area_zonogon::exact::{ExactZonogon, exact_optimum};
-use zonotope::enclosing::min_area_zonogon::{MinAreaError, MinAreaZonogon, min_area_enclosing_zonogon_with};
-use zonotope::lad::Method;
+use zonotope::enclosing::min_area_zonogon::{Method, MinAreaError, MinAreaZonogon};
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
@@ -21,21 +20,21 @@ pub struct Enclosure {
 impl Enclosure {
     /// Solves an instance; the seed decides how long it takes, never how small the zonogon is.
     pub fn of(points: &[[f64; 2]], method: Method, seed: u64) -> Result<Self, MinAreaError> {
-        let found = min_area_enclosing_zonogon_with(method, points, seed, &mut ())?;
+        let found = method.solve(points, seed, &mut ())?;
         Ok(Self { found, method })
     }
 
     /// The area of the convex hull, and that of the zonogon relative to it (absent where the hull has no area).
     pub fn hull_area_and_ratio(&self) -> (f64, Option<f64>) {
         let vertices: Vec<[Dyadic; 2]> =
-            self.found.hull.vertices().iter().map(|vertex| vertex.map(Dyadic::from_f64)).collect();
+            self.found.proof.hull().vertices().iter().map(|vertex| vertex.map(Dyadic::from_f64)).collect();
         let arm = |vertex: &[Dyadic; 2]| [&vertex[0] - &vertices[0][0], &vertex[1] - &vertices[0][1]];
         let doubled = vertices.windows(2).fold(Dyadic::zero(), |sum, pair| {
             let [a, b] = [arm(&pair[0]), arm(&pair[1])];
             sum + (&a[0] * &b[1] - &a[1] * &b[0])
         });
         let area = doubled.scaled(-1);
-        let ratio = (!area.is_zero()).then(|| self.found.zonogon.exact_area().ratio(&area));
+        let ratio = (!area.is_zero()).then(|| self.found.body.exact_area().ratio(&area));
         (area.to_f64(), ratio)
     }
 
@@ -43,15 +42,15 @@ impl Enclosure {
     pub fn answer(&self) -> MinAreaAnswer {
         let found = &self.found;
         MinAreaAnswer {
-            area: found.area,
-            center: found.zonogon.center(),
-            generators: found.zonogon.generators().to_vec(),
+            area: found.value,
+            center: found.body.center(),
+            generators: found.body.generators().to_vec(),
             lower_bound: found.lower_bound,
             certificate: Certificate {
-                hull: found.hull.indices().iter().map(|index| index.get()).collect(),
-                farthest: found.farthest.iter().map(|farthest| farthest.vertex().get()).collect(),
-                coefficients: found.certificate.signs.iter().map(|&sign| f64::from(sign)).collect(),
-                basis: found.certificate.basis.iter().map(|edge| edge.position()).collect(),
+                hull: found.proof.hull().indices().iter().map(|index| index.get()).collect(),
+                farthest: found.proof.farthest().iter().map(|farthest| farthest.vertex().get()).collect(),
+                coefficients: found.proof.certificate().signs.iter().map(|&sign| f64::from(sign)).collect(),
+                basis: found.proof.certificate().basis.iter().map(|edge| edge.position()).collect(),
             },
         }
     }

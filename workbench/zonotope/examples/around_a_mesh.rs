@@ -1,7 +1,7 @@
 //! The least total length around a mesh: the vertices of an OBJ file, read in a few lines, and the zonotope around
 //! them.
 
-use zonotope::enclosing::min_total_length::min_length_enclosing;
+use zonotope::enclosing::min_length;
 
 /// A roof over a square: the ridge is shorter than the eaves.
 const ROOF: &str = "\
@@ -35,13 +35,13 @@ pub fn main() {
     let points = vertices(ROOF);
     assert_eq!(points.len(), 6);
 
-    let answer = min_length_enclosing(&points, EPSILON).expect("the points are finite");
-    println!("total length {}, at most {} times the least", answer.length, answer.ratio);
-    assert!(answer.lower_bound <= answer.length && answer.ratio <= 1.0 + EPSILON);
+    let answer = min_length(&points, EPSILON).expect("the points are finite");
+    println!("total length {}, at most {} times the least", answer.value, answer.ratio());
+    assert!(answer.lower_bound <= answer.value && answer.ratio() <= 1.0 + EPSILON);
     for &point in &points {
-        assert_eq!(answer.zonotope.contains(point), Ok(true));
+        assert_eq!(answer.body.contains(point), Ok(true));
     }
 
     // the box around the roof is a zonotope, too: half-lengths 2, 1 and 3/4
-    assert!(answer.length < 2.0 + 1.0 + 0.75 + 1e-6);
+    assert!(answer.value < 2.0 + 1.0 + 0.75 + 1e-6);
 }

@@ -2,7 +2,8 @@
 
 use std::error::Error;
 
-use zonotope::{Location, Zonotope, min_area_enclosing_zonogon};
+use zonotope::enclosing::min_area;
+use zonotope::{Location, Zonotope};
 
 /// Asks and asserts.
 pub fn main() {
@@ -15,7 +16,7 @@ fn first_steps() -> Result<(), Box<dyn Error>> {
     assert!(matches!(square.locate([3.0, 0.5])?, Location::Outside(_))); // with a direction that separates
     assert_eq!(square.gauge([3.0, 0.5])?.value, 3.0); // it holds the point when it is three times as large
 
-    let answer = min_area_enclosing_zonogon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
-    assert_eq!((answer.area, answer.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
+    let answer = min_area(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+    assert_eq!((answer.value, answer.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
     Ok(())
 }

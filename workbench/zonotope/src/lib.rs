@@ -35,11 +35,17 @@
 //! # Ok(()) }
 //! ```
 //!
-//! What encloses these points? Here the zonogon of least area; [`enclosing`] lists the other problems.
+//! What encloses these points? Here the zonogon of least area, along given directions, and of least total length; every
+//! answer is an [`Enclosing`] with a lower bound that no such body can beat.
 //! ```
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let answer = zonotope::min_area_enclosing_zonogon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
-//! assert_eq!((answer.area, answer.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
+//! use zonotope::enclosing::{along_directions, min_area, min_length};
+//! let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
+//! let least = min_area(&triangle)?;
+//! assert_eq!((least.value, least.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
+//! let along_the_legs = along_directions(&triangle, &[[1.0, 0.0], [0.0, 1.0]])?;
+//! assert_eq!(along_the_legs.optimal().map(|square| square.value), Some(2.0)); // half-lengths 1 and 1
+//! assert!(min_length(&triangle, 1e-6)?.ratio() <= 1.0 + 1e-6);
 //! # Ok(()) }
 //! ```
 //!
@@ -118,7 +124,8 @@ pub mod tally;
 pub mod zonotope;
 
 pub use collision::{Gauge, Location, PosedZonotope, Separation, Status, Witness};
-pub use enclosing::min_area_zonogon::{MinAreaError, MinAreaZonogon, min_area_enclosing_zonogon};
+pub use enclosing::Enclosing;
 pub use numeric::non_finite::{NonFinite, Place};
+pub use numeric::seed::DEFAULT_SEED;
 pub use zonotope::pose::{Pose, PoseError};
 pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError};

@@ -57,11 +57,9 @@ use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_p
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::non_finite::NonFinite;
+use crate::numeric::seed::DEFAULT_SEED;
 use crate::tally::Tally;
 use crate::zonotope::query::Query;
-
-/// The seed of the kernel's sample: it decides the time, never the line.
-const SEED: u64 = 0x11;
 
 /// Why points are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -119,7 +117,7 @@ pub fn fit_counted<'p>(points: &'p [[f64; 3]], tally: &mut impl Tally) -> Result
         return Ok(LineFit { points, minimizer });
     }
     let problem = problem_of(points)?;
-    let outcome = by_pruning::minimize_counted(&problem, SEED, tally);
+    let outcome = by_pruning::minimize_counted(&problem, DEFAULT_SEED, tally);
     let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
     Ok(LineFit { points, minimizer: optimum.minimizer })
 }
@@ -204,7 +202,7 @@ impl LineFit<'_> {
     /// The proof that no line is better; where several are as good, its own may be another one. Expected O(n).
     pub fn proof(&self) -> LineFitProof {
         let problem = problem_of(self.points).expect("the points were validated when the line was fitted");
-        let outcome = by_pruning::minimize(&problem, SEED);
+        let outcome = by_pruning::minimize(&problem, DEFAULT_SEED);
         let optimum = outcome.into_optimum().expect("a sum of absolute values is bounded below");
         LineFitProof { problem, optimum }
     }

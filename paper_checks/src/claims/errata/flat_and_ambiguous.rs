@@ -1,6 +1,6 @@
 //! Hulls without area, and minimisers that are not unique.
 
-use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon;
+use zonotope::enclosing::min_area;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::definitions::plane::{Point, convex_hull, least_area, signed_area, zonogon_area};
@@ -31,12 +31,12 @@ fn check(context: &CheckContext) -> Verdict {
         let points: Vec<Point> = coordinates.iter().map(|&(x, y)| Point::at(x, y)).collect();
         let hull = convex_hull(&points);
         let middle = hull[0].midpoint(&hull[hull.len() - 1]);
-        let answer = match min_area_enclosing_zonogon(&doubles(&points)) {
+        let answer = match min_area(&doubles(&points)) {
             Ok(answer) => answer,
             Err(error) => return Verdict::Inconclusive(format!("{points:?}: {error}")),
         };
-        if zonogon_area(&points, &middle) != integer(0) || answer.area != 0.0 || !encloses(&answer, &points) {
-            return Verdict::Inconclusive(format!("{points:?}: area {}", answer.area));
+        if zonogon_area(&points, &middle) != integer(0) || answer.value != 0.0 || !encloses(&answer, &points) {
+            return Verdict::Inconclusive(format!("{points:?}: area {}", answer.value));
         }
     }
 

@@ -98,10 +98,10 @@ fn with_fewer(seed: u64) -> Result<(f64, [usize; 2]), String> {
     let answer =
         by_direction_net::min_length_by_net(&points, epsilon, Net::Cells).map_err(|error| error.to_string())?;
     check_shortest(&points, &answer)?;
-    let sizes = [answer.directions, Net::Paper.size(3, epsilon)];
-    if answer.ratio <= 1.0 + epsilon && sizes[0] < sizes[1] {
-        Ok((answer.ratio, sizes))
+    let sizes = [answer.effort.rows, Net::Paper.size(3, epsilon)];
+    if answer.ratio() <= 1.0 + epsilon && sizes[0] < sizes[1] {
+        Ok((answer.ratio(), sizes))
     } else {
-        Err(format!("ratio {} with {sizes:?} directions", answer.ratio))
+        Err(format!("ratio {} with {sizes:?} directions", answer.ratio()))
     }
 }

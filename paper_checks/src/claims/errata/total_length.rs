@@ -3,7 +3,8 @@
 use dashu_ratio::RBig;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
-use zonotope::enclosing::min_total_length::{in_the_plane, min_length_enclosing};
+use zonotope::enclosing::min_length;
+use zonotope::enclosing::min_total_length::in_the_plane;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::definitions::enclosing::{root_above, rows};
@@ -101,15 +102,15 @@ fn optima_in_the_plane(random: &mut Pcg64Mcg) -> Result<(usize, f64), String> {
     let mut worst: f64 = 0.0;
     for instance in &instances {
         let points = doubles(&instance.polygon);
-        let answer = min_length_enclosing(&points, 1e-9).map_err(|error| error.to_string())?;
+        let answer = min_length(&points, 1e-9).map_err(|error| error.to_string())?;
         check_shortest(&points, &answer).map_err(|defect| format!("{}: {defect}", instance.name))?;
-        let found = quarter_of_perimeter(&instance.polygon, &Point::exactly(answer.zonotope.center()));
+        let found = quarter_of_perimeter(&instance.polygon, &Point::exactly(answer.body.center()));
         let lower = exactly(answer.lower_bound);
         let excess = (&found / &lower - RBig::ONE).to_f64_fast();
         let search = in_the_plane::least_length(&points);
-        let is_between = answer.lower_bound <= search * (1.0 + 1e-12) && search <= answer.length * (1.0 + 1e-12);
+        let is_between = answer.lower_bound <= search * (1.0 + 1e-12) && search <= answer.value * (1.0 + 1e-12);
         if found < lower || excess > 1e-7 || !is_between {
-            return Err(format!("{}: {search} by search, {} by forces", instance.name, answer.length));
+            return Err(format!("{}: {search} by search, {} by forces", instance.name, answer.value));
         }
         worst = worst.max(excess);
     }
@@ -123,7 +124,7 @@ fn own_optima(random: &mut Pcg64Mcg) -> Result<usize, String> {
         let body = Body::about_origin(&generators);
         let vertices: Vec<[f64; 3]> =
             body.vertices().iter().map(|vertex| vertex.0.each_ref().map(|c| c.to_f64_fast())).collect();
-        let answer = min_length_enclosing(&vertices, 1e-6).map_err(|error| error.to_string())?;
+        let answer = min_length(&vertices, 1e-6).map_err(|error| error.to_string())?;
         check_shortest(&vertices, &answer).map_err(|defect| format!("{generators:?}: {defect}"))?;
         let (own, lower) = (length(&rows(&generators)), exactly(answer.lower_bound));
         let slack = RBig::ONE + fraction(1, 1_000_000);

@@ -2,7 +2,8 @@
 
 use experiments::families::clouds;
 use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
-use zonotope::enclosing::min_total_length::{Net, by_direction_net, min_length_enclosing};
+use zonotope::enclosing::min_length;
+use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::growth::verdict;
@@ -69,17 +70,17 @@ fn keeps<const D: usize>(
     for &epsilon in precisions {
         let answer = match net {
             Some(net) => by_direction_net::min_length_by_net(&points, epsilon, net),
-            None => min_length_enclosing(&points, epsilon),
+            None => min_length(&points, epsilon),
         };
         let answer = answer.map_err(|error| error.to_string())?;
         let name = || format!("{count} points in R^{D}, eps = {epsilon}, {net:?}");
         check_shortest(&points, &answer).map_err(|defect| format!("{}: {defect}", name()))?;
-        if answer.ratio > 1.0 + epsilon {
-            return Err(format!("{}: ratio {}", name(), answer.ratio));
+        if answer.ratio() > 1.0 + epsilon {
+            return Err(format!("{}: ratio {}", name(), answer.ratio()));
         }
         seen.answers += 1;
         if net.is_some() {
-            seen.largest_share = seen.largest_share.max((answer.ratio - 1.0) / epsilon);
+            seen.largest_share = seen.largest_share.max((answer.ratio() - 1.0) / epsilon);
         }
     }
     Ok(())

@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 use experiments::families::clouds;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
-use zonotope::enclosing::min_total_length::min_length_enclosing;
+use zonotope::enclosing::min_length;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
 use crate::definitions::enclosing::absolute;
@@ -85,10 +85,10 @@ fn octahedron(random: &mut Pcg64Mcg) -> Result<(), String> {
 /// The least total length around a solid, with its proof checked.
 fn by_length(name: &str) -> Result<String, String> {
     let points = clouds::solid(name).ok_or_else(|| format!("no solid is called {name}"))?;
-    let answer = min_length_enclosing(&points, 0.01).map_err(|error| error.to_string())?;
+    let answer = min_length(&points, 0.01).map_err(|error| error.to_string())?;
     check_shortest(&points, &answer).map_err(|defect| format!("{name}: {defect}"))?;
-    if answer.ratio > 1.01 {
-        return Err(format!("{name}: ratio {}", answer.ratio));
+    if answer.ratio() > 1.01 {
+        return Err(format!("{name}: ratio {}", answer.ratio()));
     }
-    Ok(format!("{name} {:.4} to {:.4}", answer.lower_bound, answer.length))
+    Ok(format!("{name} {:.4} to {:.4}", answer.lower_bound, answer.value))
 }

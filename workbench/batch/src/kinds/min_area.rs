@@ -1,9 +1,8 @@
 //! `min_area`: the zonogon of least area that contains points of the plane.
 
 use serde_json::{Value, json};
-use zonotope::enclosing::min_area_zonogon::{MinAreaError, MinAreaZonogon, min_area_enclosing_zonogon_with};
+use zonotope::enclosing::min_area_zonogon::{Method, MinAreaError, MinAreaZonogon};
 use zonotope::hull::HullError;
-use zonotope::lad::Method;
 
 use super::{Kind, Solution};
 use crate::fields::Fields;
@@ -15,11 +14,7 @@ pub(super) const KIND: Kind = Kind {
     summary: "the zonogon of least area that contains points of the plane",
     fields: &["points"],
     optional: &[],
-    methods: || {
-        let default = Method::default();
-        let others = Method::FAST.into_iter().filter(|&method| method != default);
-        std::iter::once(default).chain(others).map(Method::id).collect()
-    },
+    methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };
 
@@ -27,7 +22,7 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
     let points = fields.vectors::<2>("points")?;
     let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
     let method = method.map_or(Method::default(), named);
-    let found = min_area_enclosing_zonogon_with(method, &points, seed, &mut ()).map_err(|error| {
+    let found = method.solve(&points, seed, &mut ()).map_err(|error| {
         let code = match error {
             MinAreaError::Points(HullError::Empty) => Code::Empty,
             _ => Code::TooLarge,
@@ -39,18 +34,18 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
 
 /// The result of a `min_area` answer, as it is written.
 pub fn result(found: &MinAreaZonogon) -> Value {
-    let generators: Vec<Value> = found.zonogon.generators().iter().map(|generator| vector_to_json(generator)).collect();
-    let farthest: Vec<usize> = found.farthest.iter().map(|farthest| farthest.vertex().get()).collect();
+    let generators: Vec<Value> = found.body.generators().iter().map(|generator| vector_to_json(generator)).collect();
+    let farthest: Vec<usize> = found.proof.farthest().iter().map(|farthest| farthest.vertex().get()).collect();
     json!({
-        "area": to_json(found.area),
-        "center": vector_to_json(&found.zonogon.center()),
+        "area": to_json(found.value),
+        "center": vector_to_json(&found.body.center()),
         "generators": generators,
         "lower_bound": to_json(found.lower_bound),
         "certificate": {
-            "hull": found.hull.indices().iter().map(|index| index.get()).collect::<Vec<usize>>(),
+            "hull": found.proof.hull().indices().iter().map(|index| index.get()).collect::<Vec<usize>>(),
             "farthest": farthest,
-            "coefficients": found.certificate.signs,
-            "basis": found.certificate.basis.iter().map(|edge| edge.position()).collect::<Vec<usize>>(),
+            "coefficients": found.proof.certificate().signs,
+            "basis": found.proof.certificate().basis.iter().map(|edge| edge.position()).collect::<Vec<usize>>(),
         },
     })
 }

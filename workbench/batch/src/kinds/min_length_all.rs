@@ -1,9 +1,7 @@
 //! `min_length_all`: the zonotope of least total length that contains points, along any directions.
 
 use serde_json::{Value, json};
-use zonotope::enclosing::min_total_length::{
-    MinLengthError, MinLengthZonotope, Net, Outcome, by_direction_net, by_vertex_sets,
-};
+use zonotope::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome};
 
 use super::{Kind, Solution};
 use crate::dimension::refused;
@@ -16,17 +14,16 @@ pub(super) const KIND: Kind = Kind {
     summary: "the zonotope of least total length that contains points, within a proven ratio",
     fields: &["points", "epsilon"],
     optional: &[],
-    methods: || METHODS.to_vec(),
+    methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };
-
-const METHODS: [&str; 3] = ["by_column_generation", "by_direction_net", "by_papers_net"];
 
 /// The most points that are taken in 1, 2, … dimensions.
 const POINT_LIMITS: [usize; 4] = [2_000_000, 200_000, 200_000, 20_000];
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
-    let method = method.unwrap_or(METHODS[0]);
+    let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
+    let method = method.map_or(Method::default(), named);
     let result = match fields.dimension_of_first("points")?.unwrap_or(1) {
         1 => in_space::<1>(fields, method)?,
         2 => in_space::<2>(fields, method)?,
@@ -34,10 +31,10 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
         4 => in_space::<4>(fields, method)?,
         other => return Err(refused("point 1", other, POINT_LIMITS.len())),
     };
-    Ok(Solution { method, result })
+    Ok(Solution { method: method.id(), result })
 }
 
-fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, Refusal> {
+fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
     let points = fields.vectors::<D>("points")?;
     let epsilon = fields.number("epsilon")?;
     let most = POINT_LIMITS[D - 1];
@@ -45,11 +42,7 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
         let message = format!("{} points, at most {most} are taken in {D} dimensions", points.len());
         return Err(Refusal::new(Code::TooLarge, message));
     }
-    let found = match method {
-        "by_direction_net" => by_direction_net::min_length_by_net(&points, epsilon, Net::Cells),
-        "by_papers_net" => by_direction_net::min_length_by_net(&points, epsilon, Net::Paper),
-        _ => by_vertex_sets::min_length_enclosing(&points, epsilon),
-    };
+    let found = method.solve(&points, epsilon, &mut ());
     found.map(|found| result(&found)).map_err(|error| {
         let code = match error {
             MinLengthError::Empty => Code::Empty,
@@ -62,17 +55,17 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, 
 
 /// The result of an answer, as it is written.
 fn result<const D: usize>(found: &MinLengthZonotope<D>) -> Value {
-    let generators: Vec<Value> = found.zonotope.generators().iter().map(|g| vector_to_json(g)).collect();
-    let forces = found.multipliers.iter();
+    let generators: Vec<Value> = found.body.generators().iter().map(|g| vector_to_json(g)).collect();
+    let forces = found.proof.multipliers.iter();
     let forces: Vec<Value> =
         forces.map(|force| json!({"point": force.point, "vector": vector_to_json(&force.vector)})).collect();
     json!({
-        "length": to_json(found.length),
-        "center": vector_to_json(&found.zonotope.center()),
+        "length": to_json(found.value),
+        "center": vector_to_json(&found.body.center()),
         "generators": generators,
         "lower_bound": to_json(found.lower_bound),
-        "ratio": to_json(found.ratio),
-        "within_epsilon": found.outcome == Outcome::WithinEpsilon,
+        "ratio": to_json(found.ratio()),
+        "within_epsilon": found.proof.outcome == Outcome::WithinEpsilon,
         "certificate": {"forces": forces},
     })
 }

@@ -1,11 +1,7 @@
 //! `min_length_dirs`: the smallest zonotope along given directions that contains points.
 
 use serde_json::{Value, json};
-use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, FixedDirectionsError, by_row_generation};
-#[cfg(feature = "linear-programming")]
-use zonotope::enclosing::fixed_directions::{papers_program, support_form};
-#[cfg(feature = "linear-programming")]
-use zonotope::linear_program::Clarabel;
+use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, FixedDirectionsError, Method};
 use zonotope::numeric::Rational;
 
 use super::{Kind, Solution};
@@ -19,17 +15,9 @@ pub(super) const KIND: Kind = Kind {
     summary: "the smallest zonotope along given directions that contains points",
     fields: &["points", "directions", "weights"],
     optional: &[],
-    methods: || METHODS.to_vec(),
+    methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };
-
-const METHODS: &[&str] = &[
-    "by_row_generation",
-    #[cfg(feature = "linear-programming")]
-    "support_form",
-    #[cfg(feature = "linear-programming")]
-    "papers_program",
-];
 
 /// The most coordinates that a point may have.
 const COORDINATE_LIMIT: usize = 4;
@@ -45,7 +33,8 @@ const PAIR_LIMIT: u64 = 1_000_000_000;
 const ENTRY_LIMIT: u64 = 4_000_000;
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
-    let method = method.unwrap_or(METHODS[0]);
+    let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
+    let method = method.map_or(Method::default(), named);
     let of_points = fields.dimension_of_first("points")?;
     let (dimension, named) = match (of_points, fields.dimension_of_first("directions")?) {
         (Some(dimension), _) => (dimension, "point 1"),
@@ -59,22 +48,16 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
         4 => in_space::<4>(fields, method)?,
         other => return Err(refused(named, other, COORDINATE_LIMIT)),
     };
-    Ok(Solution { method, result })
+    Ok(Solution { method: method.id(), result })
 }
 
-fn in_space<const D: usize>(fields: &Fields<'_>, method: &str) -> Result<Value, Refusal> {
+fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
     let points = fields.vectors::<D>("points")?;
     let directions = fields.vectors::<D>("directions")?;
     let weights = fields.numbers("weights")?;
     let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| refusal(&error))?;
     check_size(&problem, method)?;
-    let enclosure = match method {
-        #[cfg(feature = "linear-programming")]
-        "support_form" => support_form::min_length_by_support_form(&problem, &Clarabel),
-        #[cfg(feature = "linear-programming")]
-        "papers_program" => papers_program::min_length_by_papers_program(&problem, &Clarabel),
-        _ => by_row_generation::min_length_along(&problem),
-    };
+    let enclosure = method.solve(&problem, &mut ());
     enclosure.map(|enclosure| result(&enclosure)).map_err(|error| refusal(&error))
 }
 
@@ -114,22 +97,24 @@ fn refusal(error: &FixedDirectionsError) -> Refusal {
     Refusal::new(code, message)
 }
 
-fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: &str) -> Result<(), Refusal> {
+fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: Method) -> Result<(), Refusal> {
     let (n, k) = (problem.points().len() as u64, problem.directions().len() as u64);
     let too_large = |message: String| Err(Refusal::new(Code::TooLarge, message));
     if k > DIRECTION_LIMIT as u64 {
         return too_large(format!("{k} directions, at most {DIRECTION_LIMIT} are taken"));
     }
-    let normals = if method == METHODS[0] { k } else { facet_normals::<D>(k) };
+    let normals = if method == Method::default() { k } else { facet_normals::<D>(k) };
     if n.saturating_mul(normals) > PAIR_LIMIT {
-        let what = if method == METHODS[0] { "directions" } else { "facet normals" };
+        let what = if method == Method::default() { "directions" } else { "facet normals" };
         return too_large(format!(
             "{n} points and {normals} {what} make more than the {PAIR_LIMIT} pairs that are taken"
         ));
     }
     let entries = match method {
-        "support_form" => normals.saturating_mul(2 * (k + D as u64)),
-        "papers_program" => n.min(2 * normals).saturating_mul(k * (D as u64 + 4)),
+        #[cfg(feature = "linear-programming")]
+        Method::SupportForm => normals.saturating_mul(2 * (k + D as u64)),
+        #[cfg(feature = "linear-programming")]
+        Method::PapersProgram => n.min(2 * normals).saturating_mul(k * (D as u64 + 4)),
         _ => 0,
     };
     if entries > ENTRY_LIMIT {

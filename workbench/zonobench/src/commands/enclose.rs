@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use anyhow::{anyhow, bail};
 use clap::Args;
 use serde_json::json;
-use zonotope::lad::Method;
+use zonotope::enclosing::min_area_zonogon::Method;
 
 use super::Ending;
 use super::asking::{Asking, Objective, Usage};

@@ -20,17 +20,17 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
     let shrink = -i64::from(binary_exponent(largest(points)).unwrap_or(0));
     let small = |coordinates: [Dyadic; 2]| coordinates.map(|coordinate| coordinate.scaled(shrink).to_f64());
     let place = |point: &[f64; 2]| small(point.map(Dyadic::from_f64));
-    let exact_vertices = found.zonogon.exact_vertices();
+    let exact_vertices = found.body.exact_vertices();
     let vertex_count = exact_vertices.len();
     let vertices: Vec<[f64; 2]> = thinned(exact_vertices).map(small).collect();
-    let hull_vertices: Vec<[f64; 2]> = thinned(found.hull.vertices().iter()).map(place).collect();
-    let center = place(&found.zonogon.center());
+    let hull_vertices: Vec<[f64; 2]> = thinned(found.proof.hull().vertices().iter()).map(place).collect();
+    let center = place(&found.body.center());
     let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy();
     let title = format!("Smallest zonogon around {name}");
     let description = format!(
         "{} points, their convex hull with {} vertices, and the enclosing zonogon of least area with {} vertices.",
         points.len(),
-        found.hull.vertex_count(),
+        found.proof.hull().vertex_count(),
         vertex_count
     );
     let world = WorldBox::around(vertices.iter().chain(&hull_vertices));
@@ -44,7 +44,7 @@ pub(super) fn draw(file: &Path, points: &[[f64; 2]], enclosure: &Enclosure) -> S
     panel.polygon(&hull_vertices, &hull);
     let shown: Vec<[f64; 2]> = thinned(points.iter()).map(place).collect();
     panel.markers(&shown, &dot);
-    if found.hull.vertex_count() <= MARKED_CORNER_LIMIT {
+    if found.proof.hull().vertex_count() <= MARKED_CORNER_LIMIT {
         panel.markers(&hull_vertices, &INPUT_POINT);
     }
     panel.marker(center, &OPTIMAL_CENTER);

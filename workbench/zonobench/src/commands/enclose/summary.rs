@@ -18,19 +18,22 @@ pub(super) fn summary(
 ) -> String {
     let found = &enclosure.found;
     let (hull_area, ratio) = enclosure.hull_area_and_ratio();
-    let [x, y] = found.zonogon.center();
+    let [x, y] = found.body.center();
     let mut lines: Vec<(&str, String)> =
         vec![("points", format!("{} in {}", reading.points.len(), options.file.display()))];
     lines.extend(reading.in_words().map(|columns| ("columns", columns)));
     lines.extend([
-        ("hull", format!("{}, area {}", counted(found.hull.vertex_count(), "vertex", "vertices"), figure(hull_area))),
+        (
+            "hull",
+            format!("{}, area {}", counted(found.proof.hull().vertex_count(), "vertex", "vertices"), figure(hull_area)),
+        ),
         ("centre", format!("({}, {})", figure(x), figure(y))),
-        ("zonogon", counted(found.zonogon.generators().len(), "generator", "generators")),
+        ("zonogon", counted(found.body.generators().len(), "generator", "generators")),
         (
             "area",
             format!(
                 "{}{}",
-                figure(found.area),
+                figure(found.value),
                 ratio.map_or(String::new(), |ratio| format!(", {ratio:.6} times the hull's"))
             ),
         ),
@@ -38,7 +41,7 @@ pub(super) fn summary(
     ]);
     match proof {
         Ok(proof) => {
-            let gap = if found.hull.has_area() {
+            let gap = if found.proof.hull().has_area() {
                 format!("at most {:.1e}: no enclosing zonogon is smaller by more", proof.gap.max(0.0))
             } else {
                 "the points lie on a line, so the least area is 0; anything above it is outward rounding".to_owned()
@@ -49,7 +52,7 @@ pub(super) fn summary(
         }
         Err(reason) => lines.push(("certificate", format!("WRONG: {reason}"))),
     }
-    let uniqueness = match (found.hull.has_area(), found.face_dimension) {
+    let uniqueness = match (found.proof.hull().has_area(), found.proof.face_dimension()) {
         (_, 0) => "unique: no other centre gives this area",
         (true, 1) => "not unique: the optimal centres form a segment",
         (true, _) => "not unique: the optimal centres form a polygon",

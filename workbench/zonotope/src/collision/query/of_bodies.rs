@@ -6,10 +6,8 @@
 use super::{Gauge, Location};
 use crate::collision::{Finding, Method, Query};
 use crate::numeric::non_finite::NonFinite;
+use crate::numeric::seed::DEFAULT_SEED;
 use crate::zonotope::Zonotope;
-
-/// The seed of methods that draw samples: no answer depends on it, so that callers need not choose one.
-const SEED: u64 = 0;
 
 impl<const D: usize> Zonotope<D> {
     /// Whether a point lies in the closed body, exactly. O(n) expected in up to four dimensions, O(n^D) in rationals
@@ -61,7 +59,7 @@ impl<const D: usize> Zonotope<D> {
 
 #[inline]
 fn located<const D: usize>(query: &Query<'_, D>) -> Location<D> {
-    match Method::default_in(D).locate(query, SEED, &mut ()).map(Finding::into_location) {
+    match Method::default_in(D).locate(query, DEFAULT_SEED, &mut ()).map(Finding::into_location) {
         Ok(Some(location)) => location,
         _ => unreachable!("the default method of a dimension works there and locates every displacement"),
     }

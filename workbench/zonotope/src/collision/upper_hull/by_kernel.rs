@@ -42,10 +42,8 @@
 
 use super::{Height, HeightError, validate};
 use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize_counted};
+use crate::numeric::seed::DEFAULT_SEED;
 use crate::tally::Tally;
-
-/// The seed of the kernel: it decides the time, never the height.
-const SEED: u64 = 0;
 
 /// The height of the upper hull over a point.
 ///
@@ -63,7 +61,7 @@ pub fn height_counted(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Ta
     validate(generators, p0)?;
     let lines: Vec<WeightedLine> = generators.iter().map(|&[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
     let problem = LadProblem::new(&lines, p0.map(|c| -c)).expect("the coordinates are finite, weights are 1");
-    Ok(match minimize_counted(&problem, SEED, tally) {
+    Ok(match minimize_counted(&problem, DEFAULT_SEED, tally) {
         LadOutcome::Optimal(optimum) => {
             Height::OverQ(optimum.exact_value(&problem).expect("the optimum is of this problem"))
         }

@@ -1,6 +1,7 @@
 //! The answer: a zonotope along the directions with what proves it small, or the proof that there is none.
 
-use super::problem::FixedDirections;
+use super::problem::{FixedDirections, FixedDirectionsError};
+use crate::enclosing::answer::{Effort, Enclosing, relative_gap};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::outward::Loss;
@@ -8,9 +9,9 @@ use crate::zonotope::Zonotope;
 
 /// The outcome: a zonotope, or the proof that there is none.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Enclosure<const D: usize> {
+pub enum Enclosure<const D: usize, Found = DirectedZonotope<D>> {
     /// A zonotope that contains every point exactly.
-    Optimal(DirectedZonotope<D>),
+    Optimal(Found),
     /// No zonotope along the directions contains the points.
     Infeasible(OffSpan<D>),
 }
@@ -44,17 +45,13 @@ pub struct Multiplier<const D: usize> {
     pub vector: [Rational; D],
 }
 
-/// The effort that a method took.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Effort {
-    /// Rows of the last linear program: normals, or equations and bounds.
-    pub rows: usize,
-    /// The number of times that a linear program was solved.
-    pub rounds: usize,
-    /// The number of passes over all points.
-    pub passes: usize,
-    /// Whether rational arithmetic had to find the optimum.
-    pub exact: bool,
+/// What proves a lower bound along given directions, and how far each direction is taken.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DirectionsProof<const D: usize> {
+    /// The coefficients c_i ≥ 0, one for each direction, whose weighted sum is the value.
+    pub coefficients: Vec<f64>,
+    /// What proves the lower bound.
+    pub multipliers: Vec<Multiplier<D>>,
 }
 
 /// The proof that two points differ by a vector outside the span of the directions.
@@ -83,13 +80,35 @@ pub struct ExactOptimum<const D: usize> {
 /// Bounds whose relative gap is at most this are tight: rounding a sum of coefficients alone may cost as much.
 pub(super) const TIGHT_RELATIVE_GAP: f64 = 1e-13;
 
-impl<const D: usize> Enclosure<D> {
+impl<const D: usize, Found> Enclosure<D, Found> {
     /// The zonotope, if there is one.
-    pub fn optimal(&self) -> Option<&DirectedZonotope<D>> {
+    pub fn optimal(&self) -> Option<&Found> {
         match self {
             Self::Optimal(zonotope) => Some(zonotope),
             Self::Infeasible(_) => None,
         }
+    }
+}
+
+impl<const D: usize> Enclosure<D> {
+    /// The same outcome with generators in doubles: those of [`DirectedZonotope::zonotope`], which contain the zonotope of
+    /// the exact products. The value stays that of the coefficients. O(k D).
+    ///
+    /// # Errors
+    /// [`FixedDirectionsError::OutOfRange`] if a generator leaves the range of doubles.
+    pub fn in_doubles(
+        self,
+        problem: &FixedDirections<'_, D>,
+    ) -> Result<Enclosure<D, Enclosing<D, DirectionsProof<D>>>, FixedDirectionsError> {
+        Ok(match self {
+            Self::Infeasible(proof) => Enclosure::Infeasible(proof),
+            Self::Optimal(found) => {
+                let body = found.zonotope(problem).ok_or(FixedDirectionsError::OutOfRange)?;
+                let DirectedZonotope { coefficients, value, lower_bound, multipliers, effort, .. } = found;
+                let proof = DirectionsProof { coefficients, multipliers };
+                Enclosure::Optimal(Enclosing { body, value, lower_bound, proof, effort })
+            }
+        })
     }
 }
 
@@ -101,7 +120,7 @@ impl<const D: usize> DirectedZonotope<D> {
 
     /// How far the value may exceed the least possible one, relative to the lower bound; zero when both are zero.
     pub fn relative_gap(&self) -> f64 {
-        if self.value == self.lower_bound { 0.0 } else { (self.value - self.lower_bound) / self.lower_bound }
+        relative_gap(self.value, self.lower_bound)
     }
 
     /// A zonotope with generators in doubles that contains this one: the products c_i v_i rounded, and up to D

@@ -8,7 +8,7 @@
 //! 5. `contain` finds centre and coefficients in doubles with which every point is inside, exactly;
 //! 6. `rational` finds the optimum in rationals where the bounds do not meet and the problem is small.
 
-use super::answer::{DirectedZonotope, Effort, Enclosure, OffSpan};
+use super::answer::{DirectedZonotope, Enclosure, OffSpan};
 use super::by_row_generation::Generation;
 use super::contain::contain;
 use super::contain::flat_center::{cheapest_center, nearest_doubles};
@@ -16,6 +16,7 @@ use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational::refine;
 use super::scaled::{Scaled, Setting};
+use crate::enclosing::answer::Effort;
 use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::exact_linear::{Span, rational};
 use crate::numeric::outward::at_most;
@@ -69,8 +70,12 @@ fn prove<const D: usize>(
         program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
     let (bound, multipliers) = proven_bound(problem, scaled, &unbalanced);
     let lower_bound = at_most(&bound);
-    let effort =
-        Effort { rows: program.rows().len(), rounds: generation.rounds, passes: generation.passes, exact: false };
+    let effort = Effort {
+        rows: program.rows().len(),
+        rounds: generation.rounds,
+        passes: generation.passes,
+        ..Effort::default()
+    };
     let coefficients = program.coefficients().to_vec();
     let mut active: Vec<usize> = program.rows().iter().map(|row| row.point).collect();
     active.push(0);

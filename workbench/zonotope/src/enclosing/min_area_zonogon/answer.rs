@@ -2,12 +2,12 @@
 
 use thiserror::Error;
 
+use crate::enclosing::answer::Enclosing;
 use crate::hull::antipodal::FarthestVertex;
 use crate::hull::{ConvexHull, HullError};
 use crate::lad::LadCertificate;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::zonotope::Zonotope;
 
 /// Why points are refused.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -19,35 +19,50 @@ pub enum MinAreaError {
 }
 
 /// A zonogon that contains every input point exactly, its area within a stated distance of the least possible.
-#[derive(Debug, Clone)]
-pub struct MinAreaZonogon {
-    /// The zonogon, rounded outward.
-    pub zonogon: Zonotope<2>,
-    /// An upper bound of its area; infinite where areas leave the range of doubles.
-    pub area: f64,
-    /// A lower bound of the area of every zonogon that contains the points.
-    pub lower_bound: f64,
-    /// The optimal centre in homogeneous coordinates [X, Y, W], W > 0: (X / W, Y / W), exactly.
-    pub optimal_center: [Dyadic; 3],
-    /// The dimension of the set of optimal centres: 0 when the centre is unique.
-    pub face_dimension: u8,
-    /// The convex hull of the points.
-    pub hull: ConvexHull,
-    /// The farthest vertex of each edge of the hull; empty when the hull has no area.
-    pub farthest: Vec<FarthestVertex>,
-    /// Coefficients δ_t, one for each edge of the hull, that prove the lower bound; empty when the hull has no area.
-    pub certificate: LadCertificate,
+pub type MinAreaZonogon = Enclosing<2, AreaProof>;
+
+/// What proves a lower bound of the area: the hull, its lines ℓ_t and the optimum of the kernel's problem for them.
+///
+/// The parts fit together, since methods alone put them together; [`exact_optimum`](super::exact::exact_optimum) rests on
+/// that.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AreaProof {
+    pub(super) optimal_center: [Dyadic; 3],
+    pub(super) face_dimension: u8,
+    pub(super) hull: ConvexHull,
+    pub(super) farthest: Vec<FarthestVertex>,
+    pub(super) certificate: LadCertificate,
 }
 
-impl MinAreaZonogon {
+impl AreaProof {
+    /// The optimal centre in homogeneous coordinates [X, Y, W], W > 0: (X / W, Y / W), exactly.
+    pub fn optimal_center(&self) -> &[Dyadic; 3] {
+        &self.optimal_center
+    }
+
     /// The optimal centre, exactly.
     pub fn exact_center(&self) -> [Rational; 2] {
         let [x, y, w] = self.optimal_center.clone().map(|v| v.to_rational());
         [x / &w, y / w]
     }
 
-    /// How far the area may exceed the least possible one, relative to the lower bound; zero when both are zero.
-    pub fn relative_gap(&self) -> f64 {
-        if self.area == self.lower_bound { 0.0 } else { (self.area - self.lower_bound) / self.lower_bound }
+    /// The dimension of the set of optimal centres: 0 when the centre is unique.
+    pub fn face_dimension(&self) -> u8 {
+        self.face_dimension
+    }
+
+    /// The convex hull of the points.
+    pub fn hull(&self) -> &ConvexHull {
+        &self.hull
+    }
+
+    /// The farthest vertex of each edge of the hull; empty when the hull has no area.
+    pub fn farthest(&self) -> &[FarthestVertex] {
+        &self.farthest
+    }
+
+    /// Coefficients δ_t, one for each edge of the hull, that prove the lower bound; empty when the hull has no area.
+    pub fn certificate(&self) -> &LadCertificate {
+        &self.certificate
     }
 }

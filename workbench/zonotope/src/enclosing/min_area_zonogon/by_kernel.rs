@@ -43,42 +43,37 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::enclosing::min_area_zonogon::min_area_enclosing_zonogon;
+//! use zonotope::enclosing::min_area_zonogon::by_kernel::min_area_by_kernel;
+//! use zonotope::lad::Method;
 //!
 //! // around a triangle the best zonogon is a parallelogram of twice its area
-//! let answer = min_area_enclosing_zonogon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
-//! assert_eq!(answer.area, 4.0);
-//! assert_eq!(answer.face_dimension, 2); // any centre in the medial triangle will do
+//! let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
+//! let answer = min_area_by_kernel(Method::Pruning, &points, 0, &mut ())?;
+//! assert_eq!(answer.value, 4.0);
+//! assert_eq!(answer.proof.face_dimension(), 2); // any centre in the medial triangle will do
 //! # Ok::<(), zonotope::enclosing::min_area_zonogon::MinAreaError>(())
 //! ```
 
-use super::answer::{MinAreaError, MinAreaZonogon};
+use super::answer::{AreaProof, MinAreaError, MinAreaZonogon};
 use super::rounded_center::{Kernel, RoundedCenter};
 use super::segment::around_segment;
+use crate::enclosing::answer::{Effort, Enclosing};
 use crate::enclosing::bisectors::Bisectors;
 use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
 use crate::hull::{ConvexHull, convex_hull_counted};
-use crate::lad::{LadOptimum, Method};
+use crate::lad::{self, LadOptimum};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::outward::at_most;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
-
-/// The zonogon of least area around points of the plane, by the default method.
-///
-/// # Errors
-/// When there are no points, too many, or one is not finite.
-pub fn min_area_enclosing_zonogon(points: &[[f64; 2]]) -> Result<MinAreaZonogon, MinAreaError> {
-    min_area_enclosing_zonogon_with(Method::default(), points, 0, &mut ())
-}
 
 /// The zonogon of least area by a chosen method of the kernel, counting operations. `seed` decides the time, never the
 /// area.
 ///
 /// # Errors
 /// When there are no points, too many, or one is not finite.
-pub fn min_area_enclosing_zonogon_with(
-    method: Method,
+pub fn min_area_by_kernel(
+    kernel: lad::Method,
     points: &[[f64; 2]],
     seed: u64,
     tally: &mut impl Tally,
@@ -90,7 +85,7 @@ pub fn min_area_enclosing_zonogon_with(
     let farthest = farthest_vertices_counted(&hull, tally);
     let bisectors = Bisectors::new(&hull, &farthest);
     let problem = bisectors.kernel_problem();
-    let outcome = method.minimize(&problem, seed, tally);
+    let outcome = kernel.minimize(&problem, seed, tally);
     let optimum = outcome.into_optimum().expect("an area is never negative, so the objective is bounded");
     let optimal_center = bisectors.frame.center_of(&optimum.point_in(&problem));
     let kernel = Kernel { bisectors: &bisectors, problem: &problem, optimum: &optimum, center: &optimal_center };
@@ -106,7 +101,9 @@ pub fn min_area_enclosing_zonogon_with(
     let Rounded { zonogon, area, lower_bound } = rounded;
     let LadOptimum { face_dimension, certificate, .. } = optimum;
     drop(problem);
-    Ok(MinAreaZonogon { zonogon, area, lower_bound, optimal_center, face_dimension, hull, farthest, certificate })
+    let effort = Effort { rows: hull.edge_count(), rounds: 1, ..Effort::default() };
+    let proof = AreaProof { optimal_center, face_dimension, hull, farthest, certificate };
+    Ok(Enclosing { body: zonogon, value: area, lower_bound, proof, effort })
 }
 
 /// A zonogon in doubles with its bounds.

@@ -19,12 +19,17 @@ pub struct ExactZonogon {
 
 /// The exact optimum behind an answer. O(h) rational operations for h hull vertices.
 pub fn exact_optimum(answer: &MinAreaZonogon) -> ExactZonogon {
-    let bisectors = Bisectors::new(&answer.hull, &answer.farthest);
-    let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&answer.optimal_center), &mut ());
-    let rounded_center = answer.zonogon.center();
-    let boundary =
-        CenteredZonogon::from_sides(&answer.hull, &answer.farthest, rounded_center, &answer.optimal_center, &sides);
-    let center = answer.exact_center();
+    let bisectors = Bisectors::new(&answer.proof.hull, &answer.proof.farthest);
+    let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&answer.proof.optimal_center), &mut ());
+    let rounded_center = answer.body.center();
+    let boundary = CenteredZonogon::from_sides(
+        &answer.proof.hull,
+        &answer.proof.farthest,
+        rounded_center,
+        &answer.proof.optimal_center,
+        &sides,
+    );
+    let center = answer.proof.exact_center();
     let vertices: Vec<[Rational; 2]> =
         boundary.half_boundary().iter().map(|&v| exact_vertex(answer, &center, v)).collect();
     let half = Rational::from_parts(1.into(), 2u8.into());
@@ -38,7 +43,7 @@ pub fn exact_optimum(answer: &MinAreaZonogon) -> ExactZonogon {
 
 /// A vertex of the boundary of Z(O) for the exact centre O.
 fn exact_vertex(answer: &MinAreaZonogon, center: &[Rational; 2], at: BoundaryVertex) -> [Rational; 2] {
-    let point = answer.hull.vertex(at.vertex).map(|v| Dyadic::from_f64(v).to_rational());
+    let point = answer.proof.hull.vertex(at.vertex).map(|v| Dyadic::from_f64(v).to_rational());
     if !at.reflected {
         return point;
     }

@@ -16,11 +16,12 @@ mod answer;
 pub mod brute_force;
 pub mod by_kernel;
 pub mod exact;
+mod method;
 mod rounded_center;
 mod segment;
 
-pub use answer::{MinAreaError, MinAreaZonogon};
-pub use by_kernel::{min_area_enclosing_zonogon, min_area_enclosing_zonogon_with};
+pub use answer::{AreaProof, MinAreaError, MinAreaZonogon};
+pub use method::Method;
 
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::answer::MinAreaZonogon;
+use super::answer::{AreaProof, MinAreaZonogon};
+use crate::enclosing::answer::{Effort, Enclosing};
 use crate::enclosing::bisectors::Bisectors;
 use crate::enclosing::centered_zonogon::CenteredZonogon;
 use crate::enclosing::outward::round_outward_exactly;
@@ -35,16 +36,14 @@ pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
         None => rounded(&hull, [0, 1].map(|i| halves(&sum)[i].to_f64())),
     };
     let [x, y] = sum;
-    MinAreaZonogon {
-        zonogon,
-        area,
-        lower_bound: 0.0,
+    let proof = AreaProof {
         optimal_center: [x, y, Dyadic::from_f64(2.0)],
         face_dimension: if length.iter().all(Dyadic::is_zero) { 2 } else { 1 },
         hull,
         farthest: Vec::new(),
         certificate: LadCertificate { signs: Vec::new(), basis: Vec::new() },
-    }
+    };
+    Enclosing { body: zonogon, value: area, lower_bound: 0.0, proof, effort: Effort::default() }
 }
 
 /// A vector as doubles, if it is one.

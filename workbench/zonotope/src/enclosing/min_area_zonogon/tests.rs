@@ -4,35 +4,35 @@ use proptest::prelude::*;
 
 use super::exact::exact_optimum;
 use super::*;
+use crate::enclosing::min_area;
 use crate::interop::verifier::{check_exact_min_area, check_min_area};
-use crate::lad::Method;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 
 fn check(points: &[[f64; 2]]) -> Result<(), TestCaseError> {
     let (least, centers) = brute_force::least_area(points);
-    for method in Method::FAST {
-        let answer = min_area_enclosing_zonogon_with(method, points, 1, &mut ()).expect("finite points");
+    for method in Method::ALL {
+        let answer = method.solve(points, 1, &mut ()).expect("finite points");
         let exact = exact_optimum(&answer);
         prop_assert_eq!(&exact.area, &least, "{:?} {:?}", method, answer);
         prop_assert!(centers.is_empty() || centers.contains(&exact.center));
-        if answer.hull.has_area() {
-            prop_assert_eq!(answer.face_dimension == 0, centers.len() == 1);
+        if answer.proof.hull.has_area() {
+            prop_assert_eq!(answer.proof.face_dimension == 0, centers.len() == 1);
         }
         let verdict = check_min_area(points, &answer);
         prop_assert!(verdict.is_right(), "{:?}: {:?} {:?}", method, verdict, answer);
         let verdict = check_exact_min_area(points, &answer);
         prop_assert!(verdict.is_right(), "{:?}: {:?} {:?}", method, verdict, answer);
         prop_assert!(Dyadic::from_f64(answer.lower_bound).to_rational() <= least);
-        prop_assert!(!answer.area.is_finite() || Dyadic::from_f64(answer.area).to_rational() >= least);
+        prop_assert!(!answer.value.is_finite() || Dyadic::from_f64(answer.value).to_rational() >= least);
     }
     Ok(())
 }
 
 /// Whether doubles are fine enough for a relative excess of 1e-12: the hull is neither thin nor far from the origin.
 fn excess_is_small(points: &[[f64; 2]]) -> bool {
-    let answer = min_area_enclosing_zonogon(points).expect("finite points");
+    let answer = min_area(points).expect("finite points");
     answer.relative_gap() <= 1e-12
 }
 
@@ -108,17 +108,17 @@ proptest! {
 
 #[test]
 fn a_triangle_by_hand() {
-    let answer = min_area_enclosing_zonogon(&[[0.0, 0.0], [6.0, 0.0], [0.0, 3.0]]).expect("finite points");
-    assert_eq!((answer.area, answer.lower_bound > 18.0 - 1e-12, answer.face_dimension), (18.0, true, 2));
+    let answer = min_area(&[[0.0, 0.0], [6.0, 0.0], [0.0, 3.0]]).expect("finite points");
+    assert_eq!((answer.value, answer.lower_bound > 18.0 - 1e-12, answer.proof.face_dimension), (18.0, true, 2));
 }
 
 #[test]
 fn one_point_and_two_points_have_no_area() {
-    let point = min_area_enclosing_zonogon(&[[3.0, 4.0]; 3]).expect("finite points");
-    assert_eq!((point.area, point.zonogon.center(), point.zonogon.generators().len()), (0.0, [3.0, 4.0], 0));
-    let segment = min_area_enclosing_zonogon(&[[1.0, 1.0], [3.0, 2.0], [5.0, 3.0]]).expect("finite points");
-    assert_eq!((segment.area, segment.zonogon.center()), (0.0, [3.0, 2.0]));
-    assert_eq!(segment.zonogon.generators(), [[2.0, 1.0]]);
+    let point = min_area(&[[3.0, 4.0]; 3]).expect("finite points");
+    assert_eq!((point.value, point.body.center(), point.body.generators().len()), (0.0, [3.0, 4.0], 0));
+    let segment = min_area(&[[1.0, 1.0], [3.0, 2.0], [5.0, 3.0]]).expect("finite points");
+    assert_eq!((segment.value, segment.body.center()), (0.0, [3.0, 2.0]));
+    assert_eq!(segment.body.generators(), [[2.0, 1.0]]);
     assert_eq!(exact_optimum(&segment).area, Rational::ZERO);
 }
 
@@ -145,7 +145,7 @@ fn many_vertices_at_the_smallest_doubles() {
             [radius * cos, radius * sin]
         };
         let points: Vec<[f64; 2]> = (0..count).map(point).collect();
-        let answer = min_area_enclosing_zonogon(&points).expect("finite points");
+        let answer = min_area(&points).expect("finite points");
         assert_eq!(check_min_area(&points, &answer).proof().map(drop), Ok(()), "{count} points at {radius:e}");
     }
 }
@@ -153,7 +153,7 @@ fn many_vertices_at_the_smallest_doubles() {
 #[test]
 fn falsified_answers_are_rejected() {
     let points = [[0.0, 0.0], [6.0, 0.0], [2.0, 5.0], [7.0, 3.0]];
-    let right = || min_area_enclosing_zonogon(&points).expect("finite points");
+    let right = || min_area(&points).expect("finite points");
     assert!(check_min_area(&points, &right()).is_right() && check_exact_min_area(&points, &right()).is_right());
     let rejected = |change: &dyn Fn(&mut MinAreaZonogon), reason: &str| {
         let mut answer = right();
@@ -162,19 +162,19 @@ fn falsified_answers_are_rejected() {
         assert!(complaint.contains(reason), "{complaint}");
     };
     for area in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.0, 1e9] {
-        rejected(&|answer| answer.area = area, "area is");
+        rejected(&|answer| answer.value = area, "area is");
     }
     for bound in [f64::NAN, f64::INFINITY, 1e9] {
         rejected(&|answer| answer.lower_bound = bound, "lower_bound");
     }
     let mut elsewhere = right();
-    elsewhere.optimal_center[0] = elsewhere.optimal_center[0].clone() + Dyadic::from_f64(9.0);
+    elsewhere.proof.optimal_center[0] = elsewhere.proof.optimal_center[0].clone() + Dyadic::from_f64(9.0);
     assert!(check_exact_min_area(&points, &elsewhere).is_wrong());
     let larger = |answer: &mut MinAreaZonogon| {
-        let mut generators = answer.zonogon.generators().to_vec();
+        let mut generators = answer.body.generators().to_vec();
         generators.push([1e-9, 0.0]);
-        answer.zonogon = Zonotope::new(answer.zonogon.center(), generators).expect("finite");
-        answer.area = answer.zonogon.exact_area().to_f64().next_up();
+        answer.body = Zonotope::new(answer.body.center(), generators).expect("finite");
+        answer.value = answer.body.exact_area().to_f64().next_up();
     };
     rejected(&larger, "above the proven bound");
 }

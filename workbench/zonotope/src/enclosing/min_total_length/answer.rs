@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
+use crate::enclosing::answer::Enclosing;
 use crate::numeric::non_finite::NonFinite;
-use crate::zonotope::Zonotope;
 
 /// Why points or a precision are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -35,25 +35,17 @@ pub enum Outcome {
     EndedBefore,
 }
 
-/// A zonotope that contains every point exactly, its total length within a stated ratio of the least possible.
+/// A zonotope that contains every point exactly, its total length within a stated ratio of the least possible; its value
+/// is an upper bound of Σ |g_i|, the half-lengths of its generators.
+pub type MinLengthZonotope<const D: usize> = Enclosing<D, LengthProof<D>>;
+
+/// What proves a lower bound of the total length, and whether it is near enough.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MinLengthZonotope<const D: usize> {
-    /// The zonotope.
-    pub zonotope: Zonotope<D>,
-    /// An upper bound of Σ |g_i|, the half-lengths of its generators.
-    pub length: f64,
-    /// A lower bound of the total lengths of all zonotopes around the points.
-    pub lower_bound: f64,
-    /// `length` / `lower_bound`, rounded up; 1 when both are zero.
-    pub ratio: f64,
-    /// Whether `ratio` is at most 1 + ε.
-    pub outcome: Outcome,
-    /// The multipliers that prove the lower bound.
+pub struct LengthProof<const D: usize> {
+    /// What proves the lower bound.
     pub multipliers: Vec<LengthMultiplier<D>>,
-    /// The least length and the greatest lower bound after each round of the search.
-    pub progress: Vec<[f64; 2]>,
-    /// How many directions were tried: of generators for a net, of vertices of Σ [−1, 1] λ_j for vertex sets.
-    pub directions: usize,
+    /// Whether the ratio of the value to the lower bound is what was asked for.
+    pub outcome: Outcome,
 }
 
 /// The multiplier λ_j of a point j in the dual program: if Σ λ_j = 0 and Σ_j |λ_j · v| ≤ 1 for every unit vector v, no

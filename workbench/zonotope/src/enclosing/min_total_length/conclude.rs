@@ -1,10 +1,11 @@
 //! The last step of every method: from a zonotope in the frame and multipliers to an answer with its proofs.
 
-use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
+use super::answer::{LengthProof, MinLengthError, MinLengthZonotope, Outcome};
 use super::contain::around;
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
 use super::lower_bound::BestBound;
+use crate::enclosing::answer::{Effort, Enclosing};
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
@@ -46,22 +47,18 @@ pub(super) fn proven<const D: usize>(
     epsilon: f64,
 ) -> MinLengthZonotope<D> {
     let (lower_bound, multipliers) = best.proven(points, frame);
-    let ratio = if length == 0.0 { 1.0 } else { (length / lower_bound).next_up() };
-    let outcome = if ratio <= 1.0 + epsilon { Outcome::WithinEpsilon } else { Outcome::EndedBefore };
-    MinLengthZonotope { zonotope, length, lower_bound, ratio, outcome, multipliers, progress, directions }
+    let effort = Effort { rows: directions, rounds: progress.len(), progress, ..Effort::default() };
+    let proof = LengthProof { multipliers, outcome: Outcome::WithinEpsilon };
+    let mut answer = Enclosing { body: zonotope, value: length, lower_bound, proof, effort };
+    if answer.ratio() > 1.0 + epsilon {
+        answer.proof.outcome = Outcome::EndedBefore;
+    }
+    answer
 }
 
 /// The answer for points that are all equal: the point itself, of length zero.
 pub(super) fn around_equal_points<const D: usize>(points: &[[f64; D]]) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let zonotope = Zonotope::new(points[0], Vec::new()).map_err(|_| MinLengthError::OutOfRange)?;
-    Ok(MinLengthZonotope {
-        zonotope,
-        length: 0.0,
-        lower_bound: 0.0,
-        ratio: 1.0,
-        outcome: Outcome::WithinEpsilon,
-        multipliers: Vec::new(),
-        progress: Vec::new(),
-        directions: 0,
-    })
+    let proof = LengthProof { multipliers: Vec::new(), outcome: Outcome::WithinEpsilon };
+    Ok(Enclosing { body: zonotope, value: 0.0, lower_bound: 0.0, proof, effort: Effort::default() })
 }

@@ -2,7 +2,7 @@
 
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::by_direction_net::min_length_by_net;
-use super::by_vertex_sets::min_length_enclosing_counted;
+use super::by_vertex_sets::min_length_by_vertex_sets;
 use super::direction_net::Net;
 use crate::tally::Tally;
 
@@ -72,7 +72,7 @@ impl Method {
         tally: &mut impl Tally,
     ) -> Result<MinLengthZonotope<D>, MinLengthError> {
         match self {
-            Self::VertexSets => min_length_enclosing_counted(points, epsilon, tally),
+            Self::VertexSets => min_length_by_vertex_sets(points, epsilon, tally),
             Self::DirectionNet => min_length_by_net(points, epsilon, Net::Cells),
             Self::PapersNet => min_length_by_net(points, epsilon, Net::Paper),
         }

@@ -47,8 +47,7 @@ pub mod in_the_plane;
 mod lower_bound;
 mod method;
 
-pub use answer::{LengthMultiplier, MinLengthError, MinLengthZonotope, Outcome};
-pub use by_vertex_sets::{min_length_enclosing, min_length_enclosing_counted};
+pub use answer::{LengthMultiplier, LengthProof, MinLengthError, MinLengthZonotope, Outcome};
 pub use direction_net::Net;
 pub use method::Method;
 

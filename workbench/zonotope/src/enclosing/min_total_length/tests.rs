@@ -4,15 +4,16 @@ use proptest::prelude::*;
 use rand::{RngExt, SeedableRng};
 
 use super::*;
+use crate::enclosing::min_length;
 use crate::interop::verifier::check_min_length_all;
 
 fn check<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, TestCaseError> {
-    let answer = min_length_enclosing(points, epsilon).expect("finite points");
-    prop_assert!(answer.ratio <= 1.0 + epsilon, "{} of {} {:?}", answer.ratio, epsilon, answer.progress);
-    prop_assert_eq!(answer.outcome, Outcome::WithinEpsilon);
-    prop_assert!(answer.length <= answer.ratio * answer.lower_bound || answer.length == 0.0);
-    prop_assert!(answer.lower_bound <= answer.length);
-    if points.len() * answer.zonotope.generators().len() <= 60 {
+    let answer = min_length(points, epsilon).expect("finite points");
+    prop_assert!(answer.ratio() <= 1.0 + epsilon, "{} of {} {:?}", answer.ratio(), epsilon, answer.effort.progress);
+    prop_assert_eq!(answer.proof.outcome, Outcome::WithinEpsilon);
+    prop_assert!(answer.value <= answer.ratio() * answer.lower_bound || answer.value == 0.0);
+    prop_assert!(answer.lower_bound <= answer.value);
+    if points.len() * answer.body.generators().len() <= 60 {
         let verdict = check_min_length_all(points, epsilon, &answer);
         prop_assert!(verdict.is_right(), "{:?} {:?}", verdict, answer);
     }
@@ -34,14 +35,14 @@ proptest! {
     fn in_the_plane_the_optimum_is_a_quarter_of_a_perimeter(points in real::<2>(1..12)) {
         let answer = check(&points, 1e-9)?;
         let truth = in_the_plane::least_length(&points);
-        prop_assert!((answer.length - truth).abs() <= 1e-8 * truth + 1e-12, "{} {truth}", answer.length);
+        prop_assert!((answer.value - truth).abs() <= 1e-8 * truth + 1e-12, "{} {truth}", answer.value);
     }
 
     #[test]
     fn lattices_of_the_plane(points in lattice::<2>(1..9)) {
         let answer = check(&points, 1e-9)?;
         let truth = in_the_plane::least_length(&points);
-        prop_assert!((answer.length - truth).abs() <= 1e-8 * truth + 1e-12, "{} {truth}", answer.length);
+        prop_assert!((answer.value - truth).abs() <= 1e-8 * truth + 1e-12, "{} {truth}", answer.value);
     }
 
     #[test]
@@ -60,7 +61,7 @@ proptest! {
         for net in [Net::Paper, Net::Cells] {
             for epsilon in [0.5, 0.1, 0.03] {
                 let answer = by_direction_net::min_length_by_net(&points, epsilon, net).expect("finite points");
-                prop_assert!(answer.length <= (1.0 + epsilon) * truth + 1e-12);
+                prop_assert!(answer.value <= (1.0 + epsilon) * truth + 1e-12);
                 prop_assert!(answer.lower_bound <= truth * (1.0 + 1e-11));
             }
         }
@@ -73,7 +74,7 @@ proptest! {
         let corners: Vec<[f64; 3]> = (0..8).map(corner).collect();
         let answer = check(&corners, 1e-7)?;
         let truth: f64 = half.iter().sum();
-        prop_assert!((answer.length - truth).abs() <= 1e-7 * truth);
+        prop_assert!((answer.value - truth).abs() <= 1e-7 * truth);
     }
 
     #[test]
@@ -90,9 +91,9 @@ fn four_dimensions_and_flat_sets() {
     let with_origin: Vec<[f64; 4]> = simplex.iter().copied().chain([[0.0; 4]]).collect();
     check(&with_origin, 1e-2).expect("a simplex");
     let segment = check(&[[0.0; 3], [3.0, 4.0, 0.0]], 1e-9).expect("a segment");
-    assert!((segment.length - 2.5).abs() < 1e-14);
+    assert!((segment.value - 2.5).abs() < 1e-14);
     let point = check(&[[0.5, 0.25]; 3], 1e-9).expect("a point");
-    assert_eq!((point.length, point.ratio, point.zonotope.center()), (0.0, 1.0, [0.5, 0.25]));
+    assert_eq!((point.value, point.ratio(), point.body.center()), (0.0, 1.0, [0.5, 0.25]));
 }
 
 #[test]
@@ -105,10 +106,10 @@ fn points_on_a_sphere_to_the_last_digits() {
             p.map(|c| c / length)
         })
         .collect();
-    let answer = min_length_enclosing(&points, 1e-9).expect("finite");
-    assert!(answer.ratio <= 1.0 + 1e-9, "{}", answer.ratio);
-    for [upper, lower] in answer.progress {
-        assert!(lower <= answer.length && upper >= answer.lower_bound);
+    let answer = min_length(&points, 1e-9).expect("finite");
+    assert!(answer.ratio() <= 1.0 + 1e-9, "{}", answer.ratio());
+    for [upper, lower] in answer.effort.progress {
+        assert!(lower <= answer.value && upper >= answer.lower_bound);
     }
 }
 
@@ -157,8 +158,8 @@ fn points_that_are_nearly_equal_beside_the_others() {
 #[test]
 fn a_best_center_on_the_edge_of_the_box() {
     // the hull of the points and their reflections in (0, -2): a rhombus with diagonals 4 and 2
-    let answer = min_length_enclosing(&[[-2.0, -2.0], [2.0, -2.0], [0.0, -1.0]], 1e-9).expect("finite");
-    assert!((answer.length - 5f64.sqrt()).abs() < 1e-8 && answer.ratio <= 1.0 + 1e-9, "{answer:?}");
+    let answer = min_length(&[[-2.0, -2.0], [2.0, -2.0], [0.0, -1.0]], 1e-9).expect("finite");
+    assert!((answer.value - 5f64.sqrt()).abs() < 1e-8 && answer.ratio() <= 1.0 + 1e-9, "{answer:?}");
 }
 
 #[test]
@@ -168,14 +169,14 @@ fn a_square_with_rounded_corners_is_its_own_zonogon() {
     let square =
         [[one, 0.0], [6.123233995736767e-17, one], [-one, 1.2246467991473534e-16], [-1.83697019872103e-16, -one]];
     let answer = check(&square, 1e-9).expect("a square");
-    assert!((answer.length - 2f64.sqrt()).abs() < 1e-9);
+    assert!((answer.value - 2f64.sqrt()).abs() < 1e-9);
 }
 
 #[test]
 fn what_is_refused() {
-    assert_eq!(min_length_enclosing::<2>(&[], 0.1), Err(MinLengthError::Empty));
-    assert_eq!(min_length_enclosing(&[[0.0]], 1.0), Err(MinLengthError::BadEpsilon(1.0)));
-    assert!(matches!(min_length_enclosing(&[[f64::NAN]], 0.1), Err(MinLengthError::NonFinite { .. })));
+    assert_eq!(min_length::<2>(&[], 0.1), Err(MinLengthError::Empty));
+    assert_eq!(min_length(&[[0.0]], 1.0), Err(MinLengthError::BadEpsilon(1.0)));
+    assert!(matches!(min_length(&[[f64::NAN]], 0.1), Err(MinLengthError::NonFinite { .. })));
     let far = by_direction_net::min_length_by_net(&[[0.0; 3], [1.0; 3]], 1e-3, Net::Paper);
     assert!(matches!(far, Err(MinLengthError::TooManyDirections(_))));
 }
@@ -184,20 +185,21 @@ fn what_is_refused() {
 fn an_answer_that_is_not_near_enough_says_so() {
     // far from the origin no centre in doubles is as good as that of the least one
     let triangle = [[1e9, 0.0, 3.0], [1e9 + 1.0, 0.5, 3.0], [1e9, 1.0, 2.7]];
-    let answer = min_length_enclosing(&triangle, 1e-12).expect("finite");
-    let within_more = MinLengthZonotope { outcome: Outcome::WithinEpsilon, ..answer.clone() };
+    let answer = min_length(&triangle, 1e-12).expect("finite");
+    let mut within_more = answer.clone();
+    within_more.proof.outcome = Outcome::WithinEpsilon;
     assert!(check_min_length_all(&triangle, 1e-4, &within_more).is_right());
-    assert!(answer.ratio > 1.0 + 1e-12 && answer.ratio < 1.0 + 1e-5, "{}", answer.ratio);
-    assert_eq!(answer.outcome, Outcome::EndedBefore);
-    let coarse = min_length_enclosing(&triangle, 1e-4).expect("finite");
-    assert_eq!(coarse.outcome, Outcome::WithinEpsilon);
+    assert!(answer.ratio() > 1.0 + 1e-12 && answer.ratio() < 1.0 + 1e-5, "{}", answer.ratio());
+    assert_eq!(answer.proof.outcome, Outcome::EndedBefore);
+    let coarse = min_length(&triangle, 1e-4).expect("finite");
+    assert_eq!(coarse.proof.outcome, Outcome::WithinEpsilon);
 }
 
 #[test]
 fn where_no_bound_is_a_double_the_ratio_is_infinite() {
     // half the least positive double rounds down to none
     let points = [[0.0], [f64::from_bits(1)]];
-    let answer = min_length_enclosing(&points, 1e-9).expect("finite");
-    assert_eq!((answer.lower_bound, answer.ratio), (0.0, f64::INFINITY));
+    let answer = min_length(&points, 1e-9).expect("finite");
+    assert_eq!((answer.lower_bound, answer.ratio()), (0.0, f64::INFINITY));
     assert!(check_min_length_all(&points, 1e-9, &answer).is_right());
 }

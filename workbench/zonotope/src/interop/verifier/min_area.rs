@@ -9,9 +9,9 @@ use crate::enclosing::min_area_zonogon::exact::exact_optimum;
 /// Checks a zonogon of least area, but for its exact centre and the dimension of the set of optimal centres.
 pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaZonogon) -> Verdict<MinAreaProof> {
     let written = MinAreaAnswer {
-        area: answer.area,
-        center: answer.zonogon.center(),
-        generators: answer.zonogon.generators().to_vec(),
+        area: answer.value,
+        center: answer.body.center(),
+        generators: answer.body.generators().to_vec(),
         lower_bound: answer.lower_bound,
         certificate: certificate(answer),
     };
@@ -32,9 +32,9 @@ pub fn check_exact_min_area(points: &[[f64; 2]], answer: &MinAreaZonogon) -> Ver
 
 fn certificate(answer: &MinAreaZonogon) -> Certificate {
     Certificate {
-        hull: answer.hull.indices().iter().map(|index| index.get()).collect(),
-        farthest: answer.farthest.iter().map(|farthest| farthest.vertex().get()).collect(),
-        coefficients: answer.certificate.signs.iter().map(|&sign| f64::from(sign)).collect(),
-        basis: answer.certificate.basis.iter().map(|edge| edge.position()).collect(),
+        hull: answer.proof.hull().indices().iter().map(|index| index.get()).collect(),
+        farthest: answer.proof.farthest().iter().map(|farthest| farthest.vertex().get()).collect(),
+        coefficients: answer.proof.certificate().signs.iter().map(|&sign| f64::from(sign)).collect(),
+        basis: answer.proof.certificate().basis.iter().map(|edge| edge.position()).collect(),
     }
 }

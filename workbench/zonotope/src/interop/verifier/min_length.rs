@@ -24,13 +24,13 @@ pub fn check_min_length_all_at_any_ratio<const D: usize>(
 
 fn written<const D: usize>(answer: &MinLengthZonotope<D>) -> MinLengthAnswer {
     MinLengthAnswer {
-        length: answer.length,
-        center: answer.zonotope.center().to_vec(),
-        generators: rows(answer.zonotope.generators()),
+        length: answer.value,
+        center: answer.body.center().to_vec(),
+        generators: rows(answer.body.generators()),
         lower_bound: answer.lower_bound,
-        ratio: answer.ratio,
-        within_epsilon: Some(answer.outcome == Outcome::WithinEpsilon),
-        forces: answer.multipliers.iter().map(|force| (force.point, force.vector.to_vec())).collect(),
+        ratio: answer.ratio(),
+        within_epsilon: Some(answer.proof.outcome == Outcome::WithinEpsilon),
+        forces: answer.proof.multipliers.iter().map(|force| (force.point, force.vector.to_vec())).collect(),
     }
 }
 

@@ -23,9 +23,10 @@ mod missing;
 mod rational_coefficients;
 mod thickened;
 
-use super::answer::{DirectedZonotope, Effort};
+use super::answer::DirectedZonotope;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::scaled::Scaled;
+use crate::enclosing::answer::Effort;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;

@@ -50,7 +50,7 @@
 //! use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 //! let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
 //! let answer = by_direction_net::min_length_by_net(&square, 0.1, Net::Cells)?;
-//! assert!(answer.length >= 2.0 && answer.ratio <= 1.1); // the square itself: two half-sides
+//! assert!(answer.value >= 2.0 && answer.ratio() <= 1.1); // the square itself: two half-sides
 //! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 //! ```
 

@@ -70,11 +70,11 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::enclosing::min_total_length::min_length_enclosing;
+//! use zonotope::enclosing::min_total_length::by_vertex_sets::min_length_by_vertex_sets;
 //! // a diamond is a zonotope: two generators of half-length sqrt(1/2)
 //! let diamond = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
-//! let answer = min_length_enclosing(&diamond, 1e-9)?;
-//! assert!((answer.length - 2f64.sqrt()).abs() < 1e-8 && answer.ratio <= 1.0 + 1e-9);
+//! let answer = min_length_by_vertex_sets(&diamond, 1e-9, &mut ())?;
+//! assert!((answer.value - 2f64.sqrt()).abs() < 1e-8 && answer.ratio() <= 1.0 + 1e-9);
 //! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 //! ```
 
@@ -98,22 +98,12 @@ use interior::scalar::Scalar;
 use outer_points::outer_points;
 use set_generation::min_length_by_set_generation;
 
-/// A zonotope around the points whose total length is within 1 + ε of the least possible.
+/// A zonotope around the points whose total length is within 1 + ε of the least possible, counting operations: points
+/// read and rounds.
 ///
 /// # Errors
 /// When the points or ε are refused.
-pub fn min_length_enclosing<const D: usize>(
-    points: &[[f64; D]],
-    epsilon: f64,
-) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    min_length_enclosing_counted(points, epsilon, &mut ())
-}
-
-/// Returns what [`min_length_enclosing`] returns and counts points read and rounds.
-///
-/// # Errors
-/// When the points or ε are refused.
-pub fn min_length_enclosing_counted<const D: usize>(
+pub fn min_length_by_vertex_sets<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,
     tally: &mut impl Tally,
@@ -122,7 +112,7 @@ pub fn min_length_enclosing_counted<const D: usize>(
     let outer = outer_points(points);
     let kept: Vec<[f64; D]> = outer.iter().map(|&j| points[j]).collect();
     let mut answer = around_outer(&kept, epsilon, tally)?;
-    for multiplier in &mut answer.multipliers {
+    for multiplier in &mut answer.proof.multipliers {
         multiplier.point = outer[multiplier.point];
     }
     Ok(answer)
@@ -149,15 +139,15 @@ fn around_outer<const D: usize>(
         _ => {
             let mut work = 0.0;
             let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
-            if answer.outcome == Outcome::WithinEpsilon {
+            if answer.proof.outcome == Outcome::WithinEpsilon {
                 return Ok(answer);
             }
             let other =
                 around_by_set_generation::<DoubleDouble, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
-            let directions = answer.directions + other.directions;
-            let shorter = if other.length < answer.length { other } else { answer };
-            let around = (shorter.zonotope, shorter.length);
-            Ok(proven(points, &frame, around, &best, shorter.progress, directions, epsilon))
+            let directions = answer.effort.rows + other.effort.rows;
+            let shorter = if other.value < answer.value { other } else { answer };
+            let around = (shorter.body, shorter.value);
+            Ok(proven(points, &frame, around, &best, shorter.effort.progress, directions, epsilon))
         }
     }
 }

@@ -6,12 +6,13 @@
 
 use crate::lad::by_pruning;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
-use crate::lad::of_generators::exact::solve::{ExactOptimum, SEED};
+use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
 use crate::numeric::linear::max_norm;
+use crate::numeric::seed::EXACT_STAGE_SEED;
 use crate::numeric::tolerance::NEGLIGIBLE_LENGTH;
 use crate::tally::{Operation, Tally};
 
@@ -43,7 +44,7 @@ pub(crate) fn optimum(
     let indices = longest(query);
     let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
     let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &none, ExactChart::new(p.clone(), None));
-    let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
+    let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, tally);
     let optimum = outcome.optimum().ok_or(None)?;
     let direction = plane.direction(optimum.point_in(&plane.problem));
     let mut signs = DirectionSigns::new(query, &direction).all(&direction);

@@ -9,10 +9,8 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction, sum};
+use crate::numeric::seed::EXACT_STAGE_SEED;
 use crate::tally::{Operation, Tally};
-
-/// The seed of the kernel: it decides the time, never the answer.
-pub(super) const SEED: u64 = 0x5a;
 
 /// A cell with at most this many lines is solved exactly; a smaller one that search found within it is not needed.
 const EXACT_SOLVE_LIMIT: usize = 300;
@@ -47,7 +45,7 @@ impl ExactOptimum {
         tally.add(Operation::GeneratorRead, query.len() as u64);
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
         let plane = ChartProblem::new(Vectors::all(query), &none, ExactChart::new(p.clone(), center));
-        let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
+        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.point_in(&plane.problem));
         let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
@@ -94,7 +92,7 @@ impl ExactOptimum {
             &rest,
             ExactChart::new(p.clone(), Some(cell.coarse_center())),
         );
-        let outcome = by_pruning::minimize_counted(&plane.problem, SEED, tally);
+        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, tally);
         let optimum = outcome.optimum().ok_or(None)?;
         let direction = plane.direction(optimum.point_in(&plane.problem));
         let own = &optimum.certificate.signs;

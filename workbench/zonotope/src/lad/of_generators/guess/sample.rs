@@ -11,6 +11,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 use crate::numeric::linear::sum_norm;
+use crate::numeric::seed::GUESS_SEED;
 use crate::tally::{Operation, Tally};
 
 /// The number of generators at the end of the list that are always in the sample: those of a prism, which alone lead
@@ -23,9 +24,6 @@ const UNEVEN_SPREAD: f64 = 4.0;
 
 /// Rounds in which the length of a stretch is corrected for the generators that are longer than a stretch.
 const STRETCH_STEPS: usize = 8;
-
-/// The seed of the sample: it decides the time, never the answer.
-const SEED: u64 = 0x7a;
 
 /// A sample: generators, or multiples of some of them.
 pub(crate) struct Sample {
@@ -41,7 +39,7 @@ impl Sample {
         let n = query.len();
         let size = (6 * n.isqrt() + n / 128).min(n);
         tally.add(Operation::GeneratorRead, size as u64);
-        let mut random = Pcg64Mcg::seed_from_u64(SEED);
+        let mut random = Pcg64Mcg::seed_from_u64(GUESS_SEED);
         // places in units of 2^-32, so that one division does for all
         let step = ((n as u64) << 32) / size as u64;
         let parts = query.parts();

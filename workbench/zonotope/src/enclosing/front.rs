@@ -1,0 +1,76 @@
+//! The three enclosing problems by their default methods, one function each; all answers have the shape [`Enclosing`].
+//!
+//! Who wants another method, other weights or a count of the operations takes the `Method` of the problem's module.
+
+use super::answer::Enclosing;
+use super::fixed_directions::{self, DirectionsProof, Enclosure, FixedDirections, FixedDirectionsError};
+use super::min_area_zonogon::{self, MinAreaError, MinAreaZonogon};
+use super::min_total_length::{self, MinLengthError, MinLengthZonotope};
+use crate::numeric::seed::DEFAULT_SEED;
+
+/// The zonogon of least area around points of the plane: [`min_area_zonogon`] by its default method.
+///
+/// # Errors
+/// When there are no points, too many, or one is not finite.
+///
+/// # Example
+/// ```
+/// let answer = zonotope::enclosing::min_area(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+/// assert_eq!((answer.value, answer.lower_bound), (4.0, 4.0)); // nothing smaller holds the triangle
+/// # Ok::<(), zonotope::enclosing::min_area_zonogon::MinAreaError>(())
+/// ```
+pub fn min_area(points: &[[f64; 2]]) -> Result<MinAreaZonogon, MinAreaError> {
+    min_area_zonogon::Method::default().solve(points, DEFAULT_SEED, &mut ())
+}
+
+/// The zonotope of least total length around points whose generators point along given directions: [`fixed_directions`]
+/// by its default method, each direction weighted by its length.
+///
+/// That the directions do not span the differences of the points is an ordinary outcome and no error: no such zonotope
+/// exists, and [`Enclosure::Infeasible`] carries the proof.
+///
+/// # Errors
+/// When there are no points, a number is not finite, or the answer leaves the range of doubles.
+///
+/// # Example
+/// ```
+/// // around a right triangle, along its legs: a square of half-lengths 1 and 1
+/// let answer = zonotope::enclosing::along_directions(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]], &[[3.0, 0.0], [0.0, 1.0]])?;
+/// let square = answer.optimal().expect("the directions span the plane");
+/// assert_eq!((square.body.center(), square.value, square.lower_bound), ([1.0, 1.0], 2.0, 2.0));
+/// # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
+/// ```
+pub fn along_directions<const D: usize>(
+    points: &[[f64; D]],
+    directions: &[[f64; D]],
+) -> Result<Enclosure<D, Enclosing<D, DirectionsProof<D>>>, FixedDirectionsError> {
+    let lengths: Vec<f64> = directions.iter().map(length).collect();
+    let problem = FixedDirections::new(points, directions, &lengths)?;
+    fixed_directions::Method::default().solve(&problem, &mut ())?.in_doubles(&problem)
+}
+
+/// The zonotope of least total length around points, over all directions and within 1 + ε: [`min_total_length`] by its
+/// default method.
+///
+/// # Errors
+/// When there are no points, one is not finite, ε is not between 0 and 1, or the length leaves the range of doubles.
+///
+/// # Example
+/// ```
+/// // a diamond is a zonotope: two generators of half-length sqrt(1/2)
+/// let diamond = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+/// let answer = zonotope::enclosing::min_length(&diamond, 1e-9)?;
+/// assert!((answer.value - 2f64.sqrt()).abs() < 1e-8 && answer.ratio() <= 1.0 + 1e-9);
+/// # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
+/// ```
+pub fn min_length<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    min_total_length::Method::default().solve(points, epsilon, &mut ())
+}
+
+/// The length of a vector, whose squares neither overflow nor vanish. A direction that is not finite is left to the
+/// problem to refuse, by its own coordinate and not by its length.
+fn length<const D: usize>(v: &[f64; D]) -> f64 {
+    let largest = v.iter().fold(0.0f64, |largest, c| largest.max(c.abs()));
+    let square = |c: &f64| (c / largest) * (c / largest);
+    if largest == 0.0 { 0.0 } else { largest * v.iter().map(square).sum::<f64>().sqrt() }
+}
