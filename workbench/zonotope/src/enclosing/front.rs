@@ -74,3 +74,43 @@ fn length<const D: usize>(v: &[f64; D]) -> f64 {
     let square = |c: &f64| (c / largest) * (c / largest);
     if largest == 0.0 { 0.0 } else { largest * v.iter().map(square).sum::<f64>().sqrt() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SCATTERED: [[f64; 3]; 5] =
+        [[0.1, 0.7, -0.3], [1.3, -0.2, 0.9], [-0.6, 0.4, 1.1], [0.8, 0.8, 0.8], [-1.0, -0.1, 0.2]];
+
+    #[test]
+    fn bodies_along_directions_contain_the_points_and_cost_what_they_say() {
+        let directions = [[0.1, 0.2, 0.3], [0.7, -0.1, 0.0], [0.0, 0.3, -0.9], [1.0, 1.0, 1.0]];
+        let answer = along_directions(&SCATTERED, &directions).expect("the numbers are finite");
+        let best = answer.optimal().expect("the directions span space");
+        assert!(SCATTERED.iter().all(|&point| best.body.contains(point) == Ok(true)));
+        assert!(best.lower_bound <= best.value && best.relative_gap() < 1e-12);
+        let weighted: f64 = directions.iter().zip(&best.proof.coefficients).map(|(v, c)| length(v) * c).sum();
+        assert!((weighted - best.value).abs() < 1e-12);
+        // over all directions nothing is longer
+        let free = min_length(&SCATTERED, 1e-6).expect("the numbers are finite");
+        assert!(free.lower_bound <= best.value && SCATTERED.iter().all(|&p| free.body.contains(p) == Ok(true)));
+        assert_eq!(free.effort.rounds, free.effort.progress.len());
+    }
+
+    #[test]
+    fn directions_that_span_too_little_are_an_outcome() {
+        let answer = along_directions(&SCATTERED, &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).expect("finite");
+        let Enclosure::Infeasible(proof) = answer else { panic!("two directions do not span space") };
+        assert_eq!(proof.points.map(|point| point < SCATTERED.len()), [true; 2]);
+    }
+
+    #[test]
+    fn what_is_not_finite_is_refused_by_name() {
+        let refused = along_directions(&[[0.0, 0.0]], &[[1.0, f64::NAN]]).expect_err("NaN is no coordinate");
+        assert_eq!(refused.to_string(), "direction 0, coordinate 1 is NaN, not a finite number");
+        let refused = min_area(&[[0.0, 0.0], [f64::INFINITY, 0.0]]).expect_err("infinity is no coordinate");
+        assert_eq!(refused.to_string(), "point 1, coordinate 0 is inf, not a finite number");
+        let refused = min_length(&[[0.0], [f64::NAN]], 0.5).expect_err("NaN is no coordinate");
+        assert_eq!(refused.to_string(), "point 1, coordinate 0 is NaN, not a finite number");
+    }
+}
