@@ -15,7 +15,8 @@
 //! Here n is the number of points, k of directions, d of dimensions, and n' of extreme points. The last three methods
 //! are those of [`Method`]: their answers contain the points exactly and prove their lower bounds, and the crate
 //! `verifier` checks both. [`papers_program`] and [`support_form`] need an engine for linear programs; its answer is
-//! where they begin, not what they return.
+//! where they begin, not what they return. [`enclosing::along_directions`](super::along_directions) asks the default
+//! method, with the lengths of the directions as weights.
 //!
 //! # The way from directions to a zonotope
 //! 1. `solve` holds the steps that the methods share, in order; it is the file to read first.

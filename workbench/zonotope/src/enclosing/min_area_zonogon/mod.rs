@@ -10,7 +10,8 @@
 //! | [`by_kernel`] | O(n log n) for the hull, then the kernel's | the default, with any method of the kernel |
 //!
 //! Here n is the number of points and h the number of the hull's vertices. [`exact`] gives the optimum in rationals,
-//! and the crate `verifier` checks answers without trusting the methods.
+//! and the crate `verifier` checks answers without trusting the methods. [`Method`] has the methods by name,
+//! [`enclosing::min_area`](super::min_area) asks the default one.
 
 mod answer;
 pub mod brute_force;

@@ -15,7 +15,7 @@
 //!
 //! Every answer contains the points exactly, proves the ratio of its length to its lower bound, and says whether that
 //! ratio is at most 1 + ε ([`Outcome`]). The crate `verifier` checks all three. [`Method`] has the methods by name,
-//! [`direction_net`] holds the nets.
+//! [`enclosing::min_length`](super::min_length) asks the default one; [`direction_net`] holds the nets.
 //!
 //! # The way from points to a zonotope
 //! 1. `by_vertex_sets` is the default method; its `outer_points` leaves out points that lie in a simplex of others, its
