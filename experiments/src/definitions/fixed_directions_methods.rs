@@ -4,11 +4,8 @@
 use crate::definition::{Case, Measurement, PerProfile, TimedWork, Variant, Verdict};
 use crate::families::clouds::{Cloud, on_sphere};
 use crate::seed::{self, Digest};
-use zonotope::enclosing::fixed_directions::{
-    DirectedZonotope, Enclosure, FixedDirections, FixedDirectionsError, by_row_generation, papers_program, support_form,
-};
+use zonotope::enclosing::fixed_directions::{DirectedZonotope, Enclosure, FixedDirections, Method};
 use zonotope::interop::verifier::{check_min_length_dirs, check_min_length_dirs_bounds};
-use zonotope::linear_program::Clarabel;
 use zonotope::tally::{OperationCounts, Tally};
 
 /// An answer whose value exceeds its proven lower bound by more, relatively, counts as wrong.
@@ -20,10 +17,15 @@ const CONTAINED_SIZE: usize = 300;
 /// The three forms, the engine's two up to sizes of their own.
 pub(super) const fn variants(papers_program: PerProfile<usize>, support_form: PerProfile<usize>) -> [Variant; 3] {
     [
-        Variant { id: "papers_program", title: "The paper's program", largest: papers_program },
-        Variant { id: "support_form", title: "All normals", largest: support_form },
-        Variant { id: "by_row_generation", title: "Normals as they are needed", largest: PerProfile::both(usize::MAX) },
+        variant(Method::PapersProgram, papers_program),
+        variant(Method::SupportForm, support_form),
+        variant(Method::RowGeneration, PerProfile::both(usize::MAX)),
     ]
+}
+
+/// A method as a variant.
+const fn variant(method: Method, largest: PerProfile<usize>) -> Variant {
+    Variant { id: method.id(), title: method.title(), largest }
 }
 
 /// `k` random unit vectors that belong to the instance of a case.
@@ -37,13 +39,8 @@ pub(super) fn solve<const D: usize>(
     problem: &FixedDirections<'_, D>,
     tally: &mut impl Tally,
 ) -> Result<DirectedZonotope<D>, String> {
-    let answer: Result<Enclosure<D>, FixedDirectionsError> = match variant {
-        "papers_program" => papers_program::min_length_by_papers_program(problem, &Clarabel),
-        "support_form" => support_form::min_length_by_support_form(problem, &Clarabel),
-        "by_row_generation" => by_row_generation::min_length_along_counted(problem, tally),
-        other => return Err(format!("no method is called {other}")),
-    };
-    match answer.map_err(|error| error.to_string())? {
+    let method = Method::from_id(variant).ok_or_else(|| format!("no method is called {variant}"))?;
+    match method.solve(problem, tally).map_err(|error| error.to_string())? {
         Enclosure::Optimal(zonotope) => Ok(zonotope),
         Enclosure::Infeasible(_) => Err("the directions do not span".to_owned()),
     }

@@ -24,13 +24,9 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: SCALING_SIZES,
     instances: PerProfile::both(2),
     variants: &[
-        Variant {
-            id: "by_slope_selection",
-            title: "Slope selection (the paper's search)",
-            largest: PerProfile { quick: 1 << 13, full: 1 << 16 },
-        },
-        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(1 << 16) },
+        variant(Method::SlopeSelection, PerProfile { quick: 1 << 13, full: 1 << 16 }),
+        variant(Method::Pruning, PerProfile::both(usize::MAX)),
+        variant(Method::LineSearch, PerProfile::both(1 << 16)),
     ],
     measure,
     table: Tabulated::MedianAtLargest,
@@ -45,6 +41,11 @@ pub const EXPERIMENT: Experiment = Experiment {
 /// Up to this many points every answer is verified. The exact check takes about 30 microseconds for each vertex of the
 /// hull, so beyond only the first instance is.
 const VERIFIED_SIZE: usize = 1 << 17;
+
+/// A method as a variant, under the method's own name.
+const fn variant(method: Method, largest: PerProfile<usize>) -> Variant {
+    Variant { id: method.id(), title: method.title(), largest }
+}
 
 /// The method of a case, by the name of its variant.
 pub(super) fn method(case: &Case) -> Result<Method, String> {

@@ -10,7 +10,7 @@ pub struct Enclosing<const D: usize, Proof> {
     /// An upper bound of the measure that is minimised: the body's area or total length, or the weighted sum of the
     /// coefficients along given directions. Infinite where an area leaves the range of doubles.
     pub value: f64,
-    /// A number that the measure of no zonotope around the points is below.
+    /// A number that the measure is not below for any zonotope around the points that the problem admits.
     pub lower_bound: f64,
     /// What proves the lower bound to a reader who does not trust the method.
     pub proof: Proof,

@@ -34,7 +34,7 @@ impl Method {
     pub const ALL: [Self; 1] = [Self::RowGeneration];
 
     /// The name of the method's module.
-    pub fn id(self) -> &'static str {
+    pub const fn id(self) -> &'static str {
         match self {
             Self::RowGeneration => "by_row_generation",
             #[cfg(feature = "linear-programming")]
@@ -50,7 +50,7 @@ impl Method {
     }
 
     /// The method in a few words.
-    pub fn title(self) -> &'static str {
+    pub const fn title(self) -> &'static str {
         match self {
             Self::RowGeneration => "Normals as they are needed",
             #[cfg(feature = "linear-programming")]

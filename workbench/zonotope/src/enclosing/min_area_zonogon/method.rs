@@ -24,7 +24,7 @@ impl Method {
     pub const ALL: [Self; 3] = [Self::Pruning, Self::LineSearch, Self::SlopeSelection];
 
     /// The method of the kernel that minimises over the lines ℓ_t.
-    pub fn kernel(self) -> lad::Method {
+    pub const fn kernel(self) -> lad::Method {
         match self {
             Self::Pruning => lad::Method::Pruning,
             Self::LineSearch => lad::Method::LineSearch,
@@ -33,7 +33,7 @@ impl Method {
     }
 
     /// The name of the method where questions name one: that of the kernel's method.
-    pub fn id(self) -> &'static str {
+    pub const fn id(self) -> &'static str {
         self.kernel().id()
     }
 
@@ -43,7 +43,7 @@ impl Method {
     }
 
     /// The method in a few words.
-    pub fn title(self) -> &'static str {
+    pub const fn title(self) -> &'static str {
         self.kernel().title()
     }
 

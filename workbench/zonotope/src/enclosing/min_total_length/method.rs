@@ -24,7 +24,7 @@ impl Method {
     pub const ALL: [Self; 3] = [Self::VertexSets, Self::DirectionNet, Self::PapersNet];
 
     /// The name of the method where questions name one.
-    pub fn id(self) -> &'static str {
+    pub const fn id(self) -> &'static str {
         match self {
             Self::VertexSets => "by_column_generation",
             Self::DirectionNet => "by_direction_net",
@@ -38,7 +38,7 @@ impl Method {
     }
 
     /// The method in a few words.
-    pub fn title(self) -> &'static str {
+    pub const fn title(self) -> &'static str {
         match self {
             Self::VertexSets => "Directions as they are needed",
             Self::DirectionNet => "A net of cells",

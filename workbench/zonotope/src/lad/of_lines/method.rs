@@ -28,7 +28,7 @@ impl Method {
     pub const FAST: [Self; 3] = [Self::LineSearch, Self::SlopeSelection, Self::Pruning];
 
     /// The name of the method's file, by which experiments and questions name the method.
-    pub fn id(self) -> &'static str {
+    pub const fn id(self) -> &'static str {
         match self {
             Self::BruteForce => "brute_force",
             Self::LineSearch => "by_line_search",
@@ -38,7 +38,7 @@ impl Method {
     }
 
     /// The method in a few words.
-    pub fn title(self) -> &'static str {
+    pub const fn title(self) -> &'static str {
         match self {
             Self::BruteForce => "All vertices, in exact rationals",
             Self::LineSearch => "Line searches",
