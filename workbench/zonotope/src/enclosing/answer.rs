@@ -1,4 +1,5 @@
-//! The shape of an answer to every enclosing problem: a body around the points, and how far it may be from the best one.
+//! The shape of an answer to every enclosing problem: a body around the points, and how far it may be from the best
+//! one.
 
 use crate::zonotope::Zonotope;
 

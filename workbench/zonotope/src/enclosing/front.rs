@@ -35,7 +35,8 @@ pub fn min_area(points: &[[f64; 2]]) -> Result<MinAreaZonogon, MinAreaError> {
 /// # Example
 /// ```
 /// // around a right triangle, along its legs: a square of half-lengths 1 and 1
-/// let answer = zonotope::enclosing::along_directions(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]], &[[3.0, 0.0], [0.0, 1.0]])?;
+/// let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
+/// let answer = zonotope::enclosing::along_directions(&triangle, &[[3.0, 0.0], [0.0, 1.0]])?;
 /// let square = answer.optimal().expect("the directions span the plane");
 /// assert_eq!((square.body.center(), square.value, square.lower_bound), ([1.0, 1.0], 2.0, 2.0));
 /// # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())

@@ -8,8 +8,8 @@
 //! | [`fixed_directions`] | the smallest zonotope along given directions around points of any dimension (4.2) |
 //! | [`min_total_length`] | the zonotope of least total length around points of any dimension (4.3) |
 //!
-//! The last three have a function each that asks the default method, and one shape of answer, [`Enclosing`]: a body, the
-//! value that is minimised, a lower bound of it, what proves the bound, and the work done.
+//! The last three have a function each that asks the default method, and one shape of answer, [`Enclosing`]: a body,
+//! the value that is minimised, a lower bound of it, what proves the bound, and the work done.
 //!
 //! | function | problem | proof |
 //! |---|---|---|
@@ -17,8 +17,8 @@
 //! | [`along_directions`] | [`fixed_directions`] | [`DirectionsProof`](fixed_directions::DirectionsProof): multipliers of points |
 //! | [`min_length`] | [`min_total_length`] | [`LengthProof`](min_total_length::LengthProof): multipliers of points |
 //!
-//! The shape has the type of the proof as a parameter, for a caller knows which problem he posed. Along given directions
-//! there may be no zonotope around the points, which is an outcome and not an error:
+//! The shape has the type of the proof as a parameter, for a caller knows which problem he posed. Along given
+//! directions there may be no zonotope around the points, which is an outcome and not an error:
 //! [`Enclosure`](fixed_directions::Enclosure) is the zonotope or the proof that there is none.
 
 mod answer;

@@ -91,8 +91,8 @@ impl<const D: usize, Found> Enclosure<D, Found> {
 }
 
 impl<const D: usize> Enclosure<D> {
-    /// The same outcome with generators in doubles: those of [`DirectedZonotope::zonotope`], which contain the zonotope of
-    /// the exact products. The value stays that of the coefficients. O(k D).
+    /// The same outcome with generators in doubles: those of [`DirectedZonotope::zonotope`], whose body contains the
+    /// zonotope of the exact products. The value stays that of the coefficients. O(k D).
     ///
     /// # Errors
     /// [`FixedDirectionsError::OutOfRange`] if a generator leaves the range of doubles.

@@ -23,8 +23,8 @@ pub type MinAreaZonogon = Enclosing<2, AreaProof>;
 
 /// What proves a lower bound of the area: the hull, its lines ℓ_t and the optimum of the kernel's problem for them.
 ///
-/// The parts fit together, since methods alone put them together; [`exact_optimum`](super::exact::exact_optimum) rests on
-/// that.
+/// The parts fit together, since methods alone put them together; [`exact_optimum`](super::exact::exact_optimum) rests
+/// on that.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AreaProof {
     pub(super) optimal_center: [Dyadic; 3],

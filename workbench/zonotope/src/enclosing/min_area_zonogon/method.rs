@@ -5,8 +5,8 @@ use super::by_kernel::min_area_by_kernel;
 use crate::lad;
 use crate::tally::Tally;
 
-/// A method whose answers contain the points exactly and prove their lower bounds: [`by_kernel`](super::by_kernel) with a
-/// method of the kernel, after which it is called.
+/// A method whose answers contain the points exactly and prove their lower bounds: [`by_kernel`](super::by_kernel) with
+/// a method of the kernel, after which it is called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 #[non_exhaustive]
 pub enum Method {

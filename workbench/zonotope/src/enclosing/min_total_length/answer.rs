@@ -35,8 +35,8 @@ pub enum Outcome {
     EndedBefore,
 }
 
-/// A zonotope that contains every point exactly, its total length within a stated ratio of the least possible; its value
-/// is an upper bound of Σ |g_i|, the half-lengths of its generators.
+/// A zonotope that contains every point exactly, its total length within a stated ratio of the least possible; its
+/// value is an upper bound of Σ |g_i|, the half-lengths of its generators.
 pub type MinLengthZonotope<const D: usize> = Enclosing<D, LengthProof<D>>;
 
 /// What proves a lower bound of the total length, and whether it is near enough.
