@@ -104,7 +104,7 @@
 //!
 //! # Layers
 //!
-//! [`numeric`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then
+//! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then
 //! [`enclosing`] and [`collision`], then [`line_fit`].
 
 // The tables of methods name those that the feature brings.
@@ -120,12 +120,13 @@ pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
 pub mod numeric;
+pub mod seed;
 pub mod tally;
 pub mod zonotope;
 
 pub use collision::{Gauge, Location, PosedZonotope, Separation, Status, Witness};
 pub use enclosing::Enclosing;
 pub use numeric::non_finite::{NonFinite, Place};
-pub use numeric::seed::DEFAULT_SEED;
+pub use seed::DEFAULT_SEED;
 pub use zonotope::pose::{Pose, PoseError};
 pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError};

@@ -57,7 +57,7 @@ use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_p
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::non_finite::NonFinite;
-use crate::numeric::seed::DEFAULT_SEED;
+use crate::seed::DEFAULT_SEED;
 use crate::tally::Tally;
 use crate::zonotope::query::Query;
 

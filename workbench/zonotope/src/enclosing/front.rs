@@ -6,7 +6,7 @@ use super::answer::Enclosing;
 use super::fixed_directions::{self, DirectionsProof, Enclosure, FixedDirections, FixedDirectionsError};
 use super::min_area_zonogon::{self, MinAreaError, MinAreaZonogon};
 use super::min_total_length::{self, MinLengthError, MinLengthZonotope};
-use crate::numeric::seed::DEFAULT_SEED;
+use crate::seed::DEFAULT_SEED;
 
 /// The zonogon of least area around points of the plane: [`min_area_zonogon`] by its default method.
 ///

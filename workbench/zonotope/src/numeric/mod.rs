@@ -16,7 +16,6 @@
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly |
 //! | `outward` | directed rounding: the nearest double on a given side of an exact number |
 //! | [`scaling`] | powers of two, and differences that do not overflow |
-//! | [`seed`] | the policy of random draws, and every seed that is not a caller's |
 //! | `signed_sum` | sums of vectors with signs, exactly, by blocks |
 //! | `subsets` | subsets of one size, in order |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
@@ -35,7 +34,6 @@ pub mod non_finite;
 pub mod orientation;
 pub(crate) mod outward;
 pub mod scaling;
-pub mod seed;
 pub(crate) mod signed_sum;
 pub(crate) mod subsets;
 pub mod tolerance;

@@ -6,7 +6,7 @@
 use super::{Gauge, Location};
 use crate::collision::{Finding, Method, Query};
 use crate::numeric::non_finite::NonFinite;
-use crate::numeric::seed::DEFAULT_SEED;
+use crate::seed::DEFAULT_SEED;
 use crate::zonotope::Zonotope;
 
 impl<const D: usize> Zonotope<D> {

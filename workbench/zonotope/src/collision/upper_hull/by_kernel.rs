@@ -42,7 +42,7 @@
 
 use super::{Height, HeightError, validate};
 use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize_counted};
-use crate::numeric::seed::DEFAULT_SEED;
+use crate::seed::DEFAULT_SEED;
 use crate::tally::Tally;
 
 /// The height of the upper hull over a point.

@@ -12,8 +12,8 @@ use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Ve
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
 use crate::numeric::linear::max_norm;
-use crate::numeric::seed::EXACT_STAGE_SEED;
 use crate::numeric::tolerance::NEGLIGIBLE_LENGTH;
+use crate::seed::EXACT_STAGE_SEED;
 use crate::tally::{Operation, Tally};
 
 /// At most one generator in this number is among the longest.

@@ -9,7 +9,7 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction, sum};
-use crate::numeric::seed::EXACT_STAGE_SEED;
+use crate::seed::EXACT_STAGE_SEED;
 use crate::tally::{Operation, Tally};
 
 /// A cell with at most this many lines is solved exactly; a smaller one that search found within it is not needed.

@@ -11,7 +11,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 use crate::numeric::linear::sum_norm;
-use crate::numeric::seed::GUESS_SEED;
+use crate::seed::GUESS_SEED;
 use crate::tally::{Operation, Tally};
 
 /// The number of generators at the end of the list that are always in the sample: those of a prism, which alone lead
