@@ -104,8 +104,8 @@
 //!
 //! # Layers
 //!
-//! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`], then
-//! [`enclosing`] and [`collision`], then [`line_fit`].
+//! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`],
+//! then [`enclosing`] and [`collision`], then [`line_fit`].
 
 // The tables of methods name those that the feature brings.
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]
