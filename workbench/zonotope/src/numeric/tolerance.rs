@@ -74,9 +74,9 @@ pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
 /// Error of a coordinate of a [combined sum](super::combined_sum), in terms of Σ |c v|.
 ///
-/// A small part of a term is at most 2^-24 |c v|, its own roundings are below 2^-75 |c v|. Within a block of 64 vectors it
-/// goes through 32 additions, each off by u times at most 2^-24 Σ |c v|: 2^-72 in all. What joining the blocks rounds
-/// off is kept, so that it is off by u² at most. Together that is less than 2^-71.
+/// A small part of a term is at most 2^-24 |c v|, its own roundings are below 2^-75 |c v|. Within a block of 64 vectors
+/// it goes through 32 additions, each off by u times at most 2^-24 Σ |c v|: 2^-72 in all. What joining the blocks
+/// rounds off is kept, so that it is off by u² at most. Together that is less than 2^-71.
 pub(crate) const COMBINED_SUM: f64 = power_of_two(-71);
 
 /// Factor by which bounds on numbers of two doubles are multiplied: (1 − u)^k (1 + 2^-40) > 1 for every k up to 2^12
