@@ -1,7 +1,7 @@
 //! Answers to "the convex hull of points of the plane".
 //!
-//! The vertices are points of the question, in the order of the boundary. Every corner turns strictly left, the boundary
-//! goes around once, and no point lies outside: so nothing convex that contains the points is smaller.
+//! The vertices are points of the question, in the order of the boundary. Every corner turns strictly left, the
+//! boundary goes around once, and no point lies outside: so nothing convex that contains the points is smaller.
 
 use std::fmt::{self, Display};
 

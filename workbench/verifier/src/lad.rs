@@ -1,9 +1,9 @@
 //! Answers to "where is linear · x + Σ abs(normal_i · x + offset_i) least", weights multiplied into the terms.
 //!
-//! Coefficients δ_i in [−1, 1] with linear + Σ δ_i normal_i = 0 prove that the objective is nowhere below Σ δ_i offset_i:
-//! abs(v) ≥ δ v, and what is left of the sum does not depend on x. At a point where δ_i v_i = abs(v_i) for every term the
-//! objective is just that, so the point is a minimiser. Where there is no minimum, the objective falls along a direction u
-//! with linear · u + Σ abs(normal_i · u) < 0, without end and from every point.
+//! Coefficients δ_i in [−1, 1] with linear + Σ δ_i normal_i = 0 prove that the objective is nowhere below Σ δ_i
+//! offset_i: abs(v) ≥ δ v, and what is left of the sum does not depend on x. At a point where δ_i v_i = abs(v_i) for
+//! every term the objective is just that, so the point is a minimiser. Where there is no minimum, the objective falls
+//! along a direction u with linear · u + Σ abs(normal_i · u) < 0, without end and from every point.
 
 use std::cmp::Ordering;
 use std::fmt::{self, Display};

@@ -2,13 +2,13 @@
 //!
 //! Q is the zonogon of the projections (a, b) of generators (a, b, c), turned to point up (level ones to the left). The
 //! arrangement of the lines a x + b y + c = 0 is built here from its definition: the crossings along each line in their
-//! order, and for each piece of a line a point inside it, whose signs with respect to all other lines name the two faces
-//! on its sides. Then
+//! order, and for each piece of a line a point inside it, whose signs with respect to all other lines name the two
+//! faces on its sides. Then
 //!
 //! - each crossing of two lines has one tile, with those generators and that dual vertex, and there are no other tiles;
 //!   they are numbered by x, then y;
-//! - along each line the pieces from left to right are the edges of its generator, with the tile of the crossing at each
-//!   end;
+//! - along each line the pieces from left to right are the edges of its generator, with the tile of the crossing at
+//!   each end;
 //! - the two faces along a piece are the two ends of its edge: the vertex of a face is Σ ± generators with the signs of
 //!   the face, in space; different faces have different vertices, and there are no others;
 //! - each tile is the parallelogram of its generators, between its four edges, and the areas of the tiles add up to Q.

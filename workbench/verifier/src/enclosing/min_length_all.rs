@@ -78,8 +78,8 @@ pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengt
     checked.into()
 }
 
-/// Proves what [`check_min_length_all`] does; a ratio above 1 + ε is no reason to leave an answer unchecked that says so
-/// itself.
+/// Proves what [`check_min_length_all`] does; a ratio above 1 + ε is no reason to leave an answer unchecked that says
+/// so itself.
 pub fn check_min_length_all_at_any_ratio(
     points: &[Vec<f64>],
     epsilon: f64,

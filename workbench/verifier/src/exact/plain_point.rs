@@ -1,5 +1,5 @@
-//! Points of the plane as doubles, and the side of a line on which one lies: in floating point where its error leaves no
-//! doubt, else on the grid.
+//! Points of the plane as doubles, and the side of a line on which one lies: in floating point where its error leaves
+//! no doubt, else on the grid.
 
 use std::cmp::Ordering;
 

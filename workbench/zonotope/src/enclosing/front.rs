@@ -38,7 +38,8 @@ pub fn min_area(points: &[[f64; 2]]) -> Result<MinAreaZonogon, MinAreaError> {
 /// let triangle = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
 /// let answer = zonotope::enclosing::along_directions(&triangle, &[[3.0, 0.0], [0.0, 1.0]])?;
 /// let square = answer.optimal().expect("the directions span the plane");
-/// assert_eq!((square.body.center(), square.value, square.lower_bound), ([1.0, 1.0], 2.0, 2.0));
+/// assert_eq!(square.body.center(), [1.0, 1.0]);
+/// assert!(square.lower_bound <= 2.0 && 2.0 <= square.value && square.value - square.lower_bound < 1e-12);
 /// # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
 /// ```
 pub fn along_directions<const D: usize>(

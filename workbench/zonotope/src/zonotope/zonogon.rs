@@ -94,7 +94,8 @@ mod tests {
             .prop_map(|(center, generators)| Zonotope::new(center, generators).expect("finite"))
     }
 
-    /// Whether a point lies in the closed zonogon, exactly, by the vertices in order: nothing of the kernel behind `contains`.
+    /// Whether a point lies in the closed zonogon, exactly, by the vertices in order: nothing of the kernel behind
+    /// `contains`.
     fn contains_by_vertices(zonogon: &Zonotope<2>, point: [f64; 2]) -> bool {
         let vertices = zonogon.exact_vertices();
         let point = point.map(Dyadic::from_f64);

@@ -42,7 +42,7 @@
 //! // The diagonals of a cube, one longer: two pairs have parallel projections, so 4 of the 6 pairs have a tile.
 //! let generators = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.5]];
 //! let tiling = tiling(&generators).unwrap();
-//! assert_eq!((tiling.vertices.len(), tiling.edges.len(), tiling.tiles.len()), (9, 12, 4));
+//! assert_eq!((tiling.vertices().len(), tiling.edges().len(), tiling.tiles().len()), (9, 12, 4));
 //! ```
 
 use super::{Corner, CornerIndex, Edge, EdgeIndex, Tile, TileIndex, Tiling, TilingError};

@@ -1,8 +1,8 @@
 //! Questions and answers of this library as the plain numbers that the crate `verifier` checks.
 //!
-//! That crate knows nothing of this one: it takes the numbers of a question and of an answer as anyone would write them,
-//! and proves or refuses the answer in integers of its own. The functions here only write them, so that every caller who
-//! has an answer in the library's types, unit tests and experiments alike, hands over the same numbers.
+//! That crate knows nothing of this one: it takes the numbers of a question and of an answer as anyone would write
+//! them, and proves or refuses the answer in integers of its own. The functions here only write them, so that every
+//! caller who has an answer in the library's types, unit tests and experiments alike, hands over the same numbers.
 //!
 //! | function | checks the answer of |
 //! |---|---|

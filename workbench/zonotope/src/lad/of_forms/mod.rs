@@ -8,7 +8,8 @@
 //! | [`brute_force`] | O(n⁴), exact rationals | the truth |
 //! | [`by_line_search`] (default) | O(n) a step, few steps | exact descent along the arrangement's edges by weighted medians |
 //!
-//! Every optimum carries a certificate that the crate `verifier` checks on its own. The search works in homogeneous coordinates:
+//! Every optimum carries a certificate that the crate `verifier` checks on its own. The search works in homogeneous
+//! coordinates:
 //!
 //! | file | what it holds |
 //! |---|---|

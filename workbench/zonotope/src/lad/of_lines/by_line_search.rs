@@ -45,7 +45,7 @@
 //! let lines = lines.map(|(normal, offset)| WeightedLine::unweighted(normal, offset));
 //! let problem = LadProblem::new(&lines, [0.0, 0.0]).unwrap();
 //! let outcome = by_line_search::minimize(&problem, 0);
-//! let value = outcome.optimum().unwrap().exact_value(&problem);
+//! let value = outcome.optimum().unwrap().exact_value(&problem).expect("it is that of this problem");
 //! assert_eq!(value, 3.into());
 //! ```
 

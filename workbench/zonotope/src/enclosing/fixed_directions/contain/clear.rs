@@ -18,9 +18,9 @@ impl<const D: usize> Body<'_, D> {
     /// the basis and ±1. `extents` bounds the sums of the generators' magnitudes along each axis, `inverse_error` is
     /// what [`basis_inverse_error`](Self::basis_inverse_error) returned.
     ///
-    /// Let R be the rounded inverse and R B = I + E. The coordinates of a residual r are (I + E)⁻¹ R r, so each is at most
-    /// its own |R r| plus 2 e Σ |R r|, e the largest entry of E: the rows mix, and a row of a nearly dependent basis may
-    /// be far longer than another.
+    /// Let R be the rounded inverse and R B = I + E. The coordinates of a residual r are (I + E)⁻¹ R r, so each is at
+    /// most its own |R r| plus 2 e Σ |R r|, e the largest entry of E: the rows mix, and a row of a nearly dependent
+    /// basis may be far longer than another.
     pub(super) fn is_clear(&self, q: &[f64; D], exit: &Exit<D>, extents: &[f64; D], inverse_error: f64) -> bool {
         let rank = self.scaled.rank;
         let count = self.generators.len() as f64;
@@ -38,8 +38,8 @@ impl<const D: usize> Body<'_, D> {
             .all(|(i, &b)| 1.0625 * (reach(i) + mixed) <= self.coefficient(b) * (1.0 - exit.most) * (1.0 - 1e-6))
     }
 
-    /// A bound for the entries of R B − I, where R is the rounded inverse of the matrix B of the basis; `None` where the
-    /// inverse is not worth anything.
+    /// A bound for the entries of R B − I, where R is the rounded inverse of the matrix B of the basis; `None` where
+    /// the inverse is not worth anything.
     pub(super) fn basis_inverse_error(&self) -> Option<f64> {
         let rank = self.scaled.rank;
         let mut largest = 0.0f64;
