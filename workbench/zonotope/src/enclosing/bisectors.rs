@@ -13,19 +13,27 @@ use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
 use crate::lad::kernel_input::{ExactLine, ExactLines, LineError, MadeLines};
+use crate::numeric::bounded::Bounded;
+use crate::numeric::double_double::{BoundedDoubleDouble, DoubleDouble};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::{ExactSum, exact_sum};
-use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
-use crate::numeric::tolerance::UNIT;
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
 
-/// The frame of the kernel, in which a point O of the plane is x = 2 · 2^−scale · O − reference. The scale takes the
-/// points of the hull to magnitude at most 1, and the reference is near twice their middle.
+/// The axes of a hull whose extents differ by more than this power of two are scaled apart.
+const THIN_EXPONENT: i64 = 10;
+
+/// The frame of the kernel, in which a coordinate of a point O of the plane is x = 2 · 2^−scale · O − reference. The
+/// scales take the points of the hull to magnitude at most 1, and the reference is near twice their middle.
+///
+/// A hull that is thin along an axis has a scale of its own for that axis. A map of the axes keeps areas in proportion
+/// and zonogons zonogons, and in the frame the hull is not thin: doubles tell its lines apart.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Frame {
-    pub(crate) scale: i64,
+    scales: [i64; 2],
     pub(crate) reference: [f64; 2],
-    /// Two powers of two with the product 2^−scale; the product itself may leave the range of doubles.
-    factors: [f64; 2],
+    /// For each axis two powers of two with the product 2^−scale; the product itself may leave the range of doubles.
+    factors: [[f64; 2]; 2],
 }
 
 /// The lines ℓ_t of a hull with area.
@@ -47,7 +55,7 @@ impl<'h> Bisectors<'h> {
     }
 
     /// The kernel problem whose objective at the kernel point x of a point O is Σ_t |e_t × (X − P_s − P_t)| divided by
-    /// 4^scale. O(1), as the lines are made when they are read.
+    /// the powers of two of both scales. O(1), as the lines are made when they are read.
     pub fn kernel_problem(&self) -> LadProblem<'h> {
         let lines = Lines { hull: self.hull, farthest: self.farthest, frame: self.frame };
         LadProblem::from_made_lines(Box::new(lines), Box::new(lines))
@@ -56,7 +64,7 @@ impl<'h> Bisectors<'h> {
     /// The kernel point of a centre, both in homogeneous coordinates.
     pub(crate) fn kernel_point(&self, [x, y, w]: &[Dyadic; 3]) -> [Dyadic; 3] {
         let shifted = |v: &Dyadic, axis: usize| {
-            v.clone().scaled(1 - self.frame.scale) - &Dyadic::from_f64(self.frame.reference[axis]) * w
+            v.clone().scaled(1 - self.frame.scales[axis]) - &Dyadic::from_f64(self.frame.reference[axis]) * w
         };
         [shifted(x, 0), shifted(y, 1), w.clone()]
     }
@@ -76,11 +84,14 @@ impl<'h> Bisectors<'h> {
 impl Frame {
     /// The frame for a hull and the farthest vertices of its edges.
     fn of(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
-        let largest = largest_magnitude(hull.vertices().as_flattened());
-        let scale = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1);
-        let half = scale / 2;
-        let factors = [-half, half - scale].map(|e| scale_by_power_of_two(1.0, e));
-        let frame = Self { scale, reference: [0.0; 2], factors };
+        let scales = [0, 1].map(|axis| {
+            let largest = hull.vertices().iter().fold(0.0f64, |largest, vertex| largest.max(vertex[axis].abs()));
+            binary_exponent(largest).map_or(0, |e| i64::from(e) + 1)
+        });
+        let is_thin = (scales[0] - scales[1]).abs() > THIN_EXPONENT;
+        let scales = if is_thin { scales } else { [scales[0].max(scales[1]); 2] };
+        let factors = scales.map(|scale| [-(scale / 2), scale / 2 - scale].map(|e| scale_by_power_of_two(1.0, e)));
+        let frame = Self { scales, reference: [0.0; 2], factors };
         // If the hull is nearly symmetric, the median over a few lines is near every P_s + P_t, so that offsets are
         // small. Else any reference does.
         let step = farthest.len() / 32 + 1;
@@ -97,43 +108,43 @@ impl Frame {
         Self { reference: [median(0), median(1)], ..frame }
     }
 
-    /// A point times 2^−scale.
+    /// A point in the units of the frame.
     #[inline(always)]
-    pub(crate) fn scaled(&self, point: [f64; 2]) -> [f64; 2] {
-        let [x, y] = point;
-        [x * self.factors[0] * self.factors[1], y * self.factors[0] * self.factors[1]]
+    pub(crate) fn scaled(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [[a, b], [c, d]] = self.factors;
+        [x * a * b, y * c * d]
     }
 
     /// Whether a point is scaled without underflow.
     fn scales_exactly(&self, point: [f64; 2]) -> bool {
         let scaled = self.scaled(point);
         let is_exact = |i: usize| {
-            scaled[i].abs() >= f64::MIN_POSITIVE || scaled[i] / self.factors[1] / self.factors[0] == point[i]
+            let [a, b] = self.factors[i];
+            scaled[i].abs() >= f64::MIN_POSITIVE || scaled[i] / b / a == point[i]
         };
         is_exact(0) && is_exact(1)
     }
 
-    /// A length times 2^−scale.
-    #[inline(always)]
-    pub(crate) fn scaled_length(&self, length: f64) -> f64 {
-        length * self.factors[0] * self.factors[1]
+    /// An area in the units of the input, given that in the units of the frame.
+    pub(crate) fn unscaled_area(&self, area: Dyadic) -> Dyadic {
+        area.scaled(self.scales[0] + self.scales[1])
     }
 
     /// Whether sums of four coordinates of the input neither overflow nor come near underflow.
     pub(crate) fn sums_are_doubles(&self) -> bool {
-        (-900..1000).contains(&self.scale)
+        self.scales.iter().all(|scale| (-900..1000).contains(scale))
     }
 
-    /// A point times 2^−scale, exactly.
+    /// A point in the units of the frame, exactly.
     pub(crate) fn exact(&self, point: [f64; 2]) -> [Dyadic; 2] {
-        point.map(|v| Dyadic::from_f64(v).scaled(-self.scale))
+        [0, 1].map(|axis| Dyadic::from_f64(point[axis]).scaled(-self.scales[axis]))
     }
 
     /// The point O of a kernel point, the inverse of [`Bisectors::kernel_point`], both in homogeneous coordinates.
     pub(crate) fn center_of(&self, [x, y, w]: &[Dyadic; 3]) -> [Dyadic; 3] {
         let [rx, ry] = self.reference.map(Dyadic::from_f64);
-        let unscale = |v: Dyadic| v.scaled(self.scale - 1);
-        [unscale(x + &(&rx * w)), unscale(y + &(&ry * w)), w.clone()]
+        let unscale = |v: Dyadic, axis: usize| v.scaled(self.scales[axis] - 1);
+        [unscale(x + &(&rx * w), 0), unscale(y + &(&ry * w), 1), w.clone()]
     }
 }
 
@@ -144,6 +155,43 @@ impl Frame {
 fn sum_from_reference(a: f64, b: f64, r: f64) -> f64 {
     let (head, tail) = exact_sum(a, b);
     (head - r) + tail
+}
+
+/// The difference p − (a + b − r) for a coordinate p, precise however much of it cancels.
+fn offset_from(p: &BoundedDoubleDouble, a: f64, b: f64, r: f64) -> Bounded {
+    let (DoubleDouble { high, low }, missing) = p.parts();
+    let (sum, sum_tail) = exact_sum(a, b);
+    let (shifted, shifted_tail) = exact_sum(sum, -r);
+    let (head, tail) = exact_sum(high, -shifted);
+    let value = head + (((tail - shifted_tail) - sum_tail) + low);
+    let tails = tail.abs() + shifted_tail.abs() + sum_tail.abs() + low.abs();
+    Bounded { value, error: (UNIT * (value.abs() + 4.0 * tails) + missing) * FIVE_ROUNDINGS }
+}
+
+/// The sign of the cross product of a vector with an edge, given the edge's ends.
+fn side_by_pairs([x, y]: [BoundedDoubleDouble; 2], from: [f64; 2], to: [f64; 2]) -> Option<i8> {
+    let exact = BoundedDoubleDouble::exact;
+    let edge = |axis: usize| exact(to[axis]) - exact(from[axis]);
+    (edge(0) * y - edge(1) * x).sign()
+}
+
+/// At most this many coordinates are added up one by one: an accumulator for all exponents costs more to set up.
+const ONE_BY_ONE_LIMIT: usize = 24;
+
+/// The vertices in a sum of edges with signs, each with the factor that it has in the sum. Where edges of one sign follow
+/// each other, their sum is the difference of its two ends.
+fn corners(terms: &mut dyn Iterator<Item = (usize, i8)>) -> Vec<(usize, f64)> {
+    let mut corners = Vec::new();
+    let mut run: Option<(usize, i8)> = None;
+    for (t, sign) in terms {
+        if run != Some((t, sign)) {
+            corners.extend(run.map(|(end, sign)| (end, f64::from(sign))));
+            corners.push((t, -f64::from(sign)));
+        }
+        run = Some((t + 1, sign));
+    }
+    corners.extend(run.map(|(end, sign)| (end, f64::from(sign))));
+    corners
 }
 
 /// The lines ℓ_t in the frame of the kernel, made from the points of the hull when they are read.
@@ -231,17 +279,48 @@ impl ExactLines for Lines<'_> {
         })
     }
 
-    fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
-        let mut sums = [ExactSum::default(), ExactSum::default()];
-        for (t, sign) in terms {
-            let sign = f64::from(sign);
+    /// Differences of coordinates tell the side of nearly all lines of a hull that is nearly symmetric, whose lines nearly
+    /// meet in one point: in doubles where only the differences are small, by pairs of doubles where the lines pass so
+    /// near to the point that the products cancel, too.
+    fn certain_signs(&self, [x, y, w]: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
+        let is_point = !w.is_zero();
+        let place = [x, y].map(|c| match is_point {
+            true => BoundedDoubleDouble::of_ratio(c, w),
+            false => BoundedDoubleDouble::of(c),
+        });
+        let reference = self.frame.reference;
+        Box::new(move |t| {
             let [from, to] = self.ends(t);
-            for (sum, axis) in sums.iter_mut().zip([0, 1]) {
-                sum.add(sign * to[axis]);
-                sum.add(-sign * from[axis]);
+            let far = self.hull.vertex(self.farthest[t].vertex());
+            if ![from, to, far].iter().all(|&point| self.frame.scales_exactly(point)) {
+                return None;
             }
-        }
-        let [x, y] = sums.map(|sum| sum.value().scaled(-self.frame.scale));
-        [-y, x]
+            let [from, to, far] = [from, to, far].map(|point| self.frame.scaled(point));
+            if !is_point {
+                return side_by_pairs(place, from, to);
+            }
+            let [x, y] = [0, 1].map(|i| offset_from(&place[i], far[i], from[i], reference[i]));
+            let [edge_x, edge_y] = [0, 1].map(|i| Bounded::exact(to[i]) - Bounded::exact(from[i]));
+            (edge_x * y - edge_y * x).sign().or_else(|| {
+                let exact = BoundedDoubleDouble::exact;
+                let off = |i: usize| place[i] - ((exact(far[i]) - exact(reference[i])) + exact(from[i]));
+                side_by_pairs([off(0), off(1)], from, to)
+            })
+        })
+    }
+
+    fn signed_normal_sum(&self, terms: &mut dyn Iterator<Item = (usize, i8)>) -> [Dyadic; 2] {
+        let (corners, vertices) = (corners(terms), self.hull.vertices());
+        let [x, y] = [0, 1].map(|axis| {
+            let coordinates = corners.iter().map(|&(t, factor)| factor * vertices[t % vertices.len()][axis]);
+            if corners.len() <= ONE_BY_ONE_LIMIT {
+                coordinates.fold(Dyadic::zero(), |sum, c| sum + Dyadic::from_f64(c))
+            } else {
+                let mut sum = ExactSum::default();
+                coordinates.for_each(|c| sum.add(c));
+                sum.value()
+            }
+        });
+        [-y.scaled(-self.frame.scales[1]), x.scaled(-self.frame.scales[0])]
     }
 }

@@ -43,7 +43,7 @@ impl Kernel<'_, '_> {
 
     /// A sum of the kernel's line values as an area in units of the input.
     fn unscaled(&self, gap: Dyadic) -> Dyadic {
-        gap.scaled(2 * self.bisectors.frame.scale)
+        self.bisectors.frame.unscaled_area(gap)
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outwa
     let mut gathered = Gathered {
         vertices: hull.vertices(),
         center: half_turn.center(),
-        scale: frame.scaled_length(1.0),
+        scale: frame.scaled([1.0; 2]),
         // Half the boundary has hardly more edges than the hull.
         generators: Vec::with_capacity(hull.vertex_count() + 3),
         extent: [0.0; 2],
@@ -42,8 +42,8 @@ pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outwa
 struct Gathered<'a> {
     vertices: &'a [[f64; 2]],
     center: [f64; 2],
-    /// The power of two that scales the largest coordinate to about 1.
-    scale: f64,
+    /// The powers of two that scale the largest coordinate of each axis, or of both, to about 1.
+    scale: [f64; 2],
     generators: Vec<[f64; 2]>,
     /// The sums of the magnitudes of the half-edges' coordinates, scaled.
     extent: [f64; 2],
@@ -58,8 +58,8 @@ impl Gathered<'_> {
         if half_edge != [0.0, 0.0] {
             self.generators.push(half_edge);
         }
-        let [x, y] = half_edge.map(|v| v * self.scale);
-        let arm = [0, 1].map(|axis| (start[axis] - self.center[axis]) * self.scale);
+        let [x, y] = [0, 1].map(|axis| half_edge[axis] * self.scale[axis]);
+        let arm = [0, 1].map(|axis| (start[axis] - self.center[axis]) * self.scale[axis]);
         self.extent[0] += x.abs();
         self.extent[1] += y.abs();
         self.area.add(sense * (arm[0] * y - arm[1] * x));
@@ -71,9 +71,9 @@ impl Gathered<'_> {
         let sums = 1.0 + (8.0 + 2.0 * self.vertices.len() as f64) * UNIT;
         let extent = extent.map(|v| v * sums);
         // Each half-edge is off by at most 2 UNIT times its length and the smallest double.
-        let unscaled = |v: f64| v / self.scale;
-        let slack = extent.map(|v| above(unscaled(2.0 * UNIT * v) + (self.area.terms + 2) as f64 * f64::from_bits(1)));
-        let [a, b] = slack.map(|v| 2.0 * frame.scaled_length(v));
+        let least = (self.area.terms + 2) as f64 * f64::from_bits(1);
+        let slack = [0, 1].map(|axis| above(2.0 * UNIT * extent[axis] / self.scale[axis] + least));
+        let [a, b] = frame.scaled(slack).map(|v| 2.0 * v);
         let [width, height] = [2.0 * extent[0] + 2.0 * (a + b), 2.0 * extent[1] + 2.0 * (a + b)];
         // No arm is longer than half the zonogon is wide or high, which bounds all products together by width · height,
         // and an edge off by ε moves its term by at most |arm| ε.
@@ -81,7 +81,7 @@ impl Gathered<'_> {
         let area = 2.0 * half_area;
         let error = 2.0 * rounding_error + 2.0 * (a * height + b * width);
         let excess = (2.0 * a * height + 2.0 * b * width + 4.0 * a * b) * (1.0 + 16.0 * UNIT) + UNDERFLOW;
-        let in_input_units = |area: f64| Dyadic::from_f64(area).scaled(2 * frame.scale);
+        let in_input_units = |area: f64| frame.unscaled_area(Dyadic::from_f64(area));
         let area_below = in_input_units((area - error) * (1.0 - 4.0 * UNIT));
         let area_above = in_input_units((area + error + excess) * (1.0 + 4.0 * UNIT));
         (2.0 * error + excess <= AREA_PRECISION * area).then(|| Outward {

@@ -44,7 +44,6 @@ impl BoundedDoubleDouble {
     }
 
     /// The two doubles, and how far they are off.
-    #[cfg(test)]
     pub(crate) fn parts(&self) -> (DoubleDouble, f64) {
         (self.pair(), self.error)
     }
