@@ -1,6 +1,6 @@
 //! Zonotopes of R^3 from their definition, in exact rationals and without regard to speed.
 //!
-//! Like [`plane`](crate::plane), this is the checks' own side of each comparison: membership is decided by the normals
+//! Like [`plane`](super::plane), this is the checks' own side of each comparison: membership is decided by the normals
 //! of all pairs of generators, and faces are found by looking at every pair.
 
 use std::collections::BTreeSet;
