@@ -1,6 +1,6 @@
 //! Zonotopes along given directions, in any dimension, from their definition and in exact rationals.
 //!
-//! Like [`space`](crate::space) this is the checks' own side of each comparison, written without regard to speed:
+//! Like [`space`](super::space) this is the checks' own side of each comparison, written without regard to speed:
 //! normals by elimination for every subset of d − 1 directions, programs by the simplex method of this crate.
 
 use std::collections::BTreeSet;
