@@ -17,10 +17,11 @@ pub(crate) fn at_most(exact: &Dyadic) -> f64 {
     0.0 - at_least(&-exact.clone())
 }
 
-/// A double that is not below a fraction and within a few units in the last place of it; infinite above the largest one.
+/// A double that is not below a fraction and within a few units in the last place of it; infinite above the largest
+/// one.
 ///
-/// The search goes up alone, from a quotient whose last bits are not certain: the numbers of a fraction are long, and each
-/// comparison with it costs more than these bits are worth.
+/// The search goes up alone, from a quotient whose last bits are not certain: the numbers of a fraction are long, and
+/// each comparison with it costs more than these bits are worth.
 pub(crate) fn fraction_at_least(exact: &Rational) -> f64 {
     let mut value = exact.to_f64_fast().clamp(f64::MIN, f64::MAX);
     while value.is_finite() && Dyadic::from_f64(value).to_rational() < *exact {
