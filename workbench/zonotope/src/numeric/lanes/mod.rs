@@ -17,6 +17,8 @@ mod extreme_sum;
 mod pairs;
 mod partial_sums;
 mod row_products;
+#[cfg(test)]
+pub(crate) mod test_vectors;
 
 pub use absolute_sum::absolute_sum;
 pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};

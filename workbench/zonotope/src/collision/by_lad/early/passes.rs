@@ -26,18 +26,28 @@ pub(crate) trait Carried {
     fn joined(self, other: Self) -> Self;
 }
 
-/// Generators over which passes are made.
+/// Generators over which passes are made; those that are rows of doubles say no more than which rows.
 pub(crate) trait Passes {
+    /// The rows of the generators.
+    fn rows(&self) -> Runs<'_>;
+
     /// How many generators there are.
-    fn count(&self) -> usize;
+    #[inline(always)]
+    fn count(&self) -> usize {
+        let [first, second] = self.rows();
+        first.len() + second.len()
+    }
 
     /// The result of a pass over all generators, which is given their rows, the range of their indices, and the
     /// directions as they are to be taken with these rows.
+    #[inline(always)]
     fn over<const K: usize, T: Carried>(
         &self,
         directions: [&[f64; 3]; K],
-        pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
-    ) -> T;
+        mut pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T {
+        pass(self.rows(), 0..self.count(), directions.map(|u| *u))
+    }
 }
 
 /// A query that the early stage may answer.
@@ -64,33 +74,15 @@ pub(crate) trait EarlyQuery: Passes {
 
 impl Passes for [[f64; 3]] {
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    #[inline(always)]
-    fn over<const K: usize, T: Carried>(
-        &self,
-        directions: [&[f64; 3]; K],
-        mut pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
-    ) -> T {
-        pass([self, &[]], 0..self.len(), directions.map(|u| *u))
+    fn rows(&self) -> Runs<'_> {
+        [self, &[]]
     }
 }
 
 impl Passes for Query<'_, 3> {
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.len()
-    }
-
-    #[inline(always)]
-    fn over<const K: usize, T: Carried>(
-        &self,
-        directions: [&[f64; 3]; K],
-        mut pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
-    ) -> T {
-        pass(self.runs(), 0..self.len(), directions.map(|u| *u))
+    fn rows(&self) -> Runs<'_> {
+        self.runs()
     }
 }
 

@@ -30,8 +30,8 @@ impl<'a> PosedRows<'a> {
 
 impl Passes for PosedRows<'_> {
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.runs[0].len() + self.runs[1].len()
+    fn rows(&self) -> Runs<'_> {
+        self.runs
     }
 
     #[inline(always)]
