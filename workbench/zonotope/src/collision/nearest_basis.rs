@@ -105,18 +105,23 @@ impl Generators<3> for PosedQuery<'_> {
         let [from, to] = self.own_poses();
         let split = first.len();
         let (own, others) = coefficients.split_at(split);
-        let (own_basis, other_basis) = basis.split_at(basis.partition_point(|&b| b < split));
-        let other_basis: Vec<usize> = other_basis.iter().map(|b| b - split).collect();
+        let own_basis: Vec<usize> = basis.iter().copied().filter(|&b| b < split).collect();
+        let other_basis: Vec<usize> = basis.iter().filter_map(|b| b.checked_sub(split)).collect();
         let left = |rows: &[[f64; 3]], coefficients: &[f64], basis: &[usize]| {
             let centred = Query::of_finite([0.0; 3], [0.0; 3], rows);
             left_over(&centred, &[0, 1, 2].map(|_| Dyadic::zero()), coefficients, basis)
         };
         let moved =
-            sum(&from.exact_image(&left(first, own, own_basis)), &to.exact_image(&left(second, others, &other_basis)));
+            sum(&from.exact_image(&left(first, own, &own_basis)), &to.exact_image(&left(second, others, &other_basis)));
         let column =
             |pose: &Pose, v: [f64; 3]| pose.exact_image(&exact(v)).each_ref().map(Dyadic::to_rational).to_vec();
-        let own_columns = own_basis.iter().map(|&b| column(from, first[b]));
-        let columns: Vec<_> = own_columns.chain(other_basis.iter().map(|&b| column(to, second[b]))).collect();
+        let columns: Vec<_> = basis
+            .iter()
+            .map(|&b| match b.checked_sub(split) {
+                None => column(from, first[b]),
+                Some(other) => column(to, second[other]),
+            })
+            .collect();
         exact_linear::solve(&columns, &sum(self.displacement(), &moved).each_ref().map(Dyadic::to_rational))
     }
 
@@ -313,6 +318,21 @@ mod tests {
                 let at_most_one = gauge.location.is_member();
                 let answer = GaugeAnswer { gauge: gauge.value, at_most_one, certificate };
                 prop_assert!(check_gauge(&question, &answer).is_right());
+            }
+        }
+    }
+
+    #[test]
+    fn a_basis_may_be_in_any_order() {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let first = Zonotope::new([0.0; 3], axes[..1].to_vec()).expect("finite");
+        let second = Zonotope::new([0.25, 0.5, 0.75], axes[1..].to_vec()).expect("finite");
+        let query = PosedQuery::between((&first, &Pose::default()), (&second, &Pose::default()));
+        for basis in [vec![0, 1, 2], vec![2, 1, 0], vec![1, 2, 0], vec![2], vec![1, 1]] {
+            let coefficients: Vec<f64> = (0..3).map(|i| if basis.contains(&i) { 0.0 } else { 0.5 }).collect();
+            let witness = Witness { coefficients, basis: basis.clone() }.with_nearest_basis(&query);
+            if basis.len() == 3 {
+                assert_eq!(witness.coefficients, [0.25, 0.5, 0.75], "{basis:?}");
             }
         }
     }
