@@ -168,17 +168,16 @@ impl<'a> Part<'a> {
         crossing: &mut Vec<[f64; 3]>,
         indices: &mut Vec<u32>,
     ) -> FixedSum {
-        let rows = self.rows;
-        match self.frame {
-            None => cell.split(rows, |i| {
-                crossing.push(rows[i]);
-                indices.push((offset + i) as u32);
-            }),
-            Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(rows, |i| {
-                crossing.push(frame.map().image(&rows[i]));
-                indices.push((offset + i) as u32);
-            })),
+        let first = indices.len();
+        let fixed = match self.frame {
+            None => cell.split(self.rows, indices),
+            Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(self.rows, indices)),
+        };
+        for index in &mut indices[first..] {
+            crossing.push(self.image(&self.rows[*index as usize]));
+            *index += offset as u32;
         }
+        fixed
     }
 
     fn support(&self, u: &[f64; 3]) -> Bounded {

@@ -172,7 +172,7 @@ impl<T: Tally> Climb<'_, '_, T> {
                 None => Err(Rung::CorrectedSample),
             };
         }
-        let lines = chart.lines(sample.vectors.iter().copied());
+        let lines = chart.lines(&sample.vectors);
         let guess = lines.guess([0.0; 2], None, Aim::of_sample(sample, query.len()));
         self.guess = guess.map(|guess| (guess, 1.0));
         Err(match (guess, self.problem.goal) {

@@ -6,6 +6,8 @@
 //! | `bounded_sum` | the same in space, with a bound on its error from the same pass |
 //! | `extreme_sum` | an extreme vertex of a centred zonotope |
 //! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
+//! | [`level`] | the vector instructions of the machine, chosen when the program runs |
+//! | [`octet`] | eight vectors of space side by side |
 //! | `row_products` | dot products of rows of any length |
 //! | `pairs` | vectors of space, two side by side, for passes with their own sums |
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
@@ -14,6 +16,8 @@ mod absolute_sum;
 mod bounded_sum;
 mod extents;
 mod extreme_sum;
+pub(crate) mod level;
+pub(crate) mod octet;
 mod pairs;
 mod partial_sums;
 mod row_products;

@@ -50,19 +50,17 @@ impl Reduced {
 
     /// The problem from which the generators that miss a smaller cell are summed up, too.
     pub(crate) fn split(&self, cell: DirectionCone) -> Self {
-        let room = self.vectors.len() / 4 + 16;
-        let (mut vectors, mut indices) = (Vec::with_capacity(room), Vec::with_capacity(room));
-        let fixed = self.plus_fixed_in(&cell, |i| {
-            vectors.push(self.vectors[i]);
-            indices.push(self.indices[i]);
-        });
+        let mut crossing = Vec::with_capacity(self.vectors.len() / 4 + 16);
+        let fixed = self.plus_fixed_in(&cell, &mut crossing);
+        let vectors = crossing.iter().map(|&place| self.vectors[place as usize]).collect();
+        let indices = crossing.iter().map(|&place| self.indices[place as usize]).collect();
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: self.relative_error }
     }
 
     /// The sum of all generators whose sign is fixed in a cell: those that were summed up before and those of this
-    /// problem. The positions of this problem's other generators are reported.
-    pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, report: impl FnMut(usize)) -> FixedSum {
-        let mut own = cell.widened(self.relative_error).split(&self.vectors, report);
+    /// problem. The positions of this problem's other generators are added to a list.
+    pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, crossing: &mut Vec<u32>) -> FixedSum {
+        let mut own = cell.widened(self.relative_error).split(&self.vectors, crossing);
         own.error += self.relative_error * own.magnitude;
         self.fixed.plus(&own)
     }
@@ -74,7 +72,7 @@ impl Reduced {
     }
 
     pub(crate) fn lines(&self, chart: &RoundedChart) -> RoundedLines {
-        chart.lines(self.vectors.iter().copied())
+        chart.lines(&self.vectors)
     }
 
     /// The gradient of the whole objective at a point of the cell.

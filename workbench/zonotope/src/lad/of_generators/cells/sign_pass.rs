@@ -1,21 +1,26 @@
 //! The pass over generators that sums up, with their signs, those whose sign is fixed in a cone, and reports the
 //! others.
 //!
-//! The pass reads every generator, so it is the kernel's largest cost. It takes two generators at a time in vectors of
+//! The pass reads every generator, so it is the kernel's largest cost. It takes eight generators at a time in vectors of
 //! doubles, never branches on a sign, and subtracts in the end what crossing generators added to the sum: a branch
 //! for each generator would cost more than these few subtractions.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::direction_cone::DirectionCone;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::octet::{LANES, Octet, Octets, in_order_of_rows, octet, product, splat, total, turned};
 use crate::numeric::linear::euclidean_norm;
 use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNIT};
 
-/// Generators of a block: which of them cross the cell, and their signs, are gathered in one word, and the sum of a
-/// block joins the total at its end.
-const BLOCK: usize = 64;
+/// Generators of a block, at whose end the sum joins the total without a rounding error. A term goes through one
+/// addition for each eight generators of its block.
+const BLOCK: usize = 256;
+
+/// Generators whose bits fill a word: which of them cross the cell, and their signs.
+const WORD: usize = 64;
 
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
 const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
@@ -44,40 +49,26 @@ impl FixedSum {
 }
 
 impl DirectionCone {
-    /// Sums up, by one pass, the generators that are certainly orthogonal to no direction of the cell, and reports
-    /// the others.
+    /// Sums up, by one pass, the generators that are certainly orthogonal to no direction of the cell, and adds the
+    /// places of the others to a list, in their order.
     ///
     /// The sign of v · u is that of v · center throughout the cell if |v · center| exceeds the sum of |v| ball and of
     /// √((v · axes_0)² + (v · axes_1)²). Each product with v is off by at most 3 u |v| times the length of the other
     /// factor and an underflow, which a wider ball covers.
-    pub(crate) fn split(&self, generators: &[[f64; 3]], report: impl FnMut(usize)) -> FixedSum {
+    pub(crate) fn split(&self, generators: &[[f64; 3]], crossing: &mut Vec<u32>) -> FixedSum {
         match self.axes {
-            None => split(&WideCone::<0>::new(self, [], 1.0), generators, report),
-            Some(axes) => split(&WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT), generators, report),
+            None => WideCone::<0>::new(self, [], 1.0).split(generators, crossing),
+            Some(axes) => WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT).split(generators, crossing),
         }
     }
 }
 
-/// A vector in the order in which the coordinates of two vectors lie in memory: x y, z x, y z.
-type Twice = [f64x2; 3];
-
-fn twice([x, y, z]: [f64; 3]) -> Twice {
-    [[x, y], [z, x], [y, z]].map(f64x2::new)
-}
-
-/// Either of two vectors times the same vector.
-#[inline(always)]
-fn products(pair: &Twice, other: &Twice) -> f64x2 {
-    let [first, middle, last] = [pair[0] * other[0], pair[1] * other[1], pair[2] * other[2]];
-    let [ends, others] = f64x2::transpose([first, last]);
-    ends + others + middle
-}
-
-/// A cell of `AXES` axes in the order of memory, with the square of its ball.
+/// A cell of `AXES` axes, widened by what rounding may take off the products with it.
 struct WideCone<const AXES: usize> {
-    center: Twice,
-    axes: [Twice; AXES],
-    square: f64x2,
+    center: [f64; 3],
+    axes: [[f64; 3]; AXES],
+    /// The square of the ball.
+    square: f64,
 }
 
 impl<const AXES: usize> WideCone<AXES> {
@@ -86,108 +77,173 @@ impl<const AXES: usize> WideCone<AXES> {
         let ball = (cell.ball + CONE_ROUNDING * size) * THIRTY_ROUNDINGS;
         let wider = (1.0 + SQUARE_SPLIT).sqrt() * THIRTY_ROUNDINGS;
         Self {
-            center: twice(cell.center),
-            axes: axes.map(|axis| twice(axis.map(|c| c * wider))),
-            square: f64x2::splat(ball * ball * factor * THIRTY_ROUNDINGS),
+            center: cell.center,
+            axes: axes.map(|axis| axis.map(|c| c * wider)),
+            square: ball * ball * factor * THIRTY_ROUNDINGS,
         }
+    }
+
+    fn split(&self, generators: &[[f64; 3]], crossing: &mut Vec<u32>) -> FixedSum {
+        dispatch!(level(), simd => split_at(simd, self, generators, crossing))
     }
 }
 
-/// Sums in the order of memory.
-#[derive(Default)]
-struct Sums {
-    sum: Twice,
-    /// Σ |v|².
-    squares: f64x2,
+/// Sums of the lanes, over a block and in all.
+struct Sums<S: Simd> {
+    /// Σ sign · v over the block.
+    block: Octet<S>,
+    /// Σ |v|² over the block.
+    squares: f64x8<S>,
+    /// The sum over the blocks before, and what rounding it left behind.
+    total: Octet<S>,
+    rest: Octet<S>,
+    /// An upper bound of Σ |v| over the blocks before.
+    magnitude: f64x8<S>,
 }
 
-impl Sums {
-    /// Adds two vectors with the signs of their values. The first result has a bit for each vector that certainly
-    /// misses the cell, the second one for each whose value is negative.
+impl<S: Simd> Sums<S> {
     #[inline(always)]
-    fn read<const AXES: usize>(&mut self, cell: &WideCone<AXES>, pair: &Twice) -> [u64; 2] {
-        let values = products(pair, &cell.center);
-        let squares = products(pair, pair);
-        self.squares += squares;
-        let mut reach = squares * cell.square + f64x2::splat(PRODUCT_UNDERFLOW);
-        for axis in &cell.axes {
-            let value = products(pair, axis);
-            reach += value * value;
-        }
-        let signs = values & f64x2::splat(-0.0);
-        let [first, second] = f64x2::transpose([signs, signs]);
-        self.sum[0] += pair[0] ^ first;
-        self.sum[1] += pair[1] ^ signs;
-        self.sum[2] += pair[2] ^ second;
-        // a NaN misses nothing, so the vector is reported
-        let misses = (values * values).simd_gt(reach).to_bitmask();
-        [u64::from(misses), u64::from(values.to_bitmask())]
+    fn new(simd: S) -> Self {
+        let zero = f64x8::splat(simd, 0.0);
+        Self { block: [zero; 3], squares: zero, total: [zero; 3], rest: [zero; 3], magnitude: zero }
     }
 
-    /// The sum, and an upper bound of the sum of the lengths.
-    fn total(&self, count: usize) -> ([f64; 3], f64) {
-        let [[x, y], [z, other_x], [other_y, other_z]] = self.sum.map(f64x2::to_array);
-        let size = (self.squares.reduce_add() * count as f64).sqrt() + count as f64 * SQUARABLE_SIZES.start;
-        ([x + other_x, y + other_y, z + other_z], size)
+    /// Adds eight vectors with the signs of their products with the centre. The first result has a bit for each vector
+    /// that certainly misses the cell, the second one for each whose product is negative.
+    #[inline(always)]
+    fn read<const AXES: usize>(&mut self, simd: S, cone: &Splat<S, AXES>, v: &Octet<S>) -> [u64; 2] {
+        let value = product(v, &cone.center);
+        let squares = product(v, v);
+        self.squares += squares;
+        let mut reach = squares * cone.square + PRODUCT_UNDERFLOW;
+        for axis in &cone.axes {
+            let along = product(v, axis);
+            reach += along * along;
+        }
+        for k in 0..3 {
+            self.block[k] += turned(simd, v[k], value);
+        }
+        // a NaN misses nothing, so the vector is reported
+        [(value * value).simd_gt(reach).to_bitmask(), value.simd_lt(0.0).to_bitmask()]
+    }
+
+    /// Moves the sum of a block to the total.
+    #[inline(always)]
+    fn end_block(&mut self, simd: S) {
+        let zero = f64x8::splat(simd, 0.0);
+        for k in 0..3 {
+            let (a, b) = (self.total[k], self.block[k]);
+            let sum = a + b;
+            let b_in_sum = sum - a;
+            self.rest[k] += (a - (sum - b_in_sum)) + (b - b_in_sum);
+            (self.total[k], self.block[k]) = (sum, zero);
+        }
+        // by the inequality of Cauchy and Schwarz in each lane
+        self.magnitude += (self.squares * (BLOCK / LANES) as f64).sqrt();
+        self.squares = zero;
     }
 }
 
-fn split<const AXES: usize>(cell: &WideCone<AXES>, generators: &[[f64; 3]], mut report: impl FnMut(usize)) -> FixedSum {
-    // the total of the sums of blocks, and the sum of what rounding that total leaves behind
-    let (mut total, mut rest) = ([0.0; 3], [0.0; 3]);
-    let (mut magnitude, mut error) = (0.0, 0.0);
+/// The cone in all lanes.
+struct Splat<S: Simd, const AXES: usize> {
+    center: Octet<S>,
+    axes: [Octet<S>; AXES],
+    square: f64x8<S>,
+}
+
+#[inline(always)]
+fn split_at<S: Simd, const AXES: usize>(
+    simd: S,
+    cone: &WideCone<AXES>,
+    generators: &[[f64; 3]],
+    crossing: &mut Vec<u32>,
+) -> FixedSum {
+    let center = splat(simd, &cone.center);
+    let mut axes = [center; AXES];
+    for (own, axis) in axes.iter_mut().zip(&cone.axes) {
+        *own = splat(simd, axis);
+    }
+    let wide = Splat { center, axes, square: f64x8::splat(simd, cone.square) };
+    let mut sums = Sums::new(simd);
+    let mut taken = Taken::default();
     for (number, block) in generators.chunks(BLOCK).enumerate() {
-        let mut sums = Sums::default();
-        let mut taken = [0.0; 3];
-        // the bits of a pair go in at the top and move down as others follow: no shift depends on the place
-        let (mut misses, mut signs) = (0, 0);
-        let (pairs, last) = block.as_chunks::<2>();
-        for pair in pairs {
-            let [own, minus] = sums.read(cell, &wide(*pair));
-            misses = misses >> 2 | own << (BLOCK - 2);
-            signs = signs >> 2 | minus << (BLOCK - 2);
+        for (place, word) in block.chunks(WORD).enumerate() {
+            let octets = Octets::new(word);
+            let (mut misses, mut signs) = (0, 0);
+            for (k, rows) in octets.whole().iter().enumerate() {
+                let [own, minus] = sums.read(simd, &wide, &octet(simd, rows));
+                misses |= own << (LANES * k);
+                signs |= minus << (LANES * k);
+            }
+            if let Some(rows) = octets.last() {
+                let [own, minus] = sums.read(simd, &wide, &octet(simd, rows));
+                misses |= own << (LANES * octets.whole().len());
+                signs |= minus << (LANES * octets.whole().len());
+            }
+            let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
+            if crosses != 0 {
+                taken.read(word, crosses, in_order_of_rows(signs), number * BLOCK + place * WORD, crossing);
+            }
         }
-        let place = 2 * pairs.len();
-        [misses, signs] = [misses, signs].map(|bits: u64| bits.checked_shr((BLOCK - place) as u32).unwrap_or(0));
-        if let [last] = last {
-            let [own, minus] = sums.read(cell, &wide([*last, [0.0; 3]]));
-            misses |= (own & 1) << place;
-            signs |= (minus & 1) << place;
-        }
-        let mut crosses = !misses & (u64::MAX >> (BLOCK - block.len()));
-        let crossing = crosses.count_ones();
+        sums.end_block(simd);
+        taken.end_block();
+    }
+    // three coordinates written out, as a closure may lose the instructions that this function is compiled for
+    let lanes = [sums.total[0] + sums.rest[0], sums.total[1] + sums.rest[1], sums.total[2] + sums.rest[2]];
+    let sum = [total(lanes[0]), total(lanes[1]), total(lanes[2])];
+    taken.fixed(sum, total(sums.magnitude), generators.len())
+}
+
+/// What crossing generators added to the sum, which is taken out again.
+#[derive(Default)]
+struct Taken {
+    block: [f64; 3],
+    total: [f64; 3],
+    rest: [f64; 3],
+    /// How many generators of the block cross the cell, and the most of a block.
+    count: usize,
+    most: usize,
+}
+
+impl Taken {
+    /// Reads the generators of a word whose bits are set, with their signs, and reports their places.
+    #[inline]
+    fn read(&mut self, word: &[[f64; 3]], mut crosses: u64, signs: u64, first: usize, crossing: &mut Vec<u32>) {
+        self.count += crosses.count_ones() as usize;
         while crosses != 0 {
             let place = crosses.trailing_zeros() as usize;
             crosses &= crosses - 1;
             let sign = (signs >> place) << 63;
-            for (taken, c) in taken.iter_mut().zip(block[place]) {
-                *taken += f64::from_bits(c.to_bits() ^ sign);
+            for (sum, c) in self.block.iter_mut().zip(word[place]) {
+                *sum += f64::from_bits(c.to_bits() ^ sign);
             }
-            report(number * BLOCK + place);
+            crossing.push((first + place) as u32);
         }
-        let (sum, size) = sums.total(block.len());
-        for k in 0..3 {
-            let (sum, left) = exact_sum(total[k], sum[k] - taken[k]);
-            total[k] = sum;
-            rest[k] += left;
-        }
-        magnitude += size;
-        // a term goes through one addition for each pair of its block, one that joins the lanes and one that
-        // subtracts what crossing generators added; those generators, which at most double the terms, go through one
-        // for each of them
-        let additions = (BLOCK / 2 + 2) as f64 + 2.0 * f64::from(crossing);
-        error += size * additions;
     }
-    let sum = [0, 1, 2].map(|k| total[k] + rest[k]);
-    let blocks = generators.len().div_ceil(BLOCK) as f64;
-    let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
-    // the sum of what the blocks leave behind has an error below one more rounding of the whole, and adding it has
-    // another
-    FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (error + 6.0 * magnitude) * slack }
-}
 
-/// Two vectors in the order of memory.
-#[inline(always)]
-fn wide([[a, b, c], [d, e, f]]: [[f64; 3]; 2]) -> Twice {
-    [[a, b], [c, d], [e, f]].map(f64x2::new)
+    fn end_block(&mut self) {
+        if self.count == 0 {
+            return;
+        }
+        for k in 0..3 {
+            let (sum, left) = exact_sum(self.total[k], self.block[k]);
+            self.total[k] = sum;
+            self.rest[k] += left;
+        }
+        self.most = self.most.max(self.count);
+        (self.block, self.count) = ([0.0; 3], 0);
+    }
+
+    /// The sum of the others.
+    fn fixed(&self, sum: [f64; 3], magnitude: f64, count: usize) -> FixedSum {
+        let sum = [0, 1, 2].map(|k| (sum[k] - self.total[k]) - self.rest[k]);
+        // lengths whose squares underflow
+        let magnitude = magnitude + count as f64 * SQUARABLE_SIZES.start;
+        // a term goes through one addition for each eight generators of its block; crossing generators, which at most
+        // double the terms, go through one for each of them in their block; ten more join lanes and totals
+        let additions = (BLOCK / LANES + 10) as f64 + 2.0 * self.most as f64;
+        let blocks = count.div_ceil(BLOCK) as f64;
+        let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
+        FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (additions * magnitude) * slack }
+    }
 }

@@ -95,8 +95,8 @@ impl RoundedOptimum {
         let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
         let cell = DirectionCone::around(&direction);
         let mut near = Vec::new();
-        let fixed = level.plus_fixed_in(&cell, |i| near.push(i));
-        near.retain(|&i| i != first && i != second);
+        let fixed = level.plus_fixed_in(&cell, &mut near);
+        let near = near.into_iter().map(|place| place as usize).filter(|&i| i != first && i != second).collect();
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
             Near::new(level, [first, second], near, &direction, &duals, &fixed).map_err(Unproved::Falls)?;

@@ -10,7 +10,7 @@
 //! only among these the descent begins.
 
 use super::aim::{Aim, Guess};
-use super::huber_sums::{Moments, factor, solve};
+use super::huber_sums::{Moments, Others, factor, solve};
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
@@ -172,7 +172,8 @@ impl RoundedLines {
         aim: Aim,
     ) -> Option<Guess> {
         let missing = 1.0 - self.len() as f64 / aim.population as f64;
-        let [first, second] = factor(&self.spread(point, before, band, missing, aim.longest))?;
+        let others = Others { before, share: missing, longest: aim.longest };
+        let [first, second] = factor(&self.spread(point, band, others))?;
         let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * aim.deviations));
         let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
         let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();

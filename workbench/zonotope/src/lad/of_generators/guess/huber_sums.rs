@@ -1,14 +1,16 @@
-//! Sums over the lines for the objective with rounded-off kinks, two lines at a time.
+//! Sums over the lines for the objective with rounded-off kinks, eight lines at a time.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use crate::lad::of_generators::plane::rounded_lines::{Pair, RoundedLines};
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines, load};
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::octet::total;
 
 /// A symmetric matrix [[xx, xy], [xy, yy]].
 type Symmetric = [f64; 3];
 
 /// Sums over the lines at a point for one band.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Moments {
     pub(super) gradient: [f64; 2],
     pub(super) hessian: Symmetric,
@@ -17,91 +19,105 @@ pub(super) struct Moments {
     pub(super) count: f64,
 }
 
+/// What the sum of normal · normalᵀ is taken over, beside the lines of the band.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Others {
+    /// Only lines that pass between the point and this one, where there is one.
+    pub(super) before: Option<[f64; 2]>,
+    /// The part of normal · normalᵀ that is added for each.
+    pub(super) share: f64,
+    /// Lines of longer generators are left out.
+    pub(super) longest: f64,
+}
+
 impl RoundedLines {
     /// The minimum of Σ weight · (a x + b y + c)² and the root of the mean square.
     pub(crate) fn least_squares(&self) -> Option<([f64; 2], f64)> {
-        let mut sums = [f64x2::splat(0.0); 6];
-        for [a, b, c, w] in self.pairs() {
-            // the line that pads an odd number has no weight
-            let w = w & w.simd_lt(f64x2::splat(f64::MAX));
-            let (wa, wb) = (w * a, w * b);
-            let terms = [wa * a, wa * b, wb * b, wa * c, wb * c, w * c * c];
-            for (sum, term) in sums.iter_mut().zip(terms) {
-                *sum += term;
-            }
-        }
-        let [xx, xy, yy, x, y, constant] = sums.map(f64x2::reduce_add);
+        let [xx, xy, yy, x, y, constant] = dispatch!(level(), simd => square_sums(simd, self.blocks()));
         let point = solve(&[xx, xy, yy], [x, y])?.map(|v| -v);
         let rest = constant + x * point[0] + y * point[1];
         Some((point, (rest.max(0.0) / self.length).sqrt()))
     }
 
-    /// Σ normal · normalᵀ over the lines of a band, plus `share` of it over all other lines but those of generators
-    /// longer than `longest`. Where there is a point `before`, only lines that pass between the two points count
-    /// among the others.
-    pub(super) fn spread(
-        &self,
-        point: [f64; 2],
-        before: Option<[f64; 2]>,
-        band: f64,
-        share: f64,
-        longest: f64,
-    ) -> Symmetric {
-        let mut sums = [f64x2::splat(0.0); 3];
-        let [x, y] = point.map(f64x2::splat);
-        let [other_x, other_y] = before.unwrap_or_default().map(f64x2::splat);
-        let is_any = f64x2::splat(if before.is_some() { 0.0 } else { f64::from_bits(u64::MAX) });
-        let [band, share, one] = [band, share, 1.0].map(f64x2::splat);
-        // a little less than the longest's inverse length, which was rounded
-        let least = f64x2::splat(0.999 / longest);
-        for [a, b, c, w] in self.pairs() {
-            let value = a * x + b * y + c;
-            let within = (value.abs() * w).simd_lt(band);
-            let is_between = (value * (a * other_x + b * other_y + c)).simd_lt(f64x2::default());
-            let share = share & w.simd_gt(least) & (is_any | is_between);
-            let part = share + ((one - share) & within);
-            let (pa, pb) = (part * a, part * b);
-            for (sum, term) in sums.iter_mut().zip([pa * a, pa * b, pb * b]) {
-                *sum += term;
-            }
-        }
-        sums.map(f64x2::reduce_add)
+    /// Σ normal · normalᵀ over the lines of a band, plus a share of it over some of the others.
+    pub(super) fn spread(&self, point: [f64; 2], band: f64, others: Others) -> Symmetric {
+        dispatch!(level(), simd => spread(simd, self.blocks(), point, band, others))
     }
 
     pub(super) fn moments(&self, point: [f64; 2], band: f64) -> Moments {
-        let mut sums = Sums::default();
-        let [x, y] = point.map(f64x2::splat);
-        let scale = f64x2::splat(1.0 / band);
-        for pair in self.pairs() {
-            sums.read(pair, [x, y], scale);
-        }
-        sums.total()
+        dispatch!(level(), simd => moments(simd, self.blocks(), point, band))
     }
 }
 
-/// Sums side by side: the gradient, the Hessian, weight and count of the band.
-#[derive(Default)]
-struct Sums([f64x2; 7]);
-
-impl Sums {
-    #[inline(always)]
-    fn read(&mut self, &[a, b, c, w]: &Pair, [x, y]: [f64x2; 2], scale: f64x2) {
-        let one = f64x2::splat(1.0);
-        let weight = w * scale;
-        let t = (a * x + b * y + c) * weight;
-        let inside = t.abs().simd_lt(one);
-        let slope = t.fast_min(one).fast_max(-one);
-        let stiff = weight & inside;
-        let (sa, sb) = (stiff * a, stiff * b);
-        let terms = [slope * a, slope * b, sa * a, sa * b, sb * b, stiff, one & inside];
-        for (sum, term) in self.0.iter_mut().zip(terms) {
-            *sum += term;
-        }
+#[inline(always)]
+fn square_sums<S: Simd>(simd: S, blocks: &[LineBlock]) -> [f64; 6] {
+    let zero = f64x8::splat(simd, 0.0);
+    let [mut xx, mut xy, mut yy, mut x, mut y, mut constant] = [zero; 6];
+    for block in blocks {
+        let [a, b, c, w] = load(simd, block);
+        // the lines that fill up the last block have no weight
+        let w = w.simd_lt(f64::MAX).select(w, zero);
+        let (wa, wb) = (w * a, w * b);
+        xx += wa * a;
+        xy += wa * b;
+        yy += wb * b;
+        x += wa * c;
+        y += wb * c;
+        constant += w * c * c;
     }
+    [total(xx), total(xy), total(yy), total(x), total(y), total(constant)]
+}
 
-    fn total(&self) -> Moments {
-        let [gx, gy, xx, xy, yy, weight, count] = self.0.map(f64x2::reduce_add);
-        Moments { gradient: [gx, gy], hessian: [xx, xy, yy], weight, count }
+#[inline(always)]
+fn spread<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], band: f64, others: Others) -> Symmetric {
+    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+    let share = f64x8::splat(simd, others.share);
+    // a little less than the longest's inverse length, which was rounded
+    let least = 0.999 / others.longest;
+    let is_any = others.before.is_none();
+    let [other_x, other_y] = others.before.unwrap_or_default();
+    let [mut xx, mut xy, mut yy] = [zero; 3];
+    for block in blocks {
+        let [a, b, c, w] = load(simd, block);
+        let value = a * x + b * y + c;
+        let is_within = (value.abs() * w).simd_lt(band);
+        let between = value * (a * other_x + b * other_y + c);
+        let is_counted = if is_any { w.simd_gt(least) } else { w.simd_gt(least) & between.simd_lt(0.0) };
+        let part = is_within.select(one, is_counted.select(share, zero));
+        let (pa, pb) = (part * a, part * b);
+        xx += pa * a;
+        xy += pa * b;
+        yy += pb * b;
+    }
+    [total(xx), total(xy), total(yy)]
+}
+
+#[inline(always)]
+fn moments<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], band: f64) -> Moments {
+    let (zero, one) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 1.0));
+    let scale = 1.0 / band;
+    let [mut gx, mut gy, mut xx, mut xy, mut yy, mut weight, mut count] = [zero; 7];
+    for block in blocks {
+        let [a, b, c, w] = load(simd, block);
+        let own = w * scale;
+        let t = (a * x + b * y + c) * own;
+        let is_inside = t.abs().simd_lt(one);
+        let slope = is_inside.select(t, one.copysign(t));
+        let stiff = is_inside.select(own, zero);
+        let (sa, sb) = (stiff * a, stiff * b);
+        gx += slope * a;
+        gy += slope * b;
+        xx += sa * a;
+        xy += sa * b;
+        yy += sb * b;
+        weight += stiff;
+        count += is_inside.select(one, zero);
+    }
+    Moments {
+        gradient: [total(gx), total(gy)],
+        hessian: [total(xx), total(xy), total(yy)],
+        weight: total(weight),
+        count: total(count),
     }
 }
 

@@ -80,7 +80,7 @@ impl ParallelClasses {
                 None => classes.push(ParallelClass { unit: own, sum: *v, noise: 0.0 }),
             }
         }
-        let lines = chart.lines(classes.iter().map(|class| class.sum).collect::<Vec<_>>().into_iter());
+        let lines = chart.lines(&classes.iter().map(|class| class.sum).collect::<Vec<_>>());
         Some(Self { classes, lines, linear: [0.0; 2], part })
     }
 

@@ -3,10 +3,9 @@
 //! Each line search ends where the slope changes its sign, which selection among the crossings ahead finds. Rounding
 //! may make the descent end at a wrong vertex, no worse: the vertex is certified by others.
 
-use wide::f64x2;
-
 use crate::lad::of_generators::guess::crossings::{Crossing, select};
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
+use crate::numeric::lanes::octet::{LANES, slot};
 
 /// The most line searches.
 const LINE_SEARCH_LIMIT: usize = 40;
@@ -84,15 +83,14 @@ fn is_same(a: [f64; 2], b: [f64; 2]) -> bool {
 }
 
 fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
-    let [x, y] = [x, y].map(f64x2::splat);
     let (mut least, mut nearest) = (f64::INFINITY, None);
-    for (pair, [a, b, c, _]) in lines.pairs().iter().enumerate() {
-        let value = *a * x + *b * y + *c;
-        // not finite for a line without normal
-        let squares = (value * value / (*a * *a + *b * *b)).to_array();
-        for (lane, square) in squares.into_iter().enumerate() {
+    for (block, LineBlock([a, b, c, _])) in lines.blocks().iter().enumerate() {
+        for lane in 0..LANES {
+            let value = a[lane] * x + b[lane] * y + c[lane];
+            // not finite for a line without normal
+            let square = value * value / (a[lane] * a[lane] + b[lane] * b[lane]);
             if square < least {
-                (least, nearest) = (square, Some(2 * pair + lane));
+                (least, nearest) = (square, Some(slot(LANES * block + lane)));
             }
         }
     }
@@ -101,14 +99,17 @@ fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
 
 /// The places at which lines cross the line that is searched.
 struct Crossings {
-    /// The place of each line's crossing, in multiples of the direction of the search.
+    /// The place of the crossing of each slot's line, in multiples of the direction of the search.
     places: Vec<f64>,
     ahead: Vec<Crossing>,
 }
 
 impl Crossings {
     fn of(len: usize) -> Self {
-        Self { places: Vec::with_capacity(len + 1), ahead: Vec::with_capacity(len.min(HORIZON_SAMPLE)) }
+        Self {
+            places: Vec::with_capacity(len.next_multiple_of(LANES)),
+            ahead: Vec::with_capacity(len.min(HORIZON_SAMPLE)),
+        }
     }
 
     /// Gathers the crossings ahead that are no farther than `farthest`, of one line in `step`, and returns their
@@ -117,9 +118,10 @@ impl Crossings {
         self.ahead.clear();
         let mut gain = 0.0;
         let last = farthest.min(f64::MAX);
-        for (line, &position) in self.places[..lines.len()].iter().enumerate().step_by(step) {
+        for (place, &position) in self.places.iter().enumerate().step_by(step) {
             // zero is ahead where the slope was summed up with the sign before it
             if position.is_sign_positive() && position <= last {
+                let line = slot(place);
                 let [a, b, ..] = lines.line(line);
                 let weight = (a * dx + b * dy).abs();
                 gain += weight;

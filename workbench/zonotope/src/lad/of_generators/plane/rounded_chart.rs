@@ -1,10 +1,12 @@
 //! The plane { u : u · p = 1 } in doubles: for guesses.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::aim::Guess;
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::octet::{LANES, Octets, octet, total};
 use crate::numeric::linear::dot;
 
 /// The least size of a cell, in terms of its centre.
@@ -45,30 +47,43 @@ impl RoundedChart {
     }
 
     /// The lines of some vectors.
+    pub(crate) fn lines(&self, vectors: &[[f64; 3]]) -> RoundedLines {
+        let mut blocks = Vec::with_capacity(vectors.len().div_ceil(LANES));
+        let length = dispatch!(level(), simd => self.read_lines(simd, vectors, &mut blocks));
+        RoundedLines::new(blocks, vectors.len(), length)
+    }
+
+    /// The lines of vectors, eight by eight; returns the sum of the lengths.
     #[inline(always)]
-    pub(crate) fn lines(&self, mut vectors: impl ExactSizeIterator<Item = [f64; 3]>) -> RoundedLines {
-        let mut lines = RoundedLines::with_capacity(vectors.len());
-        let wide = self.slopes.map(f64x2::splat);
-        let inverse = f64x2::splat(self.inverse);
-        let [i, j, k] = self.axes;
-        let pair = |first: [f64; 3], second: [f64; 3]| {
-            let [x, y, z] = [i, j, k].map(|axis| f64x2::new([first[axis], second[axis]]));
-            let length = (x.abs() + y.abs() + z.abs()).fast_max(f64x2::splat(f64::MIN_POSITIVE));
-            ([x - z * wide[0], y - z * wide[1], z * inverse, f64x2::splat(1.0) / length], length)
-        };
-        while let Some(first) = vectors.next() {
-            match vectors.next() {
-                Some(second) => {
-                    let (pair, lengths) = pair(first, second);
-                    lines.push_pair(pair, lengths);
-                }
-                None => {
-                    let (pair, lengths) = pair(first, [0.0; 3]);
-                    lines.push_last(pair.map(|column| column.to_array()[0]), lengths.to_array()[0]);
-                }
-            }
+    fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut Vec<LineBlock>) -> f64 {
+        let octets = Octets::new(vectors);
+        let mut lengths = f64x8::splat(simd, 0.0);
+        for rows in octets.whole() {
+            let (block, own) = self.block(simd, rows);
+            blocks.push(block);
+            lengths += own;
         }
-        lines
+        if let Some(rows) = octets.last() {
+            let (block, own) = self.block(simd, rows);
+            blocks.push(block);
+            lengths += own;
+        }
+        total(lengths)
+    }
+
+    #[inline(always)]
+    fn block<S: Simd>(&self, simd: S, rows: &[f64; 3 * LANES]) -> (LineBlock, f64x8<S>) {
+        let v = octet(simd, rows);
+        let [x, y, z] = [v[self.axes[0]], v[self.axes[1]], v[self.axes[2]]];
+        let sizes = x.abs() + y.abs() + z.abs();
+        let least = f64x8::splat(simd, f64::MIN_POSITIVE);
+        let lengths = sizes.simd_gt(least).select(sizes, least);
+        let mut block = LineBlock([[0.0; LANES]; 4]);
+        (x - z * self.slopes[0]).store_slice(&mut block.0[0]);
+        (y - z * self.slopes[1]).store_slice(&mut block.0[1]);
+        (z * self.inverse).store_slice(&mut block.0[2]);
+        (f64x8::splat(simd, 1.0) / lengths).store_slice(&mut block.0[3]);
+        (block, lengths)
     }
 
     fn direction(&self, [x, y]: [f64; 2], height: f64) -> [f64; 3] {

@@ -1,97 +1,80 @@
-//! Lines in the plane { u : u · p = 1 } in doubles, two side by side: the input of every guess.
+//! Lines in the plane { u : u · p = 1 } in doubles, eight side by side: the input of every guess.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-/// Two lines a x + b y + c side by side, with the inverse lengths of their generators.
-pub(crate) type Pair = [f64x2; 4];
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::octet::{LANES, slot, total, turned};
 
-/// The partner of the last line where the number of lines is odd: a line without normal that is far from every point.
+/// Eight lines a x + b y + c side by side, with the inverse lengths of their generators.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct LineBlock(pub(crate) [[f64; LANES]; 4]);
+
+/// What fills the last block up: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
-/// The lines of generators.
+/// The lines of generators. A line has the number of its generator's row; its [`slot`] says where in the blocks it is.
 #[derive(Debug, Default)]
 pub(crate) struct RoundedLines {
-    pairs: Vec<Pair>,
+    blocks: Vec<LineBlock>,
     len: usize,
     /// Σ of the generators' lengths.
     pub(crate) length: f64,
 }
 
 impl RoundedLines {
-    /// Room for some lines.
-    pub(crate) fn with_capacity(capacity: usize) -> Self {
-        Self { pairs: Vec::with_capacity(capacity.div_ceil(2)), len: 0, length: 0.0 }
-    }
-
-    /// Adds two lines, given the sum of their generators' lengths; the number of lines before is even.
-    #[inline(always)]
-    pub(crate) fn push_pair(&mut self, pair: Pair, lengths: f64x2) {
-        self.pairs.push(pair);
-        self.len += 2;
-        self.length += lengths.reduce_add();
-    }
-
-    /// Adds the last line; the number of lines before is even.
-    pub(crate) fn push_last(&mut self, [a, b, c, weight]: [f64; 4], length: f64) {
-        let [first, second, third, fourth] = NO_LINE;
-        self.pairs.push([[a, first], [b, second], [c, third], [weight, fourth]].map(f64x2::new));
-        self.len += 1;
-        self.length += length;
+    /// From blocks of which only the first lines count: the others are overwritten.
+    pub(crate) fn new(mut blocks: Vec<LineBlock>, len: usize, length: f64) -> Self {
+        for row in len..LANES * blocks.len() {
+            let LineBlock(columns) = &mut blocks[row / LANES];
+            for (column, c) in columns.iter_mut().zip(NO_LINE) {
+                column[slot(row) % LANES] = c;
+            }
+        }
+        Self { blocks, len, length }
     }
 
     pub(crate) fn len(&self) -> usize {
         self.len
     }
 
-    /// The lines two by two; beside the last one of an odd number there is one that has no normal.
-    pub(crate) fn pairs(&self) -> &[Pair] {
-        &self.pairs
+    /// The lines eight by eight; those that fill up the last block have no normal.
+    pub(crate) fn blocks(&self) -> &[LineBlock] {
+        &self.blocks
     }
 
     /// A line: a, b, c and the inverse length of its generator.
     #[inline(always)]
-    pub(crate) fn line(&self, i: usize) -> [f64; 4] {
-        self.pairs[i / 2].map(|column| column.to_array()[i % 2])
+    pub(crate) fn line(&self, row: usize) -> [f64; 4] {
+        self.blocks[row / LANES].0.map(|column| column[slot(row) % LANES])
     }
 
     /// The lines in their order.
     #[inline(always)]
     pub(crate) fn iter(&self) -> impl Iterator<Item = [f64; 4]> {
-        let both = self.pairs.iter().flat_map(|pair| [0, 1].map(|lane| pair.map(|column| column.to_array()[lane])));
-        both.take(self.len)
+        (0..self.len).map(|row| self.line(row))
     }
 
     /// The slope of linear · x + Σ |a x + b y + c| at a point along a direction, where each line has the sign of its
     /// value at the point. A line has no slope along itself.
-    pub(crate) fn slope(&self, linear: [f64; 2], [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
-        let [wide_x, wide_y, wide_dx, wide_dy] = [x, y, dx, dy].map(f64x2::splat);
-        let mut sum = f64x2::default();
-        for [a, b, c, _] in &self.pairs {
-            let value = *a * wide_x + *b * wide_y + *c;
-            sum += (*a * wide_dx + *b * wide_dy) ^ (value & f64x2::splat(-0.0));
-        }
-        linear[0] * dx + linear[1] * dy + sum.reduce_add()
+    pub(crate) fn slope(&self, linear: [f64; 2], point: [f64; 2], direction: [f64; 2]) -> f64 {
+        let sum = dispatch!(level(), simd => slope(simd, &self.blocks, point, direction));
+        linear[0] * direction[0] + linear[1] * direction[1] + sum
     }
 
-    /// [`slope`](Self::slope), and the place along the direction at which each line is crossed: negative zero where
-    /// the point is on the line and the sign is already that behind it, not finite where the line is never crossed.
+    /// [`slope`](Self::slope), and the place along the direction at which the line of each slot is crossed: negative
+    /// zero where the point is on the line and the sign is already that behind it, not finite where the line is never
+    /// crossed.
     pub(crate) fn slope_and_crossings(
         &self,
         linear: [f64; 2],
-        [x, y]: [f64; 2],
-        [dx, dy]: [f64; 2],
+        point: [f64; 2],
+        direction: [f64; 2],
         places: &mut Vec<f64>,
     ) -> f64 {
-        let [wide_x, wide_y, wide_dx, wide_dy] = [x, y, dx, dy].map(f64x2::splat);
-        let mut sum = f64x2::default();
-        places.resize(2 * self.pairs.len(), 0.0);
-        for ([a, b, c, _], place) in self.pairs.iter().zip(places.as_chunks_mut::<2>().0) {
-            let value = *a * wide_x + *b * wide_y + *c;
-            let rate = *a * wide_dx + *b * wide_dy;
-            sum += rate ^ (value & f64x2::splat(-0.0));
-            *place = (-value / rate).to_array();
-        }
-        linear[0] * dx + linear[1] * dy + sum.reduce_add()
+        places.resize(LANES * self.blocks.len(), 0.0);
+        let sum = dispatch!(level(), simd => slope_and_crossings(simd, &self.blocks, point, direction, places));
+        linear[0] * direction[0] + linear[1] * direction[1] + sum
     }
 
     /// linear · x + Σ |a x + b y + c|.
@@ -105,10 +88,10 @@ impl RoundedLines {
         [[1.0, 0.0], [0.0, 1.0]].map(|direction| self.slope([0.0; 2], point, direction))
     }
 
-    /// A part that stands for all lines: two lines in every `2 share`.
+    /// A part that stands for all lines: eight lines in every `8 share`.
     pub(crate) fn part(&self, share: usize) -> Self {
-        let pairs: Vec<Pair> = self.pairs[..self.len / 2].iter().step_by(share).copied().collect();
-        Self { len: 2 * pairs.len(), pairs, length: self.length / share as f64 }
+        let blocks: Vec<LineBlock> = self.blocks[..self.len / LANES].iter().step_by(share).copied().collect();
+        Self { len: LANES * blocks.len(), blocks, length: self.length / share as f64 }
     }
 
     /// Where two lines meet.
@@ -119,21 +102,64 @@ impl RoundedLines {
     }
 }
 
+/// Eight lines in vectors of lanes.
+#[inline(always)]
+pub(crate) fn load<S: Simd>(simd: S, LineBlock([a, b, c, w]): &LineBlock) -> [f64x8<S>; 4] {
+    [f64x8::from_slice(simd, a), f64x8::from_slice(simd, b), f64x8::from_slice(simd, c), f64x8::from_slice(simd, w)]
+}
+
+#[inline(always)]
+fn slope<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], [dx, dy]: [f64; 2]) -> f64 {
+    let mut sum = f64x8::splat(simd, 0.0);
+    for block in blocks {
+        let [a, b, c, _] = load(simd, block);
+        let value = a * x + b * y + c;
+        sum += turned(simd, a * dx + b * dy, value);
+    }
+    total(sum)
+}
+
+#[inline(always)]
+fn slope_and_crossings<S: Simd>(
+    simd: S,
+    blocks: &[LineBlock],
+    [x, y]: [f64; 2],
+    [dx, dy]: [f64; 2],
+    places: &mut [f64],
+) -> f64 {
+    let mut sum = f64x8::splat(simd, 0.0);
+    for (block, place) in blocks.iter().zip(places.as_chunks_mut::<LANES>().0) {
+        let [a, b, c, _] = load(simd, block);
+        let value = a * x + b * y + c;
+        let rate = a * dx + b * dy;
+        sum += turned(simd, rate, value);
+        (-value / rate).store_slice(place);
+    }
+    total(sum)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn an_odd_number_of_lines_is_padded_by_one_that_counts_for_nothing() {
+    fn the_last_block_is_filled_up_with_lines_that_count_for_nothing() {
         let columns = [[1.0, 0.0, -1.0, 1.0], [0.0, 1.0, -2.0, 1.0], [1.0, 1.0, 0.0, 0.5]];
-        let mut lines = RoundedLines::with_capacity(3);
-        lines.push_pair([0, 1, 2, 3].map(|k| f64x2::new([columns[0][k], columns[1][k]])), f64x2::new([1.0, 1.0]));
-        lines.push_last(columns[2], 2.0);
-        assert_eq!((lines.len(), lines.pairs().len(), lines.length), (3, 2, 4.0));
+        let mut block = LineBlock([[7.0; LANES]; 4]);
+        for (row, line) in columns.iter().enumerate() {
+            for (column, c) in block.0.iter_mut().zip(line) {
+                column[slot(row)] = *c;
+            }
+        }
+        let lines = RoundedLines::new(vec![block], 3, 4.0);
+        assert_eq!((lines.len(), lines.blocks().len(), lines.length), (3, 1, 4.0));
         assert_eq!(lines.iter().collect::<Vec<_>>(), columns);
         assert_eq!([0, 1, 2].map(|i| lines.line(i)), columns);
         // x = 1 and y = 2; y = 2 and x + y = 0
         assert_eq!(lines.meet(0, 1), [1.0, 2.0]);
         assert_eq!(lines.meet(1, 2), [-2.0, 2.0]);
+        // |x − 1| + |y − 2| + |x + y| at (0, 1): the slopes are −1 and 1, and −1 and 1
+        assert_eq!(lines.gradient([0.0, 1.0]), [0.0, 0.0]);
+        assert_eq!(lines.value([0.0; 2], [0.0, 1.0]), 3.0);
     }
 }

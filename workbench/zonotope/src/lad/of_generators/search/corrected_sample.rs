@@ -73,7 +73,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
     /// The optimum, seen from a sample of all generators.
     pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<RoundedOptimum, NotCertified> {
         let (n, len) = (self.problem.query.len(), sample.vectors.len());
-        let lines = self.problem.chart.lines(sample.vectors.iter().copied());
+        let lines = self.problem.chart.lines(&sample.vectors);
         let aim = Aim { longest: sample.longest, ..Aim::new(len, n, SAMPLE_DEVIATIONS).thin() };
         // in a sample by length, generators that were made longer stand for the others already
         let share = if sample.longest < f64::INFINITY { 1.0 } else { len as f64 / n as f64 };
@@ -121,7 +121,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
             let is_last = round + 1 == CORRECTIONS && depth == 0;
             if is_last {
                 self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
-                let all = self.problem.chart.lines(self.problem.query.generators().collect::<Vec<_>>().into_iter());
+                let all = self.problem.chart.lines(&self.problem.query.generators().collect::<Vec<_>>());
                 point = all.optimum([0.0; 2], point).unwrap_or(point);
             }
             let cell = match part.lines.guess_at(point, before, part.aim) {
