@@ -101,11 +101,13 @@ pub(crate) fn approximate(v: [f64; 3], relative_error: f64) -> BoundedVector {
 }
 
 /// The difference `to` − `from` of two vectors of doubles.
+#[inline]
 pub(crate) fn difference(from: [f64; 3], to: [f64; 3]) -> BoundedVector {
-    [0, 1, 2].map(|i| {
+    let difference = |i: usize| {
         let (value, rest) = exact_sum(to[i], -from[i]);
         Bounded { value, error: if rest == 0.0 { 0.0 } else { UNIT * value.abs() } }
-    })
+    };
+    [difference(0), difference(1), difference(2)]
 }
 
 /// A bound as it is, infinite where it is NaN.

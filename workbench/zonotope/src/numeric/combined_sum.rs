@@ -10,7 +10,6 @@ use wide::f64x2;
 
 use super::double_double::BoundedDoubleDouble;
 use super::exact_sum::exact_sum;
-use super::lanes::total;
 use super::tolerance::{COMBINED_SUM, PRODUCT_UNDERFLOW};
 
 /// Vectors whose small parts are added up before they join those of the others, so that few roundings take part.
@@ -36,8 +35,8 @@ impl Sum {
             self.head = head;
             self.add_small(rest);
         }
-        self.add_small(total(lanes.tail));
-        self.magnitude += total(lanes.magnitude);
+        self.add_small(lanes.tail.to_array().iter().sum());
+        self.magnitude += lanes.magnitude.to_array().iter().sum::<f64>();
     }
 
     fn add_small(&mut self, small: f64) {

@@ -2,7 +2,11 @@
 
 use std::fmt;
 
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use thiserror::Error;
+
+use super::lanes::level::level;
+use super::lanes::octet::{LANES, total};
 
 /// A number of an input is NaN or infinite.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -139,14 +143,17 @@ fn is_finite<const D: usize>(v: &[f64; D]) -> bool {
 /// Whether all numbers are finite: zero times a number is zero for these alone. Several are looked at side by side,
 /// without a branch for each, since lists of generators are checked whenever a query is made.
 fn are_finite(numbers: &[f64]) -> bool {
-    let mut zeros = [0.0; 8];
-    let (blocks, rest) = numbers.as_chunks::<8>();
+    let (blocks, rest) = numbers.as_chunks();
+    dispatch!(level(), simd => sum_of_zeros(simd, blocks)) == 0.0 && rest.iter().all(|c| c.is_finite())
+}
+
+#[inline(always)]
+fn sum_of_zeros<S: Simd>(simd: S, blocks: &[[f64; LANES]]) -> f64 {
+    let mut zeros = f64x8::splat(simd, 0.0);
     for block in blocks {
-        for (zero, c) in zeros.iter_mut().zip(block) {
-            *zero += 0.0 * c;
-        }
+        zeros += f64x8::from_slice(simd, block) * 0.0;
     }
-    zeros == [0.0; 8] && rest.iter().all(|c| c.is_finite())
+    total(zeros)
 }
 
 #[cfg(test)]

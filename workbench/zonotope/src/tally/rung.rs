@@ -33,6 +33,8 @@ pub enum Rung {
     ClippedCoefficients,
     /// The displacement is zero.
     ZeroDisplacement,
+    /// The best of all pairs of a few generators.
+    AllPairs,
     /// All generators of a small body at once, in doubles.
     AllInDoubles,
     /// Two of few classes of parallel generators meet in the optimum.
@@ -75,13 +77,14 @@ pub enum Rung {
 
 impl Rung {
     /// All rungs, each stage's in the order in which they are tried.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 26] = [
         Self::LeastSquares,
         Self::LeastSquaresInPlane,
         Self::SampledDirection,
         Self::StratifiedPass,
         Self::ClippedCoefficients,
         Self::ZeroDisplacement,
+        Self::AllPairs,
         Self::AllInDoubles,
         Self::ParallelClasses,
         Self::SeparatingGuess,
@@ -112,6 +115,7 @@ impl Rung {
             Self::StratifiedPass => "stratified_pass",
             Self::ClippedCoefficients => "clipped_coefficients",
             Self::ZeroDisplacement => "zero_displacement",
+            Self::AllPairs => "all_pairs",
             Self::AllInDoubles => "all_in_doubles",
             Self::ParallelClasses => "parallel_classes",
             Self::SeparatingGuess => "separating_guess",

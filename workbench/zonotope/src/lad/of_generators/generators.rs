@@ -13,7 +13,7 @@
 use std::fmt;
 
 use super::cells::direction_cone::DirectionCone;
-use super::cells::sign_pass::FixedSum;
+use super::cells::sign_pass::{FixedSum, Places};
 use super::frame::Frame;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::exact_linear::{self, ExactVector, exact};
@@ -68,7 +68,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
 
     /// The sum of the generators whose sign is fixed in a cell, with these signs, by one pass; the other generators
     /// are added to a list, and their indices to a second one.
-    fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Vec<u32>) -> FixedSum {
+    fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Places) -> FixedSum {
         let mut fixed = FixedSum::default();
         let mut offset = 0;
         for part in self.parts() {
@@ -139,7 +139,7 @@ impl<'a> Part<'a> {
 
     /// Adds a number for each generator in doubles to the end of a list.
     #[inline]
-    pub(crate) fn map_into<T>(&self, list: &mut Vec<T>, of: impl Fn(&[f64; 3]) -> T) {
+    pub(crate) fn map_into<T>(&self, list: &mut impl Extend<T>, of: impl Fn(&[f64; 3]) -> T) {
         match self.frame {
             None => list.extend(self.rows.iter().map(of)),
             Some(frame) => list.extend(self.rows.iter().map(|v| of(&frame.map().image(v)))),
@@ -166,7 +166,7 @@ impl<'a> Part<'a> {
         cell: &DirectionCone,
         offset: usize,
         crossing: &mut Vec<[f64; 3]>,
-        indices: &mut Vec<u32>,
+        indices: &mut Places,
     ) -> FixedSum {
         let first = indices.len();
         let fixed = match self.frame {

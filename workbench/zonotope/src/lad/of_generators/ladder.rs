@@ -7,6 +7,7 @@
 //! | rung | tried | where it has no answer |
 //! |---|---|---|
 //! | `ZeroDisplacement` | always | the next one |
+//! | `AllPairs` | at most [`PAIRS_LIMIT`] generators | `AllInDoubles` |
 //! | `AllInDoubles` | at most [`WHOLE_LIMIT`] generators | `FlatBody` |
 //! | `ParallelClasses` | more, of few directions as far as a sample shows | `CorrectedSample` |
 //! | `SeparatingGuess` | a sample has a smooth optimum, and the location is all that is asked | `SampledCell` |
@@ -36,6 +37,7 @@ use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
 use super::problem::Problem;
 use super::search::Searched;
+use super::search::all_pairs::{PAIRS_LIMIT, best_pair, groups_of_pairs};
 use super::search::class_meetings::{ClassesFound, search_meetings};
 use super::search::corrected_sample::{CorrectedSample, NotCertified};
 use super::search::narrowing::{Missed, narrow, search_cell};
@@ -76,17 +78,19 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally)
     if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
     }
-    let problem = Problem::new(query, goal);
+    let problem = Problem::of_displacement(query, p, goal);
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are known to few digits, doubles have nothing to say of them
     let mut rung = match MODERATE_SIZES.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
+        true if query.len() <= PAIRS_LIMIT => Rung::AllPairs,
         true if query.len() <= WHOLE_LIMIT => Rung::AllInDoubles,
         true => Rung::ParallelClasses,
         false => Rung::FlatBody,
     };
     loop {
         let attempt = match rung {
+            Rung::AllPairs => climb.all_pairs(),
             Rung::AllInDoubles => climb.all_in_doubles(),
             Rung::ParallelClasses => climb.parallel_classes(),
             Rung::SeparatingGuess => climb.separating_guess(),
@@ -151,6 +155,13 @@ struct Known {
 type Attempt = Result<Optimum, Rung>;
 
 impl<T: Tally> Climb<'_, '_, T> {
+    fn all_pairs(&mut self) -> Attempt {
+        // each group of pairs is tried with all generators
+        let n = self.problem.query.len();
+        self.tally.add(Operation::GeneratorRead, (n * groups_of_pairs(n)) as u64);
+        best_pair(self.problem).map_or(Err(Rung::AllInDoubles), |searched| self.decide(searched))
+    }
+
     fn all_in_doubles(&mut self) -> Attempt {
         let query = self.problem.query;
         self.tally.add(Operation::GeneratorRead, query.len() as u64);

@@ -7,9 +7,6 @@
 //!
 //! [`Frame`]: super::frame::Frame
 
-use wide::f64x2;
-
-use crate::numeric::lanes::{Columns, product};
 use crate::numeric::linear::{dot, max_norm, sum_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES, SQUARABLE_SIZES, UNDERFLOW};
 use crate::zonotope::pose::Pose;
@@ -47,14 +44,6 @@ impl<'a> LinearMap<'a> {
     pub(crate) fn image_with_length(&self, v: &[f64; 3]) -> ([f64; 3], f64) {
         // with room for what underflows in a product
         (self.image(v), self.magnitude * sum_norm(v) + SQUARABLE_SIZES.start)
-    }
-
-    /// The images of two vectors side by side.
-    #[inline(always)]
-    pub(crate) fn wide_image(&self, v: &Columns) -> Columns {
-        let [a, b, c] = self.rows;
-        let along = |[x, y, z]: &[f64; 3]| product(v, &[f64x2::splat(*x), f64x2::splat(*y), f64x2::splat(*z)]);
-        [along(a), along(b), along(c)]
     }
 
     /// M H Mᵀ, rounded; a symmetric matrix is given by xx, xy, xz, yy, yz, zz.

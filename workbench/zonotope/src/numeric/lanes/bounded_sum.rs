@@ -1,8 +1,11 @@
 //! The support function of a centred zonotope of space in doubles with a bound on its error, in one pass over its
 //! generators: nothing about the body must be known before.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
+use super::level::level;
+use super::number::product;
+use super::octet::{Octets, splat, total};
 use crate::numeric::bounded::Bounded;
 use crate::numeric::tolerance::{PRODUCT_UNDERFLOW, UNIT};
 
@@ -20,35 +23,28 @@ pub(crate) fn bounded_sum(generators: &[[f64; 3]], direction: &[f64; 3]) -> Boun
 /// A dot product is off by at most 3 u |g|_1 max |direction_k|; the sums are taken in blocks, so a term goes through
 /// few additions.
 pub(crate) fn bounded_sum_near(generators: &[[f64; 3]], direction: &[f64; 3], size: f64) -> Bounded {
-    let [x, y, z] = *direction;
-    // two generators in the order in which they lie in memory
-    let wide = [[x, y], [z, x], [y, z]].map(f64x2::new);
-    let (mut value, mut magnitude) = (0.0, 0.0);
-    for block in generators.chunks(BLOCK) {
-        let mut values = [f64x2::default(); 2];
-        let mut sizes = [f64x2::default(); 3];
-        let mut read = |[[a, b, c], [d, e, f]]: [[f64; 3]; 2], values: &mut f64x2| {
-            let pair = [[a, b], [c, d], [e, f]].map(f64x2::new);
-            let [first, middle, last] = [pair[0] * wide[0], pair[1] * wide[1], pair[2] * wide[2]];
-            let [ends, others] = f64x2::transpose([first, last]);
-            *values += (ends + others + middle).abs();
-            for (size, c) in sizes.iter_mut().zip(pair) {
-                *size += c.abs();
-            }
-        };
-        let (fours, rest) = block.as_chunks::<4>();
-        for [a, b, c, d] in fours {
-            read([*a, *b], &mut values[0]);
-            read([*c, *d], &mut values[1]);
-        }
-        for generator in rest {
-            read([*generator, [0.0; 3]], &mut values[0]);
-        }
-        value += (values[0] + values[1]).reduce_add();
-        magnitude += (sizes[0] + sizes[1] + sizes[2]).reduce_add();
-    }
+    let [value, magnitude] = dispatch!(level(), simd => sums(simd, generators, direction));
     let additions = (BLOCK + generators.len() / BLOCK + 8) as f64;
     let largest = direction.iter().fold(0.0f64, |m, c| m.max(c.abs()));
     let error = UNIT * (additions * value + 4.0 * magnitude * (largest + size)) * (1.0 + 4.0 * additions * UNIT);
     Bounded { value, error: error + generators.len() as f64 * PRODUCT_UNDERFLOW }
+}
+
+/// The sum, and Σ |g|_1.
+#[inline(always)]
+fn sums<S: Simd>(simd: S, generators: &[[f64; 3]], direction: &[f64; 3]) -> [f64; 2] {
+    let (wide, zero) = (splat(simd, direction), f64x8::splat(simd, 0.0));
+    let [mut value, mut magnitude] = [0.0; 2];
+    for block in generators.chunks(BLOCK) {
+        let octets = Octets::new(block);
+        let [mut values, mut sizes] = [zero; 2];
+        for k in 0..octets.len() {
+            let v = octets.load(simd, k);
+            values += product(&v, &wide).abs();
+            sizes += v[0].abs() + v[1].abs() + v[2].abs();
+        }
+        value += total(values);
+        magnitude += total(sizes);
+    }
+    [value, magnitude]
 }

@@ -67,8 +67,9 @@ mod tests {
     use super::*;
     use crate::numeric::dyadic::Dyadic;
     use crate::numeric::lanes::extreme_sum::dot_or_plus_zero;
+    use crate::numeric::lanes::level::at_each_level;
     use crate::numeric::lanes::test_vectors::vectors;
-    use crate::numeric::lanes::{absolute_sum, extreme_sum};
+    use crate::numeric::lanes::{absolute_sum, bounded_sum, extreme_sum};
     use proptest::prelude::*;
 
     proptest! {
@@ -100,6 +101,18 @@ mod tests {
                 let length = generators.iter().fold(Dyadic::zero(), |s, g| s + exact(g[k]).abs());
                 prop_assert!(length <= exact(extents.sums()[k]));
             }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn sums_are_the_same_at_every_level((generators, direction) in vectors()) {
+            let all = at_each_level(|| {
+                let extreme = extreme_sum(&generators, &direction).map(f64::to_bits);
+                let bounded = bounded_sum(&generators, &direction);
+                (absolute_sum(&generators, &direction).to_bits(), extreme, bounded.value.to_bits(), bounded.error.to_bits())
+            });
+            prop_assert!(all.iter().all(|own| *own == all[0]));
         }
     }
 

@@ -1,6 +1,13 @@
 //! An extreme vertex of a centred zonotope in doubles, in one pass over its generators.
 
-use super::partial_sums::{LANES, joined};
+use std::array;
+
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
+
+use super::level::level;
+use super::number::product;
+use super::octet::{self, Octets, splat, totals};
+use super::partial_sums::{LANES, in_space, joined};
 use crate::numeric::linear::dot;
 
 /// Σ ± g with the signs of g · direction: an extreme vertex of the centred body, in doubles. O(n).
@@ -10,6 +17,10 @@ use crate::numeric::linear::dot;
 /// from those of the vertex with these signs.
 #[inline]
 pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> [f64; D] {
+    if let Some((generators, direction)) = in_space(generators, direction) {
+        let sum = dispatch!(level(), simd => sum(simd, generators, direction));
+        return array::from_fn(|k| sum[k]);
+    }
     let mut sums = [[0.0; LANES]; D];
     let (blocks, rest) = generators.as_chunks::<LANES>();
     for block in blocks {
@@ -27,6 +38,21 @@ pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]
         }
     }
     sums.map(joined)
+}
+
+#[inline(always)]
+fn sum<S: Simd>(simd: S, generators: &[[f64; 3]], direction: &[f64; 3]) -> [f64; 3] {
+    let (wide, octets) = (splat(simd, direction), Octets::new(generators));
+    let zero = f64x8::splat(simd, 0.0);
+    let mut sums = [zero; 3];
+    for k in 0..octets.len() {
+        let v = octets.load(simd, k);
+        let value = zero + product(&v, &wide);
+        for axis in 0..3 {
+            sums[axis] += octet::turned(simd, v[axis], value);
+        }
+    }
+    totals(&sums)
 }
 
 /// The dot product, where 0 has the plus sign: a generator that is orthogonal to the direction is added as it stands.

@@ -7,21 +7,52 @@
 use fearless_simd::Level;
 
 /// The level of the machine; the library that detects it looks once and remembers.
+#[cfg(not(test))]
 #[inline(always)]
 pub(crate) fn level() -> Level {
     Level::new()
 }
 
-/// All levels that the machine has.
 #[cfg(test)]
-pub(crate) fn levels() -> Vec<Level> {
-    let level = level();
-    let mut levels = vec![Level::baseline(), level];
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    {
-        levels.extend(level.as_sse2().map(Level::Sse2));
-        levels.extend(level.as_sse4_2().map(Level::Sse4_2));
-        levels.extend(level.as_avx2().map(Level::Avx2));
+pub(crate) use forced::{at_each_level, level, levels};
+
+#[cfg(test)]
+mod forced {
+    //! Tests choose the level of their thread.
+
+    use std::cell::Cell;
+
+    use super::Level;
+
+    thread_local! {
+        static FORCED: Cell<Option<Level>> = const { Cell::new(None) };
     }
-    levels
+
+    pub(crate) fn level() -> Level {
+        FORCED.get().unwrap_or_else(Level::new)
+    }
+
+    /// All levels that the machine has, the narrowest first.
+    pub(crate) fn levels() -> Vec<Level> {
+        let widest = Level::new();
+        let mut levels = vec![Level::baseline()];
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        {
+            levels.extend(widest.as_sse4_2().map(Level::Sse4_2));
+            levels.extend(widest.as_avx2().map(Level::Avx2));
+        }
+        levels.push(widest);
+        levels
+    }
+
+    /// What a function returns at each level that the machine has.
+    pub(crate) fn at_each_level<T>(mut compute: impl FnMut() -> T) -> Vec<T> {
+        let results = levels().into_iter().map(|level| {
+            FORCED.set(Some(level));
+            compute()
+        });
+        let results = results.collect();
+        FORCED.set(None);
+        results
+    }
 }

@@ -7,9 +7,9 @@
 //! | `extreme_sum` | an extreme vertex of a centred zonotope |
 //! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
 //! | [`level`] | the vector instructions of the machine, chosen when the program runs |
+//! | [`number`] | what the steps of a pass compute with: one number, or eight |
 //! | [`octet`] | eight vectors of space side by side |
 //! | `row_products` | dot products of rows of any length |
-//! | `pairs` | vectors of space, two side by side, for passes with their own sums |
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
 
 mod absolute_sum;
@@ -17,8 +17,8 @@ mod bounded_sum;
 mod extents;
 mod extreme_sum;
 pub(crate) mod level;
+pub(crate) mod number;
 pub(crate) mod octet;
-mod pairs;
 mod partial_sums;
 mod row_products;
 #[cfg(test)]
@@ -28,5 +28,4 @@ pub use absolute_sum::absolute_sum;
 pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};
 pub use extents::Extents;
 pub use extreme_sum::extreme_sum;
-pub(crate) use pairs::{Columns, clipped, columns, for_pairs, product, size, total, totals};
 pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};

@@ -29,40 +29,48 @@ pub(crate) const fn in_order_of_rows(bits: u64) -> u64 {
     bits ^ far ^ far << 4
 }
 
-/// Rows in eights, the last of them filled up with zeros.
+/// Rows in eights, the last of them filled up with zeros where they are not [taken apart](Self::whole_and_rest).
+#[derive(Clone, Copy)]
 pub(crate) struct Octets<'a> {
     whole: &'a [[f64; 3 * LANES]],
-    last: Option<[f64; 3 * LANES]>,
+    rest: &'a [f64],
 }
 
 impl<'a> Octets<'a> {
     #[inline(always)]
     pub(crate) fn new(rows: &'a [[f64; 3]]) -> Self {
         let (whole, rest) = rows.as_flattened().as_chunks();
-        let last = (!rest.is_empty()).then(|| {
-            let mut last = [0.0; 3 * LANES];
-            last[..rest.len()].copy_from_slice(rest);
-            last
-        });
-        Self { whole, last }
+        Self { whole, rest }
     }
 
-    /// The full eights.
+    /// The full octets alone, and the rows that are left, as one number after the other.
     #[inline(always)]
-    pub(crate) fn whole(&self) -> &'a [[f64; 3 * LANES]] {
-        self.whole
+    pub(crate) fn whole_and_rest(&self) -> (Self, &'a [[f64; 3]]) {
+        (Self { rest: &[], ..*self }, self.rest.as_chunks().0)
     }
 
-    /// The last rows, if there are not eight of them.
+    /// How many octets there are.
     #[inline(always)]
-    pub(crate) fn last(&self) -> Option<&[f64; 3 * LANES]> {
-        self.last.as_ref()
+    pub(crate) fn len(&self) -> usize {
+        self.whole.len() + usize::from(!self.rest.is_empty())
+    }
+
+    /// The coordinates of eight rows.
+    #[inline(always)]
+    pub(crate) fn load<S: Simd>(&self, simd: S, place: usize) -> Octet<S> {
+        if let Some(rows) = self.whole.get(place) {
+            return taken_apart(simd, rows);
+        }
+        let mut rows = [0.0; 3 * LANES];
+        for (own, c) in rows.iter_mut().zip(self.rest) {
+            *own = *c;
+        }
+        taken_apart(simd, &rows)
     }
 }
 
-/// The coordinates of eight rows.
 #[inline(always)]
-pub(crate) fn octet<S: Simd>(simd: S, rows: &[f64; 3 * LANES]) -> Octet<S> {
+fn taken_apart<S: Simd>(simd: S, rows: &[f64; 3 * LANES]) -> Octet<S> {
     let (thirds, _) = rows.as_chunks::<LANES>();
     // written out: a closure may lose the instructions that its function is compiled for
     let a = f64x8::from_slice(simd, &thirds[0]);
@@ -77,10 +85,36 @@ pub(crate) fn octet<S: Simd>(simd: S, rows: &[f64; 3 * LANES]) -> Octet<S> {
     [x, y.slide::<1>(y), z.slide::<2>(z)]
 }
 
-/// v · u in each lane.
+/// Numbers in the order of the lanes in the order of the rows, or the other way round: the same moves do both.
+///
+/// The row r takes the number of the lane r + 2 (r mod 4): two rotations, each for the rows that need it.
 #[inline(always)]
-pub(crate) fn product<S: Simd>(v: &Octet<S>, u: &Octet<S>) -> f64x8<S> {
-    v[0] * u[0] + v[1] * u[1] + v[2] * u[2]
+pub(crate) fn reordered<S: Simd>(simd: S, lanes: f64x8<S>) -> f64x8<S> {
+    let by_two = mask64x8::from_bitmask(simd, 0b1010_1010).select(lanes.slide::<2>(lanes), lanes);
+    mask64x8::from_bitmask(simd, 0b1100_1100).select(by_two.slide::<4>(by_two), by_two)
+}
+
+/// Writes the first numbers to fewer than eight places.
+#[inline(always)]
+pub(crate) fn store_first<S: Simd>(numbers: f64x8<S>, places: &mut [f64]) {
+    let mut all = [0.0; LANES];
+    numbers.store_slice(&mut all);
+    places.copy_from_slice(&all[..places.len()]);
+}
+
+/// Each coordinate's sum over the lanes.
+#[inline(always)]
+pub(crate) fn totals<S: Simd>(v: &Octet<S>) -> [f64; 3] {
+    [total(v[0]), total(v[1]), total(v[2])]
+}
+
+/// The largest number of the lanes, none of which is NaN.
+#[inline(always)]
+pub(crate) fn largest<S: Simd>(lanes: f64x8<S>) -> f64 {
+    let (first, second) = lanes.split();
+    let (first, second) = first.max(second).split();
+    let two = first.max(second);
+    two[0].max(two[1])
 }
 
 /// The same vector in all lanes.
@@ -99,10 +133,10 @@ pub(crate) fn turned<S: Simd>(simd: S, x: f64x8<S>, by: f64x8<S>) -> f64x8<S> {
 /// The sum over the lanes, in an order that is the same at every level.
 #[inline(always)]
 pub(crate) fn total<S: Simd>(lanes: f64x8<S>) -> f64 {
-    let mut all = [0.0; LANES];
-    lanes.store_slice(&mut all);
-    let [a, b, c, d, e, f, g, h] = all;
-    ((a + e) + (c + g)) + ((b + f) + (d + h))
+    let (first, second) = lanes.split();
+    let (first, second) = (first + second).split();
+    let sums = first + second;
+    sums[0] + sums[1]
 }
 
 #[cfg(test)]
@@ -113,7 +147,8 @@ mod tests {
 
     #[inline(always)]
     fn coordinates<S: Simd>(simd: S, rows: &[f64; 24]) -> [[f64; 8]; 3] {
-        octet(simd, rows).map(|lanes| std::array::from_fn(|k| lanes[k]))
+        let v = Octets::new(rows.as_chunks().0).load(simd, 0);
+        v.map(|lanes| std::array::from_fn(|k| lanes[k]))
     }
 
     #[test]
@@ -137,7 +172,25 @@ mod tests {
         }
         let rows: Vec<[f64; 3]> = (0..11).map(|i| [f64::from(i); 3]).collect();
         let octets = Octets::new(&rows);
-        assert_eq!(octets.whole().len(), 1);
-        assert_eq!(octets.last().expect("three are left")[6..12], [10.0, 10.0, 10.0, 0.0, 0.0, 0.0]);
+        assert_eq!((octets.len(), octets.whole.len()), (2, 1));
+        assert_eq!(octets.rest, [8.0, 8.0, 8.0, 9.0, 9.0, 9.0, 10.0, 10.0, 10.0]);
+    }
+
+    #[inline(always)]
+    fn in_places<S: Simd>(simd: S, lanes: &[f64; 8], places: &mut [f64]) {
+        store_first(reordered(simd, f64x8::from_slice(simd, lanes)), places);
+    }
+
+    #[test]
+    fn numbers_of_lanes_go_to_the_places_of_their_rows() {
+        let lanes: [f64; 8] = std::array::from_fn(|lane| slot(lane) as f64);
+        for level in levels() {
+            for len in 1..=8 {
+                let mut places = vec![0.0; len];
+                dispatch!(level, simd => in_places(simd, &lanes, &mut places));
+                let rows: Vec<f64> = (0..len).map(|row| row as f64).collect();
+                assert_eq!(places, rows, "{level:?}");
+            }
+        }
     }
 }

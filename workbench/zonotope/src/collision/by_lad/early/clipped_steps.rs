@@ -1,10 +1,10 @@
 //! Clipped coefficients by Newton steps on the Huber dual: coefficients for a point well within the body, or a
 //! direction that separates.
 
-use super::Clear;
 use super::combination::Combination;
 use super::huber_dual::{Among, Lengths, Moments};
 use super::passes::{EarlyQuery, Passes};
+use super::{Clear, INSIDE_GAUGE};
 use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
@@ -105,6 +105,10 @@ impl State {
             let gauge = dot(p, &self.y) / at.reach;
             if gauge > 1.0 {
                 return Sign::Outside(self.y);
+            }
+            if gauge > INSIDE_GAUGE {
+                // steps that go on only creep up to the boundary, near which others decide
+                return Sign::Neither;
             }
             self.gauge = self.gauge.max(gauge);
             let factor = self.aim();

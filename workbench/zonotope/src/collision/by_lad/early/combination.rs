@@ -4,7 +4,7 @@
 //! errors, are small: three generators that span space can balance them, whatever they are, if their coefficients
 //! have a little room.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Passes};
@@ -12,7 +12,9 @@ use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
-use crate::numeric::lanes::{Columns, clipped, columns, product, size, total, totals};
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::{Number, Units, clipped, product, size};
+use crate::numeric::lanes::octet::{LANES, Octet, Octets, reordered, splat, store_first, total, totals};
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
@@ -50,14 +52,6 @@ pub(crate) struct Written {
 }
 
 impl Written {
-    /// Adds what was summed up over the last generators.
-    #[inline(always)]
-    fn add(&mut self, sum: &mut Columns, sizes: &mut f64x2, fresh: &mut usize) {
-        let own = Self { sum: totals(sum), magnitude: total(*sizes), count: *fresh };
-        *self = self.with(&own);
-        (*sum, *sizes, *fresh) = Default::default();
-    }
-
     pub(crate) fn with(&self, other: &Self) -> Self {
         let sum = [0, 1, 2].map(|k| self.sum[k] + other.sum[k]);
         Self { sum, magnitude: self.magnitude + other.magnitude, count: self.count + other.count }
@@ -170,57 +164,110 @@ impl Combination {
     /// Writes the coefficients of some generators, a part at a time.
     #[inline]
     pub(crate) fn write<'a>(&self, parts: impl Iterator<Item = Part<'a>>) -> Written {
-        match (self.lengths, self.factor == 0.0) {
-            (Lengths::Own, false) => self.write_as::<true, false>(parts),
-            (Lengths::Own, true) => self.write_as::<true, true>(parts),
-            (Lengths::Even(_), false) => self.write_as::<false, false>(parts),
-            (Lengths::Even(_), true) => self.write_as::<false, true>(parts),
+        let is_linear = self.factor == 0.0;
+        match self.lengths {
+            Lengths::Own if is_linear => dispatch!(level(), simd => write::<_, true, true>(simd, self, parts)),
+            Lengths::Own => dispatch!(level(), simd => write::<_, true, false>(simd, self, parts)),
+            Lengths::Even(_) if is_linear => dispatch!(level(), simd => write::<_, false, true>(simd, self, parts)),
+            Lengths::Even(_) => dispatch!(level(), simd => write::<_, false, false>(simd, self, parts)),
         }
     }
+}
 
-    fn write_as<'a, const OWN: bool, const LINEAR: bool>(&self, parts: impl Iterator<Item = Part<'a>>) -> Written {
-        let scale = 1.0 / self.lengths.scale();
-        let [y, z] = [self.y, self.z].map(|vector| vector.map(|c| f64x2::splat(c * scale)));
-        let (one, factor, limit) = (f64x2::splat(1.0), f64x2::splat(self.factor), f64x2::splat(self.limit));
-        let (mut sum, mut sizes) = (Columns::default(), f64x2::default());
-        let (mut written, mut fresh) = (Written::default(), 0);
-        for (generators, places) in parts {
-            let mut read = |v: Columns| {
-                let scaled = if OWN {
-                    let length = size(&v);
-                    sizes += length;
-                    let weight = one / length;
-                    v.map(|c| weight * c)
-                } else {
-                    sizes += v[0].abs() + v[1].abs() + v[2].abs();
-                    v
-                };
-                let mut coefficient = product(&scaled, &z);
-                if !LINEAR {
-                    let t = product(&scaled, &y);
-                    coefficient = factor * clipped(t, one) + (coefficient & t.abs().simd_lt(one));
-                }
-                let coefficient = clipped(coefficient, limit);
-                for (sum, c) in sum.iter_mut().zip(v) {
-                    *sum += coefficient * c;
-                }
-                coefficient.to_array()
-            };
-            let (pairs, last) = generators.as_chunks::<2>();
-            let (pair_places, last_place) = places.as_chunks_mut::<2>();
-            for (pair, place) in pairs.iter().zip(pair_places) {
-                *place = read(columns(*pair));
-            }
-            if let ([last], [place]) = (last, last_place) {
-                *place = read(columns([*last, [0.0; 3]]))[0];
-            }
-            fresh += generators.len();
-            if fresh >= BLOCK {
-                written.add(&mut sum, &mut sizes, &mut fresh);
-            }
+/// A combination in all lanes.
+struct Wide<S: Simd> {
+    y: Octet<S>,
+    z: Octet<S>,
+    factor: f64x8<S>,
+    limit: f64x8<S>,
+    units: Units<f64x8<S>>,
+}
+
+impl<S: Simd> Wide<S> {
+    /// The coefficients of eight generators, and their lengths.
+    #[inline(always)]
+    fn coefficients<const OWN: bool, const LINEAR: bool>(&self, v: &Octet<S>) -> [f64x8<S>; 2] {
+        let Units { zero, one, .. } = self.units;
+        let (mut scaled, mut length) = (*v, v[0].magnitude() + v[1].magnitude() + v[2].magnitude());
+        if OWN {
+            length = size(v, &self.units);
+            let weight = one / length;
+            scaled = [weight * v[0], weight * v[1], weight * v[2]];
         }
-        written.add(&mut sum, &mut sizes, &mut fresh);
-        written
+        let mut coefficient = product(&scaled, &self.z);
+        if !LINEAR {
+            let t = product(&scaled, &self.y);
+            let magnitude = t.magnitude();
+            let others = magnitude.if_less(one, coefficient, zero);
+            coefficient = self.factor * magnitude.if_less(one, t, one.signed_as(t)) + others;
+        }
+        [clipped(coefficient, self.limit), length]
+    }
+}
+
+/// Writes coefficients and sums them up, about [`BLOCK`] of them at a time.
+#[inline(always)]
+fn write<'a, S: Simd, const OWN: bool, const LINEAR: bool>(
+    simd: S,
+    combination: &Combination,
+    parts: impl Iterator<Item = Part<'a>>,
+) -> Written {
+    let scale = 1.0 / combination.lengths.scale();
+    let [y, z] = [combination.y, combination.z].map(|vector| vector.map(|c| c * scale));
+    let wide = Wide::<S> {
+        y: splat(simd, &y),
+        z: splat(simd, &z),
+        factor: f64x8::splat(simd, combination.factor),
+        limit: f64x8::splat(simd, combination.limit),
+        units: Units::wide(simd),
+    };
+    let (mut sums, mut fresh) = (WideSums::new(simd), 0);
+    let mut written = Written::default();
+    for (generators, places) in parts {
+        let octets = Octets::new(generators);
+        let (whole, last) = places.as_chunks_mut::<LANES>();
+        for (k, place) in whole.iter_mut().enumerate() {
+            sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, k)).store_slice(place);
+        }
+        if !last.is_empty() {
+            store_first(sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, octets.len() - 1)), last);
+        }
+        fresh += generators.len();
+        if fresh >= BLOCK {
+            written = written.with(&sums.total(fresh));
+            (sums, fresh) = (WideSums::new(simd), 0);
+        }
+    }
+    written.with(&sums.total(fresh))
+}
+
+/// Sums over coefficients in lanes.
+struct WideSums<S: Simd> {
+    sum: Octet<S>,
+    sizes: f64x8<S>,
+}
+
+impl<S: Simd> WideSums<S> {
+    #[inline(always)]
+    fn new(simd: S) -> Self {
+        let zero = f64x8::splat(simd, 0.0);
+        Self { sum: [zero; 3], sizes: zero }
+    }
+
+    /// The coefficients of eight generators, in the order of their rows.
+    #[inline(always)]
+    fn read<const OWN: bool, const LINEAR: bool>(&mut self, simd: S, wide: &Wide<S>, v: &Octet<S>) -> f64x8<S> {
+        let [coefficient, length] = wide.coefficients::<OWN, LINEAR>(v);
+        for k in 0..3 {
+            self.sum[k] += coefficient * v[k];
+        }
+        self.sizes += length;
+        reordered(simd, coefficient)
+    }
+
+    #[inline(always)]
+    fn total(&self, count: usize) -> Written {
+        Written { sum: totals(&self.sum), magnitude: total(self.sizes), count }
     }
 }
 

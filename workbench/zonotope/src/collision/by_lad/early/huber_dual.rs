@@ -9,11 +9,13 @@
 //!
 //! All this only finds coefficients (`combination` writes and proves them).
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use crate::collision::by_lad::early::passes::{Carried, Passes, Runs};
+use crate::collision::by_lad::early::passes::{Carried, Passes, Runs, len};
 use crate::lad::of_generators::linear_map::LinearMap;
-use crate::numeric::lanes::{Columns, clipped, for_pairs, product, size, total, totals};
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::{Number, Units, product, size};
+use crate::numeric::lanes::octet::{self, LANES, Octets, splat, total};
 use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 
 /// No coefficient is nearer to ±1 than this leaves room for.
@@ -60,18 +62,8 @@ impl Lengths {
     }
 
     fn of_runs(runs: Runs<'_>) -> Self {
-        let (mut longest, mut total) = (f64x2::default(), f64x2::default());
-        for run in runs {
-            for_pairs(run, |v| {
-                let size = size(&v);
-                longest = longest.fast_max(size);
-                total += size;
-            });
-        }
-        let [first, second] = longest.to_array();
-        let longest = first.max(second);
-        let count = (runs[0].len() + runs[1].len()) as f64;
-        if longest * count <= EVEN_LENGTHS * total.reduce_add() { Self::Even(longest) } else { Self::Own }
+        let [longest, sum] = dispatch!(level(), simd => sizes(simd, runs));
+        if longest * len(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
     }
 
     /// What (v · z) / |v| is at most: for any v, or for even generators by those of some, with room for others.
@@ -88,11 +80,7 @@ impl Lengths {
 
     fn largest_of(self, among: &[[f64; 3]], z: &[f64; 3]) -> f64 {
         let Self::Even(longest) = self else { return sum_norm(z).min((3.0 * dot(z, z)).sqrt()) };
-        let wide = z.map(f64x2::splat);
-        let mut largest = f64x2::default();
-        for_pairs(among, |v| largest = largest.fast_max(product(&v, &wide).abs()));
-        let [first, second] = largest.to_array();
-        SAMPLE_MARGIN * first.max(second) / longest
+        SAMPLE_MARGIN * dispatch!(level(), simd => largest_product(simd, among, z)) / longest
     }
 
     /// What products with a vector are to be taken with, and what sums of them are to be divided by.
@@ -143,35 +131,112 @@ impl Carried for Lengths {
     }
 }
 
-#[derive(Default)]
-struct Sums {
-    hessian: [f64x2; 6],
-    sum: Columns,
-    reach: f64x2,
+/// The longest length, and the sum of all.
+#[inline(always)]
+fn sizes<S: Simd>(simd: S, runs: Runs<'_>) -> [f64; 2] {
+    let units = Units::wide(simd);
+    let (mut longest, mut sum) = (units.zero, units.zero);
+    for run in runs {
+        let octets = Octets::new(run);
+        for k in 0..octets.len() {
+            let size = size(&octets.load(simd, k), &units);
+            longest = longest.larger(size);
+            sum += size;
+        }
+    }
+    [octet::largest(longest), total(sum)]
 }
 
-impl Sums {
-    /// Adds two generators; y is scaled where lengths are not their own.
+/// The largest |v · z|.
+#[inline(always)]
+fn largest_product<S: Simd>(simd: S, vectors: &[[f64; 3]], z: &[f64; 3]) -> f64 {
+    let (wide, octets) = (splat(simd, z), Octets::new(vectors));
+    let mut largest = f64x8::splat(simd, 0.0);
+    for k in 0..octets.len() {
+        let along = product(&octets.load(simd, k), &wide).magnitude();
+        // a product that is not a number is passed over
+        largest = largest.if_less(along, along, largest);
+    }
+    octet::largest(largest)
+}
+
+/// Sums over generators, in lanes or not.
+struct Sums<T> {
+    hessian: [T; 6],
+    sum: [T; 3],
+    reach: T,
+}
+
+impl<T: Number> Sums<T> {
     #[inline(always)]
-    fn read<const AT_ZERO: bool, const OWN: bool>(&mut self, v: &Columns, y: &Columns) {
-        let one = f64x2::splat(1.0);
-        let weight = if OWN { one / size(v) } else { one };
-        let mut scaled = if OWN { v.map(|c| weight * c) } else { *v };
+    fn new(units: &Units<T>) -> Self {
+        Self { hessian: [units.zero; 6], sum: [units.zero; 3], reach: units.zero }
+    }
+
+    /// Adds generators; y is scaled where lengths are not their own.
+    #[inline(always)]
+    fn read<const AT_ZERO: bool, const OWN: bool>(&mut self, units: &Units<T>, v: &[T; 3], y: &[T; 3]) {
+        let mut scaled = *v;
+        if OWN {
+            let weight = units.one / size(v, units);
+            scaled = [weight * v[0], weight * v[1], weight * v[2]];
+        }
         if !AT_ZERO {
             let t = product(&scaled, y);
-            let coefficient = clipped(t, one);
-            for (sum, c) in self.sum.iter_mut().zip(v) {
-                *sum += coefficient * *c;
+            let magnitude = t.magnitude();
+            let coefficient = magnitude.if_less(units.one, t, units.one.signed_as(t));
+            for k in 0..3 {
+                self.sum[k] += coefficient * v[k];
+                scaled[k] = magnitude.if_less(units.one, scaled[k], units.zero);
             }
-            self.reach += if OWN { product(v, y) } else { t }.abs();
-            let is_inner = t.abs().simd_lt(one);
-            scaled = scaled.map(|c| c & is_inner);
+            self.reach += if OWN { product(v, y) } else { t }.magnitude();
         }
         let [x, y, z] = scaled;
-        let terms = [x * v[0], x * v[1], x * v[2], y * v[1], y * v[2], z * v[2]];
-        for (sum, term) in self.hessian.iter_mut().zip(terms) {
-            *sum += term;
+        self.hessian[0] += x * v[0];
+        self.hessian[1] += x * v[1];
+        self.hessian[2] += x * v[2];
+        self.hessian[3] += y * v[1];
+        self.hessian[4] += y * v[2];
+        self.hessian[5] += z * v[2];
+    }
+}
+
+/// The sums over all rows with one length, or with their own.
+#[inline(always)]
+pub(crate) fn moments<S: Simd, const AT_ZERO: bool, const OWN: bool>(
+    simd: S,
+    runs: Runs<'_>,
+    y: &[f64; 3],
+    length: f64,
+) -> Moments {
+    let y = [y[0] / length, y[1] / length, y[2] / length];
+    let (wide, units) = (splat(simd, &y), Units::wide(simd));
+    let (mut sums, mut few) = (Sums::new(&units), Sums::new(&Units::SINGLE));
+    for run in runs {
+        let (octets, rest) = Octets::new(run).whole_and_rest();
+        for k in 0..octets.len() {
+            sums.read::<AT_ZERO, OWN>(&units, &octets.load(simd, k), &wide);
         }
+        for v in rest {
+            few.read::<AT_ZERO, OWN>(&Units::SINGLE, v, &y);
+        }
+    }
+    if len(runs) >= LANES {
+        for k in 0..6 {
+            few.hessian[k] += total(sums.hessian[k]);
+        }
+        if !AT_ZERO {
+            for k in 0..3 {
+                few.sum[k] += total(sums.sum[k]);
+            }
+            few.reach += total(sums.reach);
+        }
+    }
+    let [xx, xy, xz, yy, yz, zz] = few.hessian;
+    Moments {
+        hessian: [xx / length, xy / length, xz / length, yy / length, yz / length, zz / length],
+        sum: few.sum,
+        reach: few.reach * length,
     }
 }
 
@@ -220,24 +285,7 @@ impl Moments {
 
     #[inline(always)]
     fn read<const AT_ZERO: bool, const OWN: bool>(runs: Runs<'_>, y: &[f64; 3], length: f64) -> Self {
-        let wide = y.map(|c| f64x2::splat(c / length));
-        let mut sums = Sums::default();
-        for run in runs {
-            for_pairs(run, |v| sums.read::<AT_ZERO, OWN>(&v, &wide));
-        }
-        let [xx, xy, xz, yy, yz, zz] = sums.hessian;
-        Self {
-            hessian: [
-                total(xx) / length,
-                total(xy) / length,
-                total(xz) / length,
-                total(yy) / length,
-                total(yz) / length,
-                total(zz) / length,
-            ],
-            sum: totals(&sums.sum),
-            reach: total(sums.reach) * length,
-        }
+        dispatch!(level(), simd => moments::<_, AT_ZERO, OWN>(simd, runs, y, length))
     }
 
     /// H^{-1} r, if H is certainly not singular.

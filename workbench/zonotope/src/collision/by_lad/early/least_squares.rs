@@ -5,22 +5,24 @@
 //! all are well within (−1, 1), p is inside. If not, w may separate: Σ |v · w| is summed up as the coefficients are
 //! written. In both cases the traces of the matrices bound Σ |v|, and so all rounding errors.
 
-use wide::f64x2;
+use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
-use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
-use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs};
-use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE};
+use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN, moments};
+use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
+use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::lanes::{Columns, columns, product, size, total, totals};
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::{Number, Units, product, size};
+use crate::numeric::lanes::octet::{self, LANES, Octets, reordered, splat, total, totals};
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
-/// The number of pairs of generators from which it is seen that coefficients will be too large.
-const PAIR_SAMPLE: usize = 16;
+/// The number of eights of generators from which it is seen that coefficients will be too large.
+const SAMPLE: usize = 4;
 
 /// What is known of a point that one solve does not tell.
 pub(crate) struct Open {
@@ -34,79 +36,100 @@ pub(crate) struct Open {
 }
 
 /// Sums over the coefficients.
-#[derive(Default)]
+#[derive(Debug, Clone, Copy)]
 struct Sums {
-    sum: Columns,
-    reach: f64x2,
-    largest: f64x2,
+    /// Σ c v.
+    sum: [f64; 3],
+    /// Σ |v · y|.
+    reach: f64,
+    /// The largest magnitude of a coefficient.
+    largest: f64,
 }
 
-impl Sums {
-    /// The coefficients of two generators.
+/// The same in lanes or not.
+struct Terms<T> {
+    sum: [T; 3],
+    reach: T,
+    largest: T,
+}
+
+impl<T: Number> Terms<T> {
     #[inline(always)]
-    fn read<const OWN: bool>(&mut self, v: &Columns, y: &Columns) -> [f64; 2] {
+    fn new(units: &Units<T>) -> Self {
+        Self { sum: [units.zero; 3], reach: units.zero, largest: units.zero }
+    }
+
+    /// The coefficients of generators.
+    #[inline(always)]
+    fn read<const OWN: bool>(&mut self, units: &Units<T>, v: &[T; 3], y: &[T; 3]) -> T {
         let along = product(v, y);
-        let coefficient = if OWN { along / size(v) } else { along };
-        self.reach += along.abs();
-        self.largest = self.largest.fast_max(coefficient.abs());
-        for (sum, c) in self.sum.iter_mut().zip(v) {
-            *sum += coefficient * *c;
+        let coefficient = if OWN { along / size(v, units) } else { along };
+        self.reach += along.magnitude();
+        // a coefficient that is not a number is passed over: the sum is none, either
+        let magnitude = coefficient.magnitude();
+        self.largest = self.largest.if_less(magnitude, magnitude, self.largest);
+        for k in 0..3 {
+            self.sum[k] += coefficient * v[k];
         }
-        coefficient.to_array()
+        coefficient
     }
+}
 
-    /// The same of all generators.
+impl<S: Simd> Terms<f64x8<S>> {
     #[inline(always)]
-    fn write<const OWN: bool>(runs: Runs<'_>, y: &[f64; 3], mut coefficients: &mut [f64]) -> Self {
-        let wide = y.map(f64x2::splat);
-        let mut sums = Self::default();
-        for run in runs {
-            let (places, others) = coefficients.split_at_mut(run.len());
-            coefficients = others;
-            let (pairs, last) = run.as_chunks::<2>();
-            let (places, last_place) = places.as_chunks_mut::<2>();
-            for (pair, place) in pairs.iter().zip(places) {
-                *place = sums.read::<OWN>(&columns(*pair), &wide);
-            }
-            if let ([last], [place]) = (last, last_place) {
-                *place = sums.read::<OWN>(&columns([*last, [0.0; 3]]), &wide)[0];
-            }
-        }
-        sums
+    fn total(&self) -> Sums {
+        Sums { sum: totals(&self.sum), reach: total(self.reach), largest: octet::largest(self.largest) }
     }
+}
 
-    /// The same of some generators from all over the runs, without the coefficients, and how many they are.
-    #[inline(always)]
-    fn of_some<const OWN: bool>(runs: Runs<'_>, y: &[f64; 3], step: usize) -> (Self, usize) {
-        let wide = y.map(f64x2::splat);
-        let (mut sums, mut count) = (Self::default(), 0);
-        for run in runs {
-            for pair in run.as_chunks::<2>().0.iter().step_by(step) {
-                sums.read::<OWN>(&columns(*pair), &wide);
-                count += 2;
-            }
+#[inline(always)]
+fn write<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], mut coefficients: &mut [f64]) -> Sums {
+    let (wide, units) = (splat(simd, y), Units::wide(simd));
+    let (mut terms, mut few) = (Terms::new(&units), Terms::new(&Units::SINGLE));
+    for run in runs {
+        let (places, others) = coefficients.split_at_mut(run.len());
+        coefficients = others;
+        let (octets, rest) = Octets::new(run).whole_and_rest();
+        let (whole, last) = places.as_chunks_mut::<LANES>();
+        for (k, place) in whole.iter_mut().enumerate() {
+            let lanes = terms.read::<OWN>(&units, &octets.load(simd, k), &wide);
+            reordered(simd, lanes).store_slice(place);
         }
-        (sums, count)
+        for (v, place) in rest.iter().zip(last) {
+            *place = few.read::<OWN>(&Units::SINGLE, v, y);
+        }
     }
+    let few = Sums { sum: few.sum, reach: few.reach, largest: few.largest };
+    if len(runs) < LANES { few } else { terms.total().joined(few) }
+}
 
-    fn largest(&self) -> f64 {
-        let [first, second] = self.largest.to_array();
-        first.max(second)
+#[inline(always)]
+fn of_some<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], step: usize) -> (Sums, usize) {
+    let (wide, units) = (splat(simd, y), Units::wide(simd));
+    let mut terms = Terms::new(&units);
+    let mut count = 0;
+    for run in runs {
+        let (octets, _) = Octets::new(run).whole_and_rest();
+        for k in (0..octets.len()).step_by(step) {
+            terms.read::<OWN>(&units, &octets.load(simd, k), &wide);
+            count += LANES;
+        }
     }
+    (terms.total(), count)
 }
 
 impl Carried for Sums {
     #[inline]
     fn carried(self, map: &LinearMap<'_>) -> Self {
-        Self { sum: map.wide_image(&self.sum), ..self }
+        Self { sum: map.image(&self.sum), ..self }
     }
 
-    #[inline]
+    #[inline(always)]
     fn joined(self, other: Self) -> Self {
         Self {
-            sum: [0, 1, 2].map(|k| self.sum[k] + other.sum[k]),
+            sum: [self.sum[0] + other.sum[0], self.sum[1] + other.sum[1], self.sum[2] + other.sum[2]],
             reach: self.reach + other.reach,
-            largest: self.largest.fast_max(other.largest),
+            largest: self.largest.max(other.largest),
         }
     }
 }
@@ -131,8 +154,8 @@ struct Weighted {
 
 impl Weighted {
     #[inline(always)]
-    fn of<const OWN: bool>(runs: Runs<'_>) -> Self {
-        let moments = Moments::weighted::<OWN>(runs);
+    fn of<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>) -> Self {
+        let moments = moments::<_, true, OWN>(simd, runs, &[0.0; 3], 1.0);
         let magnitude = magnitude::<OWN>(&moments, runs[0].len() + runs[1].len());
         Self { moments, magnitude }
     }
@@ -150,35 +173,63 @@ impl Carried for Weighted {
     }
 }
 
-/// Tells where p is relative to at most `N` generators, whose coefficients are in terms of their own lengths if `OWN`.
+/// Tells where p is relative to a few generators, whose coefficients are in terms of their own lengths if `OWN`.
 #[inline(always)]
-pub(crate) fn tell<const OWN: bool, const N: usize>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
+pub(crate) fn tell<const OWN: bool>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
+    // all passes at once, for a few generators on the instructions that every machine has: what calling a function for
+    // wider ones costs is more than they spare there
+    let level = if OWN { Level::baseline() } else { level() };
+    dispatch!(level, simd => tell_at::<_, OWN>(simd, query, p))
+}
+
+#[inline(always)]
+fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
     let n = query.count();
-    let Weighted { moments, magnitude } = query.over([], |runs, _, []| Weighted::of::<OWN>(runs));
+    let Weighted { moments, magnitude } = query.over(
+        [],
+        #[inline(always)]
+        |runs, _, []| Weighted::of::<_, OWN>(simd, runs),
+    );
     let own = [p[0].value, p[1].value, p[2].value];
     let thick = moments.solve_thick(&own);
     let is_thick = thick.is_some();
     // a flat body has a direction, too
     let y = thick.unwrap_or_else(|| moments.solve(&own).0);
     let along = dot(&own, &y);
-    if is_thick && n >= 8 * PAIR_SAMPLE {
-        let step = n / (2 * PAIR_SAMPLE);
-        let (some, count) = query.over([&y], |runs, _, [y]| Sums::of_some::<OWN>(runs, &y, step));
+    if is_thick && n >= 4 * SAMPLE * LANES {
+        let step = n / (SAMPLE * LANES);
+        let (some, count) = query.over(
+            [&y],
+            #[inline(always)]
+            |runs, _, [y]| of_some::<_, OWN>(simd, runs, &y, step),
+        );
         let part = count as f64 / n as f64;
-        let gauge = along * part / total(some.reach);
-        if some.largest() > WELL_WITHIN && gauge < INSIDE_GAUGE {
+        let gauge = along * part / some.reach;
+        if some.largest > WELL_WITHIN && gauge < INSIDE_GAUGE {
             return Err(Open { y, gauge, is_thick });
         }
     }
-    let mut coefficients = [0.0; N];
-    let sums = query.over([&y], |runs, range, [y]| Sums::write::<OWN>(runs, &y, &mut coefficients[range]));
-    if is_thick && sums.largest() <= WELL_WITHIN {
-        let rest = rest(p, &totals(&sums.sum), n / 2 + 16, magnitude, n);
-        if let Some(basis) = correcting_basis(query, &coefficients[..n], rest, magnitude) {
-            return Ok(Clear::Inside(Witness { coefficients: coefficients[..n].to_vec(), basis }));
+    // few coefficients take no memory before it is known that they are asked for
+    let (mut few, mut many) = ([0.0; OWN_LENGTHS_LIMIT], Vec::new());
+    let coefficients = if OWN {
+        &mut few[..n]
+    } else {
+        many.resize(n, 0.0);
+        &mut many[..]
+    };
+    let sums = query.over(
+        [&y],
+        #[inline(always)]
+        |runs, range, [y]| write::<_, OWN>(simd, runs, &y, &mut coefficients[range]),
+    );
+    if is_thick && sums.largest <= WELL_WITHIN {
+        let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
+        if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
+            let coefficients = if OWN { few[..n].to_vec() } else { many };
+            return Ok(Clear::Inside(Witness { coefficients, basis }));
         }
     }
-    let reach = total(sums.reach);
+    let reach = sums.reach;
     if along > reach {
         let longest = y.iter().fold(0.0f64, |m, c| m.max(c.abs()));
         // a product is off by less than 4 u times that of the lengths |v|_1, at most 3 |v|, and |y|
@@ -198,15 +249,15 @@ pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimpleP
     let own = [p[0].value, p[1].value, p[2].value];
     let (y, is_thick) = moments.with_normal(&plane.normal).solve(&own);
     let mut coefficients = vec![0.0; n];
-    let sums = Sums::write::<true>(runs, &y, &mut coefficients);
-    if is_thick && sums.largest() <= WELL_WITHIN {
+    let sums = dispatch!(level(), simd => write::<_, true>(simd, runs, &y, &mut coefficients));
+    if is_thick && sums.largest <= WELL_WITHIN {
         let magnitude = magnitude::<true>(&moments, n);
-        let rest = rest(p, &totals(&sums.sum), n / 2 + 16, magnitude, n);
+        let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
         if let Some(basis) = correcting_pair(query, plane, rest, magnitude) {
             return Ok(Witness { coefficients, basis });
         }
     }
-    Err(Open { y, gauge: dot(&own, &y) / total(sums.reach), is_thick })
+    Err(Open { y, gauge: dot(&own, &y) / sums.reach, is_thick })
 }
 
 /// At least Σ |v|: of v · v / |v| each is, and of v · v the mean is at least the square of that of |v|.
@@ -223,7 +274,7 @@ mod tests {
     fn told(p: [f64; 3], generators: &[[f64; 3]]) -> Option<&'static str> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let p = bounded::exact(p);
-        let answers = [tell::<true, 16>(&query, &p).ok(), tell::<false, 16>(&query, &p).ok()];
+        let answers = [tell::<true>(&query, &p).ok(), tell::<false>(&query, &p).ok()];
         let [own, even] = answers.map(|clear| {
             let location = clear?.location::<3>();
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));

@@ -49,6 +49,10 @@ const OWN_LENGTHS_LIMIT: usize = 16;
 pub(crate) const INSIDE_GAUGE: f64 = 0.9;
 const OUTSIDE_GAUGE: f64 = 1.0;
 
+/// The same for a few generators, for which two steps take as long as a third of the search that comes after them: the
+/// gauge, of which this is a lower bound, is then likely to be above the other limit.
+const INSIDE_GAUGE_OF_FEW: f64 = 0.6;
+
 /// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
 const OUTSIDE_DEVIATIONS: f64 = 1.0;
 
@@ -80,11 +84,7 @@ pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut impl Tally) -> Option<
         return locate_by_sample(query, &p, tally);
     }
     tally.add(Operation::GeneratorRead, n as u64);
-    let told = if n <= OWN_LENGTHS_LIMIT {
-        tell::<true, OWN_LENGTHS_LIMIT>(query, &p)
-    } else {
-        tell::<false, WHOLE_LIMIT>(query, &p)
-    };
+    let told = if n <= OWN_LENGTHS_LIMIT { tell::<true>(query, &p) } else { tell::<false>(query, &p) };
     match told {
         Ok(clear) => {
             tally.answered_by(Rung::LeastSquares);
@@ -121,8 +121,9 @@ fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tall
 
 /// The proof of a point inside whose least coefficients are too large.
 fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
+    let is_small = query.count() <= OWN_LENGTHS_LIMIT;
     // false for NaN as well
-    let is_likely = open.gauge < INSIDE_GAUGE;
+    let is_likely = open.gauge < if is_small && open.is_thick { INSIDE_GAUGE_OF_FEW } else { INSIDE_GAUGE };
     if !is_likely {
         return None;
     }
@@ -130,7 +131,7 @@ fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tall
         return locate_flat(query, p, tally);
     }
     let (steps, among) = (State::new(&open.y, open.gauge), Among::First(WHOLE_LIMIT));
-    if query.count() <= OWN_LENGTHS_LIMIT {
+    if is_small {
         return steps.prove(query, p, Lengths::Own, among, tally);
     }
     match Lengths::of(query) {

@@ -17,6 +17,12 @@ use crate::numeric::tolerance::DETERMINANT_OF_ROWS;
 /// Rows in two runs.
 pub(crate) type Runs<'a> = [&'a [[f64; 3]]; 2];
 
+/// How many rows there are.
+#[inline(always)]
+pub(crate) fn len([first, second]: Runs<'_>) -> usize {
+    first.len() + second.len()
+}
+
 /// Results of a pass over the rows of one part that can become results for their images.
 pub(crate) trait Carried {
     /// The result for the images of the rows, if the pass had its directions pulled back.
@@ -34,8 +40,7 @@ pub(crate) trait Passes {
     /// How many generators there are.
     #[inline(always)]
     fn count(&self) -> usize {
-        let [first, second] = self.rows();
-        first.len() + second.len()
+        len(self.rows())
     }
 
     /// The result of a pass over all generators, which is given their rows, the range of their indices, and the

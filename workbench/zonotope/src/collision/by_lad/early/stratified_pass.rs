@@ -111,15 +111,19 @@ impl StratifiedPass {
         let (period, range) = self.places(part);
         combination.write_all(query, coefficients, |combination, run, places| {
             let periods = run.chunks(period).zip(places.chunks_mut(period));
-            combination.write(periods.map(|(run, places)| {
-                let range = within(&range, run.len());
-                (&run[range.clone()], &mut places[range])
-            }))
+            combination.write(periods.map(
+                #[inline(always)]
+                |(run, places)| {
+                    let range = within(&range, run.len());
+                    (&run[range.clone()], &mut places[range])
+                },
+            ))
         })
     }
 }
 
 /// A range, cut off at the end of a run.
+#[inline(always)]
 fn within(range: &Range<usize>, len: usize) -> Range<usize> {
     range.start.min(len)..range.end.min(len)
 }

@@ -1,5 +1,6 @@
 //! The method against the definition, on every family.
 
+mod levels;
 mod posed;
 mod rungs;
 

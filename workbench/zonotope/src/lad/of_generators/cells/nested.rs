@@ -6,17 +6,18 @@
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 
 /// Cells, each within the one before, and for each the generators that cross it and all cells before it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct NestedCells {
-    steps: Vec<(DirectionCone, Vec<u32>)>,
+    steps: Vec<(DirectionCone, Places)>,
 }
 
 impl NestedCells {
     /// From cells and the generators that cross each.
-    pub(crate) fn new(steps: Vec<(DirectionCone, Vec<u32>)>) -> Self {
+    pub(crate) fn new(steps: Vec<(DirectionCone, Places)>) -> Self {
         Self { steps }
     }
 
@@ -26,7 +27,7 @@ impl NestedCells {
     }
 
     /// The cells with the generators that cross them, widest first.
-    pub(crate) fn steps(&self) -> &[(DirectionCone, Vec<u32>)] {
+    pub(crate) fn steps(&self) -> &[(DirectionCone, Places)] {
         &self.steps
     }
 
@@ -37,7 +38,7 @@ impl NestedCells {
 
     /// The sign of one generator, 1 or −1. O(log n).
     pub(crate) fn sign(&self, query: &dyn KernelQuery, last: &DirectionCone, index: usize) -> f64 {
-        let misses = |(_, crossing): &&(DirectionCone, Vec<u32>)| crossing.binary_search(&(index as u32)).is_err();
+        let misses = |(_, crossing): &&(DirectionCone, Places)| crossing.binary_search(&(index as u32)).is_err();
         let cell = self.steps.iter().find(misses).map_or(last, |(cell, _)| cell);
         if cell.value(&query.generator(index)) < 0.0 { -1.0 } else { 1.0 }
     }
@@ -90,8 +91,8 @@ mod tests {
         let query = Query::new([0.0; 3], [1.0; 3], &generators).expect("finite");
         let cell = |center, ball| DirectionCone { center, axes: None, ball };
         // 2 and 3 cross the first cell, 3 the second as well
-        let wide = (cell([1.0, 0.1, 0.0], 0.2), vec![2, 3]);
-        let narrow = (cell([1.0, 0.1, 0.9], 0.01), vec![3]);
+        let wide = (cell([1.0, 0.1, 0.0], 0.2), Places::from_slice(&[2, 3]));
+        let narrow = (cell([1.0, 0.1, 0.9], 0.01), Places::from_slice(&[3]));
         let cells = NestedCells::new(vec![wide, narrow]);
         let last = cell([1.0, 0.1, 2.0], 0.0);
         let expected = [1, -1, 1, 1];

@@ -5,7 +5,7 @@
 //! whole, by convexity.
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::FixedSum;
+use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
@@ -16,7 +16,7 @@ use crate::numeric::tolerance::MODERATE_SIZES;
 pub(crate) struct Reduced {
     pub(crate) vectors: Vec<[f64; 3]>,
     /// The index of each in the query.
-    pub(crate) indices: Vec<u32>,
+    pub(crate) indices: Places,
     pub(crate) fixed: FixedSum,
     /// The cell in which the signs of the generators that were summed up last are right; `None` while no generator is
     /// summed up.
@@ -43,14 +43,14 @@ impl Reduced {
 
     /// One pass over the query; `expected` generators are likely to cross the cell.
     pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone, expected: usize) -> Self {
-        let (mut vectors, mut indices) = (Vec::with_capacity(expected), Vec::with_capacity(expected));
+        let (mut vectors, mut indices) = (Vec::with_capacity(expected), Places::with_capacity(expected));
         let fixed = query.split(&cell, &mut vectors, &mut indices);
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
     }
 
     /// The problem from which the generators that miss a smaller cell are summed up, too.
     pub(crate) fn split(&self, cell: DirectionCone) -> Self {
-        let mut crossing = Vec::with_capacity(self.vectors.len() / 4 + 16);
+        let mut crossing = Places::with_capacity(self.vectors.len() / 4 + 16);
         let fixed = self.plus_fixed_in(&cell, &mut crossing);
         let vectors = crossing.iter().map(|&place| self.vectors[place as usize]).collect();
         let indices = crossing.iter().map(|&place| self.indices[place as usize]).collect();
@@ -59,7 +59,7 @@ impl Reduced {
 
     /// The sum of all generators whose sign is fixed in a cell: those that were summed up before and those of this
     /// problem. The positions of this problem's other generators are added to a list.
-    pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, crossing: &mut Vec<u32>) -> FixedSum {
+    pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, crossing: &mut Places) -> FixedSum {
         let mut own = cell.widened(self.relative_error).split(&self.vectors, crossing);
         own.error += self.relative_error * own.magnitude;
         self.fixed.plus(&own)

@@ -6,12 +6,14 @@
 //! for each generator would cost more than these few subtractions.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
+use smallvec::SmallVec;
 
 use super::direction_cone::DirectionCone;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::octet::{LANES, Octet, Octets, in_order_of_rows, octet, product, splat, total, turned};
+use crate::numeric::lanes::number::product;
+use crate::numeric::lanes::octet::{LANES, Octet, Octets, in_order_of_rows, splat, total, totals, turned};
 use crate::numeric::linear::euclidean_norm;
 use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNIT};
 
@@ -24,6 +26,9 @@ const WORD: usize = 64;
 
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
 const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
+
+/// Places of generators; a few take no memory beside that of the list itself.
+pub(crate) type Places = SmallVec<[u32; 16]>;
 
 /// Σ sign · v over generators whose sign is fixed throughout a cell, in doubles.
 #[derive(Debug, Clone, Copy, Default)]
@@ -55,7 +60,7 @@ impl DirectionCone {
     /// The sign of v · u is that of v · center throughout the cell if |v · center| exceeds the sum of |v| ball and of
     /// √((v · axes_0)² + (v · axes_1)²). Each product with v is off by at most 3 u |v| times the length of the other
     /// factor and an underflow, which a wider ball covers.
-    pub(crate) fn split(&self, generators: &[[f64; 3]], crossing: &mut Vec<u32>) -> FixedSum {
+    pub(crate) fn split(&self, generators: &[[f64; 3]], crossing: &mut Places) -> FixedSum {
         match self.axes {
             None => WideCone::<0>::new(self, [], 1.0).split(generators, crossing),
             Some(axes) => WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT).split(generators, crossing),
@@ -83,7 +88,7 @@ impl<const AXES: usize> WideCone<AXES> {
         }
     }
 
-    fn split(&self, generators: &[[f64; 3]], crossing: &mut Vec<u32>) -> FixedSum {
+    fn split(&self, generators: &[[f64; 3]], crossing: &mut Places) -> FixedSum {
         dispatch!(level(), simd => split_at(simd, self, generators, crossing))
     }
 }
@@ -112,7 +117,8 @@ impl<S: Simd> Sums<S> {
     /// that certainly misses the cell, the second one for each whose product is negative.
     #[inline(always)]
     fn read<const AXES: usize>(&mut self, simd: S, cone: &Splat<S, AXES>, v: &Octet<S>) -> [u64; 2] {
-        let value = product(v, &cone.center);
+        // a negative zero, which would be subtracted but does not compare as negative, becomes a positive one
+        let value = product(v, &cone.center) + 0.0;
         let squares = product(v, v);
         self.squares += squares;
         let mut reach = squares * cone.square + PRODUCT_UNDERFLOW;
@@ -156,7 +162,7 @@ fn split_at<S: Simd, const AXES: usize>(
     simd: S,
     cone: &WideCone<AXES>,
     generators: &[[f64; 3]],
-    crossing: &mut Vec<u32>,
+    crossing: &mut Places,
 ) -> FixedSum {
     let center = splat(simd, &cone.center);
     let mut axes = [center; AXES];
@@ -170,15 +176,10 @@ fn split_at<S: Simd, const AXES: usize>(
         for (place, word) in block.chunks(WORD).enumerate() {
             let octets = Octets::new(word);
             let (mut misses, mut signs) = (0, 0);
-            for (k, rows) in octets.whole().iter().enumerate() {
-                let [own, minus] = sums.read(simd, &wide, &octet(simd, rows));
+            for k in 0..octets.len() {
+                let [own, minus] = sums.read(simd, &wide, &octets.load(simd, k));
                 misses |= own << (LANES * k);
                 signs |= minus << (LANES * k);
-            }
-            if let Some(rows) = octets.last() {
-                let [own, minus] = sums.read(simd, &wide, &octet(simd, rows));
-                misses |= own << (LANES * octets.whole().len());
-                signs |= minus << (LANES * octets.whole().len());
             }
             let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
             if crosses != 0 {
@@ -189,8 +190,7 @@ fn split_at<S: Simd, const AXES: usize>(
         taken.end_block();
     }
     // three coordinates written out, as a closure may lose the instructions that this function is compiled for
-    let lanes = [sums.total[0] + sums.rest[0], sums.total[1] + sums.rest[1], sums.total[2] + sums.rest[2]];
-    let sum = [total(lanes[0]), total(lanes[1]), total(lanes[2])];
+    let sum = totals(&[sums.total[0] + sums.rest[0], sums.total[1] + sums.rest[1], sums.total[2] + sums.rest[2]]);
     taken.fixed(sum, total(sums.magnitude), generators.len())
 }
 
@@ -208,7 +208,7 @@ struct Taken {
 impl Taken {
     /// Reads the generators of a word whose bits are set, with their signs, and reports their places.
     #[inline]
-    fn read(&mut self, word: &[[f64; 3]], mut crosses: u64, signs: u64, first: usize, crossing: &mut Vec<u32>) {
+    fn read(&mut self, word: &[[f64; 3]], mut crosses: u64, signs: u64, first: usize, crossing: &mut Places) {
         self.count += crosses.count_ones() as usize;
         while crosses != 0 {
             let place = crosses.trailing_zeros() as usize;
@@ -241,7 +241,7 @@ impl Taken {
         let magnitude = magnitude + count as f64 * SQUARABLE_SIZES.start;
         // a term goes through one addition for each eight generators of its block; crossing generators, which at most
         // double the terms, go through one for each of them in their block; ten more join lanes and totals
-        let additions = (BLOCK / LANES + 10) as f64 + 2.0 * self.most as f64;
+        let additions = (count.min(BLOCK).div_ceil(LANES) + 10 + 2 * self.most) as f64;
         let blocks = count.div_ceil(BLOCK) as f64;
         let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
         FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (additions * magnitude) * slack }

@@ -22,7 +22,7 @@ impl Near {
     pub(super) fn new(
         level: &Reduced,
         [first, second]: [usize; 2],
-        near: Vec<usize>,
+        near: &[usize],
         direction: &BoundedVector,
         duals: &[BoundedVector; 2],
         fixed: &FixedSum,

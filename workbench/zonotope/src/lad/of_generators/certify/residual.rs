@@ -31,16 +31,19 @@ impl Rest {
         let mut coefficients = coefficients.map(|c| c.clamp(-1.0, 1.0));
         // one coefficient after the other, so that the second corrects the error of the first
         for (i, own) in vectors.iter().enumerate() {
-            let value = |k: usize| vectors.iter().zip(coefficients).map(|(v, c)| v[k].value * c).sum::<f64>();
-            let rest = [0, 1, 2].map(|k| sum[k].value + value(k) - p[k].value * factor);
-            let own = own.map(|c| c.value);
+            let [a, b] = vectors;
+            let rest = |k: usize| {
+                let value = a[k].value * coefficients[0] + b[k].value * coefficients[1];
+                sum[k].value + value - p[k].value * factor
+            };
+            let rest = [rest(0), rest(1), rest(2)];
+            let own = [own[0].value, own[1].value, own[2].value];
             let [part, square] = [&rest, &own].map(|v| dot(v, &own));
             coefficients[i] = (coefficients[i] - part / square).clamp(-1.0, 1.0);
         }
         let [first, second] = coefficients.map(Bounded::exact);
-        let rest =
-            [0, 1, 2].map(|k| sum[k] + vectors[0][k] * first + vectors[1][k] * second - p[k] * Bounded::exact(factor));
-        let size = rest.iter().map(|c| c.magnitude()).sum::<f64>() * FIVE_ROUNDINGS;
+        let rest = |k: usize| sum[k] + vectors[0][k] * first + vectors[1][k] * second - p[k] * Bounded::exact(factor);
+        let size = (rest(0).magnitude() + rest(1).magnitude() + rest(2).magnitude()) * FIVE_ROUNDINGS;
         // twice the relative error to first order, which covers the higher orders while it is small
         let off = reach.error / reach.value + along.error / along.value + 8.0 * UNIT;
         Self { coefficients, size, stretch: if off < 0.25 { 2.0 * off } else { f64::INFINITY } }

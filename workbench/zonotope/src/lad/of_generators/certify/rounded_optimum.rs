@@ -18,8 +18,11 @@
 //! is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is chosen
 //! such that δ_a and δ_b have room (`shares`).
 
+use smallvec::SmallVec;
+
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::certify::near_generators::Near;
 use crate::lad::of_generators::certify::residual::Rest;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, exact};
@@ -94,12 +97,13 @@ impl RoundedOptimum {
         let (along, own) = (dot(&direction, p), dot(&vertex, p));
         let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
         let cell = DirectionCone::around(&direction);
-        let mut near = Vec::new();
+        let mut near = Places::new();
         let fixed = level.plus_fixed_in(&cell, &mut near);
-        let near = near.into_iter().map(|place| place as usize).filter(|&i| i != first && i != second).collect();
+        let near: SmallVec<[usize; 16]> =
+            near.into_iter().map(|place| place as usize).filter(|&i| i != first && i != second).collect();
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
-            Near::new(level, [first, second], near, &direction, &duals, &fixed).map_err(Unproved::Falls)?;
+            Near::new(level, [first, second], &near, &direction, &duals, &fixed).map_err(Unproved::Falls)?;
         let across = duals.map(|dual| dot(&sum, &dual));
         let sizes = across.map(|value| value.magnitude() / least * (1.0 + 4.0 * UNIT));
         let excess = if is_rounded { [f64::INFINITY; 2] } else { sizes.map(|size| (size - 1.0).max(0.0)) };

@@ -3,6 +3,8 @@
 //! Each line search ends where the slope changes its sign, which selection among the crossings ahead finds. Rounding
 //! may make the descent end at a wrong vertex, no worse: the vertex is certified by others.
 
+use smallvec::SmallVec;
+
 use crate::lad::of_generators::guess::crossings::{Crossing, select};
 use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
 use crate::numeric::lanes::octet::{LANES, slot};
@@ -100,15 +102,15 @@ fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
 /// The places at which lines cross the line that is searched.
 struct Crossings {
     /// The place of the crossing of each slot's line, in multiples of the direction of the search.
-    places: Vec<f64>,
-    ahead: Vec<Crossing>,
+    places: SmallVec<[f64; 2 * LANES]>,
+    ahead: SmallVec<[Crossing; 2 * LANES]>,
 }
 
 impl Crossings {
     fn of(len: usize) -> Self {
         Self {
-            places: Vec::with_capacity(len.next_multiple_of(LANES)),
-            ahead: Vec::with_capacity(len.min(HORIZON_SAMPLE)),
+            places: SmallVec::with_capacity(len.next_multiple_of(LANES)),
+            ahead: SmallVec::with_capacity(len.min(HORIZON_SAMPLE)),
         }
     }
 

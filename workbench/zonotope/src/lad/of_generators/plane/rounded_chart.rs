@@ -4,9 +4,9 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::aim::Guess;
-use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, LineBlocks, RoundedLines};
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::octet::{LANES, Octets, octet, total};
+use crate::numeric::lanes::octet::{LANES, Octet, Octets, total};
 use crate::numeric::linear::dot;
 
 /// The least size of a cell, in terms of its centre.
@@ -48,23 +48,18 @@ impl RoundedChart {
 
     /// The lines of some vectors.
     pub(crate) fn lines(&self, vectors: &[[f64; 3]]) -> RoundedLines {
-        let mut blocks = Vec::with_capacity(vectors.len().div_ceil(LANES));
+        let mut blocks = LineBlocks::with_capacity(vectors.len().div_ceil(LANES));
         let length = dispatch!(level(), simd => self.read_lines(simd, vectors, &mut blocks));
         RoundedLines::new(blocks, vectors.len(), length)
     }
 
     /// The lines of vectors, eight by eight; returns the sum of the lengths.
     #[inline(always)]
-    fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut Vec<LineBlock>) -> f64 {
+    fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut LineBlocks) -> f64 {
         let octets = Octets::new(vectors);
         let mut lengths = f64x8::splat(simd, 0.0);
-        for rows in octets.whole() {
-            let (block, own) = self.block(simd, rows);
-            blocks.push(block);
-            lengths += own;
-        }
-        if let Some(rows) = octets.last() {
-            let (block, own) = self.block(simd, rows);
+        for k in 0..octets.len() {
+            let (block, own) = self.block(simd, &octets.load(simd, k));
             blocks.push(block);
             lengths += own;
         }
@@ -72,8 +67,7 @@ impl RoundedChart {
     }
 
     #[inline(always)]
-    fn block<S: Simd>(&self, simd: S, rows: &[f64; 3 * LANES]) -> (LineBlock, f64x8<S>) {
-        let v = octet(simd, rows);
+    fn block<S: Simd>(&self, simd: S, v: &Octet<S>) -> (LineBlock, f64x8<S>) {
         let [x, y, z] = [v[self.axes[0]], v[self.axes[1]], v[self.axes[2]]];
         let sizes = x.abs() + y.abs() + z.abs();
         let least = f64x8::splat(simd, f64::MIN_POSITIVE);

@@ -1,6 +1,7 @@
 //! Lines in the plane { u : u · p = 1 } in doubles, eight side by side: the input of every guess.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
+use smallvec::SmallVec;
 
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, slot, total, turned};
@@ -10,13 +11,16 @@ use crate::numeric::lanes::octet::{LANES, slot, total, turned};
 #[repr(align(64))]
 pub(crate) struct LineBlock(pub(crate) [[f64; LANES]; 4]);
 
+/// Blocks of lines; a few take no memory beside that of the list itself.
+pub(crate) type LineBlocks = SmallVec<[LineBlock; 1]>;
+
 /// What fills the last block up: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
 /// The lines of generators. A line has the number of its generator's row; its [`slot`] says where in the blocks it is.
 #[derive(Debug, Default)]
 pub(crate) struct RoundedLines {
-    blocks: Vec<LineBlock>,
+    blocks: LineBlocks,
     len: usize,
     /// Σ of the generators' lengths.
     pub(crate) length: f64,
@@ -24,7 +28,7 @@ pub(crate) struct RoundedLines {
 
 impl RoundedLines {
     /// From blocks of which only the first lines count: the others are overwritten.
-    pub(crate) fn new(mut blocks: Vec<LineBlock>, len: usize, length: f64) -> Self {
+    pub(crate) fn new(mut blocks: LineBlocks, len: usize, length: f64) -> Self {
         for row in len..LANES * blocks.len() {
             let LineBlock(columns) = &mut blocks[row / LANES];
             for (column, c) in columns.iter_mut().zip(NO_LINE) {
@@ -70,7 +74,7 @@ impl RoundedLines {
         linear: [f64; 2],
         point: [f64; 2],
         direction: [f64; 2],
-        places: &mut Vec<f64>,
+        places: &mut SmallVec<[f64; 2 * LANES]>,
     ) -> f64 {
         places.resize(LANES * self.blocks.len(), 0.0);
         let sum = dispatch!(level(), simd => slope_and_crossings(simd, &self.blocks, point, direction, places));
@@ -90,7 +94,7 @@ impl RoundedLines {
 
     /// A part that stands for all lines: eight lines in every `8 share`.
     pub(crate) fn part(&self, share: usize) -> Self {
-        let blocks: Vec<LineBlock> = self.blocks[..self.len / LANES].iter().step_by(share).copied().collect();
+        let blocks: LineBlocks = self.blocks[..self.len / LANES].iter().step_by(share).copied().collect();
         Self { len: LANES * blocks.len(), blocks, length: self.length / share as f64 }
     }
 
@@ -151,7 +155,7 @@ mod tests {
                 column[slot(row)] = *c;
             }
         }
-        let lines = RoundedLines::new(vec![block], 3, 4.0);
+        let lines = RoundedLines::new(LineBlocks::from_slice(&[block]), 3, 4.0);
         assert_eq!((lines.len(), lines.blocks().len(), lines.length), (3, 1, 4.0));
         assert_eq!(lines.iter().collect::<Vec<_>>(), columns);
         assert_eq!([0, 1, 2].map(|i| lines.line(i)), columns);

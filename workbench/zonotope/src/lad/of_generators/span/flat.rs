@@ -5,10 +5,11 @@
 //! displacement in one combine to it in the other, and a direction that separates in the other two coordinates
 //! separates in space with 0 for the coordinate k.
 
-use wide::f64x2;
+use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::numeric::exact_linear::{self, ExactVector, dot, exact, is_zero};
-use crate::numeric::lanes::for_pairs;
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::octet::{Octets, splat, total};
 use crate::numeric::linear::{cross, max_norm};
 use crate::zonotope::query::Query;
 
@@ -70,18 +71,24 @@ impl SimplePlane {
 
 /// Whether all products with a vector of zeros and ones are zero, exactly.
 fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
-    let wide = simple.map(f64x2::splat);
-    let mut off = f64x2::default();
-    for_pairs(vectors, |v| {
+    dispatch!(level(), simd => what_is_off(simd, vectors, simple)) == 0.0
+}
+
+/// A sum of magnitudes that is zero if and only if all products are.
+#[inline(always)]
+fn what_is_off<S: Simd>(simd: S, vectors: &[[f64; 3]], simple: &[f64; 3]) -> f64 {
+    let (wide, octets) = (splat(simd, simple), Octets::new(vectors));
+    let mut off = f64x8::splat(simd, 0.0);
+    for k in 0..octets.len() {
+        let v = octets.load(simd, k);
         let [a, b, c] = [v[0] * wide[0], v[1] * wide[1], v[2] * wide[2]];
         // a + b + c is zero only if the rounded a + b is −c and a + b is not rounded
         let sum = a + b;
         let b_in_sum = sum - a;
         let rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
         off += rest.abs() + (sum + c).abs();
-    });
-    let [first, second] = off.to_array();
-    first == 0.0 && second == 0.0
+    }
+    total(off)
 }
 
 /// A coordinate that can be dropped, being not zero in the normal of a plane through the origin that holds all
