@@ -140,20 +140,26 @@ fn is_finite<const D: usize>(v: &[f64; D]) -> bool {
     v.iter().fold(0.0, |zero, c| zero + 0.0 * c) == 0.0
 }
 
+/// Sums that are kept side by side, since each addition waits for the one before it.
+const SIDE_BY_SIDE: usize = 4;
+
 /// Whether all numbers are finite: zero times a number is zero for these alone. Several are looked at side by side,
 /// without a branch for each, since lists of generators are checked whenever a query is made.
 fn are_finite(numbers: &[f64]) -> bool {
     let (blocks, rest) = numbers.as_chunks();
-    dispatch!(level(), simd => sum_of_zeros(simd, blocks)) == 0.0 && rest.iter().all(|c| c.is_finite())
+    let is_zero = blocks.is_empty() || dispatch!(level(), simd => sum_of_zeros(simd, blocks)) == 0.0;
+    is_zero && rest.iter().fold(0.0, |zero, c| zero + 0.0 * c) == 0.0
 }
 
 #[inline(always)]
-fn sum_of_zeros<S: Simd>(simd: S, blocks: &[[f64; LANES]]) -> f64 {
-    let mut zeros = f64x8::splat(simd, 0.0);
+fn sum_of_zeros<S: Simd>(simd: S, blocks: &[[f64; SIDE_BY_SIDE * LANES]]) -> f64 {
+    let mut zeros = [f64x8::splat(simd, 0.0); SIDE_BY_SIDE];
     for block in blocks {
-        zeros += f64x8::from_slice(simd, block) * 0.0;
+        for (zero, part) in zeros.iter_mut().zip(block.as_chunks::<LANES>().0) {
+            *zero += f64x8::from_slice(simd, part) * 0.0;
+        }
     }
-    total(zeros)
+    total((zeros[0] + zeros[1]) + (zeros[2] + zeros[3]))
 }
 
 #[cfg(test)]

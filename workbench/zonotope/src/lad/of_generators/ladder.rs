@@ -78,7 +78,7 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally)
     if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
     }
-    let problem = Problem::of_displacement(query, p, goal);
+    let problem = Problem::new(query, p, goal);
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are known to few digits, doubles have nothing to say of them

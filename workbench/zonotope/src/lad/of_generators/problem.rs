@@ -17,13 +17,8 @@ pub(crate) struct Problem<'q> {
 }
 
 impl<'q> Problem<'q> {
-    /// The problem of a query whose displacement is not zero.
-    pub(crate) fn new(query: &'q dyn KernelQuery, goal: Goal) -> Self {
-        Self::of_displacement(query, query.rounded_displacement(), goal)
-    }
-
-    /// The same with the query's displacement in doubles, which is known.
-    pub(crate) fn of_displacement(query: &'q dyn KernelQuery, p: BoundedVector, goal: Goal) -> Self {
+    /// The problem of a query whose displacement, here in doubles, is not zero.
+    pub(crate) fn new(query: &'q dyn KernelQuery, p: BoundedVector, goal: Goal) -> Self {
         Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal }
     }
 

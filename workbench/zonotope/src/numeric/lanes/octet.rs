@@ -16,7 +16,7 @@ pub(crate) type Octet<S> = [f64x8<S>; 3];
 /// The slot of a row in a list of octets, and the row of a slot: this map is its own inverse.
 #[inline(always)]
 pub(crate) const fn slot(row: usize) -> usize {
-    (row & !(LANES - 1)) | (3 * row & (LANES - 1))
+    (row & !(LANES - 1)) | ((3 * row) & (LANES - 1))
 }
 
 /// Bits of eight octets in the order of the lanes, a byte an octet, moved to the order of the rows.

@@ -258,8 +258,8 @@ impl<S: Simd> WideSums<S> {
     #[inline(always)]
     fn read<const OWN: bool, const LINEAR: bool>(&mut self, simd: S, wide: &Wide<S>, v: &Octet<S>) -> f64x8<S> {
         let [coefficient, length] = wide.coefficients::<OWN, LINEAR>(v);
-        for k in 0..3 {
-            self.sum[k] += coefficient * v[k];
+        for (sum, c) in self.sum.iter_mut().zip(v) {
+            *sum += coefficient * *c;
         }
         self.sizes += length;
         reordered(simd, coefficient)

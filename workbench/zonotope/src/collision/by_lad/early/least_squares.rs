@@ -68,8 +68,8 @@ impl<T: Number> Terms<T> {
         // a coefficient that is not a number is passed over: the sum is none, either
         let magnitude = coefficient.magnitude();
         self.largest = self.largest.if_less(magnitude, magnitude, self.largest);
-        for k in 0..3 {
-            self.sum[k] += coefficient * v[k];
+        for (sum, c) in self.sum.iter_mut().zip(v) {
+            *sum += coefficient * *c;
         }
         coefficient
     }

@@ -126,8 +126,8 @@ impl<S: Simd> Sums<S> {
             let along = product(v, axis);
             reach += along * along;
         }
-        for k in 0..3 {
-            self.block[k] += turned(simd, v[k], value);
+        for (sum, c) in self.block.iter_mut().zip(v) {
+            *sum += turned(simd, *c, value);
         }
         // a NaN misses nothing, so the vector is reported
         [(value * value).simd_gt(reach).to_bitmask(), value.simd_lt(0.0).to_bitmask()]

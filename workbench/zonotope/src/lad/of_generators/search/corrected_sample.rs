@@ -201,7 +201,7 @@ mod tests {
                     let p = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
                     let query = Query::new([0.0; 3], p, &body).expect("finite");
                     let sample = Sample::of(&query, &mut ());
-                    let problem = Problem::new(&query, Goal::Location);
+                    let problem = Problem::new(&query, crate::numeric::bounded::exact(p), Goal::Location);
                     let tally = &mut ();
                     let mut search = CorrectedSample { problem: &problem, levels: Vec::new(), tally };
                     if let Ok(optimum) = search.of_sample(&sample) {
