@@ -89,6 +89,11 @@ impl Cell {
         self.entries.iter().find(|entry| entry.method == method)
     }
 
+    /// A contender's times in nanoseconds, question by question: medians of the samples.
+    pub fn times(&self, method: &str) -> Vec<f64> {
+        self.entry(method).map_or_else(Vec::new, |entry| entry.samples_ns.iter().filter_map(|s| median(s)).collect())
+    }
+
     /// A contender's time divided by that of `unit`, question by question: medians of the samples.
     pub fn ratios(&self, method: &str, unit: &str) -> Vec<f64> {
         let (Some(entry), Some(unit)) = (self.entry(method), self.entry(unit)) else { return Vec::new() };

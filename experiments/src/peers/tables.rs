@@ -66,6 +66,16 @@ fn passes(value: f64) -> String {
     if value < 99.5 { format!("{value:.1}") } else { format!("{value:.0}") }
 }
 
+/// A time in nanoseconds, as text.
+fn duration(ns: f64) -> String {
+    match ns {
+        ns if ns < 999.5 => format!("{ns:.0} ns"),
+        ns if ns < 9.95e3 => format!("{:.1} µs", ns / 1e3),
+        ns if ns < 999.5e3 => format!("{:.0} µs", ns / 1e3),
+        ns => format!("{:.1} ms", ns / 1e6),
+    }
+}
+
 /// The middle of some ratios, as text.
 fn middle(ratios: &[f64]) -> String {
     median(ratios).map_or_else(|| "–".to_owned(), passes)
@@ -91,15 +101,19 @@ fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
         })
     };
     let row = |&(method, title): &(&str, &str)| {
-        let cells =
-            SIZES.iter().map(|&n| middle(&chosen(n).flat_map(|cell| cell.ratios(method, "pass")).collect::<Vec<_>>()));
-        [title.to_owned()].into_iter().chain(cells).collect::<Vec<_>>()
+        let cell = |&n: &usize| {
+            let ratios: Vec<f64> = chosen(n).flat_map(|cell| cell.ratios(method, "pass")).collect();
+            let times: Vec<f64> = chosen(n).flat_map(|cell| cell.times(method)).collect();
+            median(&times).map_or_else(|| "–".to_owned(), |time| format!("{} ({})", middle(&ratios), duration(time)))
+        };
+        [title.to_owned()].into_iter().chain(SIZES.iter().map(cell)).collect::<Vec<_>>()
     };
+    let pass = ("pass", "one pass");
     let head = SIZES.iter().map(|&n| if n == SIZES[0] { "n = 6 (two boxes)".to_owned() } else { size_name(n) });
     Table {
-        caption: format!("{what}: median over random bodies; a dash: not run."),
+        caption: format!("{what}, and in time: medians over random bodies; a dash: not run."),
         head: ["method".to_owned()].into_iter().chain(head).collect(),
-        rows: TITLES.iter().map(row).filter(|row| is_known(row)).collect(),
+        rows: [&pass].into_iter().chain(TITLES).map(row).filter(|row| is_known(row)).collect(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The crate `parry3d-f64`: GJK on the library's vectorised support map, and on explicit polyhedra.
+//! The crate `parry3d-f64`: GJK on the library's fastest support map, and on explicit polyhedra.
 
 use super::{Answer, Contender, Work};
 use experiments::families::bodies::question::Question;
@@ -6,9 +6,9 @@ use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::query::details::intersection_test_support_map_support_map;
 use parry3d_f64::shape::ConvexPolyhedron;
 use parry3d_f64::transformation::try_convex_hull;
-use zonotope::zonotope::Zonotope;
+use zonotope::zonotope::{PreparedBody, Zonotope};
 
-/// GJK on two zonotopes through their support maps.
+/// GJK on two zonotopes through their support maps, for which their generators are laid out beforehand.
 pub const GJK: Contender = Contender { id: "parry_gjk", largest: usize::MAX, prepare: gjk };
 
 /// GJK on two polyhedra made beforehand from all vertices.
@@ -24,7 +24,8 @@ fn placed(question: &Question) -> ([Zonotope<3>; 2], Pose) {
 }
 
 fn gjk(question: &Question) -> Option<Work<'_>> {
-    let ([a, b], pose) = placed(question);
+    let (bodies, pose) = placed(question);
+    let [a, b] = bodies.each_ref().map(PreparedBody::new);
     Some(Box::new(move || Answer::Member(intersection_test_support_map_support_map(&pose, &a, &b))))
 }
 

@@ -23,7 +23,15 @@
 use parry3d_f64::math::Vector;
 use parry3d_f64::shape::SupportMap;
 
-use crate::zonotope::{Zonotope, passes};
+use crate::zonotope::{PreparedBody, Zonotope, passes};
+
+impl SupportMap for PreparedBody {
+    /// As for the body itself, from generators that are laid out for it: for bodies that are asked often.
+    fn local_support_point(&self, direction: Vector) -> Vector {
+        let [x, y, z] = self.extreme_sum(&direction.to_array());
+        Vector::from_array(self.center()) + Vector::new(x, y, z)
+    }
+}
 
 impl SupportMap for Zonotope<3> {
     /// A vertex that is extreme in the direction, in one vectorised pass over the generators; rounded as
@@ -76,6 +84,7 @@ mod tests {
             let body = Zonotope::new(center, generators).expect("finite");
             let direction_of_parry = Vector::from_array(direction);
             let point = body.local_support_point(direction_of_parry);
+            prop_assert_eq!(PreparedBody::new(&body).local_support_point(direction_of_parry), point);
             prop_assert_eq!(point.dot(direction_of_parry), body.support(direction).value());
         }
     }

@@ -10,6 +10,7 @@
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
+//! | [`prepared`] | a body prepared for many passes |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
@@ -25,6 +26,7 @@ mod operations;
 pub mod passes;
 pub mod pose;
 pub mod posed_query;
+pub mod prepared;
 pub mod query;
 pub(crate) mod ray_exit;
 pub mod zonogon;
@@ -33,3 +35,4 @@ pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError};
 pub use operations::BoundingBox;
+pub use prepared::PreparedBody;

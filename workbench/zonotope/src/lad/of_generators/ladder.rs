@@ -158,7 +158,7 @@ impl<T: Tally> Climb<'_, '_, T> {
     fn all_pairs(&mut self) -> Attempt {
         // each group of pairs is tried with all generators
         let n = self.problem.query.len();
-        self.tally.add(Operation::GeneratorRead, (n * groups_of_pairs(n)) as u64);
+        self.tally.add(Operation::GeneratorRead, n as u64 * groups_of_pairs(n) as u64);
         best_pair(self.problem).map_or(Err(Rung::AllInDoubles), |searched| self.decide(searched))
     }
 

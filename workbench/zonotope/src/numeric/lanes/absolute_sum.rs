@@ -2,6 +2,7 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
+use super::blocks::Source;
 use super::level::level;
 use super::number::product;
 use super::octet::{Octets, splat, total};
@@ -15,7 +16,7 @@ use crate::numeric::linear::dot;
 #[inline]
 pub fn absolute_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> f64 {
     if let Some((generators, direction)) = in_space(generators, direction) {
-        return dispatch!(level(), simd => sum(simd, generators, direction));
+        return absolute_sum_of(&Octets::new(generators), direction);
     }
     let mut sums = [0.0; LANES];
     let (blocks, rest) = generators.as_chunks::<LANES>();
@@ -30,12 +31,25 @@ pub fn absolute_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D
     joined(sums)
 }
 
+/// The same over vectors of space, however they are kept.
+pub(crate) fn absolute_sum_of(vectors: &impl Source, direction: &[f64; 3]) -> f64 {
+    dispatch!(level(), simd => sum(simd, vectors, direction))
+}
+
+/// Four sums take turns, as each addition waits for the one before it.
 #[inline(always)]
-fn sum<S: Simd>(simd: S, generators: &[[f64; 3]], direction: &[f64; 3]) -> f64 {
-    let (wide, octets) = (splat(simd, direction), Octets::new(generators));
-    let mut sum = f64x8::splat(simd, 0.0);
-    for k in 0..octets.len() {
-        sum += product(&octets.load(simd, k), &wide).abs();
+fn sum<S: Simd>(simd: S, vectors: &impl Source, direction: &[f64; 3]) -> f64 {
+    let wide = splat(simd, direction);
+    let mut sums = [f64x8::splat(simd, 0.0); 4];
+    let count = vectors.count();
+    let in_turns = count - count % 4;
+    for place in (0..in_turns).step_by(4) {
+        for (turn, sum) in sums.iter_mut().enumerate() {
+            *sum += product(&vectors.octet(simd, place + turn), &wide).abs();
+        }
     }
-    total(sum)
+    for place in in_turns..count {
+        sums[0] += product(&vectors.octet(simd, place), &wide).abs();
+    }
+    total((sums[0] + sums[1]) + (sums[2] + sums[3]))
 }

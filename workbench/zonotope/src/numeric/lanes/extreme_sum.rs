@@ -4,6 +4,7 @@ use std::array;
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
+use super::blocks::Source;
 use super::level::level;
 use super::number::product;
 use super::octet::{self, Octets, splat, totals};
@@ -18,7 +19,7 @@ use crate::numeric::linear::dot;
 #[inline]
 pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> [f64; D] {
     if let Some((generators, direction)) = in_space(generators, direction) {
-        let sum = dispatch!(level(), simd => sum(simd, generators, direction));
+        let sum = extreme_sum_of(&Octets::new(generators), direction);
         return array::from_fn(|k| sum[k]);
     }
     let mut sums = [[0.0; LANES]; D];
@@ -40,13 +41,18 @@ pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]
     sums.map(joined)
 }
 
+/// The same over vectors of space, however they are kept.
+pub(crate) fn extreme_sum_of(vectors: &impl Source, direction: &[f64; 3]) -> [f64; 3] {
+    dispatch!(level(), simd => sum(simd, vectors, direction))
+}
+
 #[inline(always)]
-fn sum<S: Simd>(simd: S, generators: &[[f64; 3]], direction: &[f64; 3]) -> [f64; 3] {
-    let (wide, octets) = (splat(simd, direction), Octets::new(generators));
+fn sum<S: Simd>(simd: S, vectors: &impl Source, direction: &[f64; 3]) -> [f64; 3] {
+    let wide = splat(simd, direction);
     let zero = f64x8::splat(simd, 0.0);
     let mut sums = [zero; 3];
-    for k in 0..octets.len() {
-        let v = octets.load(simd, k);
+    for place in 0..vectors.count() {
+        let v = vectors.octet(simd, place);
         let value = zero + product(&v, &wide);
         for axis in 0..3 {
             sums[axis] += octet::turned(simd, v[axis], value);

@@ -14,10 +14,10 @@ pub(crate) fn level() -> Level {
 }
 
 #[cfg(test)]
-pub(crate) use forced::{at_each_level, level, levels};
+pub(crate) use tests::{at_each_level, level, levels};
 
 #[cfg(test)]
-mod forced {
+mod tests {
     //! Tests choose the level of their thread.
 
     use std::cell::Cell;

@@ -3,6 +3,7 @@
 //! | file | what it computes |
 //! |---|---|
 //! | `absolute_sum` | the support function of a centred zonotope |
+//! | [`blocks`] | vectors kept as passes want them, for bodies that are asked again and again |
 //! | `bounded_sum` | the same in space, with a bound on its error from the same pass |
 //! | `extreme_sum` | an extreme vertex of a centred zonotope |
 //! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
@@ -13,6 +14,7 @@
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
 
 mod absolute_sum;
+pub(crate) mod blocks;
 mod bounded_sum;
 mod extents;
 mod extreme_sum;
@@ -25,7 +27,9 @@ mod row_products;
 pub(crate) mod test_vectors;
 
 pub use absolute_sum::absolute_sum;
+pub(crate) use absolute_sum::absolute_sum_of;
 pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};
 pub use extents::Extents;
 pub use extreme_sum::extreme_sum;
+pub(crate) use extreme_sum::extreme_sum_of;
 pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};

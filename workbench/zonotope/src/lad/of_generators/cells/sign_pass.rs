@@ -1,8 +1,8 @@
 //! The pass over generators that sums up, with their signs, those whose sign is fixed in a cone, and reports the
 //! others.
 //!
-//! The pass reads every generator, so it is the kernel's largest cost. It takes eight generators at a time in vectors of
-//! doubles, never branches on a sign, and subtracts in the end what crossing generators added to the sum: a branch
+//! The pass reads every generator, so it is the kernel's largest cost. It takes eight generators at a time in vectors
+//! of doubles, never branches on a sign, and subtracts in the end what crossing generators added to the sum: a branch
 //! for each generator would cost more than these few subtractions.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
