@@ -45,11 +45,7 @@ impl Table {
 /// by family, the line fit.
 pub fn tables(record: &PeersRecord) -> Vec<Table> {
     vec![
-        times(
-            record,
-            "Near contact (certified relative gap 1e-9, both sides), in passes",
-            &["inside_1e-9", "outside_1e-9"],
-        ),
+        times(record, "Near contact (relative gap 1e-9, both sides), in passes", &["inside_1e-9", "outside_1e-9"]),
         times(record, "Clearly overlapping or separated, in passes", &["overlapping", "separated"]),
         wrong_answers(record),
         lead(record),
@@ -111,7 +107,7 @@ fn times(record: &PeersRecord, what: &str, placements: &[&str]) -> Table {
     let pass = ("pass", "one pass");
     let head = SIZES.iter().map(|&n| if n == SIZES[0] { "n = 6 (two boxes)".to_owned() } else { size_name(n) });
     Table {
-        caption: format!("{what}, and in time: medians over random bodies; a dash: not run."),
+        caption: format!("{what} (and in time): medians over random bodies; a dash: not run."),
         head: ["method".to_owned()].into_iter().chain(head).collect(),
         rows: [&pass].into_iter().chain(TITLES).map(row).filter(|row| is_known(row)).collect(),
     }
