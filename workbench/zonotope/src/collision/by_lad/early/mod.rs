@@ -49,9 +49,10 @@ const OWN_LENGTHS_LIMIT: usize = 16;
 pub(crate) const INSIDE_GAUGE: f64 = 0.9;
 const OUTSIDE_GAUGE: f64 = 1.0;
 
-/// The same for a few generators, for which two steps take as long as a third of the search that comes after them: the
-/// gauge, of which this is a lower bound, is then likely to be above the other limit.
-const INSIDE_GAUGE_OF_FEW: f64 = 0.6;
+/// Of a body of at most [`OWN_LENGTHS_LIMIT`] generators, a point whose gauge is known to be above this is left to the
+/// search at once. Its gauge is likely to be above [`INSIDE_GAUGE`], too, and the steps that would show this take a
+/// third of the time of the search.
+const INSIDE_GAUGE_OF_SMALL_BODIES: f64 = 0.6;
 
 /// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
 const OUTSIDE_DEVIATIONS: f64 = 1.0;
@@ -123,7 +124,7 @@ fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tall
 fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
     let is_small = query.count() <= OWN_LENGTHS_LIMIT;
     // false for NaN as well
-    let is_likely = open.gauge < if is_small && open.is_thick { INSIDE_GAUGE_OF_FEW } else { INSIDE_GAUGE };
+    let is_likely = open.gauge < if is_small && open.is_thick { INSIDE_GAUGE_OF_SMALL_BODIES } else { INSIDE_GAUGE };
     if !is_likely {
         return None;
     }

@@ -38,7 +38,8 @@ pub(crate) fn best_pair(problem: &Problem<'_>) -> Option<Searched> {
     is_answer.then(|| Searched::Certified(Box::new(optimum), NestedCells::default()))
 }
 
-/// The pair at whose normal |u · p| / h(u) is largest, as far as doubles tell.
+/// The pair at whose normal |u · p| / h(u) is largest, as far as doubles tell; a generator with itself where no pair
+/// has a normal, which no certificate accepts.
 fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> [usize; 2] {
     let mut columns = [[0.0; ROOM]; 3];
     for (place, v) in vectors.iter().cycle().take(ROOM).enumerate() {
@@ -95,8 +96,11 @@ fn stretch<S: Simd>(simd: S, columns: &[[f64; ROOM]; 3], start: usize) -> Octet<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lad::of_generators::goal::Goal;
+    use crate::numeric::bounded::exact;
     use crate::numeric::lanes::level::at_each_level;
     use crate::numeric::linear::{cross, dot};
+    use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
@@ -125,5 +129,9 @@ mod tests {
         let vectors = [[1.0, 2.0, 0.0], [2.0, 4.0, 0.0], [0.0, 0.0, 1.0]];
         let [i, j] = steepest(&vectors, &[1.0, 0.0, 0.0]);
         assert!(i.max(j) == 2);
+        let [i, j] = steepest(&vectors[..2], &[1.0, 0.0, 0.0]);
+        assert_eq!(i, j);
+        let query = Query::new([0.0; 3], [1.0, 0.0, 0.0], &vectors[..2]).expect("finite");
+        assert!(best_pair(&Problem::new(&query, exact([1.0, 0.0, 0.0]), Goal::Gauge)).is_none());
     }
 }
