@@ -37,10 +37,7 @@ mod tests {
         let widest = Level::new();
         let mut levels = vec![Level::baseline()];
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        {
-            levels.extend(widest.as_sse4_2().map(Level::Sse4_2));
-            levels.extend(widest.as_avx2().map(Level::Avx2));
-        }
+        levels.extend(widest.as_avx2().map(Level::Avx2));
         levels.push(widest);
         levels
     }
