@@ -38,6 +38,8 @@ pub static CONTENDERS: &[Contender] = &[
     ours::PASS,
     ours::LOCATE,
     ours::GAUGE,
+    ours::LOCATE_PREPARED,
+    ours::GAUGE_PREPARED,
     ours::SLOPE_SELECTION,
     ours::EXPLICIT_FACES,
     ours::GJK,

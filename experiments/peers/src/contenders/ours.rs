@@ -3,15 +3,16 @@
 use super::{Answer, Contender, Work};
 use experiments::families::bodies::question::Question;
 use std::hint::black_box;
-use zonotope::collision::{Finding, Method};
-use zonotope::zonotope::PreparedBody;
+use zonotope::collision::{Finding, Method, Query, by_lad};
+use zonotope::zonotope::{PreparedBody, Zonotope};
 
 /// One evaluation of the support function in doubles over the question's generators, which are laid out for it
 /// beforehand.
 pub const PASS: Contender = Contender { id: "pass", largest: usize::MAX, prepare: pass };
 
 fn pass(question: &Question) -> Option<Work<'_>> {
-    let (body, direction) = (PreparedBody::of_generators(&question.generators), question.to);
+    let body = Zonotope::new([0.0; 3], question.generators.clone()).expect("the bodies were valid");
+    let (body, direction) = (PreparedBody::new(body), question.to);
     Some(Box::new(move || {
         black_box(black_box(&body).absolute_sum(black_box(&direction)));
         Answer::Nothing
@@ -42,6 +43,32 @@ pub const GAUGE: Contender = Contender {
             Ok(gauge) => Answer::Member(gauge.location.is_member()),
             Err(_) => Answer::Failed,
         }))
+    },
+};
+
+/// The question to two bodies that were prepared beforehand.
+fn between(bodies: &[PreparedBody; 2]) -> Query<'_, 3> {
+    let [a, b] = bodies;
+    Query::between_bodies(a, b)
+}
+
+/// Location with its proof, by the kernel on two bodies that were prepared beforehand.
+pub const LOCATE_PREPARED: Contender = Contender {
+    id: "by_lad_prepared",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.bodies().map(PreparedBody::new);
+        Some(Box::new(move || Answer::Member(by_lad::locate(&between(&bodies)).is_member())))
+    },
+};
+
+/// The exact gauge and location with its proof, by the kernel on two bodies that were prepared beforehand.
+pub const GAUGE_PREPARED: Contender = Contender {
+    id: "by_lad_gauge_prepared",
+    largest: usize::MAX,
+    prepare: |question| {
+        let bodies = question.bodies().map(PreparedBody::new);
+        Some(Box::new(move || Answer::Member(by_lad::gauge(&between(&bodies)).location.is_member())))
     },
 };
 

@@ -25,7 +25,7 @@ fn placed(question: &Question) -> ([Zonotope<3>; 2], Pose) {
 
 fn gjk(question: &Question) -> Option<Work<'_>> {
     let (bodies, pose) = placed(question);
-    let [a, b] = bodies.each_ref().map(PreparedBody::new);
+    let [a, b] = bodies.map(PreparedBody::new);
     Some(Box::new(move || Answer::Member(intersection_test_support_map_support_map(&pose, &a, &b))))
 }
 

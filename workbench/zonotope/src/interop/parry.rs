@@ -29,7 +29,7 @@ impl SupportMap for PreparedBody {
     /// As for the body itself, from generators that are laid out for it: for bodies that are asked often.
     fn local_support_point(&self, direction: Vector) -> Vector {
         let [x, y, z] = self.extreme_sum(&direction.to_array());
-        Vector::from_array(self.center()) + Vector::new(x, y, z)
+        Vector::from_array(self.body().center()) + Vector::new(x, y, z)
     }
 }
 
@@ -84,7 +84,7 @@ mod tests {
             let body = Zonotope::new(center, generators).expect("finite");
             let direction_of_parry = Vector::from_array(direction);
             let point = body.local_support_point(direction_of_parry);
-            prop_assert_eq!(PreparedBody::new(&body).local_support_point(direction_of_parry), point);
+            prop_assert_eq!(PreparedBody::new(body.clone()).local_support_point(direction_of_parry), point);
             prop_assert_eq!(point.dot(direction_of_parry), body.support(direction).value());
         }
     }

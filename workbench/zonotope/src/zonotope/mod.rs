@@ -10,7 +10,7 @@
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
-//! | [`prepared`] | a body prepared for many passes |
+//! | [`prepared`] | a body prepared for many questions |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
@@ -35,4 +35,4 @@ pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
 pub use implicit::{Support, Zonotope, ZonotopeError};
 pub use operations::BoundingBox;
-pub use prepared::PreparedBody;
+pub use prepared::{BodyView, PreparedBody};

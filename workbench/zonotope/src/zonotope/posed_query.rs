@@ -3,12 +3,13 @@
 
 use std::sync::OnceLock;
 
-use super::implicit::Zonotope;
 use super::pose::Pose;
+use super::prepared::{self, BodyView};
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference};
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::max_norm;
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::tolerance::{DISPLACEMENT_ACCURACY, PRODUCT_UNDERFLOW, UNIT};
@@ -22,29 +23,33 @@ pub struct PosedQuery<'a> {
     /// The displacement leads from the image of the first point under the first pose to that of the second.
     points: [[f64; 3]; 2],
     poses: [Pose; 2],
-    generators: [&'a [[f64; 3]]; 2],
+    generators: [Rows<'a>; 2],
     /// Made when it is asked for: most questions are answered in doubles, and exact products cost more than those.
     displacement: OnceLock<ExactVector>,
 }
 
 impl<'a> PosedQuery<'a> {
-    /// Membership of a point in a posed body: from the image of its centre to the point. O(1).
+    /// Membership of a point in a posed body, prepared or not: from the image of its centre to the point. O(1).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is not finite.
-    pub fn of_point(point: [f64; 3], body: &'a Zonotope<3>, pose: &Pose) -> Result<Self, NonFinite> {
+    pub fn of_point(point: [f64; 3], body: impl Into<BodyView<'a>>, pose: &Pose) -> Result<Self, NonFinite> {
         NonFinite::check_vector("the end", &point)?;
-        Ok(Self::new([body.center(), point], [*pose, Pose::IDENTITY], [body.generators(), &[]]))
+        let (center, rows) = center_and_rows(body.into());
+        Ok(Self::new([center, point], [*pose, Pose::IDENTITY], [rows, Rows::NONE]))
     }
 
-    /// Intersection of two posed bodies (Lemma 5.1): from the image of the first one's centre to that of the second,
+    /// Intersection of two posed bodies, each prepared or not (Lemma 5.1): from the image of the first one's centre to that of the second,
     /// relative to the posed generators of both. O(1).
-    pub fn between(first: (&'a Zonotope<3>, &Pose), second: (&'a Zonotope<3>, &Pose)) -> Self {
-        let [(a, from), (b, to)] = [first, second];
-        Self::new([a.center(), b.center()], [*from, *to], [a.generators(), b.generators()])
+    pub fn between(
+        (first, from): (impl Into<BodyView<'a>>, &Pose),
+        (second, to): (impl Into<BodyView<'a>>, &Pose),
+    ) -> Self {
+        let ((a, own), (b, others)) = (center_and_rows(first.into()), center_and_rows(second.into()));
+        Self::new([a, b], [*from, *to], [own, others])
     }
 
-    fn new(points: [[f64; 3]; 2], poses: [Pose; 2], generators: [&'a [[f64; 3]]; 2]) -> Self {
+    fn new(points: [[f64; 3]; 2], poses: [Pose; 2], generators: [Rows<'a>; 2]) -> Self {
         Self { points, poses, generators, displacement: OnceLock::new() }
     }
 
@@ -93,6 +98,12 @@ impl<'a> PosedQuery<'a> {
 
     /// The generators as they are stored, in two runs.
     pub fn runs(&self) -> [&'a [[f64; 3]]; 2] {
+        self.generators.map(Rows::list)
+    }
+
+    /// The generators as passes take them.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> [Rows<'a>; 2] {
         self.generators
     }
 
@@ -116,6 +127,11 @@ impl<'a> PosedQuery<'a> {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+}
+
+#[inline]
+fn center_and_rows(body: BodyView<'_>) -> ([f64; 3], Rows<'_>) {
+    (body.body().center(), prepared::rows(body.body().generators(), body.laid_out()))
 }
 
 /// An exact number in doubles.

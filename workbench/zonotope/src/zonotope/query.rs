@@ -1,7 +1,9 @@
 //! The query under membership, intersection and gauge.
 
 use super::implicit::Zonotope;
+use super::prepared::{self, BodyView};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::lanes::rows::{LaidOut, Rows};
 use crate::numeric::non_finite::NonFinite;
 
 /// Where is the exact vector `to` − `from` relative to the zonotope { Σ δ_i g_i : |δ_i| ≤ 1 }? Every coordinate is
@@ -14,6 +16,8 @@ pub struct Query<'a, const D: usize> {
     from: [f64; D],
     to: [f64; D],
     generators: [&'a [[f64; D]]; 2],
+    /// What was prepared of each run, in space.
+    laid_out: [Option<&'a LaidOut>; 2],
 }
 
 impl<'a, const D: usize> Query<'a, D> {
@@ -25,12 +29,12 @@ impl<'a, const D: usize> Query<'a, D> {
         NonFinite::check_vector("the start", &from)?;
         NonFinite::check_vector("the end", &to)?;
         NonFinite::check_list("generator", generators)?;
-        Ok(Self { from, to, generators: [generators, &[]] })
+        Ok(Self::of_finite(from, to, generators))
     }
 
     /// [`new`](Self::new) of coordinates that are known to be finite. O(1).
     pub(crate) fn of_finite(from: [f64; D], to: [f64; D], generators: &'a [[f64; D]]) -> Self {
-        Self { from, to, generators: [generators, &[]] }
+        Self { from, to, generators: [generators, &[]], laid_out: [None; 2] }
     }
 
     /// Membership of a point: from the centre of the body to the point. O(1).
@@ -39,20 +43,22 @@ impl<'a, const D: usize> Query<'a, D> {
     /// [`NonFinite`] if a coordinate of the point is not finite.
     pub fn of_point(point: [f64; D], body: &'a Zonotope<D>) -> Result<Self, NonFinite> {
         NonFinite::check_vector("the end", &point)?;
-        Ok(Self { from: body.center(), to: point, generators: [body.generators(), &[]] })
+        Ok(Self::of_finite(body.center(), point, body.generators()))
     }
 
     /// Intersection of two bodies (Lemma 5.1): from the centre of the first to that of the second, relative to the
     /// generators of both. O(1).
     pub fn between(a: &'a Zonotope<D>, b: &'a Zonotope<D>) -> Self {
-        Self { from: a.center(), to: b.center(), generators: [a.generators(), b.generators()] }
+        let generators = [a.generators(), b.generators()];
+        Self { from: a.center(), to: b.center(), generators, laid_out: [None; 2] }
     }
 
     /// The same query, if E is the dimension in which it is asked. O(1).
     pub(crate) fn in_dimension<const E: usize>(&self) -> Option<Query<'a, E>> {
         let coordinates = |v: &[f64; D]| v.first_chunk::<E>().copied();
         let generators = self.generators.map(|run| run.as_flattened().as_chunks::<E>().0);
-        (D == E).then_some(Query { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators })
+        let laid_out = self.laid_out;
+        (D == E).then_some(Query { from: coordinates(&self.from)?, to: coordinates(&self.to)?, generators, laid_out })
     }
 
     /// Where the displacement starts.
@@ -98,5 +104,29 @@ impl<'a, const D: usize> Query<'a, D> {
     /// Whether there are no generators: the zonotope is the origin.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+}
+
+impl<'a> Query<'a, 3> {
+    /// Membership of a point in a body of space, prepared or not. O(1).
+    ///
+    /// # Errors
+    /// [`NonFinite`] if a coordinate of the point is not finite.
+    pub fn of_point_in(point: [f64; 3], body: impl Into<BodyView<'a>>) -> Result<Self, NonFinite> {
+        let body = body.into();
+        Ok(Self { laid_out: [body.laid_out(), None], ..Self::of_point(point, body.body())? })
+    }
+
+    /// Intersection of two bodies of space, each prepared or not. O(1).
+    pub fn between_bodies(a: impl Into<BodyView<'a>>, b: impl Into<BodyView<'a>>) -> Self {
+        let (a, b) = (a.into(), b.into());
+        Self { laid_out: [a.laid_out(), b.laid_out()], ..Self::between(a.body(), b.body()) }
+    }
+
+    /// The generators as passes take them, in two runs.
+    #[inline(always)]
+    pub(crate) fn rows(&self) -> [Rows<'a>; 2] {
+        let ([first, second], [own, other]) = (self.generators, self.laid_out);
+        [prepared::rows(first, own), prepared::rows(second, other)]
     }
 }

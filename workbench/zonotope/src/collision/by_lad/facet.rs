@@ -66,7 +66,7 @@ pub struct Facet<'q> {
 
 impl<'q> Facet<'q> {
     /// Finds the facet, or a separating direction if the goal allows that and one is found first.
-    pub(super) fn find(query: &'q dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> Self {
+    pub(super) fn find(query: &'q dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> Self {
         Self { query, optimum: solve(query, goal, tally) }
     }
 
@@ -98,7 +98,7 @@ impl<'q> Facet<'q> {
     }
 
     /// [`gauge`](Self::gauge), counting its operations.
-    pub fn gauge_counted(&self, tally: &mut impl Tally) -> Gauge<3> {
+    pub fn gauge_counted(&self, tally: &mut dyn Tally) -> Gauge<3> {
         let (value, error) = self.value();
         Gauge { value, error, location: self.location_counted(tally) }
     }
@@ -109,7 +109,7 @@ impl<'q> Facet<'q> {
     }
 
     /// [`location`](Self::location), counting its operations.
-    pub fn location_counted(&self, tally: &mut impl Tally) -> Location<3> {
+    pub fn location_counted(&self, tally: &mut dyn Tally) -> Location<3> {
         proof::location(self.query, &self.optimum, tally)
     }
 }

@@ -77,20 +77,25 @@ pub fn locate<const D: usize>(query: &Query<'_, D>) -> Location<D> {
 }
 
 /// [`locate`], counting its operations.
-pub fn locate_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tally) -> Location<D> {
+pub fn locate_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Location<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
     if let Some(query) = query.in_dimension::<4>() {
-        return lowered(by_lad_in_r4::locate_counted(&query, tally), query.len());
+        return lowered(by_lad_in_r4::locate_counted(&query, &mut &mut *tally), query.len());
     }
     match query.in_dimension::<3>() {
-        Some(query) => match early::locate(&query, tally) {
-            Some(clear) => clear.location(),
-            None => lowered(Facet::find(&query, Goal::Location, tally).location_counted(tally), query.len()),
-        },
+        Some(query) => lowered(locate_in_space(&query, tally), query.len()),
         None => {
             let prism = Prism::over(query);
             prism.lower(Facet::find(&prism.query(), Goal::Location, tally).location_counted(tally))
         }
+    }
+}
+
+/// [`locate_counted`] in space, compiled once for all dimensions and tallies.
+fn locate_in_space(query: &Query<'_, 3>, tally: &mut dyn Tally) -> Location<3> {
+    match early::locate(query, tally) {
+        Some(clear) => clear.location(),
+        None => Facet::find(query, Goal::Location, tally).location_counted(tally),
     }
 }
 
@@ -100,10 +105,10 @@ pub fn gauge<const D: usize>(query: &Query<'_, D>) -> Gauge<D> {
 }
 
 /// [`gauge`], counting its operations.
-pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut impl Tally) -> Gauge<D> {
+pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Gauge<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
     if let Some(query) = query.in_dimension::<4>() {
-        let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, tally);
+        let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, &mut &mut *tally);
         return Gauge { value, error, location: lowered(location, query.len()) };
     }
     let Gauge { value, error, location } = match query.in_dimension::<3>() {
@@ -124,7 +129,7 @@ pub fn locate_posed(query: &PosedQuery<'_>) -> Location<3> {
 }
 
 /// [`locate_posed`], counting its operations.
-pub fn locate_posed_counted(query: &PosedQuery<'_>, tally: &mut impl Tally) -> Location<3> {
+pub fn locate_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Location<3> {
     match PosedRows::new(query).and_then(|rows| early::locate(&rows, tally)) {
         Some(clear) => clear.location(),
         None => Facet::find(&Posed::new(query), Goal::Location, tally).location_counted(tally),
@@ -137,7 +142,7 @@ pub fn gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
 }
 
 /// [`gauge_posed`], counting its operations.
-pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut impl Tally) -> Gauge<3> {
+pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Gauge<3> {
     Facet::find(&Posed::new(query), Goal::Gauge, tally).gauge_counted(tally)
 }
 
@@ -148,6 +153,6 @@ pub fn facet<'q>(query: &'q Query<'q, 3>) -> Facet<'q> {
 }
 
 /// [`facet`], counting its operations.
-pub fn facet_counted<'q>(query: &'q Query<'q, 3>, tally: &mut impl Tally) -> Facet<'q> {
+pub fn facet_counted<'q>(query: &'q Query<'q, 3>, tally: &mut dyn Tally) -> Facet<'q> {
     Facet::find(query, Goal::Gauge, tally)
 }

@@ -7,15 +7,16 @@ use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::prepared::{BodyView, PreparedBody};
 
-/// A body of space where a pose puts it, as [`Zonotope::at`] makes it: a reference to the body beside the pose, nothing
+/// A body of space where a pose puts it, as [`Zonotope::at`] or [`PreparedBody::at`] makes it: a reference to the body beside the pose, nothing
 /// of it copied.
 ///
 /// Bodies with and without a pose are asked about each other: wherever a posed body is expected, `&body` is the body as
 /// it stands.
 #[derive(Debug, Clone, Copy)]
 pub struct PosedZonotope<'a> {
-    body: &'a Zonotope<3>,
+    body: BodyView<'a>,
     pose: Pose,
 }
 
@@ -23,7 +24,7 @@ impl Zonotope<3> {
     /// The body where a pose puts it, without a copy of its generators. O(1).
     #[inline]
     pub fn at(&self, pose: &Pose) -> PosedZonotope<'_> {
-        PosedZonotope { body: self, pose: *pose }
+        PosedZonotope::of(self, pose)
     }
 }
 
@@ -34,10 +35,22 @@ impl<'a> From<&'a Zonotope<3>> for PosedZonotope<'a> {
     }
 }
 
+impl<'a> From<&'a PreparedBody> for PosedZonotope<'a> {
+    #[inline]
+    fn from(body: &'a PreparedBody) -> Self {
+        body.at(&Pose::IDENTITY)
+    }
+}
+
 impl<'a> PosedZonotope<'a> {
+    #[inline]
+    pub(super) fn of(body: impl Into<BodyView<'a>>, pose: &Pose) -> Self {
+        Self { body: body.into(), pose: *pose }
+    }
+
     /// The body, as it is without the pose.
     pub fn body(&self) -> &'a Zonotope<3> {
-        self.body
+        self.body.body()
     }
 
     /// The pose.

@@ -3,7 +3,7 @@
 //! | implementor | what it is |
 //! |---|---|
 //! | `[[f64; 3]]` | rows of a body, or a sample of them |
-//! | [`Query`] | one or two bodies, in the rows that they are stored in |
+//! | [`Query`] | one or two bodies, in the rows that they are stored in or, if they were prepared, in blocks |
 //! | [`Posed`] | one or two bodies under poses, whose generators are never copied |
 //!
 //! Every implementor consists of at most two parts, each a slice of rows with or without a matrix. A pass is written
@@ -17,7 +17,8 @@ use super::cells::sign_pass::{FixedSum, Places};
 use super::frame::Frame;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::exact_linear::{self, ExactVector, exact};
-use crate::numeric::lanes::{bounded_sum, bounded_sum_near};
+use crate::numeric::lanes::rows::Rows;
+use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
 use crate::numeric::signed_sum::signed_sum;
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
@@ -26,7 +27,7 @@ use crate::zonotope::query::Query;
 /// Rows, and the matrix that they are to be taken under.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Part<'a> {
-    pub(crate) rows: &'a [[f64; 3]],
+    pub(crate) rows: Rows<'a>,
     pub(crate) frame: Option<&'a Frame>,
 }
 
@@ -50,8 +51,8 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     fn exact_generator(&self, index: usize) -> ExactVector {
         let [first, second] = self.parts();
         match index.checked_sub(first.rows.len()) {
-            None => first.exact_image(&first.rows[index]),
-            Some(index) => second.exact_image(&second.rows[index]),
+            None => first.exact_image(&first.rows.list()[index]),
+            Some(index) => second.exact_image(&second.rows.list()[index]),
         }
     }
 
@@ -85,7 +86,7 @@ pub(crate) trait Generators: fmt::Debug + Sync {
         let [first, second] = self.parts();
         let (own, others) = signs.split_at(first.rows.len());
         let of = |part: &Part<'_>, signs: &[i8]| {
-            let sum = signed_sum(part.rows.iter().copied().zip(signs.iter().copied()));
+            let sum = signed_sum(part.rows.list().iter().copied().zip(signs.iter().copied()));
             part.frame.map_or_else(|| sum.clone(), |frame| frame.exact_image(&sum))
         };
         if second.rows.is_empty() { of(&first, own) } else { exact_linear::sum(&of(&first, own), &of(&second, others)) }
@@ -125,8 +126,8 @@ impl dyn KernelQuery + '_ {
 #[inline]
 pub(crate) fn generator_of([first, second]: &[Part<'_>; 2], index: usize) -> [f64; 3] {
     match index.checked_sub(first.rows.len()) {
-        None => first.image(&first.rows[index]),
-        Some(index) => second.image(&second.rows[index]),
+        None => first.image(&first.rows.list()[index]),
+        Some(index) => second.image(&second.rows.list()[index]),
     }
 }
 
@@ -134,15 +135,27 @@ impl<'a> Part<'a> {
     /// The generators in doubles.
     #[inline]
     pub(crate) fn images(self) -> impl Iterator<Item = [f64; 3]> + 'a {
-        self.rows.iter().map(move |v| self.image(v))
+        self.rows.list().iter().map(move |v| self.image(v))
     }
 
     /// Adds a number for each generator in doubles to the end of a list.
     #[inline]
     pub(crate) fn map_into<T>(&self, list: &mut impl Extend<T>, of: impl Fn(&[f64; 3]) -> T) {
         match self.frame {
-            None => list.extend(self.rows.iter().map(of)),
-            Some(frame) => list.extend(self.rows.iter().map(|v| of(&frame.map().image(v)))),
+            None => list.extend(self.rows.list().iter().map(of)),
+            Some(frame) => list.extend(self.rows.list().iter().map(|v| of(&frame.map().image(v)))),
+        }
+    }
+
+    /// Writes a factor for each generator, with the sign of its product with the centre of a cell.
+    pub(crate) fn signed_factors(&self, cell: &DirectionCone, factor: f64, places: &mut [f64]) {
+        match self.frame {
+            None => signed_factors(self.rows, &cell.center, factor, places),
+            Some(_) => {
+                for (place, v) in places.iter_mut().zip(self.images()) {
+                    *place = factor.copysign(cell.value(&v));
+                }
+            }
         }
     }
 
@@ -173,9 +186,13 @@ impl<'a> Part<'a> {
             None => cell.split(self.rows, indices),
             Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(self.rows, indices)),
         };
-        for index in &mut indices[first..] {
-            crossing.push(self.image(&self.rows[*index as usize]));
-            *index += offset as u32;
+        let places = indices[first..].iter();
+        match self.frame {
+            None => crossing.extend(places.map(|&place| self.rows.row(place as usize))),
+            Some(frame) => crossing.extend(places.map(|&place| frame.map().image(&self.rows.row(place as usize)))),
+        }
+        if offset > 0 {
+            indices[first..].iter_mut().for_each(|index| *index += offset as u32);
         }
         fixed
     }
@@ -193,13 +210,13 @@ impl<'a> Part<'a> {
 
 impl Generators for [[f64; 3]] {
     fn parts(&self) -> [Part<'_>; 2] {
-        [Part { rows: self, frame: None }, Part { rows: &[], frame: None }]
+        [Rows::new(self), Rows::NONE].map(|rows| Part { rows, frame: None })
     }
 }
 
 impl Generators for Query<'_, 3> {
     fn parts(&self) -> [Part<'_>; 2] {
-        self.runs().map(|rows| Part { rows, frame: None })
+        self.rows().map(|rows| Part { rows, frame: None })
     }
 }
 
@@ -237,7 +254,7 @@ impl<'a> Posed<'a> {
 impl Generators for Posed<'_> {
     fn parts(&self) -> [Part<'_>; 2] {
         let [first, second] = self.frames.each_ref().map(Option::as_ref);
-        let [rows, others] = self.query.runs();
+        let [rows, others] = self.query.rows();
         [Part { rows, frame: first }, Part { rows: others, frame: second }]
     }
 }

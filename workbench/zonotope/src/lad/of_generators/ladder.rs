@@ -47,6 +47,7 @@ use super::support::separates;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::bounded_sum;
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
 
@@ -73,7 +74,7 @@ const STRETCH_OF_EMPTY: f64 = 8.0;
 /// The optimum of a query, and the rung that answered.
 ///
 /// A displacement that doubles round to zero is not zero unless its error is zero, too.
-pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> (Optimum, Rung) {
+pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> (Optimum, Rung) {
     let p = query.rounded_displacement();
     if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
@@ -116,7 +117,7 @@ pub(crate) fn exact_near(
     query: &dyn KernelQuery,
     p: &ExactVector,
     cells: &NestedCells,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> (ExactOptimum, Rung) {
     let ball = match ExactOptimum::in_cells(query, p, cells, tally) {
         Ok(optimum) => return (optimum, Rung::ExactInCells),
@@ -133,9 +134,9 @@ pub(crate) fn exact_near(
 }
 
 /// A query on its way up the ladder, with what the rungs below found out.
-struct Climb<'a, 'q, T> {
+struct Climb<'a, 'q> {
     problem: &'a Problem<'q>,
-    tally: &'a mut T,
+    tally: &'a mut dyn Tally,
     sample: Option<Sample>,
     /// The guess around which the next cell is taken, and the factor by which the cell is larger than the guess says.
     guess: Option<(Guess, f64)>,
@@ -154,7 +155,7 @@ struct Known {
 /// The answer of a rung, or the rung to go on with.
 type Attempt = Result<Optimum, Rung>;
 
-impl<T: Tally> Climb<'_, '_, T> {
+impl Climb<'_, '_> {
     fn all_pairs(&mut self) -> Attempt {
         // each group of pairs is tried with all generators
         let n = self.problem.query.len();
@@ -199,7 +200,7 @@ impl<T: Tally> Climb<'_, '_, T> {
         // the pass over all generators is made only where the sample says that the direction is likely to separate; a
         // sample by length says nothing of that
         let is_likely = sample.longest < f64::INFINITY
-            || bounded_sum(&sample.vectors, &direction).value < sample.part_of(query) * (1.0 - CLEAR_OF_ONE);
+            || bounded_sum(Rows::new(&sample.vectors), &direction).value < sample.part_of(query) * (1.0 - CLEAR_OF_ONE);
         if is_likely {
             self.tally.add(Operation::GeneratorRead, query.len() as u64);
             if separates(query, &self.problem.p, &direction) {

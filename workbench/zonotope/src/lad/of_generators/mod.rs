@@ -50,7 +50,7 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::tally::Tally;
 
 /// The optimum of a query, counted under the rung that answered. Expected O(n).
-pub(crate) fn solve(query: &dyn KernelQuery, goal: Goal, tally: &mut impl Tally) -> Optimum {
+pub(crate) fn solve(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> Optimum {
     let (optimum, rung) = ladder::climb(query, goal, tally);
     tally.answered_by(rung);
     optimum

@@ -5,7 +5,8 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use super::blocks::Source;
 use super::level::level;
 use super::number::product;
-use super::octet::{Octets, splat, total};
+use super::octet::{splat, total};
+use super::octets::Octets;
 use super::partial_sums::{LANES, in_space, joined};
 use crate::numeric::linear::dot;
 
@@ -16,7 +17,7 @@ use crate::numeric::linear::dot;
 #[inline]
 pub fn absolute_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> f64 {
     if let Some((generators, direction)) = in_space(generators, direction) {
-        return absolute_sum_of(&Octets::new(generators), direction);
+        return absolute_sum_of(&Octets::new(generators, &[]), direction);
     }
     let mut sums = [0.0; LANES];
     let (blocks, rest) = generators.as_chunks::<LANES>();
@@ -33,12 +34,12 @@ pub fn absolute_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D
 
 /// The same over vectors of space, however they are kept.
 pub(crate) fn absolute_sum_of(vectors: &impl Source, direction: &[f64; 3]) -> f64 {
-    dispatch!(level(), simd => sum(simd, vectors, direction))
+    dispatch!(level(), simd => absolute_sum_at(simd, vectors, direction))
 }
 
 /// Four sums take turns, as each addition waits for the one before it.
 #[inline(always)]
-fn sum<S: Simd>(simd: S, vectors: &impl Source, direction: &[f64; 3]) -> f64 {
+pub(super) fn absolute_sum_at<S: Simd>(simd: S, vectors: &impl Source, direction: &[f64; 3]) -> f64 {
     let wide = splat(simd, direction);
     let mut sums = [f64x8::splat(simd, 0.0); 4];
     let count = vectors.count();

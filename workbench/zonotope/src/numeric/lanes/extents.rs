@@ -68,6 +68,7 @@ mod tests {
     use crate::numeric::dyadic::Dyadic;
     use crate::numeric::lanes::extreme_sum::dot_or_plus_zero;
     use crate::numeric::lanes::level::at_each_level;
+    use crate::numeric::lanes::rows::Rows;
     use crate::numeric::lanes::test_vectors::vectors;
     use crate::numeric::lanes::{absolute_sum, bounded_sum, extreme_sum};
     use proptest::prelude::*;
@@ -109,7 +110,7 @@ mod tests {
         fn sums_are_the_same_at_every_level((generators, direction) in vectors()) {
             let all = at_each_level(|| {
                 let extreme = extreme_sum(&generators, &direction).map(f64::to_bits);
-                let bounded = bounded_sum(&generators, &direction);
+                let bounded = bounded_sum(Rows::new(&generators), &direction);
                 let sums = [absolute_sum(&generators, &direction), bounded.value, bounded.error];
                 (sums.map(f64::to_bits), extreme)
             });

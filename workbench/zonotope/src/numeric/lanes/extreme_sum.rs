@@ -7,7 +7,8 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use super::blocks::Source;
 use super::level::level;
 use super::number::product;
-use super::octet::{self, Octets, splat, totals};
+use super::octet::{self, splat, totals};
+use super::octets::Octets;
 use super::partial_sums::{LANES, in_space, joined};
 use crate::numeric::linear::dot;
 
@@ -19,7 +20,7 @@ use crate::numeric::linear::dot;
 #[inline]
 pub fn extreme_sum<const D: usize>(generators: &[[f64; D]], direction: &[f64; D]) -> [f64; D] {
     if let Some((generators, direction)) = in_space(generators, direction) {
-        let sum = extreme_sum_of(&Octets::new(generators), direction);
+        let sum = extreme_sum_of(&Octets::new(generators, &[]), direction);
         return array::from_fn(|k| sum[k]);
     }
     let mut sums = [[0.0; LANES]; D];

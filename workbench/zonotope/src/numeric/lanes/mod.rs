@@ -3,28 +3,30 @@
 //! | file | what it computes |
 //! |---|---|
 //! | `absolute_sum` | the support function of a centred zonotope |
-//! | [`blocks`] | vectors kept as passes want them, for bodies that are asked again and again |
 //! | `bounded_sum` | the same in space, with a bound on its error from the same pass |
 //! | `extreme_sum` | an extreme vertex of a centred zonotope |
 //! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
 //! | [`level`] | the vector instructions of the machine, chosen when the program runs |
 //! | [`number`] | what the steps of a pass compute with: one number, or eight |
-//! | [`octet`] | eight vectors of space side by side |
 //! | `row_products` | dot products of rows of any length |
+//! | `signed_factors` | the coefficients of an extreme point, made smaller |
+//! | [`layout`] | how vectors lie in memory: rows, eights of them, blocks |
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
 
 mod absolute_sum;
-pub(crate) mod blocks;
 mod bounded_sum;
 mod extents;
 mod extreme_sum;
+pub(crate) mod layout;
 pub(crate) mod level;
 pub(crate) mod number;
-pub(crate) mod octet;
 mod partial_sums;
 mod row_products;
+mod signed_factors;
 #[cfg(test)]
 pub(crate) mod test_vectors;
+
+pub(crate) use layout::{blocks, body_sums, octet, octets, rows};
 
 pub use absolute_sum::absolute_sum;
 pub(crate) use absolute_sum::absolute_sum_of;
@@ -33,3 +35,4 @@ pub use extents::Extents;
 pub use extreme_sum::extreme_sum;
 pub(crate) use extreme_sum::extreme_sum_of;
 pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};
+pub(crate) use signed_factors::signed_factors;

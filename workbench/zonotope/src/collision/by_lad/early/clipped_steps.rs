@@ -78,7 +78,7 @@ impl State {
         p: &BoundedVector,
         lengths: Lengths,
         among: Among<'_>,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Option<Clear> {
         tally.add(Operation::GeneratorRead, query.count() as u64);
         let effort = Effort { steps: WHOLE_STEPS, exact: true };
@@ -129,12 +129,7 @@ impl State {
     }
 }
 
-pub(super) fn outside(
-    query: &impl EarlyQuery,
-    p: &BoundedVector,
-    y: [f64; 3],
-    tally: &mut impl Tally,
-) -> Option<Clear> {
+pub(super) fn outside(query: &impl EarlyQuery, p: &BoundedVector, y: [f64; 3], tally: &mut dyn Tally) -> Option<Clear> {
     tally.add(Operation::GeneratorRead, query.count() as u64);
     let separates = (dot(p, &bounded::exact(y)) - query.reach(&y)).is_positive();
     separates.then_some(Clear::Outside(y))
@@ -144,7 +139,7 @@ pub(super) fn inside(
     query: &impl EarlyQuery,
     p: &BoundedVector,
     combination: &Combination,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Option<Clear> {
     tally.add(Operation::GeneratorRead, query.count() as u64);
     combination.witness(query, p).map(Clear::Inside)

@@ -14,7 +14,8 @@ use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, clipped, product, size};
-use crate::numeric::lanes::octet::{LANES, Octet, Octets, reordered, splat, store_first, total, totals};
+use crate::numeric::lanes::octet::{LANES, Octet, reordered, splat, store_first, total, totals};
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 
@@ -39,7 +40,7 @@ pub(crate) struct Combination {
 }
 
 /// Some generators, and the places of their coefficients.
-pub(crate) type Part<'a> = (&'a [[f64; 3]], &'a mut [f64]);
+pub(crate) type Part<'a> = (Rows<'a>, &'a mut [f64]);
 
 /// Sums over coefficients that were written.
 #[derive(Debug, Clone, Copy, Default)]
@@ -152,7 +153,7 @@ impl Combination {
         &self,
         query: &impl Passes,
         coefficients: &mut [f64],
-        write: impl Fn(&Self, &[[f64; 3]], &mut [f64]) -> Written,
+        write: impl Fn(&Self, Rows<'_>, &mut [f64]) -> Written,
     ) -> Written {
         query.over([&self.y, &self.z], |[first, second], range, [y, z]| {
             let combination = Self { y, z, ..*self };
@@ -224,7 +225,7 @@ fn write<'a, S: Simd, const OWN: bool, const LINEAR: bool>(
     let (mut sums, mut fresh) = (WideSums::new(simd), 0);
     let mut written = Written::default();
     for (generators, places) in parts {
-        let octets = Octets::new(generators);
+        let octets = generators.octets();
         let (whole, last) = places.as_chunks_mut::<LANES>();
         for (k, place) in whole.iter_mut().enumerate() {
             sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, k)).store_slice(place);

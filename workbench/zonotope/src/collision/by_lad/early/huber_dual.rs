@@ -13,9 +13,11 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::passes::{Carried, Passes, Runs, len};
 use crate::lad::of_generators::linear_map::LinearMap;
+use crate::numeric::lanes::body_sums::{add_square, sizes, squares, weighted};
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::number::{Number, Units, product, size};
-use crate::numeric::lanes::octet::{self, LANES, Octets, splat, total};
+use crate::numeric::lanes::number::{Number, Units, product};
+use crate::numeric::lanes::octet::{self, LANES, splat, total};
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cyclic_cross_products, dot, sum_norm};
 
 /// No coefficient is nearer to ±1 than this leaves room for.
@@ -62,7 +64,7 @@ impl Lengths {
     }
 
     fn of_runs(runs: Runs<'_>) -> Self {
-        let [longest, sum] = dispatch!(level(), simd => sizes(simd, runs));
+        let [longest, sum] = sizes(runs);
         if longest * len(runs) as f64 <= EVEN_LENGTHS * sum { Self::Even(longest) } else { Self::Own }
     }
 
@@ -70,15 +72,15 @@ impl Lengths {
     #[inline(always)]
     pub(crate) fn largest(self, among: Among<'_>, generators: &(impl Passes + ?Sized), z: &[f64; 3]) -> f64 {
         match among {
-            Among::Sample(few) => self.largest_of(few, z),
+            Among::Sample(few) => self.largest_of(Rows::new(few), z),
             Among::First(count) => {
-                let first = |run: &[[f64; 3]], z| Largest(self.largest_of(&run[..run.len().min(count)], &z));
+                let first = |run: Rows<'_>, z| Largest(self.largest_of(run.part(0..run.len().min(count)), &z));
                 generators.over([z], |[run, _], _, [z]| first(run, z)).0
             }
         }
     }
 
-    fn largest_of(self, among: &[[f64; 3]], z: &[f64; 3]) -> f64 {
+    fn largest_of(self, among: Rows<'_>, z: &[f64; 3]) -> f64 {
         let Self::Even(longest) = self else { return sum_norm(z).min((3.0 * dot(z, z)).sqrt()) };
         SAMPLE_MARGIN * dispatch!(level(), simd => largest_product(simd, among, z)) / longest
     }
@@ -131,26 +133,10 @@ impl Carried for Lengths {
     }
 }
 
-/// The longest length, and the sum of all.
-#[inline(always)]
-fn sizes<S: Simd>(simd: S, runs: Runs<'_>) -> [f64; 2] {
-    let units = Units::wide(simd);
-    let (mut longest, mut sum) = (units.zero, units.zero);
-    for run in runs {
-        let octets = Octets::new(run);
-        for k in 0..octets.len() {
-            let size = size(&octets.load(simd, k), &units);
-            longest = longest.larger(size);
-            sum += size;
-        }
-    }
-    [octet::largest(longest), total(sum)]
-}
-
 /// The largest |v · z|.
 #[inline(always)]
-fn largest_product<S: Simd>(simd: S, vectors: &[[f64; 3]], z: &[f64; 3]) -> f64 {
-    let (wide, octets) = (splat(simd, z), Octets::new(vectors));
+fn largest_product<S: Simd>(simd: S, vectors: Rows<'_>, z: &[f64; 3]) -> f64 {
+    let (wide, octets) = (splat(simd, z), vectors.octets());
     let mut largest = f64x8::splat(simd, 0.0);
     for k in 0..octets.len() {
         let along = product(&octets.load(simd, k), &wide).magnitude();
@@ -175,85 +161,68 @@ impl<T: Number> Sums<T> {
 
     /// Adds generators; y is scaled where lengths are not their own.
     #[inline(always)]
-    fn read<const AT_ZERO: bool, const OWN: bool>(&mut self, units: &Units<T>, v: &[T; 3], y: &[T; 3]) {
-        let mut scaled = *v;
-        if OWN {
-            let weight = units.one / size(v, units);
-            scaled = [weight * v[0], weight * v[1], weight * v[2]];
+    fn read<const OWN: bool>(&mut self, units: &Units<T>, v: &[T; 3], y: &[T; 3]) {
+        let mut scaled = weighted::<_, OWN>(v, units);
+        let t = product(&scaled, y);
+        let magnitude = t.magnitude();
+        let coefficient = magnitude.if_less(units.one, t, units.one.signed_as(t));
+        for k in 0..3 {
+            self.sum[k] += coefficient * v[k];
+            scaled[k] = magnitude.if_less(units.one, scaled[k], units.zero);
         }
-        if !AT_ZERO {
-            let t = product(&scaled, y);
-            let magnitude = t.magnitude();
-            let coefficient = magnitude.if_less(units.one, t, units.one.signed_as(t));
-            for k in 0..3 {
-                self.sum[k] += coefficient * v[k];
-                scaled[k] = magnitude.if_less(units.one, scaled[k], units.zero);
-            }
-            self.reach += if OWN { product(v, y) } else { t }.magnitude();
-        }
-        let [x, y, z] = scaled;
-        self.hessian[0] += x * v[0];
-        self.hessian[1] += x * v[1];
-        self.hessian[2] += x * v[2];
-        self.hessian[3] += y * v[1];
-        self.hessian[4] += y * v[2];
-        self.hessian[5] += z * v[2];
+        self.reach += if OWN { product(v, y) } else { t }.magnitude();
+        add_square(&mut self.hessian, &scaled, v);
     }
 }
 
 /// The sums over all rows with one length, or with their own.
 #[inline(always)]
-pub(crate) fn moments<S: Simd, const AT_ZERO: bool, const OWN: bool>(
-    simd: S,
-    runs: Runs<'_>,
-    y: &[f64; 3],
-    length: f64,
-) -> Moments {
+fn moments<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], length: f64) -> Moments {
     let y = [y[0] / length, y[1] / length, y[2] / length];
     let (wide, units) = (splat(simd, &y), Units::wide(simd));
     let (mut sums, mut few) = (Sums::new(&units), Sums::new(&Units::SINGLE));
     for run in runs {
-        let (octets, rest) = Octets::new(run).whole_and_rest();
+        let (octets, rest) = run.octets().whole_and_rest();
         for k in 0..octets.len() {
-            sums.read::<AT_ZERO, OWN>(&units, &octets.load(simd, k), &wide);
+            sums.read::<OWN>(&units, &octets.load(simd, k), &wide);
         }
         for v in rest {
-            few.read::<AT_ZERO, OWN>(&Units::SINGLE, v, &y);
+            few.read::<OWN>(&Units::SINGLE, v, &y);
         }
     }
     if len(runs) >= LANES {
         for k in 0..6 {
             few.hessian[k] += total(sums.hessian[k]);
         }
-        if !AT_ZERO {
-            for k in 0..3 {
-                few.sum[k] += total(sums.sum[k]);
-            }
-            few.reach += total(sums.reach);
+        for k in 0..3 {
+            few.sum[k] += total(sums.sum[k]);
         }
+        few.reach += total(sums.reach);
     }
-    let [xx, xy, xz, yy, yz, zz] = few.hessian;
-    Moments {
-        hessian: [xx / length, xy / length, xz / length, yy / length, yz / length, zz / length],
-        sum: few.sum,
-        reach: few.reach * length,
-    }
+    Moments { hessian: divided(few.hessian, length), sum: few.sum, reach: few.reach * length }
+}
+
+#[inline(always)]
+fn divided([xx, xy, xz, yy, yz, zz]: [f64; 6], length: f64) -> [f64; 6] {
+    [xx / length, xy / length, xz / length, yy / length, yz / length, zz / length]
 }
 
 impl Moments {
     /// Σ v vᵀ / |v|, and nothing else.
     #[inline(always)]
     pub(crate) fn at_zero(generators: &(impl Passes + ?Sized), lengths: Lengths) -> Self {
-        generators.over([], |runs, _, []| match lengths {
-            Lengths::Own => Self::read::<true, true>(runs, &[0.0; 3], 1.0),
-            Lengths::Even(length) => Self::read::<true, false>(runs, &[0.0; 3], length),
+        generators.over([], |runs, _, []| {
+            Self::of_squares(match lengths {
+                Lengths::Own => squares::<true>(runs),
+                Lengths::Even(length) => divided(squares::<false>(runs), length),
+            })
         })
     }
 
-    /// Σ v vᵀ / |v| if the lengths are their own, else Σ v vᵀ.
+    /// The sums at y = 0.
     #[inline(always)]
-    pub(crate) fn weighted<const OWN: bool>(runs: Runs<'_>) -> Self {
-        Self::read::<true, OWN>(runs, &[0.0; 3], 1.0)
+    pub(crate) fn of_squares(hessian: [f64; 6]) -> Self {
+        Self { hessian, sum: [0.0; 3], reach: 0.0 }
     }
 
     /// The sums with one more generator, at right angles to all others, where these are in a plane with the normal n.
@@ -278,14 +247,9 @@ impl Moments {
     #[inline(always)]
     pub(crate) fn at(generators: &(impl Passes + ?Sized), lengths: Lengths, y: &[f64; 3]) -> Self {
         generators.over([y], |runs, _, [y]| match lengths {
-            Lengths::Own => Self::read::<false, true>(runs, &y, 1.0),
-            Lengths::Even(length) => Self::read::<false, false>(runs, &y, length),
+            Lengths::Own => dispatch!(level(), simd => moments::<_, true>(simd, runs, &y, 1.0)),
+            Lengths::Even(length) => dispatch!(level(), simd => moments::<_, false>(simd, runs, &y, length)),
         })
-    }
-
-    #[inline(always)]
-    fn read<const AT_ZERO: bool, const OWN: bool>(runs: Runs<'_>, y: &[f64; 3], length: f64) -> Self {
-        dispatch!(level(), simd => moments::<_, AT_ZERO, OWN>(simd, runs, y, length))
     }
 
     /// H^{-1} r, if H is certainly not singular.
@@ -298,7 +262,9 @@ impl Moments {
         let determinant = dot(&rows[0], &minors[0]);
         let inverse = 1.0 / determinant;
         let is_thick = determinant > THICK_DETERMINANT * trace * trace * trace;
-        is_thick.then(|| [0, 1, 2].map(|k| dot(&minors[k], r) * inverse))
+        // written out: a function for each entry costs a tenth of a question about a box
+        let [a, b, c] = &minors;
+        is_thick.then(|| [dot(a, r) * inverse, dot(b, r) * inverse, dot(c, r) * inverse])
     }
 
     /// H^{-1} r, and whether H is certainly not singular.

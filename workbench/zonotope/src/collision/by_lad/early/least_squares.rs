@@ -8,16 +8,17 @@
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
-use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN, moments};
+use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::lanes::body_sums::{squares, squares_at};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product, size};
-use crate::numeric::lanes::octet::{self, LANES, Octets, reordered, splat, total, totals};
+use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
 use crate::numeric::linear::dot;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
@@ -89,7 +90,7 @@ fn write<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], mut co
     for run in runs {
         let (places, others) = coefficients.split_at_mut(run.len());
         coefficients = others;
-        let (octets, rest) = Octets::new(run).whole_and_rest();
+        let (octets, rest) = run.octets().whole_and_rest();
         let (whole, last) = places.as_chunks_mut::<LANES>();
         for (k, place) in whole.iter_mut().enumerate() {
             let lanes = terms.read::<OWN>(&units, &octets.load(simd, k), &wide);
@@ -109,7 +110,7 @@ fn of_some<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], step
     let mut terms = Terms::new(&units);
     let mut count = 0;
     for run in runs {
-        let (octets, _) = Octets::new(run).whole_and_rest();
+        let (octets, _) = run.octets().whole_and_rest();
         for k in (0..octets.len()).step_by(step) {
             terms.read::<OWN>(&units, &octets.load(simd, k), &wide);
             count += LANES;
@@ -155,7 +156,7 @@ struct Weighted {
 impl Weighted {
     #[inline(always)]
     fn of<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>) -> Self {
-        let moments = moments::<_, true, OWN>(simd, runs, &[0.0; 3], 1.0);
+        let moments = Moments::of_squares(squares_at::<_, OWN>(simd, runs));
         let magnitude = magnitude::<OWN>(&moments, runs[0].len() + runs[1].len());
         Self { moments, magnitude }
     }
@@ -244,8 +245,8 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
 
 /// The proof that p is in a flat body, by coefficients in terms of their own lengths.
 pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimplePlane) -> Result<Witness, Open> {
-    let (runs, n) = (query.runs(), query.len());
-    let moments = Moments::weighted::<true>(runs);
+    let (runs, n) = (query.rows(), query.len());
+    let moments = Moments::of_squares(squares::<true>(runs));
     let own = [p[0].value, p[1].value, p[2].value];
     let (y, is_thick) = moments.with_normal(&plane.normal).solve(&own);
     let mut coefficients = vec![0.0; n];
@@ -276,7 +277,7 @@ mod tests {
         let p = bounded::exact(p);
         let answers = [tell::<true>(&query, &p).ok(), tell::<false>(&query, &p).ok()];
         let [own, even] = answers.map(|clear| {
-            let location = clear?.location::<3>();
+            let location = clear?.location();
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             Some(location.status().name())
         });

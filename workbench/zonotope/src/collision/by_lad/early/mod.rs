@@ -22,8 +22,6 @@ pub(crate) mod passes;
 pub(crate) mod posed;
 pub(crate) mod stratified_pass;
 
-use std::array;
-
 use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
 
 use crate::collision::by_lad::early::combination::Combination;
@@ -36,6 +34,7 @@ use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::bounded::{self, BoundedVector};
 use crate::numeric::lanes::bounded_sum;
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::dot;
 use crate::tally::{Operation, Rung, Tally};
 
@@ -66,19 +65,19 @@ pub(crate) enum Clear {
 }
 
 impl Clear {
-    /// The answer in a space of which no coordinate is missing.
-    pub(crate) fn location<const D: usize>(self) -> Location<D> {
+    /// The answer.
+    pub(crate) fn location(self) -> Location<3> {
         match self {
             Self::Inside(witness) => Location::Inside(witness),
             Self::Flat(witness) => Location::Boundary(witness),
-            Self::Outside(u) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
+            Self::Outside(u) => Location::Outside(Separation::Rounded(u)),
         }
     }
 }
 
 /// The status of p with its proof, if that is clear.
 #[inline]
-pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut impl Tally) -> Option<Clear> {
+pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut dyn Tally) -> Option<Clear> {
     let p = query.displacement_in_doubles();
     let n = query.count();
     if n > WHOLE_LIMIT {
@@ -96,7 +95,7 @@ pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut impl Tally) -> Option<
 }
 
 /// The same of a member of a body that seems to be flat.
-fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
     let query = &query.as_rows()?;
     let plane = SimplePlane::of(query)?;
     tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
@@ -121,7 +120,7 @@ fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tall
 }
 
 /// The proof of a point inside whose least coefficients are too large.
-fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut impl Tally) -> Option<Clear> {
+fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut dyn Tally) -> Option<Clear> {
     let is_small = query.count() <= OWN_LENGTHS_LIMIT;
     // false for NaN as well
     let is_likely = open.gauge < if is_small && open.is_thick { INSIDE_GAUGE_OF_SMALL_BODIES } else { INSIDE_GAUGE };
@@ -143,7 +142,7 @@ fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tall
 }
 
 /// The same from all generators, in terms of their own lengths.
-fn locate_by_all(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+fn locate_by_all(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
     tally.add(Operation::GeneratorRead, query.count() as u64);
     let own = p.map(|c| c.value);
     let (y, is_thick) = Moments::at_zero(query, Lengths::Own).solve(&own);
@@ -167,7 +166,7 @@ fn locate_by_all(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Ta
     State::new(&y, gauge).prove(query, p, Lengths::Own, among, tally)
 }
 
-fn locate_by_sample(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl Tally) -> Option<Clear> {
+fn locate_by_sample(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
     let n = query.count();
     let pass = StratifiedPass::of(n);
     let few = pass.last(query);
@@ -177,7 +176,7 @@ fn locate_by_sample(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut impl
     let lengths = Lengths::of(&few[..]);
     let least = Moments::at_zero(&few[..], lengths);
     let (y, is_thick) = least.solve(&own);
-    let gauge = dot(&own, &y) / bounded_sum(&few, &y).value;
+    let gauge = dot(&own, &y) / bounded_sum(Rows::new(&few), &y).value;
     if gauge > OUTSIDE_GAUGE + OUTSIDE_DEVIATIONS / (few.len() as f64).sqrt()
         && let Some(clear) = outside(query, p, y, tally)
     {
@@ -264,7 +263,7 @@ mod tests {
                     let query = Query::new([0.0; 3], point(&body, u, factor), &body).expect("finite");
                     let mut counts = OperationCounts::default();
                     let Some(clear) = locate(&query, &mut counts) else { continue };
-                    let location = clear.location::<3>();
+                    let location = clear.location();
                     assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                     assert_eq!(location.status().name(), if factor < 1.0 { "inside" } else { "outside" });
                     (told, reads) = (told + 1, reads + counts.get(Operation::GeneratorRead));
@@ -283,7 +282,7 @@ mod tests {
             let p = point(&body, u, random.random_range(0.7..1.4));
             let query = Query::new([0.0; 3], p, &body).expect("finite");
             if let Some(clear) = locate(&query, &mut ()) {
-                let location = clear.location::<3>();
+                let location = clear.location();
                 assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
                 assert_eq!(location.status(), brute_force::locate(&query).status());
             }
@@ -305,7 +304,7 @@ mod tests {
         let square = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
         for p in [[0.9, -0.2, 0.0], [-1.2, -1.3, 0.0]] {
             let query = Query::new([0.0; 3], p, &square).expect("finite");
-            let location = locate(&query, &mut ()).expect("it is in a simple plane").location::<3>();
+            let location = locate(&query, &mut ()).expect("it is in a simple plane").location();
             assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
             assert_eq!(location.status().name(), "boundary");
         }

@@ -11,11 +11,12 @@ use crate::collision::Query;
 use crate::lad::of_generators::generators::{Generators, KernelQuery};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::sum_norm;
 use crate::numeric::tolerance::DETERMINANT_OF_ROWS;
 
 /// Rows in two runs.
-pub(crate) type Runs<'a> = [&'a [[f64; 3]]; 2];
+pub(crate) type Runs<'a> = [Rows<'a>; 2];
 
 /// How many rows there are.
 #[inline(always)]
@@ -80,14 +81,14 @@ pub(crate) trait EarlyQuery: Passes {
 impl Passes for [[f64; 3]] {
     #[inline(always)]
     fn rows(&self) -> Runs<'_> {
-        [self, &[]]
+        [Rows::new(self), Rows::NONE]
     }
 }
 
 impl Passes for Query<'_, 3> {
     #[inline(always)]
     fn rows(&self) -> Runs<'_> {
-        self.runs()
+        Query::rows(self)
     }
 }
 

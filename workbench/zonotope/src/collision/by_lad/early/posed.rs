@@ -7,6 +7,7 @@ use crate::collision::{PosedQuery, Query};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::lanes::bounded_sum_near;
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::tolerance::DETERMINANT_OF_IMAGES;
 
 /// A query about posed bodies whose matrices have entries of moderate size.
@@ -24,7 +25,7 @@ impl<'a> PosedRows<'a> {
         let [from, to] = query.own_poses();
         let maps = [LinearMap::of(from), LinearMap::of(to)];
         let is_moderate = maps[0].is_moderate() && maps[1].is_moderate();
-        is_moderate.then(|| Self { p: query.displacement_estimate(), runs: query.runs(), maps })
+        is_moderate.then(|| Self { p: query.displacement_estimate(), runs: query.rows(), maps })
     }
 }
 
@@ -42,11 +43,11 @@ impl Passes for PosedRows<'_> {
     ) -> T {
         let [own, other] = &self.maps;
         let places = self.runs[0].len();
-        let first = pass([self.runs[0], &[]], 0..places, directions.map(|u| own.pulled(u))).carried(own);
+        let first = pass([self.runs[0], Rows::NONE], 0..places, directions.map(|u| own.pulled(u))).carried(own);
         if self.runs[1].is_empty() {
             return first;
         }
-        let second = pass([self.runs[1], &[]], places..self.count(), directions.map(|u| other.pulled(u)));
+        let second = pass([self.runs[1], Rows::NONE], places..self.count(), directions.map(|u| other.pulled(u)));
         first.joined(second.carried(other))
     }
 }
@@ -61,8 +62,8 @@ impl EarlyQuery for PosedRows<'_> {
     #[inline]
     fn vector(&self, index: usize) -> ([f64; 3], f64) {
         let (map, v) = match index.checked_sub(self.runs[0].len()) {
-            None => (&self.maps[0], &self.runs[0][index]),
-            Some(index) => (&self.maps[1], &self.runs[1][index]),
+            None => (&self.maps[0], &self.runs[0].list()[index]),
+            Some(index) => (&self.maps[1], &self.runs[1].list()[index]),
         };
         map.image_with_length(v)
     }
@@ -79,7 +80,7 @@ impl EarlyQuery for PosedRows<'_> {
         let mut picked = Vec::with_capacity(capacity);
         for (run, map) in self.runs.iter().zip(&self.maps) {
             let start = picked.len();
-            pick(run, &mut picked);
+            pick(run.list(), &mut picked);
             picked[start..].iter_mut().for_each(|v| *v = map.image(v));
         }
         picked

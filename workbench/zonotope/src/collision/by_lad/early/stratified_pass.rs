@@ -29,7 +29,7 @@ const LAST_PART_SHARE: usize = 128;
 const STEADY_ROOT: usize = 8;
 
 /// Stretches of at least and at most so many generators.
-const SHORTEST_STRETCH: usize = 8;
+const SHORTEST_STRETCH: usize = 32;
 const LONGEST_STRETCH: usize = 128;
 
 /// How generators are dealt out.
@@ -115,7 +115,7 @@ impl StratifiedPass {
                 #[inline(always)]
                 |(run, places)| {
                     let range = within(&range, run.len());
-                    (&run[range.clone()], &mut places[range])
+                    (run.part(range.clone()), &mut places[range])
                 },
             ))
         })

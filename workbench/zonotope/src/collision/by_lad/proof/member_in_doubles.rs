@@ -87,11 +87,11 @@ fn prove(
     let Attempt { third, sign, factor, .. } = attempt;
     let [a, b] = optimum.bounded_vectors();
     let c = approximate(query.generator(third), query.relative_error());
-    let off = [0, 1, 2].map(|k| optimum.sum[k] - c[k] * Bounded::exact(sign));
     // the coefficients of those that share are rounded
     let rounded = Bounded { value: 0.0, error: 2.0 * (UNIT * optimum.shared + f64::MIN_POSITIVE) };
-    let rest = [0, 1, 2].map(|k| p[k] - off[k] * Bounded::exact(factor) + rounded);
-    let own = solve(&[a, b, c], &rest)?;
+    let (sign, share) = (Bounded::exact(sign), Bounded::exact(factor));
+    let rest = |k: usize| p[k] - (optimum.sum[k] - c[k] * sign) * share + rounded;
+    let own = solve(&[a, b, c], &[rest(0), rest(1), rest(2)])?;
     let mut coefficients = cells.coefficients(query, &optimum.cell(), factor);
     for &(index, share) in &optimum.shares {
         coefficients[index] = share * factor;
@@ -148,10 +148,11 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
     let determinant = dot(c, &normals[2]);
     let negative = determinant.sign()? < 0;
     let determinant = if negative { determinant.negated() } else { determinant };
-    let numerators = normals.map(|normal| dot(rest, &normal));
-    let is_within = numerators.iter().all(|n| n.is_within(determinant));
-    let sign = if negative { -1.0 } else { 1.0 };
-    is_within.then(|| numerators.map(|n| sign * n.value / determinant.value))
+    // three of each written out: the question about a box is half as long as a call for each of them
+    let [first, second, third] = [dot(rest, &normals[0]), dot(rest, &normals[1]), dot(rest, &normals[2])];
+    let is_within = first.is_within(determinant) && second.is_within(determinant) && third.is_within(determinant);
+    let scale = if negative { -determinant.value } else { determinant.value };
+    is_within.then_some([first.value / scale, second.value / scale, third.value / scale])
 }
 
 /// The attempt with its margin.
@@ -160,8 +161,10 @@ fn attempt(query: &dyn KernelQuery, optimum: &RoundedOptimum, p: &BoundedVector,
     let c = &query.generator(attempt.third);
     let normals = cyclic_cross_products(a, b, c);
     let determinant = dot(c, &normals[2]);
-    let rest = [0, 1, 2].map(|k| p[k].value - (optimum.sum[k].value - attempt.sign * c[k]) * attempt.factor);
-    let largest = normals.iter().fold(0.0f64, |m, normal| m.max((dot(&rest, normal) / determinant).abs()));
+    let rest = |k: usize| p[k].value - (optimum.sum[k].value - attempt.sign * c[k]) * attempt.factor;
+    let rest = [rest(0), rest(1), rest(2)];
+    let size = |k: usize| (dot(&rest, &normals[k]) / determinant).abs();
+    let largest = size(0).max(size(1)).max(size(2));
     // none where the third is in the plane of the others
     Attempt { margin: if determinant == 0.0 { 0.0 } else { 1.0 - largest }, ..attempt }
 }

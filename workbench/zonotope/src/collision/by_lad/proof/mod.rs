@@ -34,7 +34,7 @@ use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
 
 /// Where the displacement of a query lies, with its proof, from the query's optimum.
-pub(super) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut impl Tally) -> Location<3> {
+pub(super) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {
     match optimum {
         Optimum::Centre => of_center(query),
         Optimum::Separated(direction) => {
@@ -58,7 +58,7 @@ fn of_center(query: &dyn KernelQuery) -> Location<3> {
 }
 
 /// The proof in doubles, or that of the exact optimum where rounding leaves no room for it.
-fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut impl Tally) -> Location<3> {
+fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Location<3> {
     let p = query.rounded_displacement();
     let found = match decided.order {
         Ordering::Greater => separation::in_doubles(&decided.optimum, &p)
@@ -80,7 +80,7 @@ fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut imp
 }
 
 /// The exact proof. O(n).
-fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector, tally: &mut impl Tally) -> Location<3> {
+fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector, tally: &mut dyn Tally) -> Location<3> {
     match optimum.along.cmp(&optimum.reach) {
         Ordering::Greater => {
             let separation = separation::separation(query, p, &optimum.direction, &optimum.basis);
@@ -102,7 +102,7 @@ fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector, ta
 }
 
 /// The proof for a flat body from that for its prism: a flat body has no inside.
-fn of_flat(flat: &FlatOptimum, tally: &mut impl Tally) -> Location<3> {
+fn of_flat(flat: &FlatOptimum, tally: &mut dyn Tally) -> Location<3> {
     match flat.prism.lower(location(&flat.prism.query(), &flat.optimum, tally)) {
         Location::Inside(witness) | Location::Boundary(witness) => Location::Boundary(witness),
         Location::Outside(Separation::Rounded(mut u)) => {

@@ -2,6 +2,7 @@
 
 mod levels;
 mod posed;
+mod prepared;
 mod rungs;
 
 use rand::{RngExt, SeedableRng};

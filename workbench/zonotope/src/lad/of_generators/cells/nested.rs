@@ -66,9 +66,12 @@ impl NestedCells {
         let of = |cell: &DirectionCone, v: &[f64; 3]| factor.copysign(cell.value(v));
         let first = *self.steps.first().map_or(last, |(cell, _)| cell);
         let parts = query.parts();
-        let mut coefficients = Vec::with_capacity(query.len());
+        let mut coefficients = vec![0.0; query.len()];
+        let mut places = &mut coefficients[..];
         for part in &parts {
-            part.map_into(&mut coefficients, move |v| factor.copysign(first.value(v)));
+            let (own, others) = places.split_at_mut(part.rows.len());
+            part.signed_factors(&first, factor, own);
+            places = others;
         }
         for (step, (_, crossing)) in self.steps.iter().enumerate() {
             let next = self.steps.get(step + 1).map_or(last, |(cell, _)| cell);

@@ -9,6 +9,7 @@ use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::tolerance::MODERATE_SIZES;
 
 /// The generators that cross a cell, and the sum of all others with their signs.
@@ -41,8 +42,9 @@ impl Reduced {
         }
     }
 
-    /// One pass over the query; `expected` generators are likely to cross the cell.
-    pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone, expected: usize) -> Self {
+    /// One pass over the query.
+    pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone) -> Self {
+        let expected = expected_crossing(query.len());
         let (mut vectors, mut indices) = (Vec::with_capacity(expected), Places::with_capacity(expected));
         let fixed = query.split(&cell, &mut vectors, &mut indices);
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
@@ -60,7 +62,7 @@ impl Reduced {
     /// The sum of all generators whose sign is fixed in a cell: those that were summed up before and those of this
     /// problem. The positions of this problem's other generators are added to a list.
     pub(crate) fn plus_fixed_in(&self, cell: &DirectionCone, crossing: &mut Places) -> FixedSum {
-        let mut own = cell.widened(self.relative_error).split(&self.vectors, crossing);
+        let mut own = cell.widened(self.relative_error).split(Rows::new(&self.vectors), crossing);
         own.error += self.relative_error * own.magnitude;
         self.fixed.plus(&own)
     }
@@ -92,4 +94,11 @@ impl Reduced {
         let [x, y, _] = chart.line(&self.fixed.sum);
         [x, y]
     }
+}
+
+/// How many generators are likely to cross the cell of a sample of some √n: about n^(3/4) of them. Memory for more than
+/// that is taken when they come.
+fn expected_crossing(count: usize) -> usize {
+    let root = count.isqrt();
+    64 + 13 * root * root.isqrt() / 8
 }

@@ -2,18 +2,18 @@
 //! others.
 //!
 //! The pass reads every generator, so it is the kernel's largest cost. It takes eight generators at a time in vectors
-//! of doubles, never branches on a sign, and subtracts in the end what crossing generators added to the sum: a branch
-//! for each generator would cost more than these few subtractions.
+//! of doubles and never branches on a sign: lanes that cross the cell keep the sum that they have, and a bit of a word
+//! for each generator tells in the end which these are.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use smallvec::SmallVec;
 
 use super::direction_cone::DirectionCone;
 use crate::numeric::bounded::{Bounded, BoundedVector};
-use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;
-use crate::numeric::lanes::octet::{LANES, Octet, Octets, in_order_of_rows, splat, total, totals, turned};
+use crate::numeric::lanes::octet::{LANES, Octet, in_order_of_rows, splat, total, totals, turned};
+use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::euclidean_norm;
 use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNIT};
 
@@ -21,7 +21,7 @@ use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZE
 /// addition for each eight generators of its block.
 const BLOCK: usize = 256;
 
-/// Generators whose bits fill a word: which of them cross the cell, and their signs.
+/// Generators whose bits fill a word: which of them cross the cell.
 const WORD: usize = 64;
 
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
@@ -60,7 +60,7 @@ impl DirectionCone {
     /// The sign of v · u is that of v · center throughout the cell if |v · center| exceeds the sum of |v| ball and of
     /// √((v · axes_0)² + (v · axes_1)²). Each product with v is off by at most 3 u |v| times the length of the other
     /// factor and an underflow, which a wider ball covers.
-    pub(crate) fn split(&self, generators: &[[f64; 3]], crossing: &mut Places) -> FixedSum {
+    pub(crate) fn split(&self, generators: Rows<'_>, crossing: &mut Places) -> FixedSum {
         match self.axes {
             None => WideCone::<0>::new(self, [], 1.0).split(generators, crossing),
             Some(axes) => WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT).split(generators, crossing),
@@ -88,7 +88,7 @@ impl<const AXES: usize> WideCone<AXES> {
         }
     }
 
-    fn split(&self, generators: &[[f64; 3]], crossing: &mut Places) -> FixedSum {
+    fn split(&self, generators: Rows<'_>, crossing: &mut Places) -> FixedSum {
         dispatch!(level(), simd => split_at(simd, self, generators, crossing))
     }
 }
@@ -113,12 +113,11 @@ impl<S: Simd> Sums<S> {
         Self { block: [zero; 3], squares: zero, total: [zero; 3], rest: [zero; 3], magnitude: zero }
     }
 
-    /// Adds eight vectors with the signs of their products with the centre. The first result has a bit for each vector
-    /// that certainly misses the cell, the second one for each whose product is negative.
+    /// Adds those of eight vectors that certainly miss the cell, with the signs of their products with the centre, and
+    /// returns a bit for each of these.
     #[inline(always)]
-    fn read<const AXES: usize>(&mut self, simd: S, cone: &Splat<S, AXES>, v: &Octet<S>) -> [u64; 2] {
-        // a negative zero, which would be subtracted but does not compare as negative, becomes a positive one
-        let value = product(v, &cone.center) + 0.0;
+    fn read<const AXES: usize>(&mut self, simd: S, cone: &Splat<S, AXES>, v: &Octet<S>) -> u64 {
+        let value = product(v, &cone.center);
         let squares = product(v, v);
         self.squares += squares;
         let mut reach = squares * cone.square + PRODUCT_UNDERFLOW;
@@ -126,11 +125,12 @@ impl<S: Simd> Sums<S> {
             let along = product(v, axis);
             reach += along * along;
         }
+        // neither a product of zero, whatever its sign, nor NaN misses anything: such a vector is reported
+        let misses = (value * value).simd_gt(reach);
         for (sum, c) in self.block.iter_mut().zip(v) {
-            *sum += turned(simd, *c, value);
+            *sum = misses.select(*sum + turned(simd, *c, value), *sum);
         }
-        // a NaN misses nothing, so the vector is reported
-        [(value * value).simd_gt(reach).to_bitmask(), value.simd_lt(0.0).to_bitmask()]
+        misses.to_bitmask()
     }
 
     /// Moves the sum of a block to the total.
@@ -161,7 +161,7 @@ struct Splat<S: Simd, const AXES: usize> {
 fn split_at<S: Simd, const AXES: usize>(
     simd: S,
     cone: &WideCone<AXES>,
-    generators: &[[f64; 3]],
+    generators: Rows<'_>,
     crossing: &mut Places,
 ) -> FixedSum {
     let center = splat(simd, &cone.center);
@@ -171,79 +171,45 @@ fn split_at<S: Simd, const AXES: usize>(
     }
     let wide = Splat { center, axes, square: f64x8::splat(simd, cone.square) };
     let mut sums = Sums::new(simd);
-    let mut taken = Taken::default();
     for (number, block) in generators.chunks(BLOCK).enumerate() {
         for (place, word) in block.chunks(WORD).enumerate() {
-            let octets = Octets::new(word);
-            let (mut misses, mut signs) = (0, 0);
+            let octets = word.octets();
+            let mut misses = 0;
             for k in 0..octets.len() {
-                let [own, minus] = sums.read(simd, &wide, &octets.load(simd, k));
-                misses |= own << (LANES * k);
-                signs |= minus << (LANES * k);
+                misses |= sums.read(simd, &wide, &octets.load(simd, k)) << (LANES * k);
             }
             let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
             if crosses != 0 {
-                taken.read(word, crosses, in_order_of_rows(signs), number * BLOCK + place * WORD, crossing);
+                report(crosses, number * BLOCK + place * WORD, crossing);
             }
         }
         sums.end_block(simd);
-        taken.end_block();
     }
     // three coordinates written out, as a closure may lose the instructions that this function is compiled for
     let sum = totals(&[sums.total[0] + sums.rest[0], sums.total[1] + sums.rest[1], sums.total[2] + sums.rest[2]]);
-    taken.fixed(sum, total(sums.magnitude), generators.len())
+    fixed(sum, total(sums.magnitude), generators.len())
 }
 
-/// What crossing generators added to the sum, which is taken out again.
-#[derive(Default)]
-struct Taken {
-    block: [f64; 3],
-    total: [f64; 3],
-    rest: [f64; 3],
-    /// How many generators of the block cross the cell, and the most of a block.
-    count: usize,
-    most: usize,
+/// Adds the places of the bits that are set to a list.
+#[inline(always)]
+fn report(mut crosses: u64, first: usize, crossing: &mut Places) {
+    let mut places = [0; WORD];
+    let mut count = 0;
+    while crosses != 0 {
+        places[count % WORD] = first as u32 + crosses.trailing_zeros();
+        crosses &= crosses - 1;
+        count += 1;
+    }
+    crossing.extend_from_slice(&places[..count]);
 }
 
-impl Taken {
-    /// Reads the generators of a word whose bits are set, with their signs, and reports their places.
-    #[inline]
-    fn read(&mut self, word: &[[f64; 3]], mut crosses: u64, signs: u64, first: usize, crossing: &mut Places) {
-        self.count += crosses.count_ones() as usize;
-        while crosses != 0 {
-            let place = crosses.trailing_zeros() as usize;
-            crosses &= crosses - 1;
-            let sign = (signs >> place) << 63;
-            for (sum, c) in self.block.iter_mut().zip(word[place]) {
-                *sum += f64::from_bits(c.to_bits() ^ sign);
-            }
-            crossing.push((first + place) as u32);
-        }
-    }
-
-    fn end_block(&mut self) {
-        if self.count == 0 {
-            return;
-        }
-        for k in 0..3 {
-            let (sum, left) = exact_sum(self.total[k], self.block[k]);
-            self.total[k] = sum;
-            self.rest[k] += left;
-        }
-        self.most = self.most.max(self.count);
-        (self.block, self.count) = ([0.0; 3], 0);
-    }
-
-    /// The sum of the others.
-    fn fixed(&self, sum: [f64; 3], magnitude: f64, count: usize) -> FixedSum {
-        let sum = [0, 1, 2].map(|k| (sum[k] - self.total[k]) - self.rest[k]);
-        // lengths whose squares underflow
-        let magnitude = magnitude + count as f64 * SQUARABLE_SIZES.start;
-        // a term goes through one addition for each eight generators of its block; crossing generators, which at most
-        // double the terms, go through one for each of them in their block; ten more join lanes and totals
-        let additions = (count.min(BLOCK).div_ceil(LANES) + 10 + 2 * self.most) as f64;
-        let blocks = count.div_ceil(BLOCK) as f64;
-        let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
-        FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (additions * magnitude) * slack }
-    }
+/// The sum with a bound of its error.
+fn fixed(sum: [f64; 3], magnitude: f64, count: usize) -> FixedSum {
+    // lengths whose squares underflow
+    let magnitude = magnitude + count as f64 * SQUARABLE_SIZES.start;
+    // a term goes through one addition for each eight generators of its block; ten more join lanes and totals
+    let additions = (count.min(BLOCK).div_ceil(LANES) + 10) as f64;
+    let blocks = count.div_ceil(BLOCK) as f64;
+    let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
+    FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (additions * magnitude) * slack }
 }

@@ -18,7 +18,7 @@ pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
     let mut count = 0;
     for source in query.parts() {
         // the last ones are always read: they may be the only ones that lead out of a plane
-        for part in source.rows.chunks(LANES).rev().step_by(share) {
+        for part in source.rows.list().chunks(LANES).rev().step_by(share) {
             count += part.len();
             for [x, y, z] in part.iter().map(|v| source.image(v)) {
                 let weight = 1.0 / x.abs().max(y.abs()).max(z.abs()).max(f64::MIN_POSITIVE);

@@ -22,8 +22,8 @@ impl<'a> DirectionSigns<'a> {
     pub(crate) fn certain_sign(&self, index: usize) -> Option<i8> {
         let [first, second] = self.query.parts();
         match index.checked_sub(first.rows.len()) {
-            None => self.directions[0].certain_sign(&first.rows[index]),
-            Some(index) => self.directions[1].certain_sign(&second.rows[index]),
+            None => self.directions[0].certain_sign(&first.rows.list()[index]),
+            Some(index) => self.directions[1].certain_sign(&second.rows.list()[index]),
         }
     }
 

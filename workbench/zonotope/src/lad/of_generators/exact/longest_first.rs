@@ -35,7 +35,7 @@ pub(crate) const LEAST_COUNT: usize = 128;
 pub(crate) fn optimum(
     query: &dyn KernelQuery,
     p: &ExactVector,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<ExactOptimum, Option<[f64; 3]>> {
     if query.len() < LEAST_COUNT {
         return Err(None);
@@ -44,7 +44,7 @@ pub(crate) fn optimum(
     let indices = longest(query);
     let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
     let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &none, ExactChart::new(p.clone(), None));
-    let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, tally);
+    let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
     let optimum = outcome.optimum().ok_or(None)?;
     let direction = plane.direction(optimum.point_in(&plane.problem));
     let mut signs = DirectionSigns::new(query, &direction).all(&direction);

@@ -40,12 +40,12 @@ impl ExactOptimum {
         query: &dyn KernelQuery,
         p: &ExactVector,
         center: Option<[f64; 3]>,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Self {
         tally.add(Operation::GeneratorRead, query.len() as u64);
         let none = [Dyadic::zero(), Dyadic::zero(), Dyadic::zero()];
         let plane = ChartProblem::new(Vectors::all(query), &none, ExactChart::new(p.clone(), center));
-        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, tally);
+        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
         let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
         let direction = plane.direction(optimum.point_in(&plane.problem));
         let basis = optimum.certificate.basis.iter().map(|line| line.position()).collect();
@@ -59,9 +59,9 @@ impl ExactOptimum {
         query: &dyn KernelQuery,
         p: &ExactVector,
         ball: DirectionCone,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Option<Self> {
-        let reduced = Reduced::of_query(query, ball, query.len() / 16);
+        let reduced = Reduced::of_query(query, ball);
         let is_smaller = reduced.is_moderate() && 2 * reduced.vectors.len() <= query.len();
         let cells = is_smaller.then(|| NestedCells::new(vec![(ball, reduced.indices)]))?;
         Self::in_cells(query, p, &cells, tally).ok()
@@ -73,7 +73,7 @@ impl ExactOptimum {
         query: &dyn KernelQuery,
         p: &ExactVector,
         cells: &NestedCells,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Result<Self, Option<DirectionCone>> {
         // of the problems that are small enough for exact arithmetic, the widest has the cell that most likely holds
         // the optimum
@@ -92,7 +92,7 @@ impl ExactOptimum {
             &rest,
             ExactChart::new(p.clone(), Some(cell.coarse_center())),
         );
-        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, tally);
+        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
         let optimum = outcome.optimum().ok_or(None)?;
         let direction = plane.direction(optimum.point_in(&plane.problem));
         let own = &optimum.certificate.signs;

@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(pair, [0, 1]);
         let truth: Vec<[f64; 3]> = body(3.0).iter().copied().cycle().take(24).collect();
         let query = crate::collision::Query::new([0.0; 3], [0.0, 0.0, 1.0], &truth).expect("finite");
-        let reduced = Reduced::of_query(&query, chart().cell(&first.guess, 1.0), 24);
+        let reduced = Reduced::of_query(&query, chart().cell(&first.guess, 1.0));
         assert_eq!(reduced.vectors.len(), 16);
         assert!(classes.is_corrected(&first, &reduced, &chart()));
         let second = classes.meeting(&chart()).expect("there is one");

@@ -35,7 +35,7 @@ pub(crate) struct Sample {
 impl Sample {
     /// A sample of some 6 √n generators, one from each of as many stretches of equal number; where lengths are very
     /// uneven, from stretches of equal length in all, which takes a second pass.
-    pub(crate) fn of(query: &dyn KernelQuery, tally: &mut impl Tally) -> Self {
+    pub(crate) fn of(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Self {
         let n = query.len();
         let size = (6 * n.isqrt() + n / 128).min(n);
         tally.add(Operation::GeneratorRead, size as u64);

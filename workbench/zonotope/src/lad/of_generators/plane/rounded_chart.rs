@@ -6,7 +6,8 @@ use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::plane::rounded_lines::{LineBlock, LineBlocks, RoundedLines};
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::octet::{LANES, Octet, Octets, total};
+use crate::numeric::lanes::octet::{LANES, Octet, total};
+use crate::numeric::lanes::octets::Octets;
 use crate::numeric::linear::dot;
 
 /// The least size of a cell, in terms of its centre.
@@ -56,7 +57,7 @@ impl RoundedChart {
     /// The lines of vectors, eight by eight; returns the sum of the lengths.
     #[inline(always)]
     fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut LineBlocks) -> f64 {
-        let octets = Octets::new(vectors);
+        let octets = Octets::new(vectors, &[]);
         let mut lengths = f64x8::splat(simd, 0.0);
         for k in 0..octets.len() {
             let (block, own) = self.block(simd, &octets.load(simd, k));

@@ -27,7 +27,7 @@ pub(crate) enum ClassesFound {
 pub(crate) fn search_meetings(
     problem: &Problem<'_>,
     mut classes: ParallelClasses,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Option<ClassesFound> {
     let (query, chart) = (problem.query, &problem.chart);
     let mut before = None;
@@ -42,7 +42,7 @@ pub(crate) fn search_meetings(
         }
         tally.add(Operation::SearchStep, 1);
         tally.add(Operation::GeneratorRead, query.len() as u64);
-        let reduced = Reduced::of_query(query, chart.cell(&meeting.guess, 1.0), query.len() / 8 + 64);
+        let reduced = Reduced::of_query(query, chart.cell(&meeting.guess, 1.0));
         if !reduced.is_moderate() {
             return None;
         }

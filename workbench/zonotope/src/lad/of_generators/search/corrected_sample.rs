@@ -37,10 +37,10 @@ const LIKELY_EXCESS: f64 = 1e-2;
 const PARALLEL_CELL: f64 = 1e-6;
 
 /// Problems, each reduced from the one before, that are searched for one optimum.
-pub(crate) struct CorrectedSample<'a, 'q, T> {
+pub(crate) struct CorrectedSample<'a, 'q> {
     pub(crate) problem: &'a Problem<'q>,
     pub(crate) levels: Vec<Reduced>,
-    pub(crate) tally: &'a mut T,
+    pub(crate) tally: &'a mut dyn Tally,
 }
 
 /// Why there is no optimum yet.
@@ -69,7 +69,7 @@ impl Part {
     }
 }
 
-impl<T: Tally> CorrectedSample<'_, '_, T> {
+impl CorrectedSample<'_, '_> {
     /// The optimum, seen from a sample of all generators.
     pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<RoundedOptimum, NotCertified> {
         let (n, len) = (self.problem.query.len(), sample.vectors.len());
@@ -138,7 +138,7 @@ impl<T: Tally> CorrectedSample<'_, '_, T> {
                 None => {
                     let n = self.problem.query.len();
                     self.tally.add(Operation::GeneratorRead, n as u64);
-                    (Reduced::of_query(self.problem.query, cell, n / 16 + 64), n)
+                    (Reduced::of_query(self.problem.query, cell), n)
                 }
             };
             if !reduced.is_moderate() {

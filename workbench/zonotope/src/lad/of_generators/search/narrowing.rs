@@ -47,12 +47,12 @@ pub(crate) fn search_cell(
     guess: &Guess,
     stretch: f64,
     most_lines: usize,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<Searched, Missed> {
     let query = problem.query;
     tally.add(Operation::SearchStep, 1);
     tally.add(Operation::GeneratorRead, query.len() as u64);
-    let reduced = Reduced::of_query(query, problem.chart.cell(guess, stretch), query.len() / 16 + 64);
+    let reduced = Reduced::of_query(query, problem.chart.cell(guess, stretch));
     if !reduced.is_moderate() {
         return Ok(Searched::Doubtful(NestedCells::default()));
     }

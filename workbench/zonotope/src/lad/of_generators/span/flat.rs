@@ -9,7 +9,8 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::numeric::exact_linear::{self, ExactVector, dot, exact, is_zero};
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::octet::{Octets, splat, total};
+use crate::numeric::lanes::octet::{splat, total};
+use crate::numeric::lanes::octets::Octets;
 use crate::numeric::linear::{cross, max_norm};
 use crate::zonotope::query::Query;
 
@@ -77,7 +78,7 @@ fn is_orthogonal_to_all(vectors: &[[f64; 3]], simple: &[f64; 3]) -> bool {
 /// A sum of magnitudes that is zero if and only if all products are.
 #[inline(always)]
 fn what_is_off<S: Simd>(simd: S, vectors: &[[f64; 3]], simple: &[f64; 3]) -> f64 {
-    let (wide, octets) = (splat(simd, simple), Octets::new(vectors));
+    let (wide, octets) = (splat(simd, simple), Octets::new(vectors, &[]));
     let mut off = f64x8::splat(simd, 0.0);
     for k in 0..octets.len() {
         let v = octets.load(simd, k);

@@ -29,48 +29,9 @@ pub(crate) const fn in_order_of_rows(bits: u64) -> u64 {
     bits ^ far ^ far << 4
 }
 
-/// Rows in eights, the last of them filled up with zeros where they are not [taken apart](Self::whole_and_rest).
-#[derive(Clone, Copy)]
-pub(crate) struct Octets<'a> {
-    whole: &'a [[f64; 3 * LANES]],
-    rest: &'a [f64],
-}
-
-impl<'a> Octets<'a> {
-    #[inline(always)]
-    pub(crate) fn new(rows: &'a [[f64; 3]]) -> Self {
-        let (whole, rest) = rows.as_flattened().as_chunks();
-        Self { whole, rest }
-    }
-
-    /// The full octets alone, and the rows that are left, as one number after the other.
-    #[inline(always)]
-    pub(crate) fn whole_and_rest(&self) -> (Self, &'a [[f64; 3]]) {
-        (Self { rest: &[], ..*self }, self.rest.as_chunks().0)
-    }
-
-    /// How many octets there are.
-    #[inline(always)]
-    pub(crate) fn len(&self) -> usize {
-        self.whole.len() + usize::from(!self.rest.is_empty())
-    }
-
-    /// The coordinates of eight rows.
-    #[inline(always)]
-    pub(crate) fn load<S: Simd>(&self, simd: S, place: usize) -> Octet<S> {
-        if let Some(rows) = self.whole.get(place) {
-            return taken_apart(simd, rows);
-        }
-        let mut rows = [0.0; 3 * LANES];
-        for (own, c) in rows.iter_mut().zip(self.rest) {
-            *own = *c;
-        }
-        taken_apart(simd, &rows)
-    }
-}
-
+/// The coordinates of eight rows.
 #[inline(always)]
-fn taken_apart<S: Simd>(simd: S, rows: &[f64; 3 * LANES]) -> Octet<S> {
+pub(crate) fn taken_apart<S: Simd>(simd: S, rows: &[f64; 3 * LANES]) -> Octet<S> {
     let (thirds, _) = rows.as_chunks::<LANES>();
     // written out: a closure may lose the instructions that its function is compiled for
     let a = f64x8::from_slice(simd, &thirds[0]);
@@ -147,7 +108,7 @@ mod tests {
 
     #[inline(always)]
     fn coordinates<S: Simd>(simd: S, rows: &[f64; 24]) -> [[f64; 8]; 3] {
-        let v = Octets::new(rows.as_chunks().0).load(simd, 0);
+        let v = taken_apart(simd, rows);
         v.map(|lanes| std::array::from_fn(|k| lanes[k]))
     }
 
@@ -170,10 +131,6 @@ mod tests {
             assert_eq!(slot(slot(row)), row);
             assert_eq!(in_order_of_rows(1 << slot(row)), 1 << row);
         }
-        let rows: Vec<[f64; 3]> = (0..11).map(|i| [f64::from(i); 3]).collect();
-        let octets = Octets::new(&rows);
-        assert_eq!((octets.len(), octets.whole.len()), (2, 1));
-        assert_eq!(octets.rest, [8.0, 8.0, 8.0, 9.0, 9.0, 9.0, 10.0, 10.0, 10.0]);
     }
 
     #[inline(always)]

@@ -1,0 +1,154 @@
+//! Sums over vectors of space that every question about a body needs, whatever its direction.
+
+use fearless_simd::{Simd, dispatch};
+
+use super::octet::{self, LANES, total};
+use super::rows::Rows;
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::{Number, Units, size};
+
+/// Sums over the vectors of a body; |v| is the largest magnitude of a coordinate of v.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BodySums {
+    /// Σ v vᵀ: xx, xy, xz, yy, yz, zz.
+    squares: [f64; 6],
+    /// Σ v vᵀ / |v|.
+    weighted_squares: [f64; 6],
+    /// The largest |v|, and Σ |v|.
+    sizes: [f64; 2],
+}
+
+impl BodySums {
+    /// The sums over rows. Three passes.
+    pub(crate) fn of(rows: Rows<'_>) -> Self {
+        let runs = [rows, Rows::NONE];
+        Self { squares: squares::<false>(runs), weighted_squares: squares::<true>(runs), sizes: sizes(runs) }
+    }
+
+    /// At least Σ |v|_1, but for rounding.
+    #[inline]
+    pub(crate) fn magnitude(&self) -> f64 {
+        3.0 * self.sizes[1]
+    }
+}
+
+/// The sums of two runs, if both are known.
+#[inline(always)]
+fn known([first, second]: [Rows<'_>; 2]) -> Option<(&BodySums, Option<&BodySums>)> {
+    let own = first.sums()?;
+    if second.is_empty() { Some((own, None)) } else { Some((own, Some(second.sums()?))) }
+}
+
+/// The longest length, and the sum of all.
+pub(crate) fn sizes(runs: [Rows<'_>; 2]) -> [f64; 2] {
+    match known(runs) {
+        Some((own, None)) => own.sizes,
+        Some((own, Some(other))) => [own.sizes[0].max(other.sizes[0]), own.sizes[1] + other.sizes[1]],
+        None => dispatch!(level(), simd => sizes_at(simd, runs)),
+    }
+}
+
+/// Σ v vᵀ / |v| with their own lengths, else Σ v vᵀ.
+pub(crate) fn squares<const OWN: bool>(runs: [Rows<'_>; 2]) -> [f64; 6] {
+    dispatch!(level(), simd => squares_at::<_, OWN>(simd, runs))
+}
+
+/// The same within a pass.
+#[inline(always)]
+pub(crate) fn squares_at<S: Simd, const OWN: bool>(simd: S, runs: [Rows<'_>; 2]) -> [f64; 6] {
+    let of = |sums: &BodySums| if OWN { sums.weighted_squares } else { sums.squares };
+    match known(runs) {
+        Some((own, None)) => of(own),
+        Some((own, Some(other))) => {
+            let (own, other) = (of(own), of(other));
+            [0, 1, 2, 3, 4, 5].map(|k| own[k] + other[k])
+        }
+        None => summed_squares::<S, OWN>(simd, runs),
+    }
+}
+
+#[inline(always)]
+fn sizes_at<S: Simd>(simd: S, runs: [Rows<'_>; 2]) -> [f64; 2] {
+    let units = Units::wide(simd);
+    let (mut longest, mut sum) = (units.zero, units.zero);
+    for run in runs {
+        let octets = run.octets();
+        for k in 0..octets.len() {
+            let size = size(&octets.load(simd, k), &units);
+            longest = longest.larger(size);
+            sum += size;
+        }
+    }
+    [octet::largest(longest), total(sum)]
+}
+
+#[inline(always)]
+fn summed_squares<S: Simd, const OWN: bool>(simd: S, runs: [Rows<'_>; 2]) -> [f64; 6] {
+    let units = Units::wide(simd);
+    let (mut sums, mut few) = ([units.zero; 6], [0.0; 6]);
+    for run in runs {
+        let (octets, rest) = run.octets().whole_and_rest();
+        for k in 0..octets.len() {
+            let v = octets.load(simd, k);
+            add_square(&mut sums, &weighted::<_, OWN>(&v, &units), &v);
+        }
+        for v in rest {
+            add_square(&mut few, &weighted::<_, OWN>(v, &Units::SINGLE), v);
+        }
+    }
+    if runs[0].len() + runs[1].len() >= LANES {
+        for k in 0..6 {
+            few[k] += total(sums[k]);
+        }
+    }
+    few
+}
+
+/// v / |v| where lengths are their own, else v.
+#[inline(always)]
+pub(crate) fn weighted<T: Number, const OWN: bool>(v: &[T; 3], units: &Units<T>) -> [T; 3] {
+    if !OWN {
+        return *v;
+    }
+    let weight = units.one / size(v, units);
+    [weight * v[0], weight * v[1], weight * v[2]]
+}
+
+/// Adds w vᵀ, for w a multiple of v.
+#[inline(always)]
+pub(crate) fn add_square<T: Number>(sums: &mut [T; 6], [x, y, z]: &[T; 3], v: &[T; 3]) {
+    sums[0] += *x * v[0];
+    sums[1] += *x * v[1];
+    sums[2] += *x * v[2];
+    sums[3] += *y * v[1];
+    sums[4] += *y * v[2];
+    sums[5] += *z * v[2];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::lanes::rows::LaidOut;
+
+    #[test]
+    fn sums_worked_out_by_hand() {
+        let list = [[1.0, 2.0, 4.0], [-3.0, 0.0, 1.0]];
+        let runs = [Rows::new(&list), Rows::NONE];
+        assert_eq!(squares::<false>(runs), [10.0, 2.0, 1.0, 4.0, 8.0, 17.0]);
+        assert_eq!(squares::<true>(runs)[..3], [0.25 + 3.0, 0.5, 1.0 - 1.0]);
+        assert_eq!(sizes(runs), [4.0, 7.0]);
+    }
+
+    #[test]
+    fn known_sums_are_those_of_a_pass() {
+        let list: Vec<[f64; 3]> = (0..21).map(|i| [f64::from(i), 5.0 - f64::from(i), 0.5]).collect();
+        let laid_out = LaidOut::of(&list);
+        let (plain, prepared) = (Rows::new(&list), Rows::laid_out(&list, &laid_out));
+        for (plain, prepared) in [([plain, Rows::NONE], [prepared, Rows::NONE]), ([plain; 2], [prepared; 2])] {
+            assert_eq!(squares::<false>(plain), squares::<false>(prepared));
+            assert_eq!(sizes(plain), sizes(prepared));
+            let [own, other] = [squares::<true>(plain), squares::<true>(prepared)];
+            assert!(own.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-14 * a.abs()));
+        }
+    }
+}
