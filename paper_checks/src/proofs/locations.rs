@@ -24,7 +24,7 @@ pub(crate) fn proof_of(answer: &Location<3>, target: &Vector, generators: &[Vect
         Location::Outside(separation) => {
             let direction = match separation {
                 Separation::Rounded(direction) => Vector::exactly(*direction),
-                Separation::Exact(direction) => Vector(direction.clone()),
+                Separation::Exact(direction) => Vector(*direction.clone()),
             };
             let reach = generators.iter().fold(RBig::ZERO, |sum, generator| {
                 let along = direction.dot(generator);

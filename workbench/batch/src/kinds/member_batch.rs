@@ -26,9 +26,9 @@ const PAIR_LIMIT: usize = 1_000_000_000;
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     match fields.dimension("center")? {
-        1 => in_space::<1>(fields, by_lad::gauge_counted),
-        2 => in_space::<2>(fields, by_lad::gauge_counted),
-        3 => in_space::<3>(fields, by_lad::gauge_counted),
+        1 => in_space::<1>(fields, |query, counts| by_lad::gauge_counted(query, counts)),
+        2 => in_space::<2>(fields, |query, counts| by_lad::gauge_counted(query, counts)),
+        3 => in_space::<3>(fields, |query, counts| by_lad::gauge_counted(query, counts)),
         4 => in_space::<4>(fields, by_lad_in_r4::gauge_counted),
         other => Err(refused("center", other, 4)),
     }

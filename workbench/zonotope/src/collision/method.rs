@@ -293,7 +293,7 @@ fn in_same_dimension<const E: usize, const D: usize>(location: Location<E>) -> L
             Location::Outside(Separation::Rounded(std::array::from_fn(|axis| direction[axis])))
         }
         Location::Outside(Separation::Exact(direction)) => {
-            Location::Outside(Separation::Exact(std::array::from_fn(|axis| direction[axis].clone())))
+            Location::Outside(Separation::Exact(Box::new(std::array::from_fn(|axis| direction[axis].clone()))))
         }
     }
 }

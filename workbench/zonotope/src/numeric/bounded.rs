@@ -1,6 +1,6 @@
 //! Doubles with a bound on their distance from an exact value, for filters of a few operations.
 //!
-//! Each operation adds its own rounding: u = 2^-53 times the result, and less than 2^-1000 for underflow. The bounds
+//! Each operation adds its own rounding: u = 2^-53 times the result, and less than 2^-900 for underflow. The bounds
 //! themselves are sums and products of a few rounded terms that are not negative, which [`FIVE_ROUNDINGS`] covers.
 //! Overflow makes a bound infinite or NaN, and every certain comparison false.
 

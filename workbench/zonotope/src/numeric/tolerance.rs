@@ -16,9 +16,11 @@ pub const UNDERFLOW: f64 = power_of_two(-960);
 
 /// An absolute error that covers the underflow of one product, or of the few products of a dot product.
 ///
-/// Each that underflows is off by at most 2^-1075, so there is room for 2^75 of them; a sum of doubles never
-/// underflows. The value is large enough that a bound to which it was added is itself a normal double.
-pub const PRODUCT_UNDERFLOW: f64 = power_of_two(-1000);
+/// Each that underflows is off by at most 2^-1075, so there is room for far more of them than a sum has; a sum of
+/// doubles never underflows. The value is large enough that a bound to which it was added is a normal double, and so
+/// is the product of two bounds of a bounded product: a processor takes a hundred cycles for one that is not, even in
+/// a lane of a vector that nobody reads.
+pub const PRODUCT_UNDERFLOW: f64 = power_of_two(-900);
 
 /// Factor by which a bound made of terms that are not negative is multiplied where up to five roundings led to it.
 ///

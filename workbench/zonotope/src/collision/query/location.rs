@@ -47,8 +47,9 @@ pub struct Witness {
 pub enum Separation<const D: usize> {
     /// A direction of doubles.
     Rounded([f64; D]),
-    /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit.
-    Exact([Rational; D]),
+    /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit; in a box, as
+    /// it is rare and would make every answer several times as large.
+    Exact(Box<[Rational; D]>),
 }
 
 impl<const D: usize> Separation<D> {
@@ -63,7 +64,7 @@ impl<const D: usize> Separation<D> {
         if along(&question.exact()) > reach {
             Self::Rounded(rounded)
         } else {
-            Self::Exact(scaled.map(|v| v.to_rational()))
+            Self::Exact(Box::new(scaled.map(|v| v.to_rational())))
         }
     }
 }

@@ -235,7 +235,7 @@ impl Climb<'_, '_> {
         let sample = self.sample.as_ref().expect("a sample was taken by the rung of parallel classes");
         let mut search = CorrectedSample { problem: self.problem, levels: Vec::new(), tally: &mut *self.tally };
         let searched = match search.of_sample(sample) {
-            Ok(optimum) => Searched::Certified(Box::new(optimum), NestedCells::of(search.levels)),
+            Ok(optimum) => Searched::Certified(optimum, NestedCells::of(search.levels)),
             Err(NotCertified::Doubt) => Searched::Doubtful(NestedCells::of(search.levels)),
             Err(NotCertified::Outside(..)) => Searched::Doubtful(NestedCells::default()),
         };

@@ -49,7 +49,7 @@ pub(crate) fn separation(
         .chain([[x, y, z]])
         .chain(neighbours([x, y, z]))
         .find(|&u| separates(query, p, u))
-        .map_or_else(|| Separation::Exact(direction.clone().map(|v| v.to_rational())), Separation::Rounded)
+        .map_or_else(|| Separation::Exact(Box::new(direction.clone().map(|v| v.to_rational()))), Separation::Rounded)
 }
 
 /// The directions in which one or more coordinates are moved to a neighbouring double.

@@ -56,7 +56,7 @@ pub(super) fn check_proof(query: &PosedQuery<'_>, location: &Location<3>) {
         Location::Outside(separation) => {
             let u: [Rational; 3] = match separation {
                 Separation::Rounded(u) => u.map(|c| Rational::try_from(c).expect("finite")),
-                Separation::Exact(u) => u.clone(),
+                Separation::Exact(u) => *u.clone(),
             };
             let along = |v: &ExactVector| (0..3).fold(Rational::ZERO, |sum, k| sum + v[k].to_rational() * &u[k]);
             let reach = images.iter().fold(Rational::ZERO, |sum, v| {

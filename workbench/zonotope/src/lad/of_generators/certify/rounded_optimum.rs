@@ -78,7 +78,11 @@ pub(crate) enum Unproved {
 impl RoundedOptimum {
     /// Checks a vertex that is given by the positions of two generators in the last of some problems, each of which
     /// was reduced from the one before.
-    pub(crate) fn at(levels: &[Reduced], p: &BoundedVector, [first, second]: [usize; 2]) -> Result<Self, Unproved> {
+    pub(crate) fn at(
+        levels: &[Reduced],
+        p: &BoundedVector,
+        [first, second]: [usize; 2],
+    ) -> Result<Box<Self>, Unproved> {
         let level = levels.last().ok_or(Unproved::Doubt)?;
         let vectors = [level.vectors[first], level.vectors[second]];
         let error = level.relative_error;
@@ -123,7 +127,7 @@ impl RoundedOptimum {
         let magnitude = fixed.magnitude;
         let divisor = if reversed { along.value } else { -along.value };
         let rest = Rest::new(&sum, &[a, b], across.map(|value| value.value / divisor), [reach, along], p);
-        Ok(Self {
+        Ok(Box::new(Self {
             basis,
             vectors,
             reversed,
@@ -138,7 +142,7 @@ impl RoundedOptimum {
             rest,
             magnitude,
             relative_error: error,
-        })
+        }))
     }
 
     /// Whether the vertex is the optimum for sure, not only nearly.
@@ -190,7 +194,7 @@ mod tests {
     const Y: [f64; 3] = [0.0, 1.0, 0.0];
     const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<DirectionCone>) -> Result<RoundedOptimum, Unproved> {
+    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<DirectionCone>) -> Result<Box<RoundedOptimum>, Unproved> {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let level = Reduced { cell, ..Reduced::whole(&query) };
         RoundedOptimum::at(&[level], &exact(p), [0, 1])

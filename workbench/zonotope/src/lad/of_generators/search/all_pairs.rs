@@ -35,7 +35,7 @@ pub(crate) fn best_pair(problem: &Problem<'_>) -> Option<Searched> {
     let pair = steepest(&reduced.vectors, &problem.p.map(|c| c.value));
     let optimum = RoundedOptimum::at(&[reduced], &problem.p, pair).ok()?;
     let is_answer = optimum.is_vertex() || problem.is_answered_by(&optimum);
-    is_answer.then(|| Searched::Certified(Box::new(optimum), NestedCells::default()))
+    is_answer.then(|| Searched::Certified(optimum, NestedCells::default()))
 }
 
 /// The pair at whose normal |u · p| / h(u) is largest, as far as doubles tell; a generator with itself where no pair

@@ -25,7 +25,7 @@ pub(crate) fn descend_and_certify(
     lines: &RoundedLines,
     linear: [f64; 2],
     point: [f64; 2],
-) -> Option<([f64; 2], Result<RoundedOptimum, Unproved>)> {
+) -> Option<([f64; 2], Result<Box<RoundedOptimum>, Unproved>)> {
     let mut vertex = descend_nearly(lines, linear, point, NEARLY_OPTIMAL)?;
     let mut is_last = false;
     for _ in 0..MEETING_TURNS {

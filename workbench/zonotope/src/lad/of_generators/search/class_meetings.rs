@@ -53,7 +53,7 @@ pub(crate) fn search_meetings(
             let optimum = vertex.and_then(|vertex| RoundedOptimum::at(&levels, &problem.p, vertex).ok());
             let [reduced] = levels;
             let searched = match optimum {
-                Some(optimum) => Searched::Certified(Box::new(optimum), NestedCells::of(vec![reduced])),
+                Some(optimum) => Searched::Certified(optimum, NestedCells::of(vec![reduced])),
                 None => narrow(problem, reduced, Some(&meeting.guess), usize::MAX).ok()?,
             };
             return Some(ClassesFound::Searched(searched));

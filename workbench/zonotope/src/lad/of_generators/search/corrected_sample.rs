@@ -71,7 +71,7 @@ impl Part {
 
 impl CorrectedSample<'_, '_> {
     /// The optimum, seen from a sample of all generators.
-    pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<RoundedOptimum, NotCertified> {
+    pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<Box<RoundedOptimum>, NotCertified> {
         let (n, len) = (self.problem.query.len(), sample.vectors.len());
         let lines = self.problem.chart.lines(&sample.vectors);
         let aim = Aim { longest: sample.longest, ..Aim::new(len, n, SAMPLE_DEVIATIONS).thin() };
@@ -81,7 +81,7 @@ impl CorrectedSample<'_, '_> {
     }
 
     /// The optimum of the last level.
-    fn solve(&mut self, point: [f64; 2]) -> Result<RoundedOptimum, NotCertified> {
+    fn solve(&mut self, point: [f64; 2]) -> Result<Box<RoundedOptimum>, NotCertified> {
         let depth = self.levels.len();
         let level = self.levels.last().ok_or(NotCertified::Doubt)?;
         let (lines, linear) = (level.lines(&self.problem.chart), level.linear(&self.problem.chart));
@@ -109,7 +109,7 @@ impl CorrectedSample<'_, '_> {
     }
 
     /// The optimum of the last level, or of all generators, seen from some of its lines.
-    fn narrow(&mut self, mut part: Part, start: Option<[f64; 2]>) -> Result<RoundedOptimum, NotCertified> {
+    fn narrow(&mut self, mut part: Part, start: Option<[f64; 2]>) -> Result<Box<RoundedOptimum>, NotCertified> {
         let depth = self.levels.len();
         let outside = Err(NotCertified::Outside(depth, None));
         let mut found = None;

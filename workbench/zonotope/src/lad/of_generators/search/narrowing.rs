@@ -92,7 +92,7 @@ pub(crate) fn narrow(
     loop {
         let level = levels.last().expect("the first problem is never taken away");
         match descend_and_certify(problem, &levels, &lines, level.linear(chart), point) {
-            Some((_, Ok(optimum))) => return Ok(Searched::Certified(Box::new(optimum), NestedCells::of(levels))),
+            Some((_, Ok(optimum))) => return Ok(Searched::Certified(optimum, NestedCells::of(levels))),
             Some((found, Err(Unproved::Astray(_)))) => {
                 let is_believed = guess.is_none_or(|guess| guess.is_near(found, BELIEVED_DISTANCE));
                 point = if is_believed { found } else { point };

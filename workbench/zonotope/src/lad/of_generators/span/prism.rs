@@ -81,7 +81,7 @@ pub(crate) fn lowered<const E: usize, const D: usize>(location: Location<E>, own
         Location::Boundary(proof) => Location::Boundary(lowered_witness(proof, own)),
         Location::Outside(Separation::Rounded(u)) => Location::Outside(Separation::Rounded(array::from_fn(|i| u[i]))),
         Location::Outside(Separation::Exact(u)) => {
-            Location::Outside(Separation::Exact(array::from_fn(|i| u[i].clone())))
+            Location::Outside(Separation::Exact(Box::new(array::from_fn(|i| u[i].clone()))))
         }
     }
 }
