@@ -34,7 +34,7 @@ pub enum Rung {
     /// The displacement is zero.
     ZeroDisplacement,
     /// The best of all pairs of a few generators.
-    AllPairs,
+    BestPair,
     /// All generators of a small body at once, in doubles.
     AllInDoubles,
     /// Two of few classes of parallel generators meet in the optimum.
@@ -84,7 +84,7 @@ impl Rung {
         Self::StratifiedPass,
         Self::ClippedCoefficients,
         Self::ZeroDisplacement,
-        Self::AllPairs,
+        Self::BestPair,
         Self::AllInDoubles,
         Self::ParallelClasses,
         Self::SeparatingGuess,
@@ -115,7 +115,7 @@ impl Rung {
             Self::StratifiedPass => "stratified_pass",
             Self::ClippedCoefficients => "clipped_coefficients",
             Self::ZeroDisplacement => "zero_displacement",
-            Self::AllPairs => "all_pairs",
+            Self::BestPair => "best_pair",
             Self::AllInDoubles => "all_in_doubles",
             Self::ParallelClasses => "parallel_classes",
             Self::SeparatingGuess => "separating_guess",

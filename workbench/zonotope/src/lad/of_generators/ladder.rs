@@ -7,7 +7,7 @@
 //! | rung | tried | where it has no answer |
 //! |---|---|---|
 //! | `ZeroDisplacement` | always | the next one |
-//! | `AllPairs` | at most [`PAIRS_LIMIT`] generators | `AllInDoubles` |
+//! | `BestPair` | at most [`PAIRS_LIMIT`] generators | `AllInDoubles` |
 //! | `AllInDoubles` | at most [`WHOLE_LIMIT`] generators | `FlatBody` |
 //! | `ParallelClasses` | more, of few directions as far as a sample shows | `CorrectedSample` |
 //! | `SeparatingGuess` | a sample has a smooth optimum, and the location is all that is asked | `SampledCell` |
@@ -37,7 +37,7 @@ use super::guess::sample::Sample;
 use super::optimum::{FlatOptimum, Optimum};
 use super::problem::Problem;
 use super::search::Searched;
-use super::search::all_pairs::{PAIRS_LIMIT, best_pair, groups_of_pairs};
+use super::search::best_pair::{PAIRS_LIMIT, best_pair};
 use super::search::class_meetings::{ClassesFound, search_meetings};
 use super::search::corrected_sample::{CorrectedSample, NotCertified};
 use super::search::narrowing::{Missed, narrow, search_cell};
@@ -84,14 +84,14 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) 
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are known to few digits, doubles have nothing to say of them
     let mut rung = match MODERATE_SIZES.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
-        true if query.len() <= PAIRS_LIMIT => Rung::AllPairs,
+        true if query.len() <= PAIRS_LIMIT => Rung::BestPair,
         true if query.len() <= WHOLE_LIMIT => Rung::AllInDoubles,
         true => Rung::ParallelClasses,
         false => Rung::FlatBody,
     };
     loop {
         let attempt = match rung {
-            Rung::AllPairs => climb.all_pairs(),
+            Rung::BestPair => climb.best_pair(),
             Rung::AllInDoubles => climb.all_in_doubles(),
             Rung::ParallelClasses => climb.parallel_classes(),
             Rung::SeparatingGuess => climb.separating_guess(),
@@ -156,11 +156,8 @@ struct Known {
 type Attempt = Result<Optimum, Rung>;
 
 impl Climb<'_, '_> {
-    fn all_pairs(&mut self) -> Attempt {
-        // each group of pairs is tried with all generators
-        let n = self.problem.query.len();
-        self.tally.add(Operation::GeneratorRead, n as u64 * groups_of_pairs(n) as u64);
-        best_pair(self.problem).map_or(Err(Rung::AllInDoubles), |searched| self.decide(searched))
+    fn best_pair(&mut self) -> Attempt {
+        best_pair(self.problem, self.tally).map_or(Err(Rung::AllInDoubles), |searched| self.decide(searched))
     }
 
     fn all_in_doubles(&mut self) -> Attempt {

@@ -17,7 +17,7 @@ const REACHED_BY: [(Rung, &str, usize); Rung::ALL.len()] = [
     (Rung::StratifiedPass, "random", 1200),
     (Rung::ClippedCoefficients, "random", 12),
     (Rung::ZeroDisplacement, "random", 12),
-    (Rung::AllPairs, "random", 12),
+    (Rung::BestPair, "random", 12),
     (Rung::AllInDoubles, "random", 40),
     (Rung::ParallelClasses, "noisy directions", 300),
     (Rung::SeparatingGuess, "wide scales", 300),

@@ -3,12 +3,12 @@
 //! | search | where it is at home |
 //! |---|---|
 //! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few dozen lines |
-//! | [`all_pairs`] | a few generators: every pair of them is looked at |
+//! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
 //! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over all |
 //! | [`certified_descent`] | the end of the last three: descent from vertex to vertex until one is certified |
 
-pub(crate) mod all_pairs;
+pub(crate) mod best_pair;
 pub(crate) mod certified_descent;
 pub(crate) mod class_meetings;
 pub(crate) mod corrected_sample;
