@@ -4,6 +4,8 @@
 //! errors, are small: three generators that span space can balance them, whatever they are, if their coefficients
 //! have a little room.
 
+use std::ops::Range;
+
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::collision::by_lad::early::huber_dual::{Among, Lengths, Moments, ROUGH_EXCESS, WELL_WITHIN};
@@ -39,8 +41,16 @@ pub(crate) struct Combination {
     limit: f64,
 }
 
-/// Some generators, and the places of their coefficients.
-pub(crate) type Part<'a> = (Rows<'a>, &'a mut [f64]);
+/// Which rows of a run have their turn: those of a range in every period. All numbers are multiples of [`LANES`].
+#[derive(Debug, Clone)]
+pub(crate) struct Stretches {
+    pub(crate) period: usize,
+    pub(crate) range: Range<usize>,
+}
+
+impl Stretches {
+    const ALL: Self = Self { period: BLOCK, range: 0..BLOCK };
+}
 
 /// Sums over coefficients that were written.
 #[derive(Debug, Clone, Copy, Default)]
@@ -141,36 +151,29 @@ impl Combination {
         let n = query.count();
         let mut coefficients = if n < CLEARED_WHEN_TAKEN { Vec::with_capacity(n) } else { vec![0.0; n] };
         coefficients.resize(n, 0.0);
-        let all = self.write_all(query, &mut coefficients, |combination, run, places| {
-            combination.write(run.chunks(BLOCK).zip(places.chunks_mut(BLOCK)))
-        });
+        let all = self.write_all(query, &Stretches::ALL, &mut coefficients);
         all.witness(query, p, coefficients)
     }
 
-    /// Writes the coefficients of both runs, each as a function writes them for the rows of a run.
+    /// Writes the coefficients of the rows of both runs that have their turn.
     #[inline(always)]
-    pub(crate) fn write_all(
-        &self,
-        query: &impl Passes,
-        coefficients: &mut [f64],
-        write: impl Fn(&Self, Rows<'_>, &mut [f64]) -> Written,
-    ) -> Written {
+    pub(crate) fn write_all(&self, query: &impl Passes, stretches: &Stretches, coefficients: &mut [f64]) -> Written {
         query.over([&self.y, &self.z], |[first, second], range, [y, z]| {
             let combination = Self { y, z, ..*self };
             let (own, others) = coefficients[range].split_at_mut(first.len());
-            write(&combination, first, own).with(&write(&combination, second, others))
+            combination.write(first, stretches, own).with(&combination.write(second, stretches, others))
         })
     }
 
-    /// Writes the coefficients of some generators, a part at a time.
-    #[inline]
-    pub(crate) fn write<'a>(&self, parts: impl Iterator<Item = Part<'a>>) -> Written {
-        let is_linear = self.factor == 0.0;
+    fn write(&self, rows: Rows<'_>, stretches: &Stretches, places: &mut [f64]) -> Written {
+        let (at, is_linear) = ((rows, stretches), self.factor == 0.0);
         match self.lengths {
-            Lengths::Own if is_linear => dispatch!(level(), simd => write::<_, true, true>(simd, self, parts)),
-            Lengths::Own => dispatch!(level(), simd => write::<_, true, false>(simd, self, parts)),
-            Lengths::Even(_) if is_linear => dispatch!(level(), simd => write::<_, false, true>(simd, self, parts)),
-            Lengths::Even(_) => dispatch!(level(), simd => write::<_, false, false>(simd, self, parts)),
+            Lengths::Own if is_linear => dispatch!(level(), simd => write::<_, true, true>(simd, self, at, places)),
+            Lengths::Own => dispatch!(level(), simd => write::<_, true, false>(simd, self, at, places)),
+            Lengths::Even(_) if is_linear => {
+                dispatch!(level(), simd => write::<_, false, true>(simd, self, at, places))
+            }
+            Lengths::Even(_) => dispatch!(level(), simd => write::<_, false, false>(simd, self, at, places)),
         }
     }
 }
@@ -208,10 +211,11 @@ impl<S: Simd> Wide<S> {
 
 /// Writes coefficients and sums them up, about [`BLOCK`] of them at a time.
 #[inline(always)]
-fn write<'a, S: Simd, const OWN: bool, const LINEAR: bool>(
+fn write<S: Simd, const OWN: bool, const LINEAR: bool>(
     simd: S,
     combination: &Combination,
-    parts: impl Iterator<Item = Part<'a>>,
+    (rows, stretches): (Rows<'_>, &Stretches),
+    places: &mut [f64],
 ) -> Written {
     let scale = 1.0 / combination.lengths.scale();
     let [y, z] = [combination.y, combination.z].map(|vector| vector.map(|c| c * scale));
@@ -224,16 +228,18 @@ fn write<'a, S: Simd, const OWN: bool, const LINEAR: bool>(
     };
     let (mut sums, mut fresh) = (WideSums::new(simd), 0);
     let mut written = Written::default();
-    for (generators, places) in parts {
-        let octets = generators.octets();
-        let (whole, last) = places.as_chunks_mut::<LANES>();
-        for (k, place) in whole.iter_mut().enumerate() {
-            sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, k)).store_slice(place);
+    let octets = rows.octets();
+    let (whole, last) = places.as_chunks_mut::<LANES>();
+    for start in (0..rows.len()).step_by(stretches.period) {
+        let (first, end) = ((start + stretches.range.start) / LANES, (start + stretches.range.end) / LANES);
+        for k in first..end.min(octets.len()) {
+            let coefficients = sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, k));
+            match whole.get_mut(k) {
+                Some(place) => coefficients.store_slice(place),
+                None => store_first(coefficients, last),
+            }
+            fresh += LANES.min(rows.len() - LANES * k);
         }
-        if !last.is_empty() {
-            store_first(sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, octets.len() - 1)), last);
-        }
-        fresh += generators.len();
         if fresh >= BLOCK {
             written = written.with(&sums.total(fresh));
             (sums, fresh) = (WideSums::new(simd), 0);

@@ -179,7 +179,7 @@ impl Carried for Weighted {
 pub(crate) fn tell<const OWN: bool>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
     // all passes at once, for a few generators on the instructions that every machine has: what calling a function for
     // wider ones costs is more than they spare there
-    let level = if OWN { Level::baseline() } else { level() };
+    let level = if OWN && query.count() < LANES { Level::baseline() } else { level() };
     dispatch!(level, simd => tell_at::<_, OWN>(simd, query, p))
 }
 

@@ -14,7 +14,7 @@
 use std::ops::Range;
 
 use crate::collision::Witness;
-use crate::collision::by_lad::early::combination::{Combination, Written};
+use crate::collision::by_lad::early::combination::{Combination, Stretches, Written};
 use crate::collision::by_lad::early::passes::EarlyQuery;
 use crate::numeric::bounded::BoundedVector;
 
@@ -29,7 +29,7 @@ const LAST_PART_SHARE: usize = 128;
 const STEADY_ROOT: usize = 8;
 
 /// Stretches of at least and at most so many generators.
-const SHORTEST_STRETCH: usize = 32;
+const SHORTEST_STRETCH: usize = 8;
 const LONGEST_STRETCH: usize = 128;
 
 /// How generators are dealt out.
@@ -97,28 +97,14 @@ impl StratifiedPass {
             if !is_last {
                 combination = combination.merged();
             }
-            let own = self.write(query, part, &combination, &mut coefficients);
+            let (period, range) = self.places(part);
+            let own = combination.write_all(query, &Stretches { period, range }, &mut coefficients);
             if part == 0 {
                 bias = [0, 1, 2].map(|k| own.sum[k] / own.count as f64 - mean[k]);
             }
             written = written.with(&own);
         }
         written.witness(query, p, coefficients)
-    }
-
-    /// Writes a part's coefficients.
-    fn write(self, query: &impl EarlyQuery, part: u32, combination: &Combination, coefficients: &mut [f64]) -> Written {
-        let (period, range) = self.places(part);
-        combination.write_all(query, coefficients, |combination, run, places| {
-            let periods = run.chunks(period).zip(places.chunks_mut(period));
-            combination.write(periods.map(
-                #[inline(always)]
-                |(run, places)| {
-                    let range = within(&range, run.len());
-                    (run.part(range.clone()), &mut places[range])
-                },
-            ))
-        })
     }
 }
 
