@@ -123,7 +123,7 @@ mod tests {
                 let off = (exact - Dyadic::from_f64(pair.high) - Dyadic::from_f64(pair.low)).abs();
                 prop_assert!(off <= Dyadic::from_f64(error), "{error}");
                 let magnitude: f64 = vectors.iter().zip(&coefficients).map(|(v, c)| (c * v[k]).abs()).sum();
-                prop_assert!(error <= 1e-20 * magnitude + 1e-280, "{error} {magnitude}");
+                prop_assert!(error <= 1e-20 * magnitude + 1e-268, "{error} {magnitude}");
             }
         }
     }

@@ -39,8 +39,8 @@ impl<'a> PosedQuery<'a> {
         Ok(Self::new([center, point], [*pose, Pose::IDENTITY], [rows, Rows::NONE]))
     }
 
-    /// Intersection of two posed bodies, each prepared or not (Lemma 5.1): from the image of the first one's centre to that of the second,
-    /// relative to the posed generators of both. O(1).
+    /// Intersection of two posed bodies, each prepared or not (Lemma 5.1): from the image of the first one's centre to
+    /// that of the second, relative to the posed generators of both. O(1).
     pub fn between(
         (first, from): (impl Into<BodyView<'a>>, &Pose),
         (second, to): (impl Into<BodyView<'a>>, &Pose),

@@ -7,6 +7,7 @@
 //! the one over rows.
 
 use super::Zonotope;
+use crate::numeric::lanes::body_sums::laid_out;
 use crate::numeric::lanes::rows::{LaidOut, Rows};
 use crate::numeric::lanes::{absolute_sum_of, extreme_sum_of};
 
@@ -20,7 +21,7 @@ pub struct PreparedBody {
 impl PreparedBody {
     /// Prepares a body. O(n).
     pub fn new(body: Zonotope<3>) -> Self {
-        let laid_out = LaidOut::of(body.generators());
+        let laid_out = laid_out(body.generators());
         Self { body, laid_out }
     }
 

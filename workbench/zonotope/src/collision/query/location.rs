@@ -47,8 +47,8 @@ pub struct Witness {
 pub enum Separation<const D: usize> {
     /// A direction of doubles.
     Rounded([f64; D]),
-    /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit; in a box, as
-    /// it is rare and would make every answer several times as large.
+    /// A direction of rationals, for a gap so narrow that no direction of doubles near it was found to fit; in a box,
+    /// as it is rare and would make every answer several times as large.
     Exact(Box<[Rational; D]>),
 }
 

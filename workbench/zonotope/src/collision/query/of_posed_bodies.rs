@@ -9,8 +9,8 @@ use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::prepared::{BodyView, PreparedBody};
 
-/// A body of space where a pose puts it, as [`Zonotope::at`] or [`PreparedBody::at`] makes it: a reference to the body beside the pose, nothing
-/// of it copied.
+/// A body of space where a pose puts it, as [`Zonotope::at`] or [`PreparedBody::at`] makes it: a reference to the body
+/// beside the pose, nothing of it copied.
 ///
 /// Bodies with and without a pose are asked about each other: wherever a posed body is expected, `&body` is the body as
 /// it stands.

@@ -1,4 +1,5 @@
-//! A factor with the sign of each vector's product with a direction: the coefficients of an extreme point, made smaller.
+//! A factor with the sign of each vector's product with a direction: the coefficients of an extreme point, made
+//! smaller.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
@@ -29,8 +30,8 @@ fn write<S: Simd>(simd: S, rows: Rows<'_>, direction: &[f64; 3], factor: f64, pl
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::lanes::body_sums::laid_out;
     use crate::numeric::lanes::level::at_each_level;
-    use crate::numeric::lanes::rows::LaidOut;
     use crate::numeric::lanes::test_vectors::vectors;
     use crate::numeric::linear::dot;
     use proptest::prelude::*;
@@ -39,8 +40,8 @@ mod tests {
         #[test]
         fn signs_are_those_of_products((generators, direction) in vectors()) {
             let expected: Vec<f64> = generators.iter().map(|v| 0.5f64.copysign(dot(v, &direction))).collect();
-            let laid_out = LaidOut::of(&generators);
-            for rows in [Rows::new(&generators), Rows::laid_out(&generators, &laid_out)] {
+            let known = laid_out(&generators);
+            for rows in [Rows::new(&generators), Rows::laid_out(&generators, &known)] {
                 let found = at_each_level(|| {
                     let mut places = vec![0.0; generators.len()];
                     signed_factors(rows, &direction, 0.5, &mut places);

@@ -8,6 +8,7 @@
 //! changes of gradient farther off.
 
 use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
@@ -65,19 +66,29 @@ impl ParallelClasses {
         if !probes.iter().enumerate().any(is_repeated) {
             return None;
         }
+        Self::summed_up(sample.iter().copied(), part, chart)
+    }
+
+    /// The classes of all generators, if they are few: where the sample leads to no meeting that is optimal. One pass,
+    /// which compares each generator with the classes.
+    pub(crate) fn of_all(query: &dyn KernelQuery, chart: &RoundedChart) -> Option<Self> {
+        Self::summed_up(query.generators(), 1.0, chart)
+    }
+
+    fn summed_up(vectors: impl Iterator<Item = [f64; 3]>, part: f64, chart: &RoundedChart) -> Option<Self> {
         let mut classes: Vec<ParallelClass> = Vec::with_capacity(CLASS_LIMIT);
-        for v in sample {
-            let Some(own) = unit(v) else { continue };
+        for v in vectors {
+            let Some(own) = unit(&v) else { continue };
             match classes.iter().position(|class| sine_square(&class.unit, &own) < PARALLEL_SINE * PARALLEL_SINE) {
                 Some(place) => {
                     let class = &mut classes[place];
                     let noise = sine_square(&class.unit, &own).sqrt();
-                    let sign = f64::copysign(1.0, dot(&class.unit, v));
+                    let sign = f64::copysign(1.0, dot(&class.unit, &v));
                     class.sum = [0, 1, 2].map(|k| class.sum[k] + sign * v[k]);
                     class.noise = class.noise.max(noise);
                 }
                 None if classes.len() == CLASS_LIMIT => return None,
-                None => classes.push(ParallelClass { unit: own, sum: *v, noise: 0.0 }),
+                None => classes.push(ParallelClass { unit: own, sum: v, noise: 0.0 }),
             }
         }
         let lines = chart.lines(&classes.iter().map(|class| class.sum).collect::<Vec<_>>());

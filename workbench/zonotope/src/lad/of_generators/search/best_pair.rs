@@ -34,7 +34,7 @@ pub(crate) fn best_pair(problem: &Problem<'_>, tally: &mut dyn Tally) -> Option<
     let p = [problem.p[0].value, problem.p[1].value, problem.p[2].value];
     let Found { pair, octets } = steepest(&reduced.vectors, &p);
     // each eight of pairs is tried with all generators
-    tally.add(Operation::GeneratorRead, (reduced.vectors.len() * octets) as u64);
+    tally.add(Operation::GeneratorRead, reduced.vectors.len() as u64 * octets as u64);
     let optimum = RoundedOptimum::at(&[reduced], &problem.p, pair).ok()?;
     let is_answer = optimum.is_vertex() || problem.is_answered_by(&optimum);
     is_answer.then(|| Searched::Certified(optimum, NestedCells::default()))

@@ -12,8 +12,8 @@ use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::support::separates;
 use crate::tally::{Operation, Tally};
 
-/// How many meetings are tried: each corrects the sums of the classes by one pass.
-const MEETINGS: usize = 5;
+/// How many meetings are tried: each corrects the gradient of the classes by one pass.
+const MEETINGS: usize = 8;
 
 /// What the search finds.
 pub(crate) enum ClassesFound {
@@ -24,13 +24,17 @@ pub(crate) enum ClassesFound {
 }
 
 /// Searches the optimum among the meetings of classes; `None` if the optimum is not found there.
+///
+/// A corrected sample may lead back to a meeting that is not optimal, as its sums of the classes are not those of all
+/// generators. Then these are summed up, once.
 pub(crate) fn search_meetings(
     problem: &Problem<'_>,
     mut classes: ParallelClasses,
     tally: &mut dyn Tally,
 ) -> Option<ClassesFound> {
     let (query, chart) = (problem.query, &problem.chart);
-    let mut before = None;
+    let mut seen = Vec::with_capacity(MEETINGS);
+    let mut is_whole = false;
     for round in 0..MEETINGS {
         let meeting = classes.meeting(chart)?;
         if problem.goal == Goal::Location && round == 0 {
@@ -47,7 +51,15 @@ pub(crate) fn search_meetings(
             return None;
         }
         let is_corrected = classes.is_corrected(&meeting, &reduced, chart);
-        if !is_corrected || before.replace(meeting.guess.point) == Some(meeting.guess.point) {
+        let is_seen = seen.contains(&meeting.guess.point);
+        if is_corrected && is_seen && !is_whole {
+            tally.add(Operation::GeneratorRead, query.len() as u64);
+            (classes, is_whole) = (ParallelClasses::of_all(query, chart)?, true);
+            seen.clear();
+            continue;
+        }
+        seen.push(meeting.guess.point);
+        if !is_corrected || is_seen {
             let levels = [reduced];
             let vertex = classes.vertex(&meeting, &levels[0]);
             let optimum = vertex.and_then(|vertex| RoundedOptimum::at(&levels, &problem.p, vertex).ok());

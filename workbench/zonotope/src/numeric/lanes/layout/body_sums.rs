@@ -3,33 +3,18 @@
 use fearless_simd::{Simd, dispatch};
 
 use super::octet::{self, LANES, total};
-use super::rows::Rows;
+use super::octets::blocks_of;
+use super::rows::{BodySums, LaidOut, Rows};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, size};
 
-/// Sums over the vectors of a body; |v| is the largest magnitude of a coordinate of v.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct BodySums {
-    /// Σ v vᵀ: xx, xy, xz, yy, yz, zz.
-    squares: [f64; 6],
-    /// Σ v vᵀ / |v|.
-    weighted_squares: [f64; 6],
-    /// The largest |v|, and Σ |v|.
-    sizes: [f64; 2],
-}
-
-impl BodySums {
-    /// The sums over rows. Three passes.
-    pub(crate) fn of(rows: Rows<'_>) -> Self {
-        let runs = [rows, Rows::NONE];
-        Self { squares: squares::<false>(runs), weighted_squares: squares::<true>(runs), sizes: sizes(runs) }
-    }
-
-    /// At least Σ |v|_1, but for rounding.
-    #[inline]
-    pub(crate) fn magnitude(&self) -> f64 {
-        3.0 * self.sizes[1]
-    }
+/// Lays rows out for passes. Three passes, and one that writes the blocks.
+pub(crate) fn laid_out(list: &[[f64; 3]]) -> LaidOut {
+    let blocks = dispatch!(level(), simd => blocks_of(simd, list));
+    let runs = [Rows::with_blocks(list, &blocks), Rows::NONE];
+    let sums =
+        BodySums { squares: squares::<false>(runs), weighted_squares: squares::<true>(runs), sizes: sizes(runs) };
+    LaidOut { blocks, sums }
 }
 
 /// The sums of two runs, if both are known.
@@ -128,7 +113,6 @@ pub(crate) fn add_square<T: Number>(sums: &mut [T; 6], [x, y, z]: &[T; 3], v: &[
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::lanes::rows::LaidOut;
 
     #[test]
     fn sums_worked_out_by_hand() {
@@ -142,8 +126,8 @@ mod tests {
     #[test]
     fn known_sums_are_those_of_a_pass() {
         let list: Vec<[f64; 3]> = (0..21).map(|i| [f64::from(i), 5.0 - f64::from(i), 0.5]).collect();
-        let laid_out = LaidOut::of(&list);
-        let (plain, prepared) = (Rows::new(&list), Rows::laid_out(&list, &laid_out));
+        let known = laid_out(&list);
+        let (plain, prepared) = (Rows::new(&list), Rows::laid_out(&list, &known));
         for (plain, prepared) in [([plain, Rows::NONE], [prepared, Rows::NONE]), ([plain; 2], [prepared; 2])] {
             assert_eq!(squares::<false>(plain), squares::<false>(prepared));
             assert_eq!(sizes(plain), sizes(prepared));

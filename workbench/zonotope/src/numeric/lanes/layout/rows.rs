@@ -2,13 +2,9 @@
 
 use std::ops::Range;
 
-use fearless_simd::dispatch;
-
 use super::blocks::Block;
-use super::body_sums::BodySums;
 use super::octet::{LANES, slot};
-use super::octets::{Octets, blocks_of};
-use crate::numeric::lanes::level::level;
+use super::octets::Octets;
 
 /// Rows, with what was prepared for passes over them.
 #[derive(Debug, Clone, Copy)]
@@ -23,20 +19,32 @@ pub(crate) struct Rows<'a> {
 /// Blocks and sums of a list of rows, 24 bytes a row.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LaidOut {
-    blocks: Vec<Block>,
-    sums: BodySums,
+    pub(super) blocks: Vec<Block>,
+    pub(super) sums: BodySums,
 }
 
 impl LaidOut {
-    /// Three passes, and one that lays the rows out.
-    pub(crate) fn of(list: &[[f64; 3]]) -> Self {
-        let blocks = dispatch!(level(), simd => blocks_of(simd, list));
-        let sums = BodySums::of(Rows { list, blocks: &blocks, sums: None });
-        Self { blocks, sums }
-    }
-
     pub(crate) fn blocks(&self) -> &[Block] {
         &self.blocks
+    }
+}
+
+/// Sums over the vectors of a body; |v| is the largest magnitude of a coordinate of v.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BodySums {
+    /// Σ v vᵀ: xx, xy, xz, yy, yz, zz.
+    pub(super) squares: [f64; 6],
+    /// Σ v vᵀ / |v|.
+    pub(super) weighted_squares: [f64; 6],
+    /// The largest |v|, and Σ |v|.
+    pub(super) sizes: [f64; 2],
+}
+
+impl BodySums {
+    /// At least Σ |v|_1, but for rounding.
+    #[inline]
+    pub(crate) fn magnitude(&self) -> f64 {
+        3.0 * self.sizes[1]
     }
 }
 
@@ -47,6 +55,12 @@ impl<'a> Rows<'a> {
     #[inline(always)]
     pub(crate) const fn new(list: &'a [[f64; 3]]) -> Self {
         Self { list, blocks: &[], sums: None }
+    }
+
+    /// Rows with the blocks in which they were written down.
+    #[inline(always)]
+    pub(super) const fn with_blocks(list: &'a [[f64; 3]], blocks: &'a [Block]) -> Self {
+        Self { list, blocks, sums: None }
     }
 
     /// The rows that were laid out.
@@ -122,8 +136,9 @@ impl<'a> Rows<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::lanes::body_sums::laid_out;
     use crate::numeric::lanes::level::levels;
-    use fearless_simd::Simd;
+    use fearless_simd::{Simd, dispatch};
 
     #[inline(always)]
     fn coordinates<S: Simd>(simd: S, rows: Rows<'_>) -> Vec<[[f64; LANES]; 3]> {
@@ -135,8 +150,8 @@ mod tests {
     fn blocks_hold_what_passes_over_rows_load() {
         for n in 0..40 {
             let list: Vec<[f64; 3]> = (0..n).map(|i| [0.0, 0.1, 0.2].map(|c| f64::from(i) + c)).collect();
-            let laid_out = LaidOut::of(&list);
-            let (plain, prepared) = (Rows::new(&list), Rows::laid_out(&list, &laid_out));
+            let known = laid_out(&list);
+            let (plain, prepared) = (Rows::new(&list), Rows::laid_out(&list, &known));
             assert_eq!((plain.blocks().is_some(), prepared.blocks().is_some()), (false, n > 0));
             assert!((0..list.len()).all(|i| plain.row(i) == list[i] && prepared.row(i) == list[i]));
             for level in levels() {
