@@ -75,14 +75,13 @@ pub(crate) enum Unproved {
     Falls(usize),
 }
 
+/// A certified vertex, or why it is not proved.
+pub(crate) type Certified = Result<Box<RoundedOptimum>, Unproved>;
+
 impl RoundedOptimum {
     /// Checks a vertex that is given by the positions of two generators in the last of some problems, each of which
     /// was reduced from the one before.
-    pub(crate) fn at(
-        levels: &[Reduced],
-        p: &BoundedVector,
-        [first, second]: [usize; 2],
-    ) -> Result<Box<Self>, Unproved> {
+    pub(crate) fn at(levels: &[Reduced], p: &BoundedVector, [first, second]: [usize; 2]) -> Certified {
         let level = levels.last().ok_or(Unproved::Doubt)?;
         let vectors = [level.vectors[first], level.vectors[second]];
         let error = level.relative_error;
@@ -194,7 +193,7 @@ mod tests {
     const Y: [f64; 3] = [0.0, 1.0, 0.0];
     const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
-    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<DirectionCone>) -> Result<Box<RoundedOptimum>, Unproved> {
+    fn at(generators: &[[f64; 3]], p: [f64; 3], cell: Option<DirectionCone>) -> Certified {
         let query = Query::new([0.0; 3], p, generators).expect("finite");
         let level = Reduced { cell, ..Reduced::whole(&query) };
         RoundedOptimum::at(&[level], &exact(p), [0, 1])

@@ -1,7 +1,7 @@
 //! Descent from vertex to vertex until one is certified as the optimum.
 
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
+use crate::lad::of_generators::certify::rounded_optimum::{Certified, RoundedOptimum, Unproved};
 use crate::lad::of_generators::guess::vertex_descent::{descend_along, descend_nearly};
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
@@ -25,7 +25,7 @@ pub(crate) fn descend_and_certify(
     lines: &RoundedLines,
     linear: [f64; 2],
     point: [f64; 2],
-) -> Option<([f64; 2], Result<Box<RoundedOptimum>, Unproved>)> {
+) -> Option<([f64; 2], Certified)> {
     let mut vertex = descend_nearly(lines, linear, point, NEARLY_OPTIMAL)?;
     let mut is_last = false;
     for _ in 0..MEETING_TURNS {
