@@ -219,7 +219,7 @@ impl Moments {
         })
     }
 
-    /// The sums at y = 0.
+    /// The sums at y = 0, where no coefficient is clipped, from Σ v vᵀ / |v| or Σ v vᵀ.
     #[inline(always)]
     pub(crate) fn of_squares(hessian: [f64; 6]) -> Self {
         Self { hessian, sum: [0.0; 3], reach: 0.0 }

@@ -1,10 +1,10 @@
 //! A few generators: h(u) / |u · p| at the normals of their pairs, of which the least belongs to the optimum.
 //!
 //! With at most [`PAIRS_LIMIT`] generators that takes less than a search, which begins with a guess. Eight pairs are
-//! taken at a time. Of at most [`LANES`] generators all pairs are tried: each is i with i + d, round the list of
-//! generators, so both of the eight are stretches of the list, written down often enough. Of more generators, those are
-//! tried that lie on one line after the other: all vertices on the line of a generator, then all on the line of the one
-//! that it meets at the best of them, until no line has a better one. By convexity that is the optimum where no more
+//! taken at a time, from the list of generators, which is written down again and again until the room for it is full.
+//! Of at most [`LANES`] generators all pairs are tried: each is i with i + d, round the list. Of more generators, those
+//! are tried that lie on one line after the other: all vertices on the line of a generator, then all on the line of the
+//! one that it meets at the best of them, until no line has a better one. By convexity that is the optimum where no more
 //! than two lines meet.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
@@ -21,9 +21,6 @@ use crate::tally::{Operation, Tally};
 
 /// At most this many generators are searched by the normals of their pairs.
 pub(crate) const PAIRS_LIMIT: usize = 16;
-
-/// Room for all generators, half of them once more, and the lanes that stand over.
-const ROOM: usize = PAIRS_LIMIT + PAIRS_LIMIT / 2 + LANES;
 
 /// The optimum of at least two generators, where it is certified and answers the question. O(n²) for each line.
 pub(crate) fn best_pair(problem: &Problem<'_>, tally: &mut dyn Tally) -> Option<Searched> {
@@ -50,8 +47,8 @@ struct Found {
 /// The pair at whose normal |u · p| / h(u) is largest, as far as doubles tell; a generator with itself where no pair
 /// has a normal, which no certificate accepts.
 fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> Found {
-    let mut columns = [[0.0; ROOM]; 3];
-    for (place, v) in vectors.iter().cycle().take(ROOM).enumerate() {
+    let mut columns = [[0.0; PAIRS_LIMIT]; 3];
+    for (place, v) in vectors.iter().cycle().take(PAIRS_LIMIT).enumerate() {
         for (column, c) in columns.iter_mut().zip(v) {
             column[place] = *c;
         }
@@ -113,7 +110,7 @@ impl<S: Simd> Lanes<S> {
 /// The best of all pairs of at most eight generators: the lane is the first one, the code is how far the second is from
 /// it.
 #[inline(always)]
-fn among_all<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; ROOM]; 3], p: &[f64; 3]) -> Best {
+fn among_all<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LIMIT]; 3], p: &[f64; 3]) -> Best {
     let (wide, first) = (splat(simd, p), stretch(simd, columns, 0));
     let mut lanes = Lanes::new(simd);
     for step in 1..=vectors.len() / 2 {
@@ -124,7 +121,7 @@ fn among_all<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; ROOM]; 3],
 
 /// The pair at which the walk along lines ends.
 #[inline(always)]
-fn along_lines<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; ROOM]; 3], p: &[f64; 3]) -> Found {
+fn along_lines<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LIMIT]; 3], p: &[f64; 3]) -> Found {
     let wide = splat(simd, p);
     let mut found = Found { pair: [0, 0], octets: 0 };
     let (mut line, mut gauge) = (0, -1.0);
@@ -146,7 +143,7 @@ fn along_lines<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; ROOM]; 3
 
 /// Eight generators side by side, from a place on.
 #[inline(always)]
-fn stretch<S: Simd>(simd: S, columns: &[[f64; ROOM]; 3], start: usize) -> Octet<S> {
+fn stretch<S: Simd>(simd: S, columns: &[[f64; PAIRS_LIMIT]; 3], start: usize) -> Octet<S> {
     let [x, y, z] = columns;
     let end = start + LANES;
     [

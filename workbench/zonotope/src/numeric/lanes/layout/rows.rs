@@ -41,7 +41,7 @@ pub(crate) struct BodySums {
 }
 
 impl BodySums {
-    /// At least Σ |v|_1, but for rounding.
+    /// At least Σ |v|_1, but for the roundings of a sum over the vectors.
     #[inline]
     pub(crate) fn magnitude(&self) -> f64 {
         3.0 * self.sizes[1]
