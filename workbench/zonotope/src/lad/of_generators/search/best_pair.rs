@@ -3,9 +3,9 @@
 //! With at most [`PAIRS_LIMIT`] generators that takes less than a search, which begins with a guess. Eight pairs are
 //! taken at a time, from the list of generators, which is written down again and again until the room for it is full.
 //! Of at most [`LANES`] generators all pairs are tried: each is i with i + d, round the list. Of more generators, those
-//! are tried that lie on one line after the other: all vertices on the line of a generator, then all on the line of the
-//! one that it meets at the best of them, until no line has a better one. By convexity that is the optimum where no more
-//! than two lines meet.
+//! are tried that lie on one line after the other: all vertices on the line of a generator, then all on the line of
+//! the one that it meets at the best of them, until no line has a better one. By convexity that is the optimum where
+//! no more than two lines meet.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
