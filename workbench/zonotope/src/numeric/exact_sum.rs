@@ -3,7 +3,7 @@
 //! The accumulator holds the sum as Σ digit_i · 2^(32 i − 1074) with signed 64-bit digits. A double touches three
 //! neighbouring digits and adds less than 2^32 to each, so carries are settled only once in 2^30 additions.
 
-use dashu_int::IBig;
+use dashu_int::{IBig, UBig};
 
 use super::dyadic::Dyadic;
 use super::scaling::decompose;
@@ -51,6 +51,7 @@ impl ExactSum {
         }
     }
 
+    /// Brings every digit but the last one between 0 and 2^32, so that the last one has the sign of the sum.
     fn carry(&mut self) {
         for i in 0..DIGITS - 1 {
             let carry = self.digits[i] >> 32;
@@ -60,10 +61,26 @@ impl ExactSum {
         self.additions = 1;
     }
 
-    /// The sum, exactly.
+    /// The sum, exactly, with no more digits than it needs: what is computed from it depends on how long it is.
     pub fn value(&self) -> Dyadic {
-        let total = self.digits.iter().rev().fold(IBig::ZERO, |total, &digit| (total << 32) + IBig::from(digit));
-        Dyadic::new(total, i64::from(LOWEST_EXPONENT))
+        let Some(first) = self.digits.iter().position(|digit| *digit != 0) else {
+            return Dyadic::zero();
+        };
+        let mut magnitude = self.clone();
+        magnitude.carry();
+        let is_negative = magnitude.digits[DIGITS - 1] < 0;
+        if is_negative {
+            magnitude.digits = self.digits.map(|digit| -digit);
+            magnitude.carry();
+        }
+        let last = magnitude.digits.iter().rposition(|digit| *digit != 0).unwrap_or(first);
+        let mut bytes = [0; 4 * DIGITS];
+        for (place, digit) in bytes.chunks_exact_mut(4).zip(&magnitude.digits[first..=last]) {
+            place.copy_from_slice(&(*digit as u32).to_le_bytes());
+        }
+        let mantissa = IBig::from(UBig::from_le_bytes(&bytes[..4 * (last - first + 1)]));
+        let exponent = i64::from(LOWEST_EXPONENT) + 32 * first as i64;
+        Dyadic::new(if is_negative { -mantissa } else { mantissa }, exponent)
     }
 }
 

@@ -12,6 +12,9 @@ use super::scaling::{power_of_two, power_of_two_below};
 /// Doubles summed at once.
 const BLOCK: usize = 256;
 
+/// Doubles side by side.
+const LANES: usize = 4;
+
 /// Magnitudes of a block's largest double between which no σ overflows and no part is lost to underflow.
 const SMALLEST: f64 = power_of_two(-900);
 const LARGEST: f64 = power_of_two(1000);
@@ -27,25 +30,26 @@ pub(crate) fn signed_sum(terms: impl Iterator<Item = ([f64; 3], i8)>) -> ExactVe
         }
         count += 1;
         if count == BLOCK {
-            flush(&mut sums, &mut blocks);
+            flush(&mut sums, &mut blocks, BLOCK);
             count = 0;
         }
     }
+    let whole = count.next_multiple_of(LANES);
     for block in &mut blocks {
-        block[count..].fill(0.0);
+        block[count..whole].fill(0.0);
     }
-    flush(&mut sums, &mut blocks);
+    flush(&mut sums, &mut blocks, whole);
     sums.map(|sum| sum.value())
 }
 
-fn flush(sums: &mut [ExactSum; 3], blocks: &mut [[f64; BLOCK]; 3]) {
+fn flush(sums: &mut [ExactSum; 3], blocks: &mut [[f64; BLOCK]; 3], count: usize) {
     for (sum, block) in sums.iter_mut().zip(blocks) {
-        add_block(sum, block);
+        add_block(sum, &mut block[..count]);
     }
 }
 
 /// Adds the doubles of a block, exactly, and leaves what it has not room for.
-fn add_block(sum: &mut ExactSum, block: &mut [f64; BLOCK]) {
+fn add_block(sum: &mut ExactSum, block: &mut [f64]) {
     let largest = block.iter().fold(0.0f64, |m, v| if v.abs() > m { v.abs() } else { m });
     if largest == 0.0 {
         return;
@@ -65,8 +69,7 @@ fn add_block(sum: &mut ExactSum, block: &mut [f64; BLOCK]) {
 }
 
 /// Takes the multiples of the last place of σ out of the doubles, and returns their sum.
-fn extract(block: &mut [f64; BLOCK], sigma: f64) -> f64 {
-    const LANES: usize = 4;
+fn extract(block: &mut [f64], sigma: f64) -> f64 {
     let mut sums = [0.0; LANES];
     for row in block.as_chunks_mut::<LANES>().0 {
         for (sum, value) in sums.iter_mut().zip(row) {

@@ -14,7 +14,7 @@
 //! | `SampledCell` | a sample has a smooth optimum | `WiderCell` where the optimum seems near, else `CorrectedSample` |
 //! | `WiderCell` | once | `CorrectedSample` |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
-//! | `ExactVertex` | a certified vertex whose gauge is too near to 1 for doubles | always answers |
+//! | `ExactVertex` | a vertex that doubles found, whose gauge is too near to 1 for them | `ExactInCells`, unless the vertex is certified |
 //! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactInCells` |
 //! | `ExactInCells` | cells are known | `ExactInBall` where the optimum seems near, else `LongestFirst` |
 //! | `ExactInBall` | once | `LongestFirst` |
@@ -112,8 +112,33 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) 
     }
 }
 
+/// The exact optimum after a search that left a vertex; `None` where another vertex may be the optimum.
+fn exact_at(
+    query: &dyn KernelQuery,
+    p: &ExactVector,
+    vertex: &RoundedOptimum,
+    cells: &NestedCells,
+    tally: &mut dyn Tally,
+) -> Option<ExactOptimum> {
+    if vertex.is_vertex() {
+        return Some(ExactOptimum::at_vertex(query, p, vertex, cells));
+    }
+    ExactOptimum::at_likely_vertex(query, p, vertex.basis, cells, tally)
+}
+
+/// The exact optimum where one that was decided in doubles leaves no room for a proof in doubles.
+pub(crate) fn exact_of(
+    query: &dyn KernelQuery,
+    p: &ExactVector,
+    decided: &DecidedOptimum,
+    tally: &mut dyn Tally,
+) -> ExactOptimum {
+    exact_at(query, p, &decided.optimum, &decided.cells, tally)
+        .unwrap_or_else(|| exact_near(query, p, &decided.cells, tally).0)
+}
+
 /// The exact optimum after a search that left cells, and the rung that answered: the second half of the ladder.
-pub(crate) fn exact_near(
+fn exact_near(
     query: &dyn KernelQuery,
     p: &ExactVector,
     cells: &NestedCells,
@@ -148,7 +173,7 @@ struct Climb<'a, 'q> {
 struct Known {
     /// Cells that probably hold the optimum.
     cells: NestedCells,
-    /// A vertex that is certified as the optimum, whose gauge doubles cannot tell from 1.
+    /// A vertex that is the optimum or near it, whose gauge doubles cannot tell from 1.
     vertex: Option<Box<RoundedOptimum>>,
 }
 
@@ -240,10 +265,10 @@ impl Climb<'_, '_> {
     }
 
     fn exact_vertex(&mut self) -> Attempt {
+        let vertex = self.known.vertex.as_ref().expect("this rung is tried for a vertex that was found");
         let query = self.problem.query;
-        let vertex = self.known.vertex.as_ref().expect("this rung is tried for a certified vertex");
-        let optimum = ExactOptimum::at_vertex(query, &query.exact(), vertex, &self.known.cells);
-        Ok(Optimum::Exact(Box::new(optimum)))
+        exact_at(query, &query.exact(), vertex, &self.known.cells, self.tally)
+            .map_or(Err(Rung::ExactInCells), |optimum| Ok(Optimum::Exact(Box::new(optimum))))
     }
 
     fn flat_body(&mut self) -> Attempt {
@@ -267,9 +292,8 @@ impl Climb<'_, '_> {
         match DecidedOptimum::new(self.problem.query, optimum, cells, self.problem.goal) {
             Ok(decided) => Ok(Optimum::Rounded(decided)),
             Err((optimum, cells)) => {
-                let next = if optimum.is_vertex() { Rung::ExactVertex } else { Rung::ExactInCells };
                 self.known = Known { cells, vertex: Some(optimum) };
-                Err(next)
+                Err(Rung::ExactVertex)
             }
         }
     }

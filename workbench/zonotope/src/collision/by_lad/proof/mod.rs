@@ -71,11 +71,7 @@ fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn
         return location;
     }
     let exact = query.exact();
-    let optimum = if decided.optimum.is_vertex() {
-        ExactOptimum::at_vertex(query, &exact, &decided.optimum, &decided.cells)
-    } else {
-        ladder::exact_near(query, &exact, &decided.cells, tally).0
-    };
+    let optimum = ladder::exact_of(query, &exact, decided, tally);
     of_exact(query, &optimum, &exact, tally)
 }
 

@@ -27,9 +27,14 @@ impl<'a> DirectionSigns<'a> {
         }
     }
 
+    /// The sign of one generator, exactly; `direction` is the one from which this value was made.
+    pub(crate) fn sign(&self, index: usize, direction: &ExactVector) -> i8 {
+        let exact = || dot(&self.query.exact_generator(index), direction).sign() as i8;
+        self.certain_sign(index).unwrap_or_else(exact)
+    }
+
     /// The signs of all generators, exactly; `direction` is the one from which this value was made.
     pub(crate) fn all(&self, direction: &ExactVector) -> Vec<i8> {
-        let exact = |index: usize| dot(&self.query.exact_generator(index), direction).sign() as i8;
-        (0..self.query.len()).map(|index| self.certain_sign(index).unwrap_or_else(|| exact(index))).collect()
+        (0..self.query.len()).map(|index| self.sign(index, direction)).collect()
     }
 }

@@ -10,7 +10,7 @@ use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
+use crate::numeric::exact_linear::{ExactVector, rounded_direction};
 use crate::numeric::linear::max_norm;
 use crate::numeric::tolerance::NEGLIGIBLE_LENGTH;
 use crate::seed::EXACT_STAGE_SEED;
@@ -53,22 +53,11 @@ pub(crate) fn optimum(
     }
     let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
     let optimum = ExactOptimum::new(query, p, direction, signs, basis);
-    if is_optimal(&optimum, query, p) {
+    if optimum.is_balanced(query, p) {
         return Ok(optimum);
     }
     let center = rounded_direction(&optimum.direction);
     Err(Some(center).filter(|center| is_meeting(query, center)))
-}
-
-/// Whether the two generators of the basis balance the sum of all others with coefficients in [−1, 1].
-fn is_optimal(optimum: &ExactOptimum, query: &dyn KernelQuery, p: &ExactVector) -> bool {
-    let [first, second] = optimum.basis[..] else { return false };
-    let [a, b] = [first, second].map(|index| query.exact_generator(index));
-    let is_within = |own: &ExactVector, other: &ExactVector| {
-        let dual = cross(other, p);
-        dot(&optimum.sum, &dual).abs() <= dot(own, &dual).abs()
-    };
-    is_within(&a, &b) && is_within(&b, &a)
 }
 
 /// Whether most generators are nearly orthogonal to a direction of size 1. Around such a direction doubles tell signs
@@ -91,7 +80,7 @@ fn longest(query: &dyn KernelQuery) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::exact_linear::exact;
+    use crate::numeric::exact_linear::{dot, exact};
     use crate::zonotope::query::Query;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;

@@ -4,7 +4,6 @@ use crate::lad::by_pruning;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
@@ -13,7 +12,7 @@ use crate::seed::EXACT_STAGE_SEED;
 use crate::tally::{Operation, Tally};
 
 /// A cell with at most this many lines is solved exactly; a smaller one that search found within it is not needed.
-const EXACT_SOLVE_LIMIT: usize = 300;
+pub(super) const EXACT_SOLVE_LIMIT: usize = 300;
 
 /// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in
 /// [−1, 1] on it, and λ = `reach` / `along`. The gauge is 1 / λ.
@@ -85,45 +84,36 @@ impl ExactOptimum {
         let (cell, indices) = steps[..count].last().ok_or(None)?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, query.len() as u64);
-        let mut signs = cells.up_to(count).signs(query);
-        let rest = query.signed_sum(&signs);
-        let plane = ChartProblem::new(
-            Vectors::some(query, indices.iter().map(|&index| index as usize).collect()),
-            &rest,
-            ExactChart::new(p.clone(), Some(cell.coarse_center())),
-        );
-        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
-        let optimum = outcome.optimum().ok_or(None)?;
-        let direction = plane.direction(optimum.point_in(&plane.problem));
-        let own = &optimum.certificate.signs;
-        let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
-        if !is_inside {
-            return Err(Some(cell.around_other(rounded_direction(&direction))));
-        }
-        for (&index, &sign) in indices.iter().zip(own) {
-            signs[index as usize] = sign;
-        }
-        let mut few = indices.iter().map(|&index| index as usize).zip(own.iter().copied());
-        let total = sum(&rest, &query.signed_sum_of(&mut few));
-        let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()] as usize);
-        Ok(Self::with_sum(p, direction, signs, basis.collect(), total))
+        let indices = indices.iter().map(|&index| index as usize).collect();
+        let signs = cells.up_to(count).signs(query);
+        let optimum = Self::of_some(query, p, indices, signs, cell.coarse_center(), tally).ok_or(None)?;
+        let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&optimum.direction, p));
+        if is_inside { Ok(optimum) } else { Err(Some(cell.around_other(rounded_direction(&optimum.direction)))) }
     }
 
-    /// The exact form of an optimum that was proved in doubles.
-    pub(crate) fn at_vertex(
+    /// The optimum of some generators and the sum of all others with their signs, in coordinates around a direction;
+    /// `None` where that problem has none. Exact arithmetic for each of the generators that are some.
+    pub(super) fn of_some(
         query: &dyn KernelQuery,
         p: &ExactVector,
-        vertex: &RoundedOptimum,
-        cells: &NestedCells,
-    ) -> Self {
-        let [a, b] = vertex.basis.map(|index| query.exact_generator(index));
-        let direction = if vertex.reversed { cross(&b, &a) } else { cross(&a, &b) };
-        let signs = cells.coefficients(query, &vertex.cell(), 1.0);
-        let mut signs: Vec<i8> = signs.into_iter().map(|sign| sign as i8).collect();
-        for index in vertex.basis {
-            signs[index] = 0;
+        indices: Vec<usize>,
+        mut signs: Vec<i8>,
+        center: [f64; 3],
+        tally: &mut dyn Tally,
+    ) -> Option<Self> {
+        let rest = query.signed_sum(&signs);
+        let chart = ExactChart::new(p.clone(), Some(center));
+        let plane = ChartProblem::new(Vectors::some(query, indices.clone()), &rest, chart);
+        let outcome = by_pruning::minimize_counted(&plane.problem, EXACT_STAGE_SEED, &mut &mut *tally);
+        let optimum = outcome.optimum()?;
+        let direction = plane.direction(optimum.point_in(&plane.problem));
+        let own = &optimum.certificate.signs;
+        for (&index, &sign) in indices.iter().zip(own) {
+            signs[index] = sign;
         }
-        Self::new(query, p, direction, signs, vertex.basis.to_vec())
+        let total = sum(&rest, &query.signed_sum_of(&mut indices.iter().copied().zip(own.iter().copied())));
+        let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]);
+        Some(Self::with_sum(p, direction, signs, basis.collect(), total))
     }
 
     pub(crate) fn new(
@@ -147,6 +137,17 @@ impl ExactOptimum {
         basis.sort_unstable();
         let (reach, along) = (dot(&sum, &direction), dot(p, &direction));
         Self { direction, signs, basis, sum, reach, along }
+    }
+
+    /// Whether two generators of the basis balance the sum of all others with coefficients in [−1, 1].
+    pub(crate) fn is_balanced(&self, query: &dyn KernelQuery, p: &ExactVector) -> bool {
+        let [first, second] = self.basis[..] else { return false };
+        let [a, b] = [first, second].map(|index| query.exact_generator(index));
+        let is_within = |own: &ExactVector, other: &ExactVector| {
+            let dual = cross(other, p);
+            dot(&self.sum, &dual).abs() <= dot(own, &dual).abs()
+        };
+        is_within(&a, &b) && is_within(&b, &a)
     }
 
     /// The gauge `along` / `reach` with a bound for its error.
