@@ -14,8 +14,8 @@
 //! | `SampledCell` | a sample has a smooth optimum | `WiderCell` where the optimum seems near, else `CorrectedSample` |
 //! | `WiderCell` | once | `CorrectedSample` |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
-//! | `ExactVertex` | a vertex that doubles found, whose gauge is too near to 1 for them | `ExactInCells`, unless the vertex is certified |
-//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactInCells` |
+//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactVertex` |
+//! | `ExactVertex` | a search ended at a vertex of which doubles prove too little | `ExactInCells` |
 //! | `ExactInCells` | cells are known | `ExactInBall` where the optimum seems near, else `LongestFirst` |
 //! | `ExactInBall` | once | `LongestFirst` |
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
@@ -112,18 +112,31 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) 
     }
 }
 
-/// The exact optimum after a search that left a vertex; `None` where another vertex may be the optimum.
+/// The exact optimum after a search that ended at a vertex; `None` where it is not found near that vertex.
 fn exact_at(
     query: &dyn KernelQuery,
     p: &ExactVector,
-    vertex: &RoundedOptimum,
+    vertex: &Vertex,
     cells: &NestedCells,
     tally: &mut dyn Tally,
 ) -> Option<ExactOptimum> {
-    if vertex.is_vertex() {
-        return Some(ExactOptimum::at_vertex(query, p, vertex, cells));
+    match vertex {
+        Vertex::Found(optimum) => exact_at_found(query, p, optimum, cells, tally),
+        Vertex::Likely(basis) => ExactOptimum::from_likely_vertex(query, p, *basis, cells, tally),
     }
-    ExactOptimum::at_likely_vertex(query, p, vertex.basis, cells, tally)
+}
+
+fn exact_at_found(
+    query: &dyn KernelQuery,
+    p: &ExactVector,
+    optimum: &RoundedOptimum,
+    cells: &NestedCells,
+    tally: &mut dyn Tally,
+) -> Option<ExactOptimum> {
+    if optimum.is_vertex() {
+        return Some(ExactOptimum::at_vertex(query, p, optimum, cells));
+    }
+    ExactOptimum::from_likely_vertex(query, p, optimum.basis, cells, tally)
 }
 
 /// The exact optimum where one that was decided in doubles leaves no room for a proof in doubles.
@@ -133,7 +146,7 @@ pub(crate) fn exact_of(
     decided: &DecidedOptimum,
     tally: &mut dyn Tally,
 ) -> ExactOptimum {
-    exact_at(query, p, &decided.optimum, &decided.cells, tally)
+    exact_at_found(query, p, &decided.optimum, &decided.cells, tally)
         .unwrap_or_else(|| exact_near(query, p, &decided.cells, tally).0)
 }
 
@@ -173,8 +186,16 @@ struct Climb<'a, 'q> {
 struct Known {
     /// Cells that probably hold the optimum.
     cells: NestedCells,
-    /// A vertex that is the optimum or near it, whose gauge doubles cannot tell from 1.
-    vertex: Option<Box<RoundedOptimum>>,
+    /// A vertex at which a search ended.
+    vertex: Option<Vertex>,
+}
+
+/// A vertex at which a search in doubles ended.
+enum Vertex {
+    /// One that is the optimum or near it, whose gauge doubles cannot tell from 1.
+    Found(Box<RoundedOptimum>),
+    /// The generators of one of which doubles prove nothing.
+    Likely([usize; 2]),
 }
 
 /// The answer of a rung, or the rung to go on with.
@@ -255,17 +276,20 @@ impl Climb<'_, '_> {
 
     fn corrected_sample(&mut self) -> Attempt {
         let sample = self.sample.as_ref().expect("a sample was taken by the rung of parallel classes");
-        let mut search = CorrectedSample { problem: self.problem, levels: Vec::new(), tally: &mut *self.tally };
-        let searched = match search.of_sample(sample) {
-            Ok(optimum) => Searched::Certified(optimum, NestedCells::of(search.levels)),
-            Err(NotCertified::Doubt) => Searched::Doubtful(NestedCells::of(search.levels)),
-            Err(NotCertified::Outside(..)) => Searched::Doubtful(NestedCells::default()),
+        let (problem, tally) = (self.problem, &mut *self.tally);
+        let mut search = CorrectedSample { problem, levels: Vec::new(), vertex: None, tally };
+        let found = search.of_sample(sample);
+        let CorrectedSample { levels, vertex, .. } = search;
+        let searched = match found {
+            Ok(optimum) => Searched::Certified(optimum, NestedCells::of(levels)),
+            Err(NotCertified::Doubt) => Searched::Doubtful { cells: NestedCells::of(levels), vertex },
+            Err(NotCertified::Outside(..)) => Searched::Doubtful { cells: NestedCells::default(), vertex },
         };
         self.decide(searched)
     }
 
     fn exact_vertex(&mut self) -> Attempt {
-        let vertex = self.known.vertex.as_ref().expect("this rung is tried for a vertex that was found");
+        let Some(vertex) = &self.known.vertex else { return Err(Rung::ExactInCells) };
         let query = self.problem.query;
         exact_at(query, &query.exact(), vertex, &self.known.cells, self.tally)
             .map_or(Err(Rung::ExactInCells), |optimum| Ok(Optimum::Exact(Box::new(optimum))))
@@ -273,8 +297,8 @@ impl Climb<'_, '_> {
 
     fn flat_body(&mut self) -> Attempt {
         let Problem { query, goal, .. } = *self.problem;
-        let query = query.as_query().ok_or(Rung::ExactInCells)?;
-        let axis = spare_axis(&query, &query.exact()).ok_or(Rung::ExactInCells)?;
+        let query = query.as_query().ok_or(Rung::ExactVertex)?;
+        let axis = spare_axis(&query, &query.exact()).ok_or(Rung::ExactVertex)?;
         let prism = Prism::without(axis, &query);
         let (optimum, _) = climb(&prism.query(), goal, self.tally);
         Ok(Optimum::Flat(Box::new(FlatOptimum { axis, prism, optimum })))
@@ -283,8 +307,8 @@ impl Climb<'_, '_> {
     /// The answer of a search in doubles, or the rung that takes over what the search found out.
     fn decide(&mut self, searched: Searched) -> Attempt {
         let (optimum, cells) = match searched {
-            Searched::Doubtful(cells) => {
-                self.known.cells = cells;
+            Searched::Doubtful { cells, vertex } => {
+                self.known = Known { cells, vertex: vertex.map(Vertex::Likely) };
                 return Err(Rung::FlatBody);
             }
             Searched::Certified(optimum, cells) => (optimum, cells),
@@ -292,7 +316,7 @@ impl Climb<'_, '_> {
         match DecidedOptimum::new(self.problem.query, optimum, cells, self.problem.goal) {
             Ok(decided) => Ok(Optimum::Rounded(decided)),
             Err((optimum, cells)) => {
-                self.known = Known { cells, vertex: Some(optimum) };
+                self.known = Known { cells, vertex: Some(Vertex::Found(optimum)) };
                 Err(Rung::ExactVertex)
             }
         }

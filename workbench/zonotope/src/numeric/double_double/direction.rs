@@ -33,10 +33,8 @@ impl DoubleDoubleDirection {
 
     /// The sign of v · u, if two doubles a coordinate tell it and it is not zero.
     pub(crate) fn certain_sign(&self, v: &[f64; 3]) -> Option<i8> {
-        let is_moderate = |c: &f64| *c == 0.0 || PAIRABLE_SIZES.contains(&c.abs());
-        if let Some(direction) = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate)) {
-            let [x, y, z] = [0, 1, 2].map(|k| direction[k] * BoundedDoubleDouble::exact(v[k]));
-            return (x + y + z).sign();
+        if let Some(product) = self.moderate_product(v) {
+            return product.sign();
         }
         let terms = [0, 1, 2].map(|k| {
             let ((coordinate, own), exponent) = (self.terms[k]?, i64::from(binary_exponent(v[k])?));
@@ -48,6 +46,14 @@ impl DoubleDoubleDirection {
             .flatten()
             .fold(BoundedDoubleDouble::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
         sum.sign()
+    }
+
+    /// v · u, scaled by a power of two that is the same for all v, where all sizes are moderate.
+    pub(crate) fn moderate_product(&self, v: &[f64; 3]) -> Option<BoundedDoubleDouble> {
+        let is_moderate = |c: &f64| *c == 0.0 || PAIRABLE_SIZES.contains(&c.abs());
+        let direction = self.moderate.as_ref().filter(|_| v.iter().all(is_moderate))?;
+        let [x, y, z] = [0, 1, 2].map(|k| direction[k] * BoundedDoubleDouble::exact(v[k]));
+        Some(x + y + z)
     }
 }
 

@@ -73,6 +73,11 @@ impl Reduced {
         self.fixed.magnitude <= MODERATE_SIZES.end
     }
 
+    /// The indices of two vectors in the query.
+    pub(crate) fn indices_of(&self, places: [usize; 2]) -> [usize; 2] {
+        places.map(|place| self.indices[place] as usize)
+    }
+
     pub(crate) fn lines(&self, chart: &RoundedChart) -> RoundedLines {
         chart.lines(&self.vectors)
     }

@@ -12,6 +12,16 @@ const MEETING_TURNS: usize = 8;
 /// A vertex is tried if the objective falls from it by no more than this part of its kink there.
 const NEARLY_OPTIMAL: f64 = 2e-8;
 
+/// Where a descent ended.
+pub(crate) struct Ended {
+    /// The vertex, in the plane of the chart.
+    pub(crate) point: [f64; 2],
+    /// The positions of its two generators in the last level.
+    pub(crate) vertex: [usize; 2],
+    /// The vertex's certificate, or why there is none.
+    pub(crate) result: Certified,
+}
+
 /// The vertex at which the descent from a point ends, with its certificate or the reason why there is none; `None` if
 /// no line crosses the line that is searched.
 ///
@@ -25,20 +35,22 @@ pub(crate) fn descend_and_certify(
     lines: &RoundedLines,
     linear: [f64; 2],
     point: [f64; 2],
-) -> Option<([f64; 2], Certified)> {
+) -> Option<Ended> {
     let mut vertex = descend_nearly(lines, linear, point, NEARLY_OPTIMAL)?;
     let mut is_last = false;
     for _ in 0..MEETING_TURNS {
-        let found = lines.meet(vertex[0], vertex[1]);
+        let point = lines.meet(vertex[0], vertex[1]);
         match RoundedOptimum::at(levels, &problem.p, vertex) {
-            Err(Unproved::Falls(line)) => vertex = descend_along(lines, linear, found, line)?,
+            Err(Unproved::Falls(line)) => vertex = descend_along(lines, linear, point, line)?,
             Ok(optimum) if !is_last && !optimum.is_vertex() && !problem.is_answered_by(&optimum) => {
                 is_last = true;
-                let Some(next) = descend_nearly(lines, linear, found, 0.0) else { return Some((found, Ok(optimum))) };
+                let Some(next) = descend_nearly(lines, linear, point, 0.0) else {
+                    return Some(Ended { point, vertex, result: Ok(optimum) });
+                };
                 vertex = next;
             }
-            result => return Some((found, result)),
+            result => return Some(Ended { point, vertex, result }),
         }
     }
-    Some((point, Err(Unproved::Doubt)))
+    Some(Ended { point, vertex, result: Err(Unproved::Doubt) })
 }

@@ -9,7 +9,7 @@
 //!    two points.
 //! 4. A cell that many lines cross is searched in the same way, by a sample of those lines.
 
-use super::certified_descent::descend_and_certify;
+use super::certified_descent::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::{RoundedOptimum, Unproved};
@@ -40,6 +40,8 @@ const PARALLEL_CELL: f64 = 1e-6;
 pub(crate) struct CorrectedSample<'a, 'q> {
     pub(crate) problem: &'a Problem<'q>,
     pub(crate) levels: Vec<Reduced>,
+    /// The generators of the vertex at which the last descent ended.
+    pub(crate) vertex: Option<[usize; 2]>,
     pub(crate) tally: &'a mut dyn Tally,
 }
 
@@ -100,12 +102,15 @@ impl CorrectedSample<'_, '_> {
             }
         }
         self.tally.add(Operation::GeneratorRead, lines.len() as u64);
-        match descend_and_certify(self.problem, &self.levels, &lines, linear, point) {
-            Some((_, Ok(optimum))) => Ok(optimum),
-            Some((found, Err(Unproved::Astray(place)))) => Err(NotCertified::Outside(place, Some(found))),
-            Some((_, Err(_))) => Err(NotCertified::Doubt),
-            None => Err(NotCertified::Outside(depth - 1, None)),
-        }
+        let ended = descend_and_certify(self.problem, &self.levels, &lines, linear, point);
+        let Some(Ended { point, vertex, result }) = ended else {
+            return Err(NotCertified::Outside(depth - 1, None));
+        };
+        self.vertex = self.levels.last().map(|level| level.indices_of(vertex));
+        result.map_err(|unproved| match unproved {
+            Unproved::Astray(place) => NotCertified::Outside(place, Some(point)),
+            Unproved::Doubt | Unproved::Falls(_) => NotCertified::Doubt,
+        })
     }
 
     /// The optimum of the last level, or of all generators, seen from some of its lines.
@@ -203,7 +208,7 @@ mod tests {
                     let sample = Sample::of(&query, &mut ());
                     let problem = Problem::new(&query, crate::numeric::bounded::exact(p), Goal::Location);
                     let tally = &mut ();
-                    let mut search = CorrectedSample { problem: &problem, levels: Vec::new(), tally };
+                    let mut search = CorrectedSample { problem: &problem, levels: Vec::new(), vertex: None, tally };
                     if let Ok(optimum) = search.of_sample(&sample) {
                         assert!(optimum.missing <= 1e-9 * optimum.reach.value);
                         found += usize::from(optimum.slack(unit_gauge_bound(&query, 1)) < 1e-9);

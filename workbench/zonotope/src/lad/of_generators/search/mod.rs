@@ -23,6 +23,6 @@ pub(crate) enum Searched {
     /// A vertex that is the optimum or so near to it that the gauge is bounded, and the cells on the way to it.
     Certified(Box<RoundedOptimum>, NestedCells),
     /// Cells that probably hold the optimum, of which doubles cannot say more; no cells where the search has made no
-    /// progress.
-    Doubtful(NestedCells),
+    /// progress. And the generators of a vertex at which a descent ended, perhaps outside of the cells.
+    Doubtful { cells: NestedCells, vertex: Option<[usize; 2]> },
 }

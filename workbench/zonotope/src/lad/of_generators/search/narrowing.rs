@@ -10,7 +10,7 @@
 //!    are searched.
 
 use super::Searched;
-use super::certified_descent::descend_and_certify;
+use super::certified_descent::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
@@ -54,7 +54,7 @@ pub(crate) fn search_cell(
     tally.add(Operation::GeneratorRead, query.len() as u64);
     let reduced = Reduced::of_query(query, problem.chart.cell(guess, stretch));
     if !reduced.is_moderate() {
-        return Ok(Searched::Doubtful(NestedCells::default()));
+        return Ok(Searched::Doubtful { cells: NestedCells::default(), vertex: None });
     }
     narrow(problem, reduced, Some(guess), most_lines)
 }
@@ -92,13 +92,18 @@ pub(crate) fn narrow(
     loop {
         let level = levels.last().expect("the first problem is never taken away");
         match descend_and_certify(problem, &levels, &lines, level.linear(chart), point) {
-            Some((_, Ok(optimum))) => return Ok(Searched::Certified(optimum, NestedCells::of(levels))),
-            Some((found, Err(Unproved::Astray(_)))) => {
+            Some(Ended { result: Ok(optimum), .. }) => {
+                return Ok(Searched::Certified(optimum, NestedCells::of(levels)));
+            }
+            Some(Ended { point: found, result: Err(Unproved::Astray(_)), .. }) => {
                 let is_believed = guess.is_none_or(|guess| guess.is_near(found, BELIEVED_DISTANCE));
                 point = if is_believed { found } else { point };
                 is_found |= is_believed;
             }
-            Some(_) => return Ok(Searched::Doubtful(NestedCells::of(levels))),
+            Some(ended) => {
+                let vertex = Some(level.indices_of(ended.vertex));
+                return Ok(Searched::Doubtful { cells: NestedCells::of(levels), vertex });
+            }
             None => {}
         }
         let wider = levels.len().checked_sub(2).map_or(0, |place| levels[place].vectors.len());
