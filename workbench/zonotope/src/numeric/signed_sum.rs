@@ -1,19 +1,26 @@
 //! Σ ± v over vectors of doubles, exactly.
 //!
-//! A block of doubles is summed exactly by parts: adding and subtracting a power of two σ far above them splits each
-//! into a multiple of σ's last place and a rest, without error, and those multiples sum up in a double without error.
-//! Twice that, and only of doubles more than 2^30 times smaller than the block's largest a rest is left, for the
-//! accumulator.
+//! Few doubles of similar sizes are summed up as integers of 128 bits. Of more, a block is summed exactly by parts:
+//! adding and subtracting a power of two σ far above them splits each into a multiple of σ's last place and a rest,
+//! without error, and those multiples sum up in a double without error. Twice that, and only of doubles more than 2^30
+//! times smaller than the block's largest a rest is left, for the accumulator.
 
+use dashu_int::IBig;
+
+use super::dyadic::Dyadic;
 use super::exact_linear::ExactVector;
 use super::exact_sum::ExactSum;
-use super::scaling::{power_of_two, power_of_two_below};
+use super::scaling::{decompose, power_of_two, power_of_two_below};
 
 /// Doubles summed at once.
-const BLOCK: usize = 256;
+const BLOCK: usize = 64;
 
 /// Doubles side by side.
 const LANES: usize = 4;
+
+/// Bits of an integer that are left when mantissas of a block have been added up: 53 for a mantissa, 6 for their
+/// number, one for the sign.
+const SHIFT_LIMIT: i32 = 128 - 53 - 6 - 1;
 
 /// Magnitudes of a block's largest double between which no σ overflows and no part is lost to underflow.
 const SMALLEST: f64 = power_of_two(-900);
@@ -21,25 +28,52 @@ const LARGEST: f64 = power_of_two(1000);
 
 /// Σ sign · v, exactly.
 pub(crate) fn signed_sum(terms: impl Iterator<Item = ([f64; 3], i8)>) -> ExactVector {
-    let mut sums = [ExactSum::default(), ExactSum::default(), ExactSum::default()];
+    let mut sums: Option<[ExactSum; 3]> = None;
     let mut blocks = [[0.0; BLOCK]; 3];
     let mut count = 0;
     for (v, sign) in terms {
+        if count == BLOCK {
+            flush(sums.get_or_insert_default(), &mut blocks, BLOCK);
+            count = 0;
+        }
         for (block, coordinate) in blocks.iter_mut().zip(v) {
             block[count] = f64::from(sign) * coordinate;
         }
         count += 1;
-        if count == BLOCK {
-            flush(&mut sums, &mut blocks, BLOCK);
-            count = 0;
-        }
+    }
+    if sums.is_none()
+        && let [Some(x), Some(y), Some(z)] = blocks.each_ref().map(|block| short_sum(&block[..count]))
+    {
+        return [x, y, z];
     }
     let whole = count.next_multiple_of(LANES);
     for block in &mut blocks {
         block[count..whole].fill(0.0);
     }
-    flush(&mut sums, &mut blocks, whole);
-    sums.map(|sum| sum.value())
+    let sums = sums.get_or_insert_default();
+    flush(sums, &mut blocks, whole);
+    sums.each_ref().map(ExactSum::value)
+}
+
+/// The sum of at most [`BLOCK`] doubles as an integer times a power of two, if it is short enough.
+fn short_sum(values: &[f64]) -> Option<Dyadic> {
+    let mut exponents = [i32::MAX, i32::MIN];
+    for value in values.iter().filter(|value| **value != 0.0) {
+        let (_, exponent) = decompose(*value);
+        exponents = [exponents[0].min(exponent), exponents[1].max(exponent)];
+    }
+    let [least, most] = exponents;
+    if least > most {
+        return Some(Dyadic::zero());
+    }
+    if most - least > SHIFT_LIMIT {
+        return None;
+    }
+    let total: i128 = values.iter().filter(|value| **value != 0.0).fold(0, |total, value| {
+        let (mantissa, exponent) = decompose(*value);
+        total + (i128::from(mantissa) << (exponent - least))
+    });
+    Some(Dyadic::new(IBig::from(total), i64::from(least)))
 }
 
 fn flush(sums: &mut [ExactSum; 3], blocks: &mut [[f64; BLOCK]; 3], count: usize) {

@@ -1,21 +1,24 @@
 //! The signs of generators for an exact direction: two doubles a coordinate tell nearly all, exact arithmetic the
 //! others.
 
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::generators::{KernelQuery, Part};
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::exact_linear::{ExactVector, dot};
 
 /// The signs of the generators of a query for an exact direction.
 pub(crate) struct DirectionSigns<'a> {
     query: &'a dyn KernelQuery,
-    /// The direction pulled back into the frame of each part, for products with the part's rows.
+    /// The direction pulled back into the frame of each part, for products with the part's rows; none for a second
+    /// part without rows.
     directions: Vec<DoubleDoubleDirection>,
 }
 
 impl<'a> DirectionSigns<'a> {
     pub(crate) fn new(query: &'a dyn KernelQuery, direction: &ExactVector) -> Self {
-        let pulled = query.parts().into_iter().map(|part| DoubleDoubleDirection::of(&part.exact_pulled(direction)));
-        Self { query, directions: pulled.collect() }
+        let [first, second] = query.parts();
+        let parts = [Some(first), Some(second).filter(|part| !part.rows.is_empty())];
+        let pulled = |part: Part<'_>| DoubleDoubleDirection::of(&part.exact_pulled(direction));
+        Self { query, directions: parts.into_iter().flatten().map(pulled).collect() }
     }
 
     /// The sign of one generator, if two doubles a coordinate tell it and it is not zero.

@@ -6,6 +6,7 @@
 
 use crate::lad::by_pruning;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
+use crate::lad::of_generators::exact::pivot::Balance;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
@@ -53,7 +54,7 @@ pub(crate) fn optimum(
     }
     let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
     let optimum = ExactOptimum::new(query, p, direction, signs, basis);
-    if optimum.is_balanced(query, p) {
+    if Balance::at(&optimum, query, p).is_some_and(|balance| balance.is_optimal()) {
         return Ok(optimum);
     }
     let center = rounded_direction(&optimum.direction);

@@ -11,34 +11,58 @@ use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::guess::crossings::{Crossing, select};
 use crate::numeric::double_double::DoubleDoubleDirection;
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
 use crate::numeric::linear;
 
-/// The generators of the best vertex on a line through a vertex, if the objective falls along it; `None` where sizes
-/// are not moderate, too. O(n).
-pub(super) fn pivoted(query: &dyn KernelQuery, p: &ExactVector, vertex: &ExactOptimum) -> Option<[usize; 2]> {
-    let [first, second] = vertex.basis[..] else { return None };
-    let [a, b] = [first, second].map(|index| query.exact_generator(index));
-    let duals = [cross(&b, p), cross(p, &a)];
-    let products = duals.each_ref().map(|dual| dot(&vertex.sum, dual));
-    let sizes = products.each_ref().map(|product| product.clone().abs());
-    let own = dot(&a, &duals[0]).abs();
-    let (leaves, stays, place) = if sizes[0] >= sizes[1] { (first, second, 0) } else { (second, first, 1) };
-    let excess = &sizes[place] - &own;
-    if excess.sign().is_le() {
-        return None;
+/// How the two generators a and b of a vertex balance the sum g of all others: −g · (b × p) and −g · (p × a), each
+/// divided by p · (a × b), are their coefficients.
+pub(super) struct Balance {
+    basis: [usize; 2],
+    duals: [ExactVector; 2],
+    /// The products of g with the duals.
+    products: [Dyadic; 2],
+    /// Their magnitudes.
+    sizes: [Dyadic; 2],
+    /// |p · (a × b)|.
+    volume: Dyadic,
+}
+
+impl Balance {
+    /// The balance at a vertex of two generators.
+    pub(super) fn at(vertex: &ExactOptimum, query: &dyn KernelQuery, p: &ExactVector) -> Option<Self> {
+        let [first, second] = vertex.basis[..] else { return None };
+        let [a, b] = [first, second].map(|index| query.exact_generator(index));
+        let duals = [cross(&b, p), cross(p, &a)];
+        let products = duals.each_ref().map(|dual| dot(&vertex.sum, dual));
+        let sizes = products.each_ref().map(|product| product.clone().abs());
+        let volume = dot(&a, &duals[0]).abs();
+        Some(Self { basis: [first, second], duals, products, sizes, volume })
     }
-    let side = if products[place].sign().is_gt() { -1.0 } else { 1.0 };
-    let step = rounded_direction(&duals[place]).map(|c| side * c);
-    let fall = linear::dot(&query.generator(leaves), &step).abs() * excess.rounded_ratio(&own);
-    let direction = DoubleDoubleDirection::of(&vertex.direction);
-    let mut crossings = Vec::new();
-    for (line, v) in query.generators().enumerate() {
-        let rate = linear::dot(&v, &step) * f64::from(vertex.signs[line]);
-        if rate < 0.0 {
-            let distance = direction.moderate_product(&v)?.rounded().value.abs();
-            crossings.push(Crossing { position: distance / -rate, weight: -rate, line });
+
+    /// Whether both coefficients are in [−1, 1], so that the vertex is the optimum.
+    pub(super) fn is_optimal(&self) -> bool {
+        self.sizes.iter().all(|size| *size <= self.volume)
+    }
+
+    /// The generators of the best vertex on the line along which the objective falls from a vertex that is not
+    /// optimal; `None` where sizes are not moderate. O(n).
+    pub(super) fn pivot(&self, vertex: &ExactOptimum, query: &dyn KernelQuery) -> Option<[usize; 2]> {
+        let leaving = usize::from(self.sizes[1] > self.sizes[0]);
+        let (leaves, stays) = (self.basis[leaving], self.basis[1 - leaving]);
+        let side = if self.products[leaving].sign().is_gt() { -1.0 } else { 1.0 };
+        let step = rounded_direction(&self.duals[leaving]).map(|c| side * c);
+        let excess = (&self.sizes[leaving] - &self.volume).rounded_ratio(&self.volume);
+        let fall = linear::dot(&query.generator(leaves), &step).abs() * excess;
+        let direction = DoubleDoubleDirection::of(&vertex.direction);
+        let mut crossings = Vec::new();
+        for (line, v) in query.generators().enumerate() {
+            let rate = linear::dot(&v, &step) * f64::from(vertex.signs[line]);
+            if rate < 0.0 {
+                let distance = direction.moderate_product(&v)?.rounded().value.abs();
+                crossings.push(Crossing { position: distance / -rate, weight: -rate, line });
+            }
         }
+        select(&mut crossings, fall / 2.0).map(|crossing| [stays, crossing.line])
     }
-    select(&mut crossings, fall / 2.0).map(|crossing| [stays, crossing.line])
 }

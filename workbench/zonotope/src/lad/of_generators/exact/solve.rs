@@ -7,7 +7,7 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction, sum};
+use crate::numeric::exact_linear::{ExactVector, dot, rounded_direction, sum};
 use crate::seed::EXACT_STAGE_SEED;
 use crate::tally::{Operation, Tally};
 
@@ -137,17 +137,6 @@ impl ExactOptimum {
         basis.sort_unstable();
         let (reach, along) = (dot(&sum, &direction), dot(p, &direction));
         Self { direction, signs, basis, sum, reach, along }
-    }
-
-    /// Whether two generators of the basis balance the sum of all others with coefficients in [−1, 1].
-    pub(crate) fn is_balanced(&self, query: &dyn KernelQuery, p: &ExactVector) -> bool {
-        let [first, second] = self.basis[..] else { return false };
-        let [a, b] = [first, second].map(|index| query.exact_generator(index));
-        let is_within = |own: &ExactVector, other: &ExactVector| {
-            let dual = cross(other, p);
-            dot(&self.sum, &dual).abs() <= dot(own, &dual).abs()
-        };
-        is_within(&a, &b) && is_within(&b, &a)
     }
 
     /// The gauge `along` / `reach` with a bound for its error.
