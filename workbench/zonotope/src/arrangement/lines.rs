@@ -7,6 +7,7 @@ use super::exact_sort::{Keyed, sort_exactly};
 use super::fraction::Fraction;
 use super::line::{ExactLine, LineIndex};
 use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::tally::{Operation, Tally};
 
@@ -128,6 +129,11 @@ impl<'a> LineArrangement<'a> {
         LineIndex(self.places[place as usize].line)
     }
 
+    /// The vertical line with a position among them, from the left.
+    pub(crate) fn vertical_line_at(&self, position: u32) -> LineIndex {
+        LineIndex(self.verticals[position as usize].1)
+    }
+
     /// The vertical lines from left to right.
     pub(crate) fn vertical_lines(&self) -> impl Iterator<Item = LineIndex> {
         self.verticals.iter().map(|(_, line)| LineIndex(*line))
@@ -200,12 +206,39 @@ impl<'a> LineArrangement<'a> {
         let height =
             |(item, graph): (usize, &Graph)| Keyed { key: graph.slope * rounded + graph.intercept, item: item as u32 };
         let mut keyed: Vec<Keyed> = self.places.iter().enumerate().map(height).collect();
-        let exact_height = |place: u32| {
-            let ExactLine { normal: [a, b], offset } = self.source.line(self.places[place as usize].line);
-            Fraction::new(-(a * x.numerator.clone() + offset * x.denominator.clone()), b)
-        };
-        let ties = sort_exactly(&mut keyed, exact_height, tally);
+        let ties = sort_exactly(&mut keyed, |place| self.scaled_height(place, x), tally);
         VerticalOrder { right: keyed.iter().map(|keyed| keyed.item).collect(), ties }
+    }
+
+    /// The height of the line at a place along the vertical line at an abscissa, times the abscissa's denominator.
+    pub(crate) fn scaled_height(&self, place: u32, x: &Fraction) -> Fraction {
+        let ExactLine { normal: [a, b], offset } = self.source.line(self.places[place as usize].line);
+        Fraction::new(-(a * x.numerator.clone() + offset * x.denominator.clone()), b)
+    }
+
+    /// The slope and the intercept of the line at a place in the scaled frame.
+    pub(crate) fn approximate_line(&self, place: u32) -> [BoundedDoubleDouble; 2] {
+        let graph = &self.places[place as usize];
+        [graph.slope, graph.intercept]
+    }
+
+    /// The coordinates in the scaled frame of a point given by homogeneous coordinates, the last of them positive.
+    pub(crate) fn approximate_point(&self, [x, y, w]: &[Dyadic; 3]) -> [BoundedDoubleDouble; 2] {
+        let scaled = |v: &Dyadic, shift: i64| BoundedDoubleDouble::of_ratio(&v.clone().scaled(shift), w);
+        [scaled(x, self.shift.abscissa()), scaled(y, self.shift.intercept)]
+    }
+
+    /// Whether the lines at two places are parallel.
+    pub(crate) fn are_parallel(&self, [a, b]: [u32; 2]) -> bool {
+        self.classes[a as usize] == self.classes[b as usize]
+    }
+
+    /// Whether the lines at two places are one line.
+    pub(crate) fn coincide(&self, places: [u32; 2]) -> bool {
+        let [a, b] = places.map(|place| &self.places[place as usize]);
+        self.are_parallel(places)
+            && a.intercept.certain_order(&b.intercept).is_none()
+            && intercept(&self.source.line(a.line)) == intercept(&self.source.line(b.line))
     }
 
     /// The abscissa of an event, exactly.

@@ -4,10 +4,12 @@
 //! |---|---|
 //! | [`slope_selection`] | the k-th leftmost vertex |
 //! | [`separator`] | the chain with k tiles of the dual tiling on its left |
+//! | [`cutting`] | trapezoids that few lines cross, with the lines that cross each, and where a point is among them |
 //! | [`tiling`] | the tiling that is dual to the arrangement of generators in space, with the isomorphism |
 //!
 //! [`DualArrangement`] is the arrangement that Section 3 attaches to the generators of a zonotope in space.
 
+pub mod cutting;
 pub(crate) mod dual;
 mod exact_sort;
 pub(crate) mod fraction;

@@ -1,0 +1,154 @@
+//! A (1/r)-cutting of lines in the plane, by cutting the plane in two again and again until few lines cross a part.
+//!
+//! # Statement
+//! Input: n lines ([`LineArrangement`]), r from 1, a seed. Output: trapezoids that cover the plane without overlap, each
+//! crossed in its interior by at most n / r lines, with these lines and with a search structure ([`Cutting`]). Sides
+//! lie along lines of the input, walls go through vertices of the arrangement or along vertical lines. Parallel, equal,
+//! concurrent and vertical lines are ordinary input; lines along the sides do not cross, and neither do equal ones.
+//! With r = 1 there is one trapezoid, the plane; with r > n no line crosses any. The seed decides which cutting is
+//! found; every one that it finds is right.
+//!
+//! # Source
+//! Section 5.2, proof of Lemma 5.3, which takes a cutting from the literature. That the lines crossing a part are cut
+//! again among themselves, and that the parts make the search structure, is Chazelle's hierarchy (Discrete Comput.
+//! Geom. 9 (1993) 145). Departures: a part is cut in two by one wall or one line, chosen greedily by what a sample of
+//! its lines tells, not by a sample's whole vertical decomposition; so the parts have equally many lines, where a
+//! random decomposition has many light parts besides heavy ones, and there are about a third as many. Matoušek's
+//! construction with 8 r² + 6 r + 4 trapezoids has chords of levels for sides, which have no counterpart among the
+//! pseudo-lines of the tiling.
+//!
+//! # Method
+//! 1. The first cell is the plane with all lines.
+//! 2. Draw a sample of the lines of a cell that more than n / r lines cross. List walls at the quartiles of their
+//!    crossings within the cell, at those of their exits by the bottom and the top, at those of the vertical lines; and
+//!    the sampled lines that lead through the cell from its left to its right end (`split_choice.rs`).
+//! 3. Cut along the candidate with the least Σ (k / (n / r))² over both parts, k the number of lines that cross a part.
+//! 4. Hand the lines down to the parts that they cross (`cell.rs`). A part that at most n / r lines cross is a
+//!    trapezoid; the others go on with step 2.
+//! 5. Make the search structure of the tree of cuts (`search.rs`).
+//!
+//! # Complexity
+//! n lines, r: measured on the families of the crate `experiments`, n = 4 r to 64 r, r = 4 to 256, there are at most
+//! 6 r² trapezoids, the lists have at most 5 n r lines together, and 20 n r lines are handed down. That is the paper's
+//! O(r²) and O(n r); it is no proof, as the greedy choice has none. Why it is to be expected: Σ k² over the cells of a
+//! level hardly grows, since a wall through the middle of c k² crossings leaves about k / √2 lines or fewer on both
+//! sides, and a line with few crossings halves k; and the levels from the leaves upwards have geometrically fewer lines
+//! in all. Each cut removes a line from both parts or a vertex's abscissa from both, so the method ends on any input
+//! and for any seed. Space O(n r). A query takes O(log r) comparisons in the worst case, for O(r²) trapezoids.
+//!
+//! # Shapes
+//! `lines`: n lines in any order, duplicates allowed; rows with a zero normal are no lines and do not count. `r`: from
+//! 1, above n too.
+//!
+//! # Numerics
+//! Which lines cross a trapezoid and in which one a point lies is exact over the whole range of doubles
+//! (`plane.rs`). The choice of cuts is made in doubles with bounds, the same on every machine.
+//!
+//! # Errors
+//! None: a [`LineArrangement`] is finite, and r is not zero by its type.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force): lists of lines, cover without overlap, location; the bounds on the families.
+//!
+//! # Example
+//! ```
+//! use std::num::NonZeroU32;
+//! use zonotope::arrangement::{LineArrangement, LineIndex, cutting::by_hierarchy};
+//! // The x-axis and the y-axis, not to be crossed: four quadrants. The wall along the y-axis is found first.
+//! let lines = LineArrangement::from_rows(&[[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]).unwrap();
+//! let cutting = by_hierarchy::cutting(&lines, NonZeroU32::new(3).unwrap(), 0);
+//! assert_eq!((cutting.trapezoids().len(), cutting.total_crossings()), (4, 0));
+//! let found = cutting.locate([-5.0, 2.0]).unwrap();
+//! let quadrant = cutting.trapezoids()[found.0 as usize];
+//! assert_eq!((quadrant.bottom, quadrant.top, quadrant.left), (Some(LineIndex(0)), None, None));
+//! ```
+
+use std::num::NonZeroU32;
+
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
+
+use super::cell::Cell;
+use super::plane::{End, Plane};
+use super::search::{Cut, Node, Search};
+use super::split_choice::{Split, choose};
+use super::subdivision::Cutting;
+use super::trapezoid::Trapezoid;
+use crate::arrangement::line::LineIndex;
+use crate::arrangement::lines::LineArrangement;
+use crate::tally::{Operation, Tally};
+
+/// A (1/r)-cutting; `seed` decides which one.
+pub fn cutting<'a>(lines: &'a LineArrangement<'a>, r: NonZeroU32, seed: u64) -> Cutting<'a> {
+    cutting_counted(lines, r, seed, &mut ())
+}
+
+/// [`cutting`], counting its operations: a search step for each cut, a part evaluation for each line handed down.
+pub fn cutting_counted<'a>(
+    lines: &'a LineArrangement<'a>,
+    r: NonZeroU32,
+    seed: u64,
+    tally: &mut impl Tally,
+) -> Cutting<'a> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut plane = Plane::new(lines);
+    tally.add(Operation::LineEvaluation, lines.len() as u64);
+    let whole = Cell::whole(&plane);
+    let limit = whole.weight() / r.get() as usize;
+    let mut leaves = Leaves { trapezoids: Vec::new(), crossing: Vec::new(), starts: vec![0] };
+    let mut nodes = vec![Node::Leaf(0)];
+    let mut waiting = vec![(0, whole)];
+    while let Some((node, cell)) = waiting.pop() {
+        if cell.weight() <= limit {
+            nodes[node] = Node::Leaf(leaves.add(&plane, &cell));
+            continue;
+        }
+        tally.add(Operation::SearchStep, 1);
+        tally.add(Operation::PartEvaluation, cell.weight() as u64);
+        let (cut, parts) = match choose(&plane, &cell, limit, &mut random) {
+            Split::Wall(abscissa) => {
+                let wall = plane.add_wall(abscissa);
+                (Cut::Wall(wall), cell.split_at_wall(&plane, wall))
+            }
+            Split::Line(place) => (Cut::Line(place), cell.split_at_line(&plane, place)),
+        };
+        let children = [0, 1].map(|next| nodes.len() + next);
+        let [first, second] =
+            children.map(|child| u32::try_from(child).expect("memory ends before the numbers of nodes"));
+        nodes[node] = Node::Inner(cut, [first, second]);
+        nodes.extend([Node::Leaf(0), Node::Leaf(0)]);
+        waiting.extend(children.into_iter().zip(parts).rev());
+    }
+    tally.add(Operation::ExactFallback, plane.exact_decisions());
+    let search = Search::new(&nodes);
+    let Leaves { trapezoids, crossing, starts } = leaves;
+    Cutting { plane, limit, trapezoids, crossing, starts, search }
+}
+
+/// The trapezoids that are done.
+struct Leaves {
+    trapezoids: Vec<Trapezoid>,
+    crossing: Vec<LineIndex>,
+    starts: Vec<usize>,
+}
+
+impl Leaves {
+    /// Appends a cell; returns its number.
+    fn add(&mut self, plane: &Plane, cell: &Cell) -> u32 {
+        let wall = |end| match end {
+            End::At(wall) => Some(plane.wall(wall)),
+            End::BeforeAll | End::AfterAll => None,
+        };
+        let [left, right] = cell.ends.map(wall);
+        let [bottom, top] = [cell.bottom, cell.top].map(|side| side.map(|place| plane.lines.line_at(place)));
+        let number = self.trapezoids.len() as u32;
+        self.trapezoids.push(Trapezoid { left, right, bottom, top });
+        self.crossing.extend(cell.crossing.iter().map(|line| plane.lines.line_at(line.place)));
+        self.crossing.extend(cell.verticals.clone().map(|position| plane.lines.vertical_line_at(position)));
+        self.starts.push(self.crossing.len());
+        number
+    }
+}
