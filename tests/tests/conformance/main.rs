@@ -2,6 +2,7 @@
 
 mod centered;
 mod collision;
+mod cutting;
 mod faces;
 mod fixed_directions;
 mod hull;

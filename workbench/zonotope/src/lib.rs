@@ -79,6 +79,7 @@
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`arrangement::tiling`] | the tiling of Q by the facets of the upper hull, dual to the arrangement | 3, Figure 1 |
 //! | [`arrangement::separator`] | the k-th separator of that tiling | 5.1 |
+//! | [`arrangement::cutting`] | trapezoids that few lines of an arrangement cross, and location among them | 5.2 |
 //! | [`collision::upper_hull`] | the height of the upper hull over a point | 5.1 |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |

@@ -19,22 +19,25 @@
 //!
 //! # Method
 //! 1. The first cell is the plane with all lines.
-//! 2. Draw a sample of the lines of a cell that more than n / r lines cross. List walls at the quartiles of their
-//!    crossings within the cell, at those of their exits by the bottom and the top, at those of the vertical lines; and
-//!    the sampled lines that lead through the cell from its left to its right end (`split_choice.rs`).
+//! 2. Draw a sample of the lines of a cell that more than n / r lines cross. List walls near the medians of their
+//!    crossings within the cell, of their exits by the bottom and the top, and of the vertical lines; and the sampled
+//!    lines that lead through the cell from its left to its right end (`split_choice.rs`).
 //! 3. Cut along the candidate with the least Σ (k / (n / r))² over both parts, k the number of lines that cross a part.
 //! 4. Hand the lines down to the parts that they cross (`cell.rs`). A part that at most n / r lines cross is a
 //!    trapezoid; the others go on with step 2.
-//! 5. Make the search structure of the tree of cuts (`search.rs`).
+//! 5. If r is below 16, do so up to 16 times and keep the cutting with the fewest trapezoids: there are few cuts then,
+//!    and an unlucky first one counts.
+//! 6. Make the search structure of the tree of cuts (`search.rs`).
 //!
 //! # Complexity
-//! n lines, r: measured on the families of the crate `experiments`, n = 4 r to 64 r, r = 4 to 256, there are at most
-//! 6 r² trapezoids, the lists have at most 5 n r lines together, and 20 n r lines are handed down. That is the paper's
-//! O(r²) and O(n r); it is no proof, as the greedy choice has none. Why it is to be expected: Σ k² over the cells of a
-//! level hardly grows, since a wall through the middle of c k² crossings leaves about k / √2 lines or fewer on both
-//! sides, and a line with few crossings halves k; and the levels from the leaves upwards have geometrically fewer lines
-//! in all. Each cut removes a line from both parts or a vertex's abscissa from both, so the method ends on any input
-//! and for any seed. Space O(n r). A query takes O(log r) comparisons in the worst case, for O(r²) trapezoids.
+//! n lines, r; measured on the line families of the crate `experiments` for r = 4 to 256 and n = 4 r to 64 r: at most
+//! 6 r² trapezoids, lists of at most 5 n r lines together, and for r ≥ 16 at most 13 n r lines handed down from cell to
+//! cell, which is the cost of all but O(r²) choices of constant cost. Space O(n r). These are the paper's O(r²) and
+//! O(n r), measured and not proved: the greedy choice has no proof. The reason to expect them is that a wall halves the
+//! crossings within a cell and a line that few others cross halves the lines, so that Σ k² over the cells of a level
+//! hardly grows from level to level, while k shrinks geometrically. The method ends on any input and for any seed, as a
+//! line that cuts is gone from both parts and a wall leaves both parts fewer abscissas of vertices. A query takes at
+//! most 4 log N comparisons to the base 3/2 among N trapezoids, in the worst case.
 //!
 //! # Shapes
 //! `lines`: n lines in any order, duplicates allowed; rows with a zero normal are no lines and do not count. `r`: from
@@ -81,6 +84,12 @@ use crate::arrangement::line::LineIndex;
 use crate::arrangement::lines::LineArrangement;
 use crate::tally::{Operation, Tally};
 
+/// From this r on there is one attempt; the first cuts, which samples tell the least about, are then few among all.
+const FULL_ATTEMPT: u32 = 16;
+
+/// At most this many attempts are made.
+const ATTEMPT_LIMIT: u32 = 16;
+
 /// A (1/r)-cutting; `seed` decides which one.
 pub fn cutting<'a>(lines: &'a LineArrangement<'a>, r: NonZeroU32, seed: u64) -> Cutting<'a> {
     cutting_counted(lines, r, seed, &mut ())
@@ -94,6 +103,18 @@ pub fn cutting_counted<'a>(
     tally: &mut impl Tally,
 ) -> Cutting<'a> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let attempts = (FULL_ATTEMPT / r.get()).pow(2).clamp(1, ATTEMPT_LIMIT);
+    let attempts = (0..attempts).map(|_| attempt(lines, r, &mut random, tally));
+    attempts.min_by_key(|cutting| cutting.trapezoids.len()).expect("there is one attempt at least")
+}
+
+/// The cutting that one sequence of samples leads to.
+fn attempt<'a>(
+    lines: &'a LineArrangement<'a>,
+    r: NonZeroU32,
+    random: &mut Pcg64Mcg,
+    tally: &mut impl Tally,
+) -> Cutting<'a> {
     let mut plane = Plane::new(lines);
     tally.add(Operation::LineEvaluation, lines.len() as u64);
     let whole = Cell::whole(&plane);
@@ -108,7 +129,7 @@ pub fn cutting_counted<'a>(
         }
         tally.add(Operation::SearchStep, 1);
         tally.add(Operation::PartEvaluation, cell.weight() as u64);
-        let (cut, parts) = match choose(&plane, &cell, limit, &mut random) {
+        let (cut, parts) = match choose(&plane, &cell, limit, random) {
             Split::Wall(abscissa) => {
                 let wall = plane.add_wall(abscissa);
                 (Cut::Wall(wall), cell.split_at_wall(&plane, wall))
@@ -116,9 +137,8 @@ pub fn cutting_counted<'a>(
             Split::Line(place) => (Cut::Line(place), cell.split_at_line(&plane, place)),
         };
         let children = [0, 1].map(|next| nodes.len() + next);
-        let [first, second] =
-            children.map(|child| u32::try_from(child).expect("memory ends before the numbers of nodes"));
-        nodes[node] = Node::Inner(cut, [first, second]);
+        let numbers = children.map(|child| u32::try_from(child).expect("memory ends before the numbers of nodes"));
+        nodes[node] = Node::Inner(cut, numbers);
         nodes.extend([Node::Leaf(0), Node::Leaf(0)]);
         waiting.extend(children.into_iter().zip(parts).rev());
     }

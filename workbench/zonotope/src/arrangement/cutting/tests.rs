@@ -230,6 +230,13 @@ fn hard_lines_take_few_trapezoids() {
 }
 
 #[test]
+fn larger_cuttings_are_right() {
+    for (name, rows) in hard_instances(48) {
+        assert!(check(&rows, 5, 2).is_ok(), "{name}");
+    }
+}
+
+#[test]
 fn the_same_seed_makes_the_same_cutting() {
     let (_, rows) = hard_instances(200).swap_remove(0);
     let lines = arrangement(&rows);
