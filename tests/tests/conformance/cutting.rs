@@ -1,4 +1,4 @@
-//! Cuttings against their definition, on all line families; how many trapezoids they take, and how long their lists are.
+//! Cuttings against their definition, on all line families; how many trapezoids they take, how long their lists are.
 
 use std::num::NonZeroU32;
 
@@ -61,13 +61,11 @@ fn most_questions(rows: &[[f64; 3]], cutting: &Cutting) -> u32 {
     questions.max().expect("the grid has points")
 }
 
-/// Matoušek's bound on the number of trapezoids for random lines, half as many again for the others; `-- --nocapture`
+/// Matoušek's bound on the number N of trapezoids for random lines, half as many again for the others; `-- --nocapture`
 /// shows the constants.
 #[test]
 fn cuttings_are_small() {
-    println!(
-        "| family | n | r | trapezoids / r² | lines in lists / (n r) | heaviest · r / n | handed down / (n r) | questions |"
-    );
+    println!("| family | n | r | N / r² | listed / (n r) | heaviest · r / n | handed down / (n r) | questions |");
     println!("|---|---|---|---|---|---|---|---|");
     for family in LINE_FAMILIES {
         for r in [4u32, 8, 16, 32, 64, 128, 256] {

@@ -41,7 +41,7 @@
 //! # Example
 //! ```
 //! use zonotope::arrangement::{LineArrangement, LineIndex, cutting::{Trapezoid, Wall, brute_force}};
-//! // Between the lines y = x and y = −x right of their crossing, a triangle without end: y = 1 crosses, y = x does not.
+//! // Between y = x and y = −x, right of their crossing: y = 1 crosses, the lines along the sides do not.
 //! let rows = [[1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, -1.0]];
 //! let lines = LineArrangement::from_rows(&rows).unwrap();
 //! let left = Some(Wall::Through([LineIndex(0), LineIndex(1)]));

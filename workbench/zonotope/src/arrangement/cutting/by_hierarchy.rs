@@ -1,12 +1,12 @@
 //! A (1/r)-cutting of lines in the plane, by cutting the plane in two again and again until few lines cross a part.
 //!
 //! # Statement
-//! Input: n lines ([`LineArrangement`]), r from 1, a seed. Output: trapezoids that cover the plane without overlap, each
-//! crossed in its interior by at most n / r lines, with these lines and with a search structure ([`Cutting`]). Sides
-//! lie along lines of the input, walls go through vertices of the arrangement or along vertical lines. Parallel, equal,
-//! concurrent and vertical lines are ordinary input; lines along the sides do not cross, and neither do equal ones.
-//! With r = 1 there is one trapezoid, the plane; with r > n no line crosses any. The seed decides which cutting is
-//! found; every one that it finds is right.
+//! Input: n lines ([`LineArrangement`]), r from 1, a seed. Output: trapezoids that cover the plane without overlap,
+//! each crossed in its interior by at most n / r lines, with these lines and with a search structure ([`Cutting`]).
+//! Sides lie along lines of the input, walls go through vertices of the arrangement or along vertical lines. Parallel,
+//! equal, concurrent and vertical lines are ordinary input; lines along the sides do not cross, and neither do equal
+//! ones. With r = 1 there is one trapezoid, the plane; with r > n no line crosses any. The seed decides which cutting
+//! is found; every one that it finds is right.
 //!
 //! # Source
 //! Section 5.2, proof of Lemma 5.3, which takes a cutting from the literature. That the lines crossing a part are cut

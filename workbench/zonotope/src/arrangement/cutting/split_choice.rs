@@ -79,7 +79,7 @@ fn set_of(count: usize, mut holds: impl FnMut(usize) -> bool) -> u32 {
 /// The median of a list and what stands an eighth of it before and behind; all of a short one.
 ///
 /// Candidates farther out make worse cuttings: one part becomes light, and the other stays what it was.
-fn near_median<T: Copy>(sorted: &[T]) -> Vec<T> {
+fn central_items<T: Copy>(sorted: &[T]) -> Vec<T> {
     if sorted.len() <= 3 {
         return sorted.to_vec();
     }
@@ -115,8 +115,8 @@ impl<'a> Sample<'a> {
         Self { plane, cell, lines, share, below_bottom, above_top, ranks, limit }
     }
 
-    /// Walls that may be good: near the medians of the crossings within the cell, of the places where lines leave it by the
-    /// bottom or the top, and of the vertical lines.
+    /// Walls that may be good: near the medians of the crossings within the cell, of the places where lines leave it by
+    /// the bottom or the top, and of the vertical lines.
     fn walls(&self, random: &mut Pcg64Mcg) -> Vec<Event> {
         let mut crossings: Vec<(f64, Event)> =
             self.pairs(random).filter_map(|pair| self.crossing_within(pair)).collect();
@@ -125,8 +125,9 @@ impl<'a> Sample<'a> {
         for events in [&mut crossings, &mut exits] {
             events.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
         }
-        let near_medians = |sorted: &[(f64, Event)]| near_median(sorted).into_iter().map(|(_, event)| event).collect();
-        let groups: [Vec<Event>; 3] = [near_medians(&crossings), near_medians(&exits), near_median(&verticals)];
+        let central_events =
+            |sorted: &[(f64, Event)]| central_items(sorted).into_iter().map(|(_, event)| event).collect();
+        let groups: [Vec<Event>; 3] = [central_events(&crossings), central_events(&exits), central_items(&verticals)];
         groups.concat()
     }
 
