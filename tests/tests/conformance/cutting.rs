@@ -11,7 +11,7 @@ use zonotope::arrangement::cutting::{Boundary, Cutting, TrapezoidIndex, Wall, br
 use zonotope::arrangement::{LineArrangement, LineIndex};
 use zonotope::tally::{Operation, OperationCounts};
 
-const CASES: u32 = 60;
+const CASES: u32 = 24;
 
 /// The largest number of lines of a long run.
 const LARGEST_INSTANCE: u32 = 8192;

@@ -107,6 +107,7 @@ impl Graph {
 }
 
 /// An open range of abscissas, without end where there is none.
+#[derive(Clone)]
 struct Abscissas {
     after: Option<Rational>,
     before: Option<Rational>,
@@ -164,29 +165,59 @@ fn abscissa(lines: &LineArrangement, wall: Wall) -> Rational {
     }
 }
 
-fn between_walls(lines: &LineArrangement, trapezoid: &Trapezoid) -> Abscissas {
-    let [after, before] = [trapezoid.left, trapezoid.right].map(|wall| wall.map(|wall| abscissa(lines, wall)));
-    Abscissas { after, before, is_empty: false }
+/// A trapezoid by its walls' abscissas and the lines along its sides.
+struct Sides {
+    between_walls: Abscissas,
+    bottom: Option<Graph>,
+    top: Option<Graph>,
+}
+
+impl Sides {
+    fn of(lines: &LineArrangement, trapezoid: &Trapezoid) -> Self {
+        let [after, before] = [trapezoid.left, trapezoid.right].map(|wall| wall.map(|wall| abscissa(lines, wall)));
+        let [bottom, top] = [trapezoid.bottom, trapezoid.top].map(|side| side.map(|line| graph(lines, line)));
+        Self { between_walls: Abscissas { after, before, is_empty: false }, bottom, top }
+    }
+
+    /// Whether a line, as [`read`] has it, meets the interior.
+    fn are_crossed_by(&self, line: &Result<Graph, Rational>) -> bool {
+        match line {
+            Err(x) => self.between_walls.contains(x),
+            Ok(graph) => {
+                let mut range = self.between_walls.clone();
+                if let Some(bottom) = &self.bottom {
+                    graph.narrow_to_above(bottom, &mut range);
+                }
+                if let Some(top) = &self.top {
+                    top.narrow_to_above(graph, &mut range);
+                }
+                range.has_points()
+            }
+        }
+    }
+
+    /// Whether there is an interior and the bottom lies below the top all over it.
+    fn have_a_shape(&self) -> bool {
+        let (whole, mut proper) = (&self.between_walls, self.between_walls.clone());
+        if let (Some(bottom), Some(top)) = (&self.bottom, &self.top) {
+            top.narrow_to_above(bottom, &mut proper);
+        }
+        whole.has_points() && proper.has_points() && (&whole.after, &whole.before) == (&proper.after, &proper.before)
+    }
 }
 
 /// The lines that cross the interior of a trapezoid, by ascending indices.
 pub fn crossing_lines(lines: &LineArrangement, trapezoid: &Trapezoid) -> Vec<LineIndex> {
-    let [bottom, top] = [trapezoid.bottom, trapezoid.top].map(|side| side.map(|line| graph(lines, line)));
-    let crosses = |line: &LineIndex| match read(lines, *line) {
-        None => false,
-        Some(Err(x)) => between_walls(lines, trapezoid).contains(&x),
-        Some(Ok(graph)) => {
-            let mut range = between_walls(lines, trapezoid);
-            if let Some(bottom) = &bottom {
-                graph.narrow_to_above(bottom, &mut range);
-            }
-            if let Some(top) = &top {
-                top.narrow_to_above(&graph, &mut range);
-            }
-            range.has_points()
-        }
-    };
-    (0..lines.len() as u32).map(LineIndex).filter(crosses).collect()
+    crossing_among(&read_all(lines), &Sides::of(lines, trapezoid))
+}
+
+fn read_all(lines: &LineArrangement) -> Vec<Option<Result<Graph, Rational>>> {
+    (0..lines.len() as u32).map(|line| read(lines, LineIndex(line))).collect()
+}
+
+fn crossing_among(all: &[Option<Result<Graph, Rational>>], sides: &Sides) -> Vec<LineIndex> {
+    let crosses = |line: &Option<Result<Graph, Rational>>| line.as_ref().is_some_and(|line| sides.are_crossed_by(line));
+    (0..).map(LineIndex).zip(all).filter(|(_, line)| crosses(line)).map(|(index, _)| index).collect()
 }
 
 /// The trapezoids that a point belongs to: the left wall and the bottom are part of a trapezoid, the right wall and the
@@ -218,36 +249,28 @@ pub fn check<'l>(
     trapezoids: &[Trapezoid],
     list: impl Fn(TrapezoidIndex) -> &'l [LineIndex],
 ) -> Result<(), Flaw> {
-    for (index, trapezoid) in (0..).map(TrapezoidIndex).zip(trapezoids) {
+    let all = read_all(lines);
+    let sides: Vec<Sides> = trapezoids.iter().map(|trapezoid| Sides::of(lines, trapezoid)).collect();
+    for (index, sides) in (0..).map(TrapezoidIndex).zip(&sides) {
         let mut listed = list(index).to_vec();
         listed.sort_unstable();
-        if listed != crossing_lines(lines, trapezoid) {
+        if listed != crossing_among(&all, sides) {
             return Err(Flaw::List(index));
         }
         if listed.len() > limit {
             return Err(Flaw::Weight { trapezoid: index, count: listed.len(), limit });
         }
-        if !has_shape(lines, trapezoid) {
+        if !sides.have_a_shape() {
             return Err(Flaw::Shape(index));
         }
     }
-    slab_middles(lines, trapezoids).iter().try_for_each(|x| is_covered_once(lines, trapezoids, x))
-}
-
-/// Whether a trapezoid has an interior and its bottom lies below its top all over it.
-fn has_shape(lines: &LineArrangement, trapezoid: &Trapezoid) -> bool {
-    let whole = between_walls(lines, trapezoid);
-    let mut proper = between_walls(lines, trapezoid);
-    if let (Some(bottom), Some(top)) = (trapezoid.bottom, trapezoid.top) {
-        graph(lines, top).narrow_to_above(&graph(lines, bottom), &mut proper);
-    }
-    whole.has_points() && proper.has_points() && (&whole.after, &whole.before) == (&proper.after, &proper.before)
+    slab_middles(&sides).iter().try_for_each(|x| is_covered_once(&sides, x))
 }
 
 /// An abscissa between any two neighbouring walls, one left and one right of all walls.
-fn slab_middles(lines: &LineArrangement, trapezoids: &[Trapezoid]) -> Vec<Rational> {
-    let walls = trapezoids.iter().flat_map(|trapezoid| [trapezoid.left, trapezoid.right]).flatten();
-    let mut walls: Vec<Rational> = walls.map(|wall| abscissa(lines, wall)).collect();
+fn slab_middles(sides: &[Sides]) -> Vec<Rational> {
+    let walls = sides.iter().flat_map(|sides| [&sides.between_walls.after, &sides.between_walls.before]).flatten();
+    let mut walls: Vec<Rational> = walls.cloned().collect();
     walls.sort();
     walls.dedup();
     let (Some(first), Some(last)) = (walls.first(), walls.last()) else { return vec![Rational::ZERO] };
@@ -255,15 +278,12 @@ fn slab_middles(lines: &LineArrangement, trapezoids: &[Trapezoid]) -> Vec<Ration
     middles.chain([first - Rational::ONE, last + Rational::ONE]).collect()
 }
 
-fn is_covered_once(lines: &LineArrangement, trapezoids: &[Trapezoid], x: &Rational) -> Result<(), Flaw> {
-    let graph = |side: Option<LineIndex>| side.map(|line| graph(lines, line));
-    let over = trapezoids.iter().filter(|trapezoid| between_walls(lines, trapezoid).contains(x));
-    let mut column: Vec<[Option<Graph>; 2]> =
-        over.map(|trapezoid| [trapezoid.bottom, trapezoid.top].map(graph)).collect();
+fn is_covered_once(sides: &[Sides], x: &Rational) -> Result<(), Flaw> {
+    let mut column: Vec<&Sides> = sides.iter().filter(|sides| sides.between_walls.contains(x)).collect();
     // `None` is the least, so that a trapezoid without bottom comes first
-    column.sort_by_cached_key(|[bottom, _]| bottom.as_ref().map(|bottom| bottom.height(x)));
-    let ends = column.first().is_some_and(|[bottom, _]| bottom.is_none())
-        && column.last().is_some_and(|[_, top]| top.is_none());
-    let joins = column.windows(2).all(|pair| pair[0][1].is_some() && pair[0][1] == pair[1][0]);
+    column.sort_by_cached_key(|sides| sides.bottom.as_ref().map(|bottom| bottom.height(x)));
+    let ends = column.first().is_some_and(|sides| sides.bottom.is_none())
+        && column.last().is_some_and(|sides| sides.top.is_none());
+    let joins = column.windows(2).all(|pair| pair[0].top.is_some() && pair[0].top == pair[1].bottom);
     if ends && joins { Ok(()) } else { Err(Flaw::Cover) }
 }

@@ -183,7 +183,7 @@ mod tests {
                     matches!(cut, Cut::Wall(wall) if wall < slab)
                 });
                 assert_eq!(found, slab, "{walls} walls");
-                let thirds = f64::from(walls + 1).log2() / 1.5f64.log2();
+                let thirds = libm::log2(f64::from(walls + 1)) / libm::log2(1.5);
                 assert!(f64::from(comparisons) <= 2.0 * thirds.ceil(), "{walls} walls: {comparisons} comparisons");
             }
         }
