@@ -2,6 +2,7 @@
 
 mod centered;
 mod collision;
+mod dynamic_hull;
 mod faces;
 mod fixed_directions;
 mod hull;
