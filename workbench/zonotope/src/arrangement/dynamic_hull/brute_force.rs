@@ -1,10 +1,11 @@
 //! One chain of a dynamic hull, by looking at all sites in rationals: the truth the methods are held to.
 //!
 //! # Statement
-//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below or
-//! above the present sites, its extreme vertex in a direction, the tangents from a point ([`HullChain`](super::HullChain)).
-//! No three vertices are on a line; equal sites are one vertex, which has the lowest index of those present; sites that
-//! share an abscissa are in the order of their ordinates. No sites have an empty chain.
+//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
+//! or above the present sites, its extreme vertex in a direction, the tangents from a point
+//! ([`HullChain`](super::HullChain)). No three vertices are on a line; equal sites are one vertex, which has the lowest
+//! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
+//! chain.
 //!
 //! # Source
 //! The definitions.
@@ -12,16 +13,16 @@
 //! # Method
 //! 1. An update marks the site.
 //! 2. The extreme vertex is the best of all present sites.
-//! 3. A line through a point has no site below it if its slope is between those of the lines to the sites on the left and
-//!    on the right; the tangents are the ends of that interval. An upper chain is turned upside down.
+//! 3. A line through a point has no site below it if its slope is between those of the lines to the sites on the left
+//!    and on the right; the tangents are the ends of that interval. An upper chain is turned upside down.
 //! 4. The vertices are found by gift wrapping.
 //!
 //! # Complexity
 //! n sites, h vertices: an update O(1), a query O(n), the vertices O(n h), all in rationals; space O(n).
 //!
 //! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`: indices
-//! in any order, none twice.
+//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`:
+//! indices in any order, none twice.
 //!
 //! # Numerics
 //! Everything is exact rational arithmetic.
@@ -40,7 +41,8 @@
 //! # Example
 //! ```
 //! use std::sync::Arc;
-//! use zonotope::arrangement::dynamic_hull::{HullChain, brute_force::BruteForce, PlanarPoint, Side, SiteIndex, SortedSites};
+//! use zonotope::arrangement::dynamic_hull::brute_force::BruteForce;
+//! use zonotope::arrangement::dynamic_hull::{HullChain, PlanarPoint, Side, SiteIndex, SortedSites};
 //! let points = PlanarPoint::list(&[[0.0, 0.0], [1.0, -1.0], [2.0, 0.0], [1.0, 5.0]])?;
 //! let sites = Arc::new(SortedSites::new(&points)?);
 //! let mut chain = BruteForce::new(sites, Side::Lower, (0..4).map(SiteIndex))?;

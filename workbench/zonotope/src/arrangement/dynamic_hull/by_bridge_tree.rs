@@ -1,20 +1,22 @@
 //! One chain of a dynamic hull, by a tree of bridges over the sorted sites.
 //!
 //! # Statement
-//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below or
-//! above the present sites, its extreme vertex in a direction, the tangents from a point ([`HullChain`](super::HullChain)).
-//! No three vertices are on a line; equal sites are one vertex, which has the lowest index of those present; sites that
-//! share an abscissa are in the order of their ordinates. No sites have an empty chain.
+//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
+//! or above the present sites, its extreme vertex in a direction, the tangents from a point
+//! ([`HullChain`](super::HullChain)). No three vertices are on a line; equal sites are one vertex, which has the lowest
+//! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
+//! chain.
 //!
 //! # Source
 //! Lemma 5.6 takes the structure of Overmars and van Leeuwen, Maintenance of configurations in the plane, J. Comput.
 //! Syst. Sci. 23 (1981) 166. Departures: all sites are known beforehand, so that the tree is complete and is never
 //! rebalanced; a node keeps its bridge alone and no part of a hull, since a search needs no more; of the many cases of
-//! their bridge search three are left (van der Hoog, Gaede and others simplify it too, arXiv 2310.18068).
+//! their bridge search three are left (Gaede, Gørtz, van der Hoog, Krogh and Rotenberg, arXiv 2310.18068, have a
+//! simplification of the same kind).
 //!
 //! # Method
-//! 1. The leaves of a complete binary tree are the distinct points in order. Each node has the bridge of its part of the
-//!    sites: the edge of the part's chain that joins the part's left half with its right half.
+//! 1. The leaves of a complete binary tree are the distinct points in order. Each node has the bridge of its part of
+//!    the sites: the edge of the part's chain that joins the part's left half with its right half.
 //! 2. A query goes down from the root: the bridge of a node, an edge of its chain, tells in which half the answer is.
 //! 3. The bridge of a node is found by going down in both halves at once (`by_bridge_tree/search.rs`). The sites of one
 //!    half's edge that are not inside of the other edge's line tell where that half's end is; if all are inside, the
@@ -25,13 +27,13 @@
 //! 5. A deletion goes up likewise, and finds anew the bridges that end in the site.
 //!
 //! # Complexity
-//! n sites: an update O(log² n), a query O(log n), the paper's bounds; construction O(n) after sorting. On average a site
-//! is an end of less than two bridges, whatever the sites are, so the update of a random one is O(log n) expected. Space
-//! 8 to 16 bytes a site beside the sorted sites.
+//! n sites: an update O(log² n), a query O(log n), the paper's bounds; construction O(n) after sorting. On average a
+//! site is an end of less than two bridges, whatever the sites are, so the update of a random one is O(log n) expected.
+//! Space 8 to 16 bytes a site beside the sorted sites.
 //!
 //! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`: indices
-//! in any order, none twice.
+//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`:
+//! indices in any order, none twice.
 //!
 //! # Numerics
 //! All decisions are exact: doubles with a bound on their error, exact binary numbers where that leaves a doubt. No
@@ -51,7 +53,7 @@
 //! # Example
 //! ```
 //! use std::sync::Arc;
-//! use zonotope::arrangement::dynamic_hull::{HullChain, DynamicChain, PlanarPoint, Side, SiteIndex, SortedSites};
+//! use zonotope::arrangement::dynamic_hull::{DynamicChain, HullChain, PlanarPoint, Side, SiteIndex, SortedSites};
 //! let points = PlanarPoint::list(&[[0.0, 0.0], [1.0, -1.0], [2.0, 0.0], [1.0, 5.0]])?;
 //! let sites = Arc::new(SortedSites::new(&points)?);
 //! let mut chain = DynamicChain::new(sites, Side::Lower, (0..4).map(SiteIndex))?;
@@ -138,7 +140,7 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
     fn occupy(&mut self, sites: &PresentSites<S>, location: u32) {
         let mut node = self.leaves + location as usize;
         while node > 1 {
-            let is_left = node % 2 == 0;
+            let is_left = node.is_multiple_of(2);
             node /= 2;
             let [p, q] = self.bridges[node];
             let (own, other) = if is_left { (p, q) } else { (q, p) };
@@ -160,7 +162,7 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         let mut node = self.leaves + location as usize;
         let mut is_vacant = true;
         while node > 1 {
-            let is_left = node % 2 == 0;
+            let is_left = node.is_multiple_of(2);
             node /= 2;
             let [p, q] = self.bridges[node];
             let (own, other) = if is_left { (p, q) } else { (q, p) };

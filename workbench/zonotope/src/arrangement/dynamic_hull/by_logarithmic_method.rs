@@ -1,10 +1,11 @@
 //! One chain of a dynamic hull, by the logarithmic method over chains that know deletions only.
 //!
 //! # Statement
-//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below or
-//! above the present sites, its extreme vertex in a direction, the tangents from a point ([`HullChain`](super::HullChain)).
-//! No three vertices are on a line; equal sites are one vertex, which has the lowest index of those present; sites that
-//! share an abscissa are in the order of their ordinates. No sites have an empty chain.
+//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
+//! or above the present sites, its extreme vertex in a direction, the tangents from a point
+//! ([`HullChain`](super::HullChain)). No three vertices are on a line; equal sites are one vertex, which has the lowest
+//! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
+//! chain.
 //!
 //! # Source
 //! Bentley and Saxe, Decomposable searching problems, J. Algorithms 1 (1980) 301; for hulls see van der Hoog,
@@ -19,13 +20,13 @@
 //!    point strictly inside of the line through the sites that they touch.
 //!
 //! # Complexity
-//! n sites: an insertion O(log n) amortised; a deletion O(log n) where few sites are between the neighbours of the site,
-//! O(n) at worst; a query O(log² n); the vertices O(h log n) for chains of h vertices in all blocks. Space up to 17 bytes
-//! a site beside the sorted sites.
+//! n sites: an insertion O(log n) amortised; a deletion O(log n) where few sites are between the neighbours of the
+//! site, O(n) at worst; a query O(log² n); the vertices O(h log n) for chains of h vertices in all blocks. Space up to
+//! 17 bytes a site beside the sorted sites.
 //!
 //! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`: indices
-//! in any order, none twice.
+//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`:
+//! indices in any order, none twice.
 //!
 //! # Numerics
 //! All decisions are exact: doubles with a bound on their error, exact binary numbers where that leaves a doubt. No
@@ -45,7 +46,8 @@
 //! # Example
 //! ```
 //! use std::sync::Arc;
-//! use zonotope::arrangement::dynamic_hull::{HullChain, Chain, by_logarithmic_method::Logarithmic, PlanarPoint, Side, SiteIndex, SortedSites};
+//! use zonotope::arrangement::dynamic_hull::{Chain, by_logarithmic_method::Logarithmic};
+//! use zonotope::arrangement::dynamic_hull::{HullChain, PlanarPoint, Side, SiteIndex, SortedSites};
 //! let points = PlanarPoint::list(&[[0.0, 0.0], [1.0, -1.0], [2.0, 0.0], [1.0, 5.0]])?;
 //! let sites = Arc::new(SortedSites::new(&points)?);
 //! let mut chain = Chain::<_, Logarithmic>::new(sites, Side::Lower, (0..4).map(SiteIndex))?;

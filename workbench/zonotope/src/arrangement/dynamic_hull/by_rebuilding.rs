@@ -1,10 +1,11 @@
 //! One chain of a dynamic hull, by making the list of its vertices anew when an update hits it.
 //!
 //! # Statement
-//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below or
-//! above the present sites, its extreme vertex in a direction, the tangents from a point ([`HullChain`](super::HullChain)).
-//! No three vertices are on a line; equal sites are one vertex, which has the lowest index of those present; sites that
-//! share an abscissa are in the order of their ordinates. No sites have an empty chain.
+//! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
+//! or above the present sites, its extreme vertex in a direction, the tangents from a point
+//! ([`HullChain`](super::HullChain)). No three vertices are on a line; equal sites are one vertex, which has the lowest
+//! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
+//! chain.
 //!
 //! # Source
 //! None: what is done without a structure. Van der Hoog, Reinstädtler and Rotenberg (arXiv 2604.00271) measure their
@@ -16,13 +17,13 @@
 //! 3. A query halves the list of vertices.
 //!
 //! # Complexity
-//! n sites, h vertices: an update that misses the chain O(log h), any other O(n); a query O(log h). Of n random points in
-//! a square a random update hits the chain with a probability of O(log n / n); of points of a circle always. Space 4 bytes
-//! a vertex beside the sorted sites.
+//! n sites, h vertices: an update that misses the chain O(log h), any other O(n); a query O(log h). Of n random points
+//! in a square a random update hits the chain with a probability of O(log n / n); of points of a circle always. Space 4
+//! bytes a vertex beside the sorted sites.
 //!
 //! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`: indices
-//! in any order, none twice.
+//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`:
+//! indices in any order, none twice.
 //!
 //! # Numerics
 //! All decisions are exact: doubles with a bound on their error, exact binary numbers where that leaves a doubt. No
@@ -42,7 +43,8 @@
 //! # Example
 //! ```
 //! use std::sync::Arc;
-//! use zonotope::arrangement::dynamic_hull::{HullChain, Chain, by_rebuilding::Rebuilding, PlanarPoint, Side, SiteIndex, SortedSites};
+//! use zonotope::arrangement::dynamic_hull::{Chain, by_rebuilding::Rebuilding};
+//! use zonotope::arrangement::dynamic_hull::{HullChain, PlanarPoint, Side, SiteIndex, SortedSites};
 //! let points = PlanarPoint::list(&[[0.0, 0.0], [1.0, -1.0], [2.0, 0.0], [1.0, 5.0]])?;
 //! let sites = Arc::new(SortedSites::new(&points)?);
 //! let mut chain = Chain::<_, Rebuilding>::new(sites, Side::Lower, (0..4).map(SiteIndex))?;

@@ -17,8 +17,8 @@
 //! lines the walker keeps all lines above it in a lower chain and all lines below it in an upper chain. Along one of
 //! its two lines, to the right, the next vertex is with the line at which the left tangent touches the lower chain or
 //! with that at which the right tangent touches the upper chain: [`Site::turn`] tells which one comes first. A step
-//! deletes that line from its chain and inserts the one that is left behind. All lines are known from the start, so they
-//! are sorted once ([`SortedSites`], shared by both chains), and a site is named by its index in the input.
+//! deletes that line from its chain and inserts the one that is left behind. All lines are known from the start, so
+//! they are sorted once ([`SortedSites`], shared by both chains), and a site is named by its index in the input.
 //!
 //! | method | update | query | what it is |
 //! |---|---|---|---|
@@ -30,14 +30,16 @@
 //! n sites, h of them vertices. An orientation of three sites is the unit of time.
 //!
 //! # Example
-//! The line y = 0 has y = 2 − x above it and y = x / 4 − 1 below it, at x = 0. To the right it meets the first one first.
+//! The line y = 0 has y = 2 − x above it and y = x / 4 − 1 below it, at x = 0. To the right it meets the first one
+//! first.
 //! ```
 //! use std::sync::Arc;
 //! use zonotope::arrangement::dynamic_hull::{HullChain, Method, Side, Site, SlopedLine, SortedSites, Tangent, Towards};
 //! use zonotope::arrangement::dynamic_hull::SiteIndex;
 //! use zonotope::numeric::orientation::Turn;
 //! // rows [a, b, c] of a x + b y + c = 0
-//! let lines = [SlopedLine::new([0.0, 1.0, 0.0])?, SlopedLine::new([1.0, 1.0, -2.0])?, SlopedLine::new([-1.0, 4.0, 4.0])?];
+//! let line = SlopedLine::new;
+//! let lines = [line([0.0, 1.0, 0.0])?, line([1.0, 1.0, -2.0])?, line([-1.0, 4.0, 4.0])?];
 //! let sites = Arc::new(SortedSites::new(&lines)?);
 //! let mut above = Method::default().chain(sites.clone(), Side::Lower, [SiteIndex(1)])?;
 //! let below = Method::default().chain(sites, Side::Upper, [SiteIndex(2)])?;

@@ -4,6 +4,18 @@
 //! Both parts are subtrees, of which only the bridges are known. Each bridge met on the way down tells, for its own
 //! subtree, on which side of it the touching site lies, so the search goes down one level in one of the two subtrees
 //! with every decision. It is a search between the two parts that are left: the bridge of the whole is theirs too.
+//!
+//! Of an upper chain, let p q be the left part's edge and r s the right part's.
+//! 1. If r or s is on the line p q or above it, the slope of the bridge is at least that of p q, and it ends in p or
+//!    left of it.
+//! 2. If p or q is on the line r s or above it, the slope of the bridge is at most that of r s, and it ends in s or
+//!    right of it.
+//! 3. Else p q has the larger slope and both lines meet between the edges. If they meet before the boundary, the right
+//!    part is below r s and so below p q: the bridge has a smaller slope than p q, and ends in q or right of it. If
+//!    not, the left part is below p q and so below r s, and the bridge ends in r or left of it.
+//!
+//! Before and after are in the order of sites, by abscissa and then by ordinate, as if the plane were sheared by less
+//! than any angle that matters: so no edge is vertical and no two sites share an abscissa.
 
 use std::cmp::Ordering;
 

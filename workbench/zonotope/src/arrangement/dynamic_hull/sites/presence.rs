@@ -115,7 +115,10 @@ mod tests {
 
     proptest! {
         #[test]
-        fn agrees_with_a_sorted_set(bound in 0usize..9000, steps in proptest::collection::vec((any::<usize>(), any::<bool>()), 0..60)) {
+        fn agrees_with_a_sorted_set(
+            bound in 0usize..9000,
+            steps in proptest::collection::vec((any::<usize>(), any::<bool>()), 0..60),
+        ) {
             let (mut presence, mut truth) = (Presence::new(bound), BTreeSet::new());
             for (position, is_insertion) in steps {
                 let position = position % bound.max(1);

@@ -46,8 +46,8 @@ pub(super) fn exact_crossing_order<S: Site>(first: [&S; 2], second: [&S; 2], at:
 
 /// Two numbers whose signs, multiplied, are the order of the abscissa of a crossing and the abscissa of `at`.
 ///
-/// With d_k = det(p_1, p_2, q_k) the lines p_1 p_2 and q_1 q_2 meet in d_2 q_1 − d_1 q_2, whose third coordinate has the
-/// sign of d_2 where d_1 and d_2 have one sign and d_2 is the larger.
+/// With d_k = det(p_1, p_2, q_k) the lines p_1 p_2 and q_1 q_2 meet in d_2 q_1 − d_1 q_2, whose third coordinate has
+/// the sign of d_2 where d_1 and d_2 have one sign and d_2 is the larger.
 #[inline]
 pub(super) fn crossing_signs<T: Ring>(first: [[T; 3]; 2], second: [[T; 3]; 2], at: &[T; 3]) -> [T; 2] {
     let line = cross(&first[0], &first[1]);

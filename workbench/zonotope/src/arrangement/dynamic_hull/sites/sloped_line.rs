@@ -1,8 +1,8 @@
 //! Lines that are not vertical: the line y = m x + q is the point (m, q).
 //!
 //! The height of a line at x is the scalar product of its point with (x, 1): the lower envelope of lines is the lower
-//! chain of their points, the upper envelope the upper chain. For a line a x + b y + c = 0 the point is (−a / b, −c / b)
-//! and no pair of doubles; it is kept as [X, Y, W], and every question is the sign of a determinant of such rows.
+//! chain of their points, the upper envelope the upper chain. For a line a x + b y + c = 0 the point is (−a / b, −c /
+//! b) and no pair of doubles; it is kept as [X, Y, W], and every question is the sign of a determinant of such rows.
 
 use std::cmp::Ordering;
 
