@@ -12,15 +12,15 @@ use super::site::{Direction, Site, crossing_signs, exact_crossing_order};
 use crate::numeric::bounded::exact;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear;
-use crate::numeric::linear::{cross, dot};
 use crate::numeric::non_finite::NonFinite;
+use crate::numeric::orientation::in_space::{Direction as Vector, determinant_sign};
 use crate::numeric::orientation::{Turn, cross_sign};
 
 /// A line a x + b y + c = 0 with b ≠ 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlopedLine {
     /// The coordinates [X, Y, W] of the dual point (X / W, Y / W), W > 0: its slope and its height at x = 0.
-    dual: [f64; 3],
+    dual: Vector,
 }
 
 /// Why a row is no line with a slope.
@@ -46,32 +46,15 @@ impl SlopedLine {
         if b == 0.0 {
             return Err(SlopedLineError::Vertical);
         }
-        Ok(Self { dual: if b > 0.0 { [-a, -c, b] } else { [a, c, -b] } })
+        Ok(Self { dual: Vector::new(if b > 0.0 { [-a, -c, b] } else { [a, c, -b] }) })
     }
 
     /// The sign of the cross product of two planar parts of the rows.
     #[inline]
     fn order_of_quotients(&self, other: &Self, axis: usize) -> Ordering {
-        let part = |line: &Self| [line.dual[axis], line.dual[2]];
+        let part = |line: &Self| [line.dual.original()[axis], line.dual.original()[2]];
         cross_sign([0.0; 2], part(self), [0.0; 2], part(other)).sign()
     }
-}
-
-/// The sign of a determinant of three rows, exactly.
-#[inline]
-fn determinant_sign(rows: [[f64; 3]; 3]) -> Ordering {
-    let [a, b, c] = rows.map(exact);
-    match dot(&cross(&a, &b), &c).sign() {
-        Some(sign) => sign.cmp(&0),
-        None => exact_determinant_sign(rows),
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn exact_determinant_sign(rows: [[f64; 3]; 3]) -> Ordering {
-    let [a, b, c] = rows.map(exact_linear::exact);
-    dot(&cross(&a, &b), &c).sign()
 }
 
 impl Site for SlopedLine {
@@ -88,17 +71,17 @@ impl Site for SlopedLine {
     #[inline]
     fn order_along(&self, other: &Self, direction: Direction) -> Ordering {
         let [x, y] = direction.quarter_turn();
-        determinant_sign([other.dual, self.dual, [x, y, 0.0]])
+        determinant_sign(&other.dual, &self.dual, &Vector::new([x, y, 0.0]))
     }
 
     #[inline]
     fn turn(a: &Self, b: &Self, c: &Self) -> Turn {
-        Turn::from(determinant_sign([a.dual, b.dual, c.dual]))
+        Turn::from(determinant_sign(&a.dual, &b.dual, &c.dual))
     }
 
     #[inline]
     fn crossing_order(first: [&Self; 2], second: [&Self; 2], at: &Self) -> Ordering {
-        let bounded = |line: &Self| exact(line.dual);
+        let bounded = |line: &Self| exact(line.dual.original());
         match crossing_signs(first.map(bounded), second.map(bounded), &bounded(at)).map(|sign| sign.sign()) {
             [Some(side), Some(sign)] => (side * sign).cmp(&0),
             _ => exact_crossing_order(first, second, at),
@@ -106,6 +89,6 @@ impl Site for SlopedLine {
     }
 
     fn homogeneous(&self) -> [Dyadic; 3] {
-        exact_linear::exact(self.dual)
+        exact_linear::exact(self.dual.original())
     }
 }
