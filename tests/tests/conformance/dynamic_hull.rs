@@ -24,7 +24,8 @@ type Chain = Box<dyn HullChain<PlanarPoint>>;
 
 /// Two sets of a family, so that there are points enough, and some of them far from the others.
 fn updates(points: Points) -> impl Strategy<Value = Instance> {
-    let direction = || prop_oneof![[-1.0..1.0f64, 0.0..1.0f64], [(-2..3i32).prop_map(f64::from), Just(1.0)]];
+    let slanted = || (-1.0..1.0f64, 0.0..1.0f64).prop_map(|(x, y)| [x, y]);
+    let direction = || prop_oneof![slanted(), (-2..3i32).prop_map(|x| [f64::from(x), 1.0])];
     let sites = (points.clone(), points).prop_map(|(points, others)| [points, others].concat());
     (sites, vec((any::<prop::sample::Index>(), direction()), UPDATES))
 }
