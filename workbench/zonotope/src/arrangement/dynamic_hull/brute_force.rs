@@ -3,7 +3,7 @@
 //! # Statement
 //! Input: sites, sorted, and which of them are present; insertions and deletions. Output: at any time the chain below
 //! or above the present sites, its extreme vertex in a direction, the tangents from a point
-//! ([`HullChain`](super::HullChain)). No three vertices are on a line; equal sites are one vertex, which has the lowest
+//! ([`HullChain`]). No three vertices are on a line; equal sites are one vertex, which has the lowest
 //! index of those present; sites that share an abscissa are in the order of their ordinates. No sites have an empty
 //! chain.
 //!
@@ -21,16 +21,16 @@
 //! n sites, h vertices: an update O(1), a query O(n), the vertices O(n h), all in rationals; space O(n).
 //!
 //! # Shapes
-//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`](super::SortedSites)); `present`:
+//! `sites`: n points or lines in any order, duplicates allowed ([`SortedSites`]); `present`:
 //! indices in any order, none twice.
 //!
 //! # Numerics
 //! Everything is exact rational arithmetic.
 //!
 //! # Errors
-//! [`UpdateError::Present`](super::UpdateError::Present) ⇔ a site is inserted that is there;
-//! [`UpdateError::Absent`](super::UpdateError::Absent) ⇔ one is deleted that is not there;
-//! [`UpdateError::Unknown`](super::UpdateError::Unknown) ⇔ the index is not below the number of sites.
+//! [`UpdateError::Present`] ⇔ a site is inserted that is there;
+//! [`UpdateError::Absent`] ⇔ one is deleted that is not there;
+//! [`UpdateError::Unknown`] ⇔ the index is not below the number of sites.
 //!
 //! # Panics
 //! Never.
