@@ -3,6 +3,7 @@
 mod centered;
 mod collision;
 mod cutting;
+mod dynamic_hull;
 mod faces;
 mod fixed_directions;
 mod hull;

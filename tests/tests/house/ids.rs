@@ -99,7 +99,7 @@ fn registries() -> Vec<(&'static str, &'static [&'static str], Vec<&'static str>
 }
 
 /// Stages of other problems: no question asks for them alone.
-const REGISTRIES_OF_STAGES: [&str; 2] = ["hull", "lad/of_lines"];
+const REGISTRIES_OF_STAGES: [&str; 3] = ["arrangement/dynamic_hull", "hull", "lad/of_lines"];
 
 /// `list methods` prints the methods of the kinds: those of the registries, the default first, and no others.
 #[test]

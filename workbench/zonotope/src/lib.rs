@@ -76,6 +76,7 @@
 //! | [`lad::of_forms`] | the kernel in three variables | under 5.1 in R^4 |
 //! | [`line_fit`] | the kernel as a statistician knows it: the line of least absolute deviations | |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
+//! | [`arrangement::dynamic_hull`] | one chain of a convex hull, under insertions and deletions | 5.2, Lemma 5.6 |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`arrangement::tiling`] | the tiling of Q by the facets of the upper hull, dual to the arrangement | 3, Figure 1 |
 //! | [`arrangement::separator`] | the k-th separator of that tiling | 5.1 |

@@ -5,12 +5,14 @@
 //! | [`slope_selection`] | the k-th leftmost vertex |
 //! | [`separator`] | the chain with k tiles of the dual tiling on its left |
 //! | [`cutting`] | trapezoids that few lines cross, with the lines that cross each, and where a point is among them |
+//! | [`dynamic_hull`] | the envelopes of lines that come and go: what a walk over an arrangement needs |
 //! | [`tiling`] | the tiling that is dual to the arrangement of generators in space, with the isomorphism |
 //!
 //! [`DualArrangement`] is the arrangement that Section 3 attaches to the generators of a zonotope in space.
 
 pub mod cutting;
 pub(crate) mod dual;
+pub mod dynamic_hull;
 mod exact_sort;
 pub(crate) mod fraction;
 mod line;

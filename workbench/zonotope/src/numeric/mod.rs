@@ -13,7 +13,7 @@
 //! | `lanes/` | passes over vectors: support function, extreme vertex, dot products, in sums side by side |
 //! | `linear/` | dot and cross products, determinants and inverses |
 //! | [`non_finite`] | the refusal of numbers that are NaN or infinite, with the place where they stand |
-//! | [`orientation`] | the sign of a cross product of edges between points, exactly |
+//! | [`orientation`] | the sign of a cross product of edges between points, exactly; of a determinant of directions |
 //! | `outward` | directed rounding: the nearest double on a given side of an exact number |
 //! | [`scaling`] | powers of two, and differences that do not overflow |
 //! | `signed_sum` | sums of vectors with signs, exactly, by blocks |

@@ -73,6 +73,8 @@ use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::tolerance::UNIT;
 use crate::tally::{Operation, Tally};
 
+pub(crate) mod in_space;
+
 /// The sense of a turn in the plane, x to the right and y upwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Turn {

@@ -9,8 +9,8 @@
 
 use std::cmp::Ordering;
 
-use super::direction::{Direction, determinant_sign, determinant_sign_counted};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::orientation::in_space::{Direction, determinant_sign, determinant_sign_counted};
 use crate::tally::{Operation, Tally};
 
 /// In a sequence of crossings: this one is not at the place of the one before.

@@ -15,7 +15,6 @@ pub mod by_recursion;
 pub mod by_sweep;
 mod circles;
 mod counts;
-mod direction;
 mod export;
 mod lattice;
 mod measures;

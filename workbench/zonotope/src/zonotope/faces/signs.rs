@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use super::direction::determinant_sign;
 use super::lattice::{Edge, FaceLattice, Facet, Vertex, Zone};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::orientation::in_space::determinant_sign;
 
 /// The coefficient of a generator in a face: at one end of its segment, or anywhere on it (`Equal`).
 type Signs = Vec<Ordering>;

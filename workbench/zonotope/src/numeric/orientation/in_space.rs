@@ -13,8 +13,8 @@ use crate::numeric::tolerance::{DETERMINANT_3X3, UNDERFLOW};
 use crate::tally::{Operation, Tally};
 
 /// A nonzero vector, and the same scaled by a power of two so that its largest coordinate has magnitude in [1, 2).
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Direction {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Direction {
     original: [f64; 3],
     scaled: [f64; 3],
     precision: Precision,
@@ -33,7 +33,7 @@ enum Precision {
 
 impl Direction {
     /// The direction of a nonzero vector.
-    pub(super) fn new(original: [f64; 3]) -> Self {
+    pub(crate) fn new(original: [f64; 3]) -> Self {
         let exponent = original.iter().filter_map(|&c| binary_exponent(c)).max().unwrap_or(0);
         let scaled = original.map(|c| scale_by_power_of_two(c, -i64::from(exponent)));
         let least = power_of_two(-200);
@@ -48,30 +48,30 @@ impl Direction {
     }
 
     /// The opposite direction.
-    pub(super) fn reversed(self) -> Self {
+    pub(crate) fn reversed(self) -> Self {
         Self { original: self.original.map(|c| -c), scaled: self.scaled.map(|c| -c), ..self }
     }
 
     /// The vector before scaling.
-    pub(super) fn original(&self) -> [f64; 3] {
+    pub(crate) fn original(&self) -> [f64; 3] {
         self.original
     }
 
     /// The vector with its largest coordinate in [1, 2); coordinates far below may be rounded.
-    pub(super) fn scaled(&self) -> [f64; 3] {
+    pub(crate) fn scaled(&self) -> [f64; 3] {
         self.scaled
     }
 }
 
 /// The sign of det(a, b, c) = a · (b × c), exactly.
 #[inline]
-pub(super) fn determinant_sign(a: &Direction, b: &Direction, c: &Direction) -> Ordering {
+pub(crate) fn determinant_sign(a: &Direction, b: &Direction, c: &Direction) -> Ordering {
     determinant_sign_counted(a, b, c, &mut ())
 }
 
 /// [`determinant_sign`], counting an [`Operation::ExactFallback`] if doubles do not decide it.
 #[inline]
-pub(super) fn determinant_sign_counted(
+pub(crate) fn determinant_sign_counted(
     a: &Direction,
     b: &Direction,
     c: &Direction,
