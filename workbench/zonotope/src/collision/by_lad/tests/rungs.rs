@@ -29,7 +29,7 @@ const REACHED_BY: [(Rung, &str, usize); Rung::ALL.len()] = [
     (Rung::ExactInCells, "lattice", 300),
     (Rung::ExactInBall, "lattice", 1000),
     (Rung::LongestFirst, "wide scales", 300),
-    (Rung::ExactWhole, "concurrent", 12),
+    (Rung::ExactWhole, "wide scales", 40),
     (Rung::RoundedDirection, "random", 12),
     (Rung::DirectionOfDoubles, "random", 12),
     (Rung::RationalDirection, "concurrent", 12),
