@@ -44,6 +44,11 @@ impl<'p> Subproblem<'p> {
         Self::new(problem, problem.rounded(), None, linear, source)
     }
 
+    /// The same lines where only the place of the optimum is asked for, not its coefficients.
+    pub(crate) fn without_coefficients(self) -> Self {
+        Self { is_sample: true, ..self }
+    }
+
     /// Some lines of the subproblem, with a linear term of their own.
     pub(crate) fn selection(&self, lines: &[u32], linear: [f64; 2], source: ExactLinear) -> Self {
         let mut rows = GatheredLines::with_capacity(lines.len());

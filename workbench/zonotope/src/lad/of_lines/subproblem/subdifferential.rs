@@ -1,7 +1,7 @@
 //! The subdifferential of the objective at a vertex, from one pass over the lines.
 
 use super::part::Subproblem;
-use super::sign_pass::read_sides;
+use super::sign_pass::{Reading, read_sides};
 use super::vertex::Vertex;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
@@ -57,8 +57,14 @@ impl Subproblem<'_> {
             signs,
             |error| {
                 let per_normal = |value: f64, off: f64| off + 8.0 * UNIT * value.abs() + error.offset_per_normal;
-                let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), error.offset_relative + 8.0 * UNIT);
-                move |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+                Reading {
+                    point: [px, py],
+                    across: [0.0; 2],
+                    per_x: per_normal(px, vx),
+                    per_y: per_normal(py, vy),
+                    per_offset: error.offset_relative + 8.0 * UNIT,
+                    floor,
+                }
             },
             |line, [x, y, _], _| {
                 let line = line as u32;

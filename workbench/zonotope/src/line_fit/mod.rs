@@ -49,17 +49,21 @@
 //! assert_eq!(fit.deviation(), 36.into());
 //! ```
 
+mod point_frame;
+mod point_lines;
+
 use thiserror::Error;
 
-use crate::arrangement::{ExactLine, LineIndex};
-use crate::lad::of_generators::{self, goal::Goal};
+use point_frame::{Bounds, PointFrame};
+use point_lines::PointLines;
+
+use crate::arrangement::ExactLine;
 use crate::lad::{LadError, LadOptimum, LadProblem, Minimizer, WeightedLine, by_pruning};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::non_finite::NonFinite;
 use crate::seed::DEFAULT_SEED;
 use crate::tally::Tally;
-use crate::zonotope::query::Query;
 
 /// Why points are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -113,55 +117,29 @@ pub fn fit(points: &[[f64; 3]]) -> Result<LineFit<'_>, LineFitError> {
 /// # Errors
 /// Those of [`fit`].
 pub fn fit_counted<'p>(points: &'p [[f64; 3]], tally: &mut impl Tally) -> Result<LineFit<'p>, LineFitError> {
-    if let Some(minimizer) = at_facet(points, tally) {
-        return Ok(LineFit { points, minimizer });
-    }
-    let problem = problem_of(points)?;
-    let outcome = by_pruning::minimize_counted(&problem, DEFAULT_SEED, tally);
-    let optimum = outcome.optimum().expect("a sum of absolute values is bounded below");
-    Ok(LineFit { points, minimizer: optimum.minimizer })
+    let Some(bounds) = Bounds::of(points).filter(|_| u32::try_from(points.len()).is_ok()) else {
+        check(points)?;
+        return Ok(LineFit { points, minimizer: Minimizer::Plane });
+    };
+    let lines = PointLines { points, frame: PointFrame::new(points, &bounds) };
+    let problem = LadProblem::from_made_lines(Box::new(lines), Box::new(lines));
+    Ok(LineFit { points, minimizer: by_pruning::minimizer(&problem, DEFAULT_SEED, tally) })
 }
 
-/// The two points that the best line goes through, for finite points of one positive weight that are not on one line.
-fn at_facet(points: &[[f64; 3]], tally: &mut impl Tally) -> Option<Minimizer> {
-    let [.., weight] = *points.first()?;
-    if weight <= 0.0 || !are_finite_with_weight(points, weight) {
-        return None;
-    }
-    let query = Query::of_finite([0.0; 3], [0.0, 1.0, 0.0], points);
-    let optimum = of_generators::solve(&query, Goal::Gauge, tally);
-    let is_best = optimum.is_sharp() && optimum.gauge().0 < f64::MAX;
-    match *optimum.basis() {
-        [first, second] if is_best && points[first][0] != points[second][0] => {
-            let index = |point| u32::try_from(point).ok().map(LineIndex);
-            Some(Minimizer::Vertex(index(first)?, index(second)?))
-        }
-        _ => None,
-    }
-}
-
-/// Whether all coordinates are finite and all weights are the one given. Two points at a time.
-fn are_finite_with_weight(points: &[[f64; 3]], weight: f64) -> bool {
-    let expected = weight.to_bits();
-    let mut zeros = [0.0; 6];
-    let mut unlike = [0; 2];
-    let (pairs, last) = points.as_flattened().as_chunks::<6>();
-    for pair in pairs {
-        for (zero, v) in zeros.iter_mut().zip(pair) {
-            *zero += 0.0 * v;
-        }
-        unlike = [unlike[0] | (pair[2].to_bits() ^ expected), unlike[1] | (pair[5].to_bits() ^ expected)];
-    }
-    zeros == [0.0; 6]
-        && unlike == [0; 2]
-        && last.iter().all(|v| v.is_finite())
-        && last.get(2).is_none_or(|last| last.to_bits() == expected)
-}
-
-fn problem_of(points: &[[f64; 3]]) -> Result<LadProblem<'static>, LineFitError> {
+/// Refuses the first point that is no point.
+fn check(points: &[[f64; 3]]) -> Result<(), LineFitError> {
     for (point, &[x, y, weight]) in points.iter().enumerate() {
         NonFinite::check_fields("point", point, &[("x", x), ("y", y), ("the weight", weight)])?;
     }
+    match points.iter().position(|point| point[2] < 0.0) {
+        Some(point) => Err(LineFitError::NegativeWeight { point, weight: points[point][2] }),
+        None if u32::try_from(points.len()).is_err() => Err(LineFitError::TooMany { count: points.len() }),
+        None => Ok(()),
+    }
+}
+
+fn problem_of(points: &[[f64; 3]]) -> Result<LadProblem<'static>, LineFitError> {
+    check(points)?;
     let line = |&[x, y, weight]: &[f64; 3]| WeightedLine { normal: [x, 1.0], offset: -y, weight };
     let lines: Vec<WeightedLine> = points.iter().map(line).collect();
     LadProblem::new(&lines, [0.0, 0.0]).map_err(LineFitError::of)
