@@ -11,23 +11,28 @@
 //! Beyond the paper: the points are generators (x, y, w) of a zonotope, and the fit is the kernel's problem for them.
 //!
 //! # Method
-//! 1. Points of one weight w are generators (x_i, y_i, w) as they are, and the facet of their zonotope in which the ray
-//!    along the second axis leaves (the kernel in homogeneous form, [`crate::lad`]) is spanned by the two points that
-//!    the best line goes through.
-//! 2. Where there is no such facet (all points on one line, one abscissa), and for other weights, in the plane of
-//!    (slope, intercept) each point is the line x_i · slope + intercept − y_i = 0 with the weight w_i: minimise by
-//!    [`by_pruning`].
+//! 1. In the plane of (slope, intercept) each point is the line x_i · slope + intercept − y_i = 0 with the weight w_i:
+//!    minimise by [`by_pruning`].
+//! 2. Before that, one pass for the bounds of the points, and a frame around the middle of a few of them in which
+//!    coordinates are about 1 in magnitude (`point_frame`). The lines are made in that frame as a pass reads them,
+//!    eight at a time (`point_lines`): nothing of the size of the points is stored but a sign for each.
+//!
+//! The fit is also the facet in which a ray leaves the zonotope of the generators (x_i, y_i, w_i), which the kernel in
+//! homogeneous form finds. The frame is why that form is not taken: generators of points far from the origin, of sizes
+//! far from 1 or in clusters are nearly parallel or long and short, which costs it digits or readings.
 //!
 //! # Complexity
-//! n points: expected O(n), space O(n). The [proof](LineFit::proof) with its O(n) coefficients is made when it is asked
-//! for.
+//! n points: expected O(n), about two passes over the points and sublinear work beside them; space one byte a point and
+//! some n^(2/3) lines. Where many points lie on the best line, further passes, and exact sums over the points. The
+//! [proof](LineFit::proof) with its O(n) coefficients is made when it is asked for.
 //!
 //! # Shapes
 //! `points`: n × 3, the rows (x, y, weight) in any order, duplicates allowed; weight 1 throughout for a fit without
 //! weights.
 //!
 //! # Numerics
-//! The line is the exact optimum, with rational slope and intercept; [`LineFit::rounded`] rounds them.
+//! The line is the exact optimum, with rational slope and intercept; [`LineFit::rounded`] rounds them. Which of several
+//! best lines it is depends on the frame.
 //!
 //! # Errors
 //! [`LineFitError::NonFinite`] ⇔ a coordinate or a weight is NaN or infinite; [`LineFitError::NegativeWeight`] ⇔ a

@@ -1,5 +1,7 @@
 //! Points as lines of the dual plane, made as a pass reads them: x' s + t − y' = 0 with the weight of the point.
 
+use std::cmp::Ordering;
+
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::point_frame::PointFrame;
@@ -89,6 +91,12 @@ impl ExactLines for PointLines<'_> {
                 (x * px + py - y * pw).sign()
             })
         })
+    }
+
+    /// The product of the weights times the difference of the abscissas.
+    fn certain_cross_sign(&self, first: usize, second: usize) -> Option<Ordering> {
+        let ([x, _, w], [other, _, other_w]) = (self.points[first], self.points[second]);
+        if w == 0.0 || other_w == 0.0 { Some(Ordering::Equal) } else { x.partial_cmp(&other) }
     }
 
     /// The sums of x w and of w, each product as two doubles, moved and scaled when they are known.

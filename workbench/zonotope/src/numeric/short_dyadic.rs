@@ -33,7 +33,10 @@ impl ShortDyadic {
     /// An exact number, if it is short.
     pub(crate) fn of(number: &Dyadic) -> Option<Self> {
         let exponent = number.exponent();
-        Some(Self::new(i128::try_from(&number.units(exponent)).ok()?, exponent))
+        let mantissa = number.units(exponent);
+        // a product of doubles of few digits ends in many zeros
+        let zeros = mantissa.trailing_zeros().unwrap_or(0);
+        Some(Self::new(i128::try_from(mantissa >> zeros).ok()?, exponent + zeros as i64))
     }
 
     /// The product, if it is short.
@@ -101,7 +104,7 @@ mod tests {
             if let Some(product) = x.times(y) {
                 prop_assert_eq!(exact(product), &p * &q);
                 if let Some(sum) = product.plus(z) {
-                    let truth = &p * &q + &r;
+                    let truth = &p * &q + r.clone();
                     prop_assert_eq!(sum.sign(), truth.sign() as i8);
                     prop_assert_eq!((exact(sum), exact(sum.negated().scaled(3))), (truth.clone(), (-truth).scaled(3)));
                 }

@@ -168,13 +168,27 @@ impl<'p> Subproblem<'p> {
         self.exact_linear.get_or_init(|| self.linear_source.value(self.problem))
     }
 
+    /// A direction in which the linear term certainly falls, if rounding leaves no doubt.
+    ///
+    /// For the rounded term r and an error of at most e a coordinate, linear · r ≥ |r|² − e |r|_1, which is positive if
+    /// the largest coordinate of r exceeds 2 e.
+    pub(crate) fn certain_descent(&self) -> Option<[f64; 2]> {
+        let largest = self.linear[0].abs().max(self.linear[1].abs());
+        (largest > 4.0 * self.linear_error).then(|| self.linear.map(|v| -v))
+    }
+
     /// linear + Σ sign · normal, exactly.
     pub(crate) fn exact_gradient(&self, signs: &[i8]) -> [Dyadic; 2] {
-        let signed = signs.iter().enumerate().filter(|(_, sign)| **sign != 0);
-        let mut terms = signed.map(|(line, &sign)| (self.position(line as u32), sign));
-        let [x, y] = self.problem.exact.signed_normal_sum(&mut terms);
+        let signed = (0..).zip(signs).filter(|(_, sign)| **sign != 0);
+        let [x, y] = self.exact_signed_sum(signed.map(|(line, &sign)| (line, sign)));
         let [cx, cy] = self.exact_linear();
         [cx + &x, cy + &y]
+    }
+
+    /// Σ sign · normal over some lines, exactly.
+    pub(crate) fn exact_signed_sum(&self, terms: impl Iterator<Item = (u32, i8)>) -> [Dyadic; 2] {
+        let mut terms = terms.map(|(line, sign)| (self.position(line), sign));
+        self.problem.exact.signed_normal_sum(&mut terms)
     }
 
     /// The exact side of a line on which a vertex lies, as a function of the line.
@@ -230,6 +244,9 @@ impl<'p> Subproblem<'p> {
         let (left, right) = (a * d, b * c);
         if (left - right).abs() > 8.0 * UNIT * (left.abs() + right.abs()) + UNDERFLOW {
             return (left - right).total_cmp(&0.0);
+        }
+        if let Some(sign) = self.problem.exact.certain_cross_sign(self.position(first), self.position(second)) {
+            return sign;
         }
         let ([a, b], [c, d]) = (self.exact_line(first).normal, self.exact_line(second).normal);
         (a * d).cmp(&(b * c))
