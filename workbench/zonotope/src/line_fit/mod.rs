@@ -206,7 +206,10 @@ mod tests {
     use super::*;
     use crate::interop::verifier::check_lad;
     use crate::lad::{LadOutcome, brute_force};
+    use crate::numeric::lanes::level::at_each_level;
     use proptest::prelude::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
 
     fn points() -> impl Strategy<Value = Vec<[f64; 3]>> {
         (any::<bool>(), any_points()).prop_map(|(equal, mut points)| {
@@ -247,6 +250,50 @@ mod tests {
                 sum + exact(p[2]) * if off < Rational::ZERO { -off } else { off }
             });
             prop_assert_eq!(sum, fit.deviation());
+        }
+    }
+
+    /// Points of the kinds that lead to different ends of the search, with and without weights.
+    fn family(kind: usize, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
+        let point = |i: usize| {
+            let (u, v) = (random.random_range(-1.0..1.0f64), random.random_range(-1.0..1.0f64));
+            let k = f64::from(random.random_range(0..1u32 << 20));
+            let [x, y] = match kind {
+                0 => [u, 3.0 * u + v * v * v],
+                1 => [3.0 * k, 2.0 * k],
+                2 => [0.3, v],
+                3 => [(k % 10.0), (k / 16.0).floor() % 7.0],
+                4 if i % 2 == 0 => [u, 0.5 * u],
+                4 => [u, v],
+                5 => [1e6 + u, 1e8 + 2.0 * u + v],
+                6 => [1e-300 * u, 1e-300 * (u + v)],
+                7 => [1e300 * u, 1e300 * (u + v)],
+                8 => [1e-9 * u, u + v],
+                9 => [f64::from(i as u32) / n as f64, (f64::from(i as u32) / n as f64).powi(2)],
+                10 => [f64::from(i as u32 % 20).sqrt(), f64::from(i as u32 % 20).sin()],
+                11 => [u / v, v / u],
+                _ => [f64::from_bits(1) * (k % 9.0), f64::MAX * u],
+            };
+            [x, y, 1.0]
+        };
+        (0..n).map(point).collect()
+    }
+
+    #[test]
+    fn fits_of_many_points_have_the_deviation_of_their_proofs_at_every_level() {
+        let random = &mut Pcg64Mcg::seed_from_u64(5);
+        for kind in 0..13 {
+            for is_weighted in [false, true] {
+                let mut points = family(kind, 600, random);
+                let weights = points.iter_mut().enumerate().filter(|_| is_weighted);
+                weights.for_each(|(i, point)| point[2] = [1.0, 0.0, 0.3, 2.5][i % 4]);
+                let fits = at_each_level(|| fit(&points).expect("finite").minimizer);
+                assert!(fits.iter().all(|own| *own == fits[0]), "kind {kind}");
+                let fit = fit(&points).expect("finite");
+                let LineFitProof { problem, optimum } = fit.proof();
+                assert_eq!(optimum.exact_value(&problem), Some(fit.deviation()), "kind {kind}");
+                assert_eq!(check_lad(&problem, &LadOutcome::Optimal(optimum)).proof().map(drop), Ok(()));
+            }
         }
     }
 

@@ -118,3 +118,75 @@ impl ExactLines for PointLines<'_> {
         self.frame.moved_sum(high + low + x, weight + w)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::point_frame::Bounds;
+    use super::*;
+    use crate::numeric::lanes::level::at_each_level;
+    use crate::numeric::tolerance::UNDERFLOW;
+    use proptest::prelude::*;
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            4 => (-9i32..9).prop_map(f64::from),
+            2 => -1.0..1.0f64,
+            1 => (-9i32..9).prop_map(|i| 1e8 + f64::from(i)),
+            1 => any::<f64>().prop_filter("finite", |v| v.is_finite()),
+        ]
+    }
+
+    fn points() -> impl Strategy<Value = Vec<[f64; 3]>> {
+        let weight = prop_oneof![4 => Just(1.0), 1 => Just(0.0), 2 => 0.0..9.0f64, 1 => Just(1e-310), 1 => Just(1e300)];
+        proptest::collection::vec((coordinate(), coordinate(), weight).prop_map(Into::into), 2..40)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1000))]
+
+        #[test]
+        fn rounded_lines_and_quick_signs_are_those_of_the_exact_lines(points in points(), sign in -1i8..2) {
+            let bounds = Bounds::of(&points).expect("finite, of weights that are not negative");
+            let lines = PointLines { points: &points, frame: PointFrame::new(&points, &bounds) };
+            let made = at_each_level(|| {
+                let mut columns = [0; 3].map(|_| vec![0.0; points.len()]);
+                lines.make(0, columns.each_mut().map(|column| &mut column[..]));
+                columns
+            });
+            let exact: Vec<ExactLine> = (0..points.len()).map(|i| lines.line(i)).collect();
+            let parallel = |a: &ExactLine, b: &ExactLine| (&a.normal[0] * &b.normal[1]).cmp(&(&a.normal[1] * &b.normal[0]));
+            let vertex = exact.iter().find(|line| parallel(&exact[0], line).is_ne()).map(|line| exact[0].meet(line));
+            for (i, line) in exact.iter().enumerate() {
+                let (row, _) = lines.row(i);
+                prop_assert!(made.iter().all(|columns| columns.each_ref().map(|column| column[i]) == row));
+                for (rounded, value) in row.iter().zip([&line.normal[0], &line.normal[1], &line.offset]) {
+                    prop_assert!(rounded.abs() <= 2.0);
+                    let error = (Dyadic::from_f64(*rounded) - value.clone()).abs();
+                    let bound = Dyadic::from_f64(2.0 * UNIT * (1.0 + 4.0 * UNIT)) * value.clone().abs();
+                    prop_assert!(error <= bound + Dyadic::from_f64(UNDERFLOW));
+                }
+                prop_assert_eq!(lines.certain_cross_sign(0, i), Some(parallel(&exact[0], line)));
+                for place in vertex.iter().chain([&[Dyadic::from_f64(3.0), Dyadic::from_f64(-0.5), Dyadic::zero()]]) {
+                    let known = lines.certain_signs(place)(i);
+                    prop_assert!(known.is_none_or(|sign| sign == line.evaluate(place).sign() as i8));
+                }
+            }
+            let signs = |i: usize| if i.is_multiple_of(3) { -sign } else { sign };
+            let sum = exact.iter().enumerate().fold([Dyadic::zero(), Dyadic::zero()], |[x, y], (i, line)| {
+                let factor = Dyadic::from_f64(f64::from(signs(i)));
+                [x + &factor * &line.normal[0], y + &factor * &line.normal[1]]
+            });
+            prop_assert_eq!(lines.signed_normal_sum(&mut (0..points.len()).map(|i| (i, signs(i)))), sum);
+        }
+    }
+
+    #[test]
+    fn bounds_refuse_what_is_no_point() {
+        let refused = |row| Bounds::of(&[[[1.0; 3]; 9], [row; 9]].concat()).is_none();
+        assert!(!refused([2.0, -3.0, 0.0]));
+        for row in [[f64::NAN, 0.0, 1.0], [0.0, f64::INFINITY, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, f64::NAN]] {
+            assert!(refused(row) && Bounds::of(&[[1.0; 3], row]).is_none());
+        }
+        assert!(Bounds::of(&[]).is_none());
+    }
+}
