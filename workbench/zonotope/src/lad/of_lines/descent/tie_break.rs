@@ -48,7 +48,7 @@ impl<T> TieBreak<T> {
         let moved = subproblem.moved_apart(lines, around.exact_gradient(subproblem).clone(), offsets);
         match (self.solve)(&moved, random.random(), tally) {
             Solution::Optimal(optimal) => Decision::Optimal {
-                face_dimension: if subproblem.is_sample() { 0 } else { face_dimension(&moved, &optimal) },
+                face_dimension: if subproblem.asks_place_only() { 0 } else { face_dimension(&moved, &optimal) },
                 through: lines.iter().copied().zip(optimal.signs).collect(),
                 basis: optimal.basis.iter().map(|&i| lines[i as usize]).collect(),
             },

@@ -27,7 +27,7 @@ pub(crate) struct Subproblem<'p> {
     /// Whether the rounded offsets stand for themselves rather than for the problem's.
     own_offsets: bool,
     /// Whether only the place of the optimum is asked for, not its coefficients.
-    is_sample: bool,
+    asks_place_only: bool,
     /// The rounded linear term.
     pub(crate) linear: [f64; 2],
     /// A bound on the error of each coordinate of `linear`.
@@ -46,7 +46,7 @@ impl<'p> Subproblem<'p> {
 
     /// The same lines where only the place of the optimum is asked for, not its coefficients.
     pub(crate) fn without_coefficients(self) -> Self {
-        Self { is_sample: true, ..self }
+        Self { asks_place_only: true, ..self }
     }
 
     /// Some lines of the subproblem, with a linear term of their own.
@@ -63,14 +63,14 @@ impl<'p> Subproblem<'p> {
     fn part(&self, lines: &[u32], rows: GatheredLines, linear: [f64; 2], source: ExactLinear) -> Self {
         let mut part = Self::new(self.problem, rows.into_lines(), Some(self.positions(lines)), linear, source);
         part.own_offsets = self.own_offsets;
-        part.is_sample = self.is_sample;
+        part.asks_place_only = self.asks_place_only;
         part
     }
 
     /// Some lines of the subproblem that stand for all of them, with a linear term in proportion.
     pub(crate) fn sample(&self, lines: &[u32], linear: [f64; 2]) -> Self {
         let source = ExactLinear::known(linear.map(Dyadic::from_f64));
-        Self { is_sample: true, ..self.selection(lines, linear, source) }
+        Self { asks_place_only: true, ..self.selection(lines, linear, source) }
     }
 
     /// Some lines of the subproblem, given their coefficients, in the same objective: the other lines have fixed signs,
@@ -113,7 +113,7 @@ impl<'p> Subproblem<'p> {
             lines,
             members,
             own_offsets: false,
-            is_sample: false,
+            asks_place_only: false,
             linear,
             linear_error: 8.0 * UNIT * (linear[0].abs() + linear[1].abs()) + UNDERFLOW,
             linear_source,
@@ -210,12 +210,12 @@ impl<'p> Subproblem<'p> {
     /// sum to zero.
     pub(crate) fn is_balanced(&self) -> bool {
         let all_cancel = || self.members.is_none() && self.problem.exact.normals_sum_to_zero();
-        (self.is_sample || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
+        (self.asks_place_only || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
     }
 
     /// Whether only the place of the optimum is asked for, not its coefficients.
-    pub(crate) fn is_sample(&self) -> bool {
-        self.is_sample
+    pub(crate) fn asks_place_only(&self) -> bool {
+        self.asks_place_only
     }
 
     /// Whether the normal of a line is exactly zero.

@@ -163,7 +163,7 @@ fn signs_of(plus: u64, certain: u64) -> [i8; LANES] {
     let positive = SPREAD_BITS[(plus & certain & 0xff) as usize];
     let negative = SPREAD_BITS[(!plus & certain & 0xff) as usize];
     // a byte of all ones is −1
-    (positive | negative * 0xff).to_le_bytes().map(|byte| byte as i8)
+    (positive | (negative * 0xff)).to_le_bytes().map(|byte| byte as i8)
 }
 
 /// The eight bits of an index, each in a byte of its own.
