@@ -154,7 +154,10 @@ mod tests {
                 columns
             });
             let exact: Vec<ExactLine> = (0..points.len()).map(|i| lines.line(i)).collect();
-            let parallel = |a: &ExactLine, b: &ExactLine| (&a.normal[0] * &b.normal[1]).cmp(&(&a.normal[1] * &b.normal[0]));
+            let parallel = |a: &ExactLine, b: &ExactLine| {
+                let ([x, y], [u, v]) = (&a.normal, &b.normal);
+                (x * v).cmp(&(y * u))
+            };
             let vertex = exact.iter().find(|line| parallel(&exact[0], line).is_ne()).map(|line| exact[0].meet(line));
             for (i, line) in exact.iter().enumerate() {
                 let (row, _) = lines.row(i);

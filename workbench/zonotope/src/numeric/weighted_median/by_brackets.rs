@@ -132,8 +132,7 @@ fn narrowed(places: &[f64], weights: &[f64], missing: &mut f64) -> Listed {
 /// Two places that the median is probably between, both included; infinite where the sample leaves a side open.
 fn bracket(places: &[f64], weights: &[f64], missing: f64) -> [f64; 2] {
     let n = places.len() as u64;
-    let root = libm::cbrt(n as f64);
-    let size = (root * root) as u64;
+    let size = libm::pow(n as f64, 2.0 / 3.0) as u64;
     // places in units of 2^-32, so that one division does for all
     let step = (n << 32) / size;
     let mut state = GENERATOR[1];

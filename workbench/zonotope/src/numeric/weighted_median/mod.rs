@@ -5,9 +5,9 @@
 //!
 //! | method | cost for n items | what it is |
 //! |---|---|---|
-//! | `brute_force` | O(n log n) | sorts all items: the truth of the tests |
-//! | `by_brackets` | O(n) expected, a little more than one pass | a sample brackets the median, one pass keeps what is inside |
-//! | `by_halving` | O(n) expected | splits what is left at its middle; for few items and where a sample says nothing |
+//! | [`brute_force`] | O(n log n) | sorts all items: the truth of the tests |
+//! | [`by_brackets`] | O(n) expected, little more than a pass | a sample brackets the median, a pass lists what is inside |
+//! | [`by_halving`] | O(n) expected | splits what is left at its middle: for few items |
 //!
 //! The items are two columns, so that a pass reads eight of them at a time.
 
