@@ -1,8 +1,8 @@
 //! The crate `parry3d`, the build in single precision that most of its users have: GJK on a support map.
 //!
 //! The support map is the best that we know to give it: generators in blocks of sixteen floats, one pass with the
-//! widest vectors, partial sums of a few hundred blocks joined in doubles. Both bodies and the offset between them are scaled
-//! by one power of two to magnitude about 1 and then rounded to floats, so no coordinate leaves their range.
+//! widest vectors, partial sums of a few hundred blocks joined in doubles. Both bodies and the offset between them are
+//! scaled by one power of two to magnitude about 1 and then rounded to floats, so no coordinate leaves their range.
 //!
 //! The question is the one that all contenders get, about bodies in doubles. A float keeps 24 bits, so where the bodies
 //! are nearer to contact than about 1e-7 of their size, the rounded bodies may truly meet where the bodies do not. Such
