@@ -63,7 +63,7 @@ pub struct LineFit {
     pub palb_ns: Vec<f64>,
     /// Raw times of the kernel.
     pub ours_ns: Vec<f64>,
-    /// Raw times of one pass: the sum of absolute residuals.
+    /// Raw times of one pass: the sum of absolute residuals over the rows of the points.
     pub pass_ns: Vec<f64>,
     /// The sum of absolute residuals of the line that `palb` found.
     pub palb_residual: f64,

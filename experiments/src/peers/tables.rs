@@ -14,6 +14,7 @@ const TITLES: &[(&str, &str)] = &[
     ("by_explicit_faces", "explicit faces"),
     ("by_gjk", "our GJK (rounded, shows its failures)"),
     ("parry_gjk", "parry3d-f64: GJK on a support map"),
+    ("parry_f32_gjk", "parry3d (single precision): GJK on a support map"),
     ("parry_polyhedron", "parry3d-f64: GJK on explicit polyhedra, made before"),
     ("clarabel", "clarabel: feasibility"),
     ("microlp", "microlp: feasibility"),

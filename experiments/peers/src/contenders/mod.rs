@@ -6,6 +6,7 @@
 mod linear_programs;
 mod ours;
 mod parry;
+mod parry_f32;
 
 use experiments::families::bodies::question::Question;
 
@@ -44,6 +45,7 @@ pub static CONTENDERS: &[Contender] = &[
     ours::EXPLICIT_FACES,
     ours::GJK,
     parry::GJK,
+    parry_f32::GJK,
     parry::POLYHEDRON,
     linear_programs::CLARABEL,
     linear_programs::MICROLP,

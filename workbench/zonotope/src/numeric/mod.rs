@@ -16,6 +16,7 @@
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly; of a determinant of directions |
 //! | `outward` | directed rounding: the nearest double on a given side of an exact number |
 //! | [`scaling`] | powers of two, and differences that do not overflow |
+//! | `short_dyadic` | exact numbers m·2^e of at most 127 bits, without memory of their own |
 //! | `signed_sum` | sums of vectors with signs, exactly, by blocks |
 //! | `subsets` | subsets of one size, in order |
 //! | [`tolerance`] | every named constant of a rounding-error bound, with its derivation |
@@ -34,6 +35,7 @@ pub mod non_finite;
 pub mod orientation;
 pub(crate) mod outward;
 pub mod scaling;
+pub(crate) mod short_dyadic;
 pub(crate) mod signed_sum;
 pub(crate) mod subsets;
 pub mod tolerance;

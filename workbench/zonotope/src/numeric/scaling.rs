@@ -3,6 +3,8 @@
 //! A product with a power of two is exact as long as the result is a normal double. So methods bring their data to
 //! magnitude 1 first, and then neither overflow nor underflow has to be thought of again.
 
+use fearless_simd::{Simd, f64x8};
+
 /// 2^`exponent` as a constant, for exponents of normal doubles: −1022 to 1023.
 pub const fn power_of_two(exponent: i32) -> f64 {
     assert!(-1022 <= exponent && exponent <= 1023, "a power of two outside the normal doubles is not made this way");
@@ -66,6 +68,12 @@ impl PowerOfTwo {
     #[inline(always)]
     pub(crate) fn apply(&self, value: f64) -> f64 {
         value * self.0[0] * self.0[1]
+    }
+
+    /// The same for eight values.
+    #[inline(always)]
+    pub(crate) fn apply_to_octet<S: Simd>(&self, values: f64x8<S>) -> f64x8<S> {
+        values * self.0[0] * self.0[1]
     }
 }
 

@@ -44,8 +44,8 @@ pub(super) fn lowest(
         }
         let chosen = match proposal < TRUSTED_PROPOSALS {
             true => {
-                let order = |a: &Crossing, b: &Crossing| a.place.total_cmp(&b.place).then(a.plane.cmp(&b.plane));
-                *weighted_median(&mut ahead, -slope, order, |crossing| 2.0 * crossing.rate)?
+                let (places, gains): (Vec<f64>, Vec<f64>) = ahead.iter().map(|c| (c.place, 2.0 * c.rate)).unzip();
+                ahead[weighted_median(&places, &gains, -slope)?]
             }
             false => ahead[random.random_range(0..ahead.len())],
         };

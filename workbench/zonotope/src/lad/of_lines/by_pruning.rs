@@ -74,7 +74,7 @@ use rand_pcg::Pcg64Mcg;
 use super::cells::{Cell, Frame, Split};
 use super::descent::{Near, Optimal, SearchLine, Solution, TieBreak, descend, descend_from, solve_with};
 use super::input::LadProblem;
-use super::optimum::LadOutcome;
+use super::optimum::{LadOutcome, Minimizer};
 use super::subproblem::{Subproblem, Vertex};
 use crate::tally::{Operation, Tally};
 
@@ -99,6 +99,14 @@ pub fn minimize(problem: &LadProblem, seed: u64) -> LadOutcome {
 /// [`minimize`], counting its operations.
 pub fn minimize_counted(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> LadOutcome {
     LadOutcome::new(solve(&Subproblem::whole(problem), seed, tally))
+}
+
+/// A minimiser of a problem that is bounded below, without the coefficients that prove it.
+///
+/// Of lines without a linear term the objective is bounded below, by zero.
+pub(crate) fn minimizer(problem: &LadProblem, seed: u64, tally: &mut impl Tally) -> Minimizer {
+    let outcome = LadOutcome::new(solve(&Subproblem::whole(problem).without_coefficients(), seed, tally));
+    outcome.optimum().expect("the caller knows the objective to be bounded below").minimizer
 }
 
 /// Solves a subproblem by pruning, the default wherever one arises.

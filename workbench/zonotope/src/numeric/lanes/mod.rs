@@ -3,6 +3,7 @@
 //! | file | what it computes |
 //! |---|---|
 //! | `absolute_sum` | the support function of a centred zonotope |
+//! | [`bit_places`] | the places of the bits that are set in a word |
 //! | `bounded_sum` | the same in space, with a bound on its error from the same pass |
 //! | `extreme_sum` | an extreme vertex of a centred zonotope |
 //! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
@@ -14,6 +15,7 @@
 //! | `partial_sums` | how many sums are kept side by side, and how they are joined |
 
 mod absolute_sum;
+pub(crate) mod bit_places;
 mod bounded_sum;
 mod extents;
 mod extreme_sum;

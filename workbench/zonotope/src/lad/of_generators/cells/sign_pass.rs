@@ -10,6 +10,7 @@ use smallvec::SmallVec;
 
 use super::direction_cone::DirectionCone;
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::lanes::bit_places::{WORD, places_of};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::product;
 use crate::numeric::lanes::octet::{LANES, Octet, in_order_of_rows, splat, total, totals, turned};
@@ -20,9 +21,6 @@ use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZE
 /// Generators of a block, at whose end the sum joins the total without a rounding error. A term goes through one
 /// addition for each eight generators of its block.
 const BLOCK: usize = 256;
-
-/// Generators whose bits fill a word: which of them cross the cell.
-const WORD: usize = 64;
 
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
 const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
@@ -171,6 +169,7 @@ fn split_at<S: Simd, const AXES: usize>(
     }
     let wide = Splat { center, axes, square: f64x8::splat(simd, cone.square) };
     let mut sums = Sums::new(simd);
+    let mut room = [0; WORD];
     for (number, block) in generators.chunks(BLOCK).enumerate() {
         for (place, word) in block.chunks(WORD).enumerate() {
             let octets = word.octets();
@@ -180,7 +179,8 @@ fn split_at<S: Simd, const AXES: usize>(
             }
             let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
             if crosses != 0 {
-                report(crosses, number * BLOCK + place * WORD, crossing);
+                let first = number * BLOCK + place * WORD;
+                crossing.extend_from_slice(places_of(crosses, first as u32, &mut room));
             }
         }
         sums.end_block(simd);
@@ -188,19 +188,6 @@ fn split_at<S: Simd, const AXES: usize>(
     // three coordinates written out, as a closure may lose the instructions that this function is compiled for
     let sum = totals(&[sums.total[0] + sums.rest[0], sums.total[1] + sums.rest[1], sums.total[2] + sums.rest[2]]);
     fixed(sum, total(sums.magnitude), generators.len())
-}
-
-/// Adds the places of the bits that are set to a list.
-#[inline(always)]
-fn report(mut crosses: u64, first: usize, crossing: &mut Places) {
-    let mut places = [0; WORD];
-    let mut count = 0;
-    while crosses != 0 {
-        places[count % WORD] = first as u32 + crosses.trailing_zeros();
-        crosses &= crosses - 1;
-        count += 1;
-    }
-    crossing.extend_from_slice(&places[..count]);
 }
 
 /// The sum with a bound of its error.

@@ -6,7 +6,7 @@
 //! least is at a weighted median of those τ at which one v_i · w vanishes. There Σ σ_i v_i = s t, where σ_i is the
 //! sign of v_i · w for every generator but the median one, whose σ makes the sum parallel to t.
 
-use crate::lad::of_generators::guess::crossings::{Crossing, select};
+use crate::lad::of_generators::guess::crossings::{Crossing, CrossingList};
 
 /// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if t is outside the zonogon, the generator that
 /// is parallel to the edge beyond which t lies.
@@ -15,20 +15,20 @@ pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Resu
     if square == 0.0 {
         return Ok(vec![0.0; vectors.len()]);
     }
-    let (mut crossings, mut total) = (Vec::with_capacity(vectors.len()), 0.0);
+    let (mut crossings, mut total) = (CrossingList::with_capacity(vectors.len()), 0.0);
     // the product of each generator with t, and with t⊥: the first is the sign of a generator parallel to t, their
     // ratio tells where the others vanish
     let parts: Vec<[f64; 2]> = vectors.iter().map(|[a, b]| [a * x + b * y, b * x - a * y]).collect();
     for (i, &[along, across]) in parts.iter().enumerate() {
         let position = -along / across;
         if position.is_finite() {
-            crossings.push(Crossing { position, weight: across.abs(), line: i });
+            crossings.push(position, across.abs(), i);
             total += across.abs();
         }
     }
-    let median = select(&mut crossings, total / 2.0);
+    let median = crossings.select(total / 2.0);
     let is_before = |i: usize, position: f64, median: &Crossing| {
-        position.total_cmp(&median.position).then(i.cmp(&median.line)).is_lt()
+        position < median.place || (position == median.place && i < median.line)
     };
     let (mut reach, mut rest) = (0.0, 0.0);
     let mut signs = Vec::with_capacity(vectors.len());

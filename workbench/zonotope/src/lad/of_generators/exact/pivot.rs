@@ -9,7 +9,7 @@
 
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::lad::of_generators::guess::crossings::{Crossing, select};
+use crate::lad::of_generators::guess::crossings::CrossingList;
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, rounded_direction};
@@ -55,14 +55,14 @@ impl Balance {
         let excess = (&self.sizes[leaving] - &self.volume).rounded_ratio(&self.volume);
         let fall = linear::dot(&query.generator(leaves), &step).abs() * excess;
         let direction = DoubleDoubleDirection::of(&vertex.direction);
-        let mut crossings = Vec::new();
+        let mut crossings = CrossingList::with_capacity(query.len());
         for (line, v) in query.generators().enumerate() {
             let rate = linear::dot(&v, &step) * f64::from(vertex.signs[line]);
             if rate < 0.0 {
                 let distance = direction.moderate_product(&v)?.rounded().value.abs();
-                crossings.push(Crossing { position: distance / -rate, weight: -rate, line });
+                crossings.push(distance / -rate, -rate, line);
             }
         }
-        select(&mut crossings, fall / 2.0).map(|crossing| [stays, crossing.line])
+        crossings.select(fall / 2.0).map(|crossing| [stays, crossing.line])
     }
 }

@@ -1,18 +1,55 @@
-//! The weighted median of the places at which lines are crossed, by selection.
+//! The crossings on a line that is searched, and the weighted median of their places.
 
+use smallvec::SmallVec;
+
+use crate::numeric::lanes::octet::LANES;
 use crate::numeric::weighted_median::weighted_median;
 
-/// A crossing on a line that is searched: its place along the line, and half of what the slope gains there.
+/// A crossing on a line that is searched: its place along the line, and the line that crosses there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Crossing {
-    pub(crate) position: f64,
-    pub(crate) weight: f64,
+    pub(crate) place: f64,
     pub(crate) line: usize,
 }
 
-/// The first crossing, by position and then by line, at which the weights up to it and with it reach `target`; the
-/// last one if they never do.
-pub(crate) fn select(crossings: &mut [Crossing], target: f64) -> Option<Crossing> {
-    let order = |a: &Crossing, b: &Crossing| a.position.total_cmp(&b.position).then(a.line.cmp(&b.line));
-    weighted_median(crossings, target, order, |c| c.weight).copied()
+/// Crossings in the order of their lines, in columns; a few take no memory beside that of the list itself.
+#[derive(Debug)]
+pub(crate) struct CrossingList {
+    places: SmallVec<[f64; 2 * LANES]>,
+    /// Half of what the slope gains at each.
+    weights: SmallVec<[f64; 2 * LANES]>,
+    lines: SmallVec<[u32; 2 * LANES]>,
+}
+
+impl CrossingList {
+    pub(crate) fn with_capacity(capacity: usize) -> Self {
+        Self {
+            places: SmallVec::with_capacity(capacity),
+            weights: SmallVec::with_capacity(capacity),
+            lines: SmallVec::with_capacity(capacity),
+        }
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.places.clear();
+        self.weights.clear();
+        self.lines.clear();
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    pub(crate) fn push(&mut self, place: f64, weight: f64, line: usize) {
+        self.places.push(place);
+        self.weights.push(weight);
+        self.lines.push(line as u32);
+    }
+
+    /// The first crossing, by place and then by line, at which the weights up to it and with it reach `target`; the
+    /// last one if they never do.
+    pub(crate) fn select(&self, target: f64) -> Option<Crossing> {
+        let found = weighted_median(&self.places, &self.weights, target)?;
+        Some(Crossing { place: self.places[found], line: self.lines[found] as usize })
+    }
 }

@@ -5,7 +5,7 @@
 
 use smallvec::SmallVec;
 
-use crate::lad::of_generators::guess::crossings::{Crossing, select};
+use crate::lad::of_generators::guess::crossings::CrossingList;
 use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
 use crate::numeric::lanes::octet::{LANES, slot};
 
@@ -103,14 +103,14 @@ fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
 struct Crossings {
     /// The place of the crossing of each slot's line, in multiples of the direction of the search.
     places: SmallVec<[f64; 2 * LANES]>,
-    ahead: SmallVec<[Crossing; 2 * LANES]>,
+    ahead: CrossingList,
 }
 
 impl Crossings {
     fn of(len: usize) -> Self {
         Self {
             places: SmallVec::with_capacity(len.next_multiple_of(LANES)),
-            ahead: SmallVec::with_capacity(len.min(HORIZON_SAMPLE)),
+            ahead: CrossingList::with_capacity(len.min(HORIZON_SAMPLE)),
         }
     }
 
@@ -120,14 +120,14 @@ impl Crossings {
         self.ahead.clear();
         let mut gain = 0.0;
         let last = farthest.min(f64::MAX);
-        for (place, &position) in self.places.iter().enumerate().step_by(step) {
+        for line in (0..lines.len()).step_by(step) {
+            let place = self.places[slot(line)];
             // zero is ahead where the slope was summed up with the sign before it
-            if position.is_sign_positive() && position <= last {
-                let line = slot(place);
+            if place.is_sign_positive() && place <= last {
                 let [a, b, ..] = lines.line(line);
                 let weight = (a * dx + b * dy).abs();
                 gain += weight;
-                self.ahead.push(Crossing { position, weight, line });
+                self.ahead.push(place, weight, line);
             }
         }
         gain
@@ -142,7 +142,7 @@ impl Crossings {
         let gain = self.gather(lines, direction, f64::INFINITY, step);
         let target = HORIZON_MARGIN * target / step as f64 + 2.0 * gain / self.ahead.len() as f64;
         if target < gain {
-            select(&mut self.ahead, target).map_or(f64::INFINITY, |c| c.position)
+            self.ahead.select(target).map_or(f64::INFINITY, |crossing| crossing.place)
         } else {
             f64::INFINITY
         }
@@ -175,6 +175,6 @@ fn search(
     if gain < target && farthest < f64::INFINITY {
         crossings.gather(lines, direction, f64::INFINITY, 1);
     }
-    let found = select(&mut crossings.ahead, target)?;
-    Some((found.line, [0, 1].map(|k| foot[k] + found.position * direction[k])))
+    let found = crossings.ahead.select(target)?;
+    Some((found.line, [0, 1].map(|k| foot[k] + found.place * direction[k])))
 }

@@ -64,7 +64,7 @@ pub(super) fn radius<T: Tally>(
 ) -> Option<f64> {
     let size = sample.len() as f64;
     let step = (size / (LINES_PER_ROOT * size.sqrt())).max(1.0) as usize;
-    let mut reached: Vec<(f64, f64)> = (0..sample.len())
+    let (distances, reaches): (Vec<f64>, Vec<f64>) = (0..sample.len())
         .step_by(step)
         .map(|i| {
             let ([x, y, b], _) = sample.lines.row(i);
@@ -72,15 +72,15 @@ pub(super) fn radius<T: Tally>(
             ((x * cx + y * cy + b).abs() / reach, reach)
         })
         .filter(|(distance, reach)| distance.is_finite() && *reach > 0.0)
-        .collect();
-    tally.add(Operation::PartEvaluation, reached.len() as u64);
-    tally.add(Operation::Comparison, 2 * reached.len() as u64);
-    let squares = reached.iter().map(|(_, reach)| reach * reach).sum::<f64>();
+        .unzip();
+    tally.add(Operation::PartEvaluation, reaches.len() as u64);
+    tally.add(Operation::Comparison, 2 * reaches.len() as u64);
+    let squares = reaches.iter().map(|reach| reach * reach).sum::<f64>();
     let deviations = (2.0 / 3.0 * std::f64::consts::LN_2 * f64::from(n.ilog2())).sqrt();
     let needed = GATHERED_DEVIATIONS * deviations * (squares / step as f64).sqrt();
-    let smallest = reached.iter().map(|r| r.0).filter(|distance| *distance > 0.0).reduce(f64::min)?;
-    let (distance, _) = *weighted_median(&mut reached, needed, |a, b| a.0.total_cmp(&b.0), |(_, reach)| *reach)?;
-    Some(distance.max(smallest))
+    let smallest = distances.iter().copied().filter(|distance| *distance > 0.0).reduce(f64::min)?;
+    let farthest = weighted_median(&distances, &reaches, needed)?;
+    Some(distances[farthest].max(smallest))
 }
 
 #[cfg(test)]

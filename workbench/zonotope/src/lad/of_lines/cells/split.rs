@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::quadratic_model::QuadraticModel;
 use crate::lad::of_lines::input::rounded_lines::GatheredLines;
 use crate::lad::of_lines::subproblem::Subproblem;
-use crate::lad::of_lines::subproblem::sign_pass::read_sides;
+use crate::lad::of_lines::subproblem::sign_pass::{Reading, read_sides};
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::Tally;
 
@@ -50,10 +50,13 @@ impl Cell {
             |error| {
                 let per_normal =
                     |center: f64, width: f64| 16.0 * UNIT * (center.abs() + width) + error.offset_per_normal;
-                let (ex, ey, eb) = (per_normal(cx, wx), per_normal(cy, wy), error.offset_relative + 8.0 * UNIT);
-                move |x, y, b| {
-                    let reach = radius * ((xx * x + yx * y).abs() + (yy * y).abs());
-                    (x * cx + y * cy + b, reach + x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+                Reading {
+                    point: [cx, cy],
+                    across: [radius * xx, radius * yx],
+                    per_x: per_normal(cx, wx),
+                    per_y: per_normal(cy, wy) + radius * yy.abs(),
+                    per_offset: error.offset_relative + 8.0 * UNIT,
+                    floor,
                 }
             },
             |line, [x, y, b], error| {

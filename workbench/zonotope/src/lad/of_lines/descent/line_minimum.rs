@@ -25,16 +25,62 @@ pub(crate) enum LineMinimum {
     Flat,
 }
 
-/// A crossing with a line of the subproblem.
-#[derive(Debug, Clone, Copy)]
-struct Crossing {
-    /// The rounded position along the line.
-    position: f64,
-    /// The rounded product |normal × direction|, half of what the slope gains at the crossing.
-    weight: f64,
-    line: u32,
-    /// The exact sign of the rate at which the line's value grows along the direction.
-    rate_sign: i8,
+/// Crossings with lines of the subproblem, in the order of these lines, in columns.
+#[derive(Debug)]
+struct Crossings {
+    /// The rounded positions along the line.
+    positions: Vec<f64>,
+    /// The rounded products |normal × direction|, half of what the slope gains at each crossing.
+    weights: Vec<f64>,
+    lines: Vec<u32>,
+    /// The exact signs of the rates at which the lines' values grow along the direction.
+    rate_signs: Vec<i8>,
+}
+
+impl Crossings {
+    fn with_capacity(capacity: usize) -> Self {
+        Self {
+            positions: Vec::with_capacity(capacity),
+            weights: Vec::with_capacity(capacity),
+            lines: Vec::with_capacity(capacity),
+            rate_signs: Vec::with_capacity(capacity),
+        }
+    }
+
+    fn len(&self) -> usize {
+        self.lines.len()
+    }
+
+    fn push(&mut self, position: f64, weight: f64, line: u32, rate_sign: i8) {
+        self.positions.push(position);
+        self.weights.push(weight);
+        self.lines.push(line);
+        self.rate_signs.push(rate_sign);
+    }
+
+    /// Puts the crossings in the order of a search the other way.
+    fn reverse(&mut self) {
+        self.positions.reverse();
+        self.positions.iter_mut().for_each(|position| *position = -*position);
+        self.weights.reverse();
+        self.lines.reverse();
+        self.rate_signs.reverse();
+    }
+
+    /// Keeps the crossings with a line and a sign of its rate that satisfy a predicate, in their order.
+    fn retain(&mut self, keep: impl Fn(u32, i8) -> bool) {
+        let mut kept = 0;
+        for i in 0..self.len() {
+            self.positions[kept] = self.positions[i];
+            self.weights[kept] = self.weights[i];
+            (self.lines[kept], self.rate_signs[kept]) = (self.lines[i], self.rate_signs[i]);
+            kept += usize::from(keep(self.lines[i], self.rate_signs[i]));
+        }
+        self.positions.truncate(kept);
+        self.weights.truncate(kept);
+        self.lines.truncate(kept);
+        self.rate_signs.truncate(kept);
+    }
 }
 
 impl SearchLine {
@@ -47,27 +93,22 @@ impl SearchLine {
     ) -> LineMinimum {
         tally.add(Operation::SearchStep, 1);
         let mut crossings = self.crossings(subproblem, tally);
-        if crossings.is_empty() {
+        if crossings.len() == 0 {
             return self.minimum_without_crossings(subproblem);
         }
-        let mut candidates = &mut crossings[..];
         let mut forward = true;
         let mut slope_to_gain = {
             let [x, y] = self.direction();
-            let start =
-                subproblem.linear[0] * x + subproblem.linear[1] * y - candidates.iter().map(|c| c.weight).sum::<f64>();
+            let start = subproblem.linear[0] * x + subproblem.linear[1] * y - crossings.weights.iter().sum::<f64>();
             -start / 2.0
         };
         loop {
-            tally.add(Operation::Comparison, 2 * candidates.len() as u64);
-            let order = |a: &Crossing, b: &Crossing| {
-                let order = a.position.total_cmp(&b.position).then(a.line.cmp(&b.line));
-                if forward { order } else { order.reverse() }
-            };
-            let pivot = *weighted_median(candidates, slope_to_gain, order, |c| c.weight).expect("candidates are left");
-            let vertex =
-                Vertex::new(self.exact(subproblem), &subproblem.exact_line(pivot.line), [self.index, Some(pivot.line)]);
+            tally.add(Operation::Comparison, 2 * crossings.len() as u64);
+            let median = weighted_median(&crossings.positions, &crossings.weights, slope_to_gain);
+            let pivot = crossings.lines[median.expect("candidates are left")];
+            let vertex = Vertex::new(self.exact(subproblem), &subproblem.exact_line(pivot), [self.index, Some(pivot)]);
             subproblem.read_at(&vertex, around, tally);
+            let was_forward = forward;
             forward = if self.slope_sign(subproblem, around, true).is_lt() {
                 true
             } else if self.slope_sign(subproblem, around, false).is_lt() {
@@ -75,13 +116,15 @@ impl SearchLine {
             } else {
                 return LineMinimum::At(Box::new(vertex));
             };
-            let better = partition(candidates, |c| {
-                let ahead = around.signs[c.line as usize] * c.rate_sign;
+            crossings.retain(|line, rate_sign| {
+                let ahead = around.signs[line as usize] * rate_sign;
                 if forward { ahead < 0 } else { ahead > 0 }
             });
-            candidates = &mut candidates[..better];
-            if candidates.is_empty() {
+            if crossings.len() == 0 {
                 return LineMinimum::Unbounded { forward };
+            }
+            if forward != was_forward {
+                crossings.reverse();
             }
             slope_to_gain = self.rounded_slope(subproblem, around, forward) / -2.0;
         }
@@ -99,12 +142,12 @@ impl SearchLine {
     }
 
     /// The crossings with all lines of the subproblem that are not parallel. One pass.
-    fn crossings(&self, subproblem: &Subproblem, tally: &mut impl Tally) -> Vec<Crossing> {
+    fn crossings(&self, subproblem: &Subproblem, tally: &mut impl Tally) -> Crossings {
         let n = subproblem.len();
         subproblem.count_pass(tally);
         let ([dx, dy], [fx, fy]) = (self.direction(), self.foot());
         let exact_rate = subproblem.exact_rates(|| self.exact(subproblem).direction());
-        let mut crossings = Vec::with_capacity(n);
+        let mut crossings = Crossings::with_capacity(n);
         let mut cross = |line: u32, [x, y, b]: [f64; 3]| {
             let (left, right) = (x * dx, y * dy);
             let rate = left + right;
@@ -123,12 +166,7 @@ impl SearchLine {
                 return;
             }
             let position = -(x * fx + y * fy + b) / rate;
-            crossings.push(Crossing {
-                position: if position.is_nan() { 0.0 } else { position },
-                weight: rate.abs(),
-                line,
-                rate_sign,
-            });
+            crossings.push(if position.is_nan() { 0.0 } else { position }, rate.abs(), line, rate_sign);
         };
         subproblem.lines.each_block(|start, block| {
             for i in 0..block.len() {
@@ -137,16 +175,4 @@ impl SearchLine {
         });
         crossings
     }
-}
-
-/// Moves the crossings that satisfy a predicate to the front, and returns their number.
-fn partition(crossings: &mut [Crossing], keep: impl Fn(&Crossing) -> bool) -> usize {
-    let mut kept = 0;
-    for i in 0..crossings.len() {
-        if keep(&crossings[i]) {
-            crossings.swap(kept, i);
-            kept += 1;
-        }
-    }
-    kept
 }

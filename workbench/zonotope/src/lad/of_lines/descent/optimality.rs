@@ -29,7 +29,7 @@ pub(crate) fn decide<T: Tally>(
 /// Decides where all lines meet and there is no linear term: the objective is zero there, its least possible value.
 ///
 /// So it is for the bisectors of a centrally symmetric polygon, whose normals are known to sum to zero: all
-/// coefficients may be 1. The coefficients of a sample are not asked for.
+/// coefficients may be 1. Of a sample only the place of the optimum is asked for.
 fn decide_where_all_meet(subproblem: &Subproblem, around: &Subdifferential) -> Option<Decision> {
     let lines = &around.through;
     let first = lines[0];

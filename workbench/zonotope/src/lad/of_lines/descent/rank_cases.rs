@@ -32,6 +32,9 @@ pub(crate) fn solve_with<T: Tally>(
 
 /// Solves a subproblem whose normals are all zero: only the linear term depends on the point.
 fn without_lines(subproblem: &Subproblem) -> Solution {
+    if let Some(direction) = subproblem.certain_descent() {
+        return Solution::Unbounded { direction: direction.map(Dyadic::from_f64), along: None };
+    }
     let linear = subproblem.exact_linear().clone();
     if linear.iter().all(Dyadic::is_zero) {
         return Solution::Optimal(Box::new(Optimal {

@@ -80,9 +80,11 @@ impl SearchLine {
     fn exact_slope(&self, subproblem: &Subproblem, around: &Subdifferential, forward: bool) -> Dyadic {
         let direction = self.exact(subproblem).direction();
         let slope = |g: &[Dyadic; 2]| &g[0] * &direction[0] + &g[1] * &direction[1];
-        let along = slope(&subproblem.exact_gradient(&around.signs));
+        let along = slope(around.exact_gradient(subproblem));
         let along = if forward { along } else { -along };
-        around.through.iter().fold(along, |sum, &k| sum + slope(&subproblem.exact_line(k).normal).abs())
+        // each of the lines through the point adds its rate with the sign of that rate
+        let rate_sign = subproblem.exact_rates(|| self.exact(subproblem).direction());
+        along + slope(&subproblem.exact_signed_sum(around.through.iter().map(|&line| (line, rate_sign(line)))))
     }
 
     /// The rounded slope of the objective when leaving a point of the line forward (or backward).

@@ -1,5 +1,6 @@
 //! The exact coefficients of the lines, made when a decision needs them.
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
 use crate::arrangement::ExactLine;
@@ -29,6 +30,11 @@ pub(crate) trait ExactLines: Debug + Sync {
     /// doubles and exact numbers; `None` where it leaves the sign open.
     fn certain_signs(&self, _point: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
         Box::new(|_| None)
+    }
+
+    /// The sign of the cross product of the normals of two lines, where it takes no exact arithmetic.
+    fn certain_cross_sign(&self, _first: usize, _second: usize) -> Option<Ordering> {
+        None
     }
 
     /// The exact sum Σ sign · normal over the given positions.

@@ -1,5 +1,6 @@
 //! The exact linear term of a subproblem, summed up only when a decision asks for it.
 
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use crate::lad::of_lines::input::LadProblem;
@@ -21,6 +22,18 @@ struct FixedSigns {
     /// The position in the problem of each line; the line itself when absent.
     members: Option<Rc<[u32]>>,
     signs: Vec<i8>,
+    /// Their exact sum: several subproblems share a layer, and it is summed up for the first that asks.
+    sum: OnceCell<[Dyadic; 2]>,
+}
+
+impl FixedSigns {
+    fn sum(&self, problem: &LadProblem) -> &[Dyadic; 2] {
+        self.sum.get_or_init(|| {
+            let position = |i: usize| self.members.as_ref().map_or(i, |members| members[i] as usize);
+            let signed = self.signs.iter().enumerate().filter(|(_, sign)| **sign != 0);
+            problem.exact.signed_normal_sum(&mut signed.map(|(i, &sign)| (position(i), sign)))
+        })
+    }
 }
 
 impl ExactLinear {
@@ -37,7 +50,7 @@ impl ExactLinear {
     /// The linear term with the signed normals of further lines, which are the given members of the problem.
     pub(super) fn with_fixed_signs(&self, members: Option<Rc<[u32]>>, signs: Vec<i8>) -> Self {
         let mut sum = self.clone();
-        sum.layers.push(Rc::new(FixedSigns { members, signs }));
+        sum.layers.push(Rc::new(FixedSigns { members, signs, sum: OnceCell::new() }));
         sum
     }
 
@@ -49,11 +62,9 @@ impl ExactLinear {
     /// The exact sum.
     pub(super) fn value(&self, problem: &LadProblem) -> [Dyadic; 2] {
         let [mut x, mut y] = self.known.clone();
-        for FixedSigns { members, signs } in self.layers.iter().map(Rc::as_ref) {
-            let position = |i: usize| members.as_ref().map_or(i, |m| m[i] as usize);
-            let mut terms = signs.iter().enumerate().filter(|(_, s)| **s != 0).map(|(i, &s)| (position(i), s));
-            let [dx, dy] = problem.exact.signed_normal_sum(&mut terms);
-            (x, y) = (x + dx, y + dy);
+        for layer in &self.layers {
+            let [dx, dy] = layer.sum(problem);
+            (x, y) = (&x + dx, &y + dy);
         }
         [x, y]
     }

@@ -27,7 +27,7 @@ pub(crate) struct Subproblem<'p> {
     /// Whether the rounded offsets stand for themselves rather than for the problem's.
     own_offsets: bool,
     /// Whether only the place of the optimum is asked for, not its coefficients.
-    is_sample: bool,
+    asks_place_only: bool,
     /// The rounded linear term.
     pub(crate) linear: [f64; 2],
     /// A bound on the error of each coordinate of `linear`.
@@ -44,6 +44,11 @@ impl<'p> Subproblem<'p> {
         Self::new(problem, problem.rounded(), None, linear, source)
     }
 
+    /// The same lines where only the place of the optimum is asked for, not its coefficients.
+    pub(crate) fn without_coefficients(self) -> Self {
+        Self { asks_place_only: true, ..self }
+    }
+
     /// Some lines of the subproblem, with a linear term of their own.
     pub(crate) fn selection(&self, lines: &[u32], linear: [f64; 2], source: ExactLinear) -> Self {
         let mut rows = GatheredLines::with_capacity(lines.len());
@@ -58,14 +63,14 @@ impl<'p> Subproblem<'p> {
     fn part(&self, lines: &[u32], rows: GatheredLines, linear: [f64; 2], source: ExactLinear) -> Self {
         let mut part = Self::new(self.problem, rows.into_lines(), Some(self.positions(lines)), linear, source);
         part.own_offsets = self.own_offsets;
-        part.is_sample = self.is_sample;
+        part.asks_place_only = self.asks_place_only;
         part
     }
 
     /// Some lines of the subproblem that stand for all of them, with a linear term in proportion.
     pub(crate) fn sample(&self, lines: &[u32], linear: [f64; 2]) -> Self {
         let source = ExactLinear::known(linear.map(Dyadic::from_f64));
-        Self { is_sample: true, ..self.selection(lines, linear, source) }
+        Self { asks_place_only: true, ..self.selection(lines, linear, source) }
     }
 
     /// Some lines of the subproblem, given their coefficients, in the same objective: the other lines have fixed signs,
@@ -108,7 +113,7 @@ impl<'p> Subproblem<'p> {
             lines,
             members,
             own_offsets: false,
-            is_sample: false,
+            asks_place_only: false,
             linear,
             linear_error: 8.0 * UNIT * (linear[0].abs() + linear[1].abs()) + UNDERFLOW,
             linear_source,
@@ -163,13 +168,27 @@ impl<'p> Subproblem<'p> {
         self.exact_linear.get_or_init(|| self.linear_source.value(self.problem))
     }
 
+    /// A direction in which the linear term certainly falls, if rounding leaves no doubt.
+    ///
+    /// For the rounded term r and an error of at most e a coordinate, linear · r ≥ |r|² − e |r|_1, which is positive if
+    /// the largest coordinate of r exceeds 2 e.
+    pub(crate) fn certain_descent(&self) -> Option<[f64; 2]> {
+        let largest = self.linear[0].abs().max(self.linear[1].abs());
+        (largest > 4.0 * self.linear_error).then(|| self.linear.map(|v| -v))
+    }
+
     /// linear + Σ sign · normal, exactly.
     pub(crate) fn exact_gradient(&self, signs: &[i8]) -> [Dyadic; 2] {
-        let signed = signs.iter().enumerate().filter(|(_, sign)| **sign != 0);
-        let mut terms = signed.map(|(line, &sign)| (self.position(line as u32), sign));
-        let [x, y] = self.problem.exact.signed_normal_sum(&mut terms);
+        let signed = (0..).zip(signs).filter(|(_, sign)| **sign != 0);
+        let [x, y] = self.exact_signed_sum(signed.map(|(line, &sign)| (line, sign)));
         let [cx, cy] = self.exact_linear();
         [cx + &x, cy + &y]
+    }
+
+    /// Σ sign · normal over some lines, exactly.
+    pub(crate) fn exact_signed_sum(&self, terms: impl Iterator<Item = (u32, i8)>) -> [Dyadic; 2] {
+        let mut terms = terms.map(|(line, sign)| (self.position(line), sign));
+        self.problem.exact.signed_normal_sum(&mut terms)
     }
 
     /// The exact side of a line on which a vertex lies, as a function of the line.
@@ -191,12 +210,12 @@ impl<'p> Subproblem<'p> {
     /// sum to zero.
     pub(crate) fn is_balanced(&self) -> bool {
         let all_cancel = || self.members.is_none() && self.problem.exact.normals_sum_to_zero();
-        (self.is_sample || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
+        (self.asks_place_only || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
     }
 
     /// Whether only the place of the optimum is asked for, not its coefficients.
-    pub(crate) fn is_sample(&self) -> bool {
-        self.is_sample
+    pub(crate) fn asks_place_only(&self) -> bool {
+        self.asks_place_only
     }
 
     /// Whether the normal of a line is exactly zero.
@@ -225,6 +244,9 @@ impl<'p> Subproblem<'p> {
         let (left, right) = (a * d, b * c);
         if (left - right).abs() > 8.0 * UNIT * (left.abs() + right.abs()) + UNDERFLOW {
             return (left - right).total_cmp(&0.0);
+        }
+        if let Some(sign) = self.problem.exact.certain_cross_sign(self.position(first), self.position(second)) {
+            return sign;
         }
         let ([a, b], [c, d]) = (self.exact_line(first).normal, self.exact_line(second).normal);
         (a * d).cmp(&(b * c))

@@ -1,8 +1,11 @@
 //! The subdifferential of the objective at a vertex, from one pass over the lines.
 
+use std::cell::OnceCell;
+
 use super::part::Subproblem;
-use super::sign_pass::read_sides;
+use super::sign_pass::{Reading, read_sides};
 use super::vertex::Vertex;
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
 
@@ -17,6 +20,15 @@ pub(crate) struct Subdifferential {
     pub(crate) gradient: [f64; 2],
     /// A bound on the error of each coordinate of the gradient.
     pub(crate) gradient_error: f64,
+    /// The same sum exactly, made when a decision needs it.
+    exact_gradient: OnceCell<[Dyadic; 2]>,
+}
+
+impl Subdifferential {
+    /// The exact sum linear + Σ sign · normal; the subproblem must be the one that was read.
+    pub(crate) fn exact_gradient(&self, subproblem: &Subproblem) -> &[Dyadic; 2] {
+        self.exact_gradient.get_or_init(|| subproblem.exact_gradient(&self.signs))
+    }
 }
 
 /// Lines whose side floating point leaves open.
@@ -46,8 +58,9 @@ impl Subproblem<'_> {
     /// UNIT of its result, each result being at most |a x| + |a y| + |b| in magnitude.
     pub(crate) fn read_at(&self, vertex: &Vertex, around: &mut Subdifferential, tally: &mut impl Tally) {
         self.count_pass(tally);
-        let Subdifferential { signs, through, .. } = around;
+        let Subdifferential { signs, through, exact_gradient, .. } = around;
         through.clear();
+        exact_gradient.take();
         let ([px, py], [vx, vy]) = (vertex.point, vertex.error);
         let floor = UNDERFLOW * (1.0 + px.abs() + py.abs());
         let exact_side = self.exact_sides(vertex);
@@ -57,8 +70,14 @@ impl Subproblem<'_> {
             signs,
             |error| {
                 let per_normal = |value: f64, off: f64| off + 8.0 * UNIT * value.abs() + error.offset_per_normal;
-                let (ex, ey, eb) = (per_normal(px, vx), per_normal(py, vy), error.offset_relative + 8.0 * UNIT);
-                move |x, y, b| (x * px + y * py + b, x.abs() * ex + y.abs() * ey + b.abs() * eb + floor)
+                Reading {
+                    point: [px, py],
+                    across: [0.0; 2],
+                    per_x: per_normal(px, vx),
+                    per_y: per_normal(py, vy),
+                    per_offset: error.offset_relative + 8.0 * UNIT,
+                    floor,
+                }
             },
             |line, [x, y, _], _| {
                 let line = line as u32;
