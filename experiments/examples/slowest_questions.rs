@@ -57,7 +57,7 @@ fn ask(family: &BodyFamily<3>, size: usize, count: usize) -> Vec<Asked> {
     for seed in 0..count.div_ceil(PLACEMENTS.len()) as u64 {
         let body = family.generate(size, seed);
         for placement in PLACEMENTS {
-            let Some(question) = Question::about(body.clone(), *placement, seed) else { continue };
+            let Some(question) = Question::about(body.clone(), placement, seed) else { continue };
             let text = format!("seed {seed}, {}, {}", placement.id, rungs(&question));
             asked.push(Asked { time: least_time(&question), text });
         }
