@@ -5,6 +5,7 @@
 //! along each axis, r_k the sum of what was lost there.
 
 use super::Rational;
+use super::double_double::{BoundedDoubleDouble, DoubleDouble};
 use super::dyadic::Dyadic;
 
 /// The least double that is not below an exact number; infinite above the largest double.
@@ -15,6 +16,24 @@ pub(crate) fn at_least(exact: &Dyadic) -> f64 {
 /// The greatest double that is not above an exact number; negative infinity below the lowest double.
 pub(crate) fn at_most(exact: &Dyadic) -> f64 {
     0.0 - at_least(&-exact.clone())
+}
+
+/// The least double that is not below the exact value that a pair of doubles is near, if its bound tells which one it
+/// is.
+pub(crate) fn certain_at_least(value: &BoundedDoubleDouble) -> Option<f64> {
+    let nearest = value.nearest_double()?;
+    let (DoubleDouble { low, .. }, error) = value.parts();
+    match value.is_no_double() {
+        true => Some(if low > 0.0 { nearest.next_up() } else { nearest }),
+        false => (error == 0.0 && low == 0.0).then_some(nearest + 0.0),
+    }
+}
+
+/// The greatest double that is not above the exact value that a pair of doubles is near, if its bound tells which one
+/// it is.
+pub(crate) fn certain_at_most(value: &BoundedDoubleDouble) -> Option<f64> {
+    let opposite = BoundedDoubleDouble::exact(0.0) - *value;
+    certain_at_least(&opposite).map(|least| 0.0 - least)
 }
 
 /// A double that is not below a fraction and within a few units in the last place of it; infinite above the largest

@@ -6,6 +6,7 @@ use super::exact::exact_optimum;
 use super::*;
 use crate::enclosing::min_area;
 use crate::interop::verifier::{check_exact_min_area, check_min_area};
+use crate::lad::{LineIndex, Minimizer};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
@@ -168,7 +169,10 @@ fn falsified_answers_are_rejected() {
         rejected(&|answer| answer.lower_bound = bound, "lower_bound");
     }
     let mut elsewhere = right();
-    elsewhere.proof.optimal_center[0] = elsewhere.proof.optimal_center[0].clone() + Dyadic::from_f64(9.0);
+    let Minimizer::Vertex(first, second) = elsewhere.proof.minimizer else { panic!("the hull has area") };
+    let is_other = |line: &LineIndex| ![first, second].contains(line);
+    let other = (0..4).map(LineIndex).find(is_other).expect("there are four edges");
+    elsewhere.proof.minimizer = Minimizer::Vertex(first, other);
     assert!(check_exact_min_area(&points, &elsewhere).is_wrong());
     let larger = |answer: &mut MinAreaZonogon| {
         let mut generators = answer.body.generators().to_vec();

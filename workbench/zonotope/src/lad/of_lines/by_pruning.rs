@@ -153,7 +153,7 @@ fn search_above<T: Tally>(
         return solution;
     }
     match best {
-        Some(vertex) => descend_from(subproblem, Vertex::at(vertex.exact), &tie_break(seed), tally),
+        Some(vertex) => descend_from(subproblem, vertex.unnamed(), &tie_break(seed), tally),
         None if subproblem.len() > limit => search_above(limit, subproblem, None, first, random.random(), tally),
         None => descend_from_first(tally),
     }

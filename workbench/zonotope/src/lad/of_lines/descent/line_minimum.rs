@@ -65,8 +65,8 @@ impl SearchLine {
                 if forward { order } else { order.reverse() }
             };
             let pivot = *weighted_median(candidates, slope_to_gain, order, |c| c.weight).expect("candidates are left");
-            let vertex =
-                Vertex::new(self.exact(subproblem), &subproblem.exact_line(pivot.line), [self.index, Some(pivot.line)]);
+            let own = || self.exact(subproblem).clone();
+            let vertex = Vertex::on_line(subproblem, self.index, own, pivot.line);
             subproblem.read_at(&vertex, around, tally);
             forward = if self.slope_sign(subproblem, around, true).is_lt() {
                 true

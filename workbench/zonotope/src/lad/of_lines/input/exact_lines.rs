@@ -1,8 +1,10 @@
 //! The exact coefficients of the lines, made when a decision needs them.
 
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
 use crate::arrangement::ExactLine;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 
 /// A source of exact lines.
@@ -29,6 +31,29 @@ pub(crate) trait ExactLines: Debug + Sync {
     /// doubles and exact numbers; `None` where it leaves the sign open.
     fn certain_signs(&self, _point: &[Dyadic; 3]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
         Box::new(|_| None)
+    }
+
+    /// The same filter for a point known by pairs of doubles; only a source that knows
+    /// [common points](Self::meeting_point) is asked.
+    fn certain_sides(&self, _place: [BoundedDoubleDouble; 2]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
+        Box::new(|_| None)
+    }
+
+    /// The common point of two lines that are not parallel by pairs of doubles; `None` unless the larger double of each
+    /// is within 4 UNIT of the exact coordinate, or [`UNDERFLOW`](crate::numeric::tolerance::UNDERFLOW).
+    fn meeting_point(&self, _first: usize, _second: usize) -> Option<[BoundedDoubleDouble; 2]> {
+        None
+    }
+
+    /// The value of a line at a point known by pairs of doubles.
+    fn value_near(&self, _position: usize, _place: &[BoundedDoubleDouble; 2]) -> Option<BoundedDoubleDouble> {
+        None
+    }
+
+    /// The sign of the rate at which Σ sign · normal · x over all lines grows along one of them, forward, by less than
+    /// exact arithmetic; `None` where it leaves the sign open.
+    fn certain_rate(&self, _signs: &[i8], _along: usize) -> Option<Ordering> {
+        None
     }
 
     /// The exact sum Σ sign · normal over the given positions.

@@ -13,6 +13,7 @@ use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
 use crate::lad::of_lines::input::LadProblem;
 use crate::lad::of_lines::input::rounded_lines::{GatheredLines, LineError, RoundedLines};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
@@ -172,18 +173,42 @@ impl<'p> Subproblem<'p> {
         [cx + &x, cy + &y]
     }
 
+    /// The common point of two lines by pairs of doubles, where the source of the lines knows it, and the positions of
+    /// the lines in the problem.
+    pub(super) fn meeting_point(&self, first: u32, second: u32) -> Option<([usize; 2], [BoundedDoubleDouble; 2])> {
+        let positions = [first, second].map(|line| self.position(line));
+        let place = || self.problem.exact.meeting_point(positions[0], positions[1]);
+        if self.own_offsets { None } else { Some((positions, place()?)) }
+    }
+
+    /// The sign of linear + Σ sign · normal along a line, where the source of the lines tells it at once.
+    pub(crate) fn certain_rate(&self, signs: &[i8], along: u32) -> Option<Ordering> {
+        if self.is_sample || self.own_offsets || !self.linear_source.is_of_signs_alone() {
+            return None;
+        }
+        let mut all = vec![0; self.problem.len()];
+        self.linear_source.add_signs(&mut all);
+        for (line, &sign) in signs.iter().enumerate() {
+            all[self.position(line as u32)] = sign;
+        }
+        self.problem.exact.certain_rate(&all, self.position(along))
+    }
+
     /// The exact side of a line on which a vertex lies, as a function of the line.
     pub(super) fn exact_sides<'a>(&'a self, vertex: &'a Vertex) -> impl Fn(u32) -> i8 + 'a {
         let (passing, signs) = (OnceCell::new(), OnceCell::new());
         move |line| {
-            let point = || if self.own_offsets { None } else { vertex.as_doubles() };
+            let point = || if self.own_offsets { None } else { vertex.as_doubles(self.problem) };
             let passing = passing.get_or_init(|| point().map(|point| self.problem.exact.certainly_passing(point)));
             if passing.as_ref().is_some_and(|passes| passes(self.position(line))) {
                 return 0;
             }
-            let known = || self.problem.exact.certain_signs(&vertex.exact);
+            let known = || match vertex.place {
+                Some(place) => self.problem.exact.certain_sides(place),
+                None => self.problem.exact.certain_signs(vertex.exact(self.problem)),
+            };
             let known = if self.own_offsets { None } else { signs.get_or_init(known)(self.position(line)) };
-            known.unwrap_or_else(|| vertex.exact_side(&self.exact_line(line)))
+            known.unwrap_or_else(|| vertex.exact_side(self.problem, &self.exact_line(line)))
         }
     }
 

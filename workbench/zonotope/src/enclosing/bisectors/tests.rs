@@ -1,0 +1,59 @@
+//! The lines by doubles and by pairs of doubles against the exact ones.
+
+use super::*;
+use crate::lad::kernel_input::ExactLines;
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::hull::antipodal::farthest_vertices;
+use crate::hull::convex_hull;
+
+/// A regular polygon, whose lines nearly meet, made thin along one axis.
+fn ellipse(corners: u32, height: f64) -> ConvexHull {
+    let angle = |k: u32| f64::from(k) * std::f64::consts::TAU / f64::from(corners);
+    let points: Vec<[f64; 2]> = (0..corners).map(|k| [libm::cos(angle(k)), height * libm::sin(angle(k))]).collect();
+    convex_hull(&points).expect("the points are finite")
+}
+
+#[test]
+fn certain_signs_are_those_of_exact_values() {
+    for (corners, height) in [(30, 1.0), (64, 1.0), (31, 1e-6), (40, 1e-300)] {
+        let hull = ellipse(corners, height);
+        let farthest = farthest_vertices(&hull);
+        let lines = Lines { hull: &hull, farthest: &farthest, frame: Bisectors::new(&hull, &farthest).frame };
+        let count = hull.edge_count();
+        let (mut told, mut asked) = (0, 0);
+        for t in 0..count {
+            let (first, second) = (lines.line(t), lines.line((t + count / 3) % count));
+            let mut point = first.meet(&second);
+            if point[2].sign().is_lt() {
+                point = point.map(|c| -c);
+            }
+            let at_infinity = [point[0].clone(), point[1].clone(), Dyadic::zero()];
+            for place in [point, at_infinity] {
+                let signs = lines.certain_signs(&place);
+                for other in 0..count {
+                    let exact = lines.line(other).evaluate(&place).sign() as i8;
+                    assert!(signs(other).is_none_or(|sign| sign == exact), "{corners} {height:e} {t} {other}");
+                    asked += i32::from(exact != 0);
+                    told += i32::from(signs(other).is_some());
+                }
+            }
+        }
+        assert!(10 * told >= 9 * asked, "{told} of {asked} for {corners} corners of height {height:e}");
+    }
+}
+
+#[test]
+fn a_sum_of_edges_is_that_of_its_corners() {
+    let hull = ellipse(12, 1.0);
+    let farthest = farthest_vertices(&hull);
+    let lines = Lines { hull: &hull, farthest: &farthest, frame: Bisectors::new(&hull, &farthest).frame };
+    let signs = [1, 1, -1, -1, -1, 0, 1, 1, 1, 1, -1, 1];
+    let mut terms = signs.into_iter().enumerate().filter(|(_, sign)| *sign != 0);
+    let one_by_one = terms.clone().fold([Dyadic::zero(), Dyadic::zero()], |[x, y], (t, sign)| {
+        let [a, b] = lines.line(t).normal;
+        if sign > 0 { [x + a, y + b] } else { [x - a, y - b] }
+    });
+    assert_eq!(lines.signed_normal_sum(&mut terms), one_by_one);
+    let all = lines.signed_normal_sum(&mut (0..12).map(|t| (t, 1)));
+    assert_eq!(all, [Dyadic::zero(), Dyadic::zero()]);
+}
