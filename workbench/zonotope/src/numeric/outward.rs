@@ -22,10 +22,10 @@ pub(crate) fn at_most(exact: &Dyadic) -> f64 {
 /// is.
 pub(crate) fn certain_at_least(value: &BoundedDoubleDouble) -> Option<f64> {
     let nearest = value.nearest_double()?;
-    let (DoubleDouble { low, .. }, error) = value.parts();
+    let (DoubleDouble { low, .. }, _) = value.parts();
     match value.is_no_double() {
         true => Some(if low > 0.0 { nearest.next_up() } else { nearest }),
-        false => (error == 0.0 && low == 0.0).then_some(nearest + 0.0),
+        false => value.is_exactly_double().then_some(nearest + 0.0),
     }
 }
 

@@ -29,6 +29,17 @@ pub(crate) struct Frame {
     factors: [[f64; 2]; 2],
 }
 
+/// The doubles nearest to an optimal centre.
+#[derive(Debug)]
+pub(crate) struct NearestCenter {
+    /// The doubles.
+    pub(crate) point: [f64; 2],
+    /// Their kernel point, by pairs of doubles that are exact.
+    pub(crate) kernel_point: [BoundedDoubleDouble; 2],
+    /// Whether they are the optimal centre itself.
+    pub(crate) is_optimal: bool,
+}
+
 impl Frame {
     /// The frame for a hull and the farthest vertices of its edges.
     pub(super) fn of(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
@@ -100,18 +111,23 @@ impl Frame {
         [0, 1].map(|axis| Dyadic::from_f64(point[axis]).scaled(-self.scales[axis]))
     }
 
-    /// The double nearest to each coordinate of the point O of a kernel point, and the kernel point of these doubles,
-    /// exactly. `None` unless pairs of doubles tell which doubles these are and that they are not O itself.
-    pub(crate) fn nearest_center(&self, place: &[BoundedDoubleDouble; 2]) -> Option<([f64; 2], [BoundedDoubleDouble; 2])> {
-        let doubled = [0, 1].map(|axis| place[axis] + BoundedDoubleDouble::exact(self.reference[axis]));
+    /// Twice the point O of a kernel point, in the scale of the frame.
+    pub(super) fn doubled_center(&self, place: &[BoundedDoubleDouble; 2]) -> [BoundedDoubleDouble; 2] {
+        [0, 1].map(|axis| place[axis] + BoundedDoubleDouble::exact(self.reference[axis]))
+    }
+
+    /// The doubles nearest to a point O, given twice O in the scale of the frame; `None` unless pairs of doubles tell
+    /// which doubles these are, and whether they are O itself.
+    pub(super) fn nearest_center(&self, doubled: &[BoundedDoubleDouble; 2]) -> Option<NearestCenter> {
         let [x, y] = doubled.map(|sum| sum.nearest_double().filter(|v| v.abs() > SMALLEST_CENTER));
         let nearest = [x?, y?];
-        if !self.sums_are_doubles() || doubled.iter().all(|sum| !sum.is_no_double()) {
+        let is_optimal = doubled.iter().all(BoundedDoubleDouble::is_exactly_double);
+        if !self.sums_are_doubles() || !(is_optimal || doubled.iter().any(BoundedDoubleDouble::is_no_double)) {
             return None;
         }
-        let center = [0, 1].map(|axis| scale_by_power_of_two(nearest[axis], self.scales[axis] - 1));
+        let point = [0, 1].map(|axis| scale_by_power_of_two(nearest[axis], self.scales[axis] - 1));
         let kernel_point = [0, 1].map(|axis| BoundedDoubleDouble::of_parts(nearest[axis], -self.reference[axis], 0.0));
-        Some((center, kernel_point))
+        Some(NearestCenter { point, kernel_point, is_optimal })
     }
 
     /// The point O of a kernel point, the inverse of [`Bisectors::kernel_point`], both in homogeneous coordinates.

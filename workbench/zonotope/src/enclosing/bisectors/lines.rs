@@ -97,6 +97,17 @@ impl ExactLines for Lines<'_> {
         true
     }
 
+    /// The mean of the points P_s + P_t. Where no two edges are parallel, as of a regular polygon of an odd number of
+    /// corners, every edge of the hull may be an edge of Z(O).
+    fn balanced_center(&self) -> Option<[f64; 2]> {
+        let mut sum = [0.0; 2];
+        for (&from, far) in self.hull.vertices().iter().zip(self.farthest) {
+            let [from, far] = [from, self.hull.vertex(far.vertex())].map(|point| self.frame.scaled(point));
+            sum = [0, 1].map(|axis| sum[axis] + sum_from_reference(far[axis], from[axis], self.frame.reference[axis]));
+        }
+        Some(sum.map(|coordinate| coordinate / self.len() as f64))
+    }
+
     fn certainly_passing(&self, point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {
         let shifted = [0, 1].map(|axis| exact_sum(point[axis], self.frame.reference[axis]));
         Box::new(move |t| {

@@ -17,8 +17,9 @@ mod pairs;
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
 use crate::lad::LadProblem;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
-pub(crate) use frame::Frame;
+pub(crate) use frame::{Frame, NearestCenter};
 use lines::Lines;
 
 /// The lines ℓ_t of a hull with area.
@@ -44,6 +45,36 @@ impl<'h> Bisectors<'h> {
     pub fn kernel_problem(&self) -> LadProblem<'h> {
         let lines = Lines { hull: self.hull, farthest: self.farthest, frame: self.frame };
         LadProblem::from_made_lines(Box::new(lines), Box::new(lines))
+    }
+
+    /// The doubles nearest to the centre where two lines meet, given their common point by pairs of doubles; `None`
+    /// where these leave open which doubles are nearest or whether they are the centre.
+    ///
+    /// A line runs through the midpoints of the farthest vertex and either end of the edge, and lines of few points
+    /// often meet in such a midpoint. Then it is known without error.
+    pub(crate) fn nearest_center(&self, lines: [usize; 2], place: &[BoundedDoubleDouble; 2]) -> Option<NearestCenter> {
+        let doubled = match self.shared_midpoint(lines) {
+            Some(ends) => {
+                let [a, b] = ends.map(|end| self.hull.vertices()[end]);
+                if !(self.frame.scales_exactly(a) && self.frame.scales_exactly(b)) {
+                    return None;
+                }
+                let [a, b] = [a, b].map(|end| self.frame.scaled(end));
+                [0, 1].map(|axis| BoundedDoubleDouble::of_parts(a[axis], b[axis], 0.0))
+            }
+            None => self.frame.doubled_center(place),
+        };
+        self.frame.nearest_center(&doubled)
+    }
+
+    /// The vertices whose midpoint is on two lines, if both lines run through the midpoint of the same two vertices.
+    fn shared_midpoint(&self, lines: [usize; 2]) -> Option<[usize; 2]> {
+        let [first, second] = lines.map(|t| {
+            let far = self.farthest[t].vertex().get();
+            let next = if t + 1 < self.farthest.len() { t + 1 } else { 0 };
+            [t, next].map(|end| [end.min(far), end.max(far)])
+        });
+        first.into_iter().find(|ends| second.contains(ends))
     }
 
     /// The kernel point of a centre, both in homogeneous coordinates.

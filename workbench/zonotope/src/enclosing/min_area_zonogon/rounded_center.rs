@@ -4,13 +4,13 @@
 //! term vanishes where δ_t is the sign of v_t(O), so only the lines between O and the optimum count, and those of the
 //! basis, whose δ_t need not be a sign.
 
-use crate::enclosing::bisectors::{Bisectors, Frame};
+use crate::enclosing::bisectors::{Bisectors, Frame, NearestCenter};
 use crate::enclosing::centered_zonogon::homogeneous;
 use crate::enclosing::half_turn::HalfTurn;
 use crate::enclosing::outward::{Outward, round_outward};
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
-use crate::lad::{LadCertificate, LadOptimum, LadProblem};
+use crate::lad::{LadCertificate, LadOptimum, LadProblem, LineIndex, Minimizer};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::outward::{at_most, certain_at_most};
@@ -78,13 +78,17 @@ impl RoundedCenter {
     /// optimal centre itself.
     fn nearest_by_pairs(kernel: &Kernel) -> Option<Self> {
         let Kernel { bisectors, problem, optimum } = kernel;
-        let (point, kernel_point) = bisectors.frame.nearest_center(&optimum.place?)?;
+        let Minimizer::Vertex(first, second) = optimum.minimizer else { return None };
+        let lines = [first, second].map(LineIndex::position);
+        let NearestCenter { point, kernel_point, is_optimal } = bisectors.nearest_center(lines, &optimum.place?)?;
+        if is_optimal {
+            return Some(Self { point, sides: optimum.signs(), gap: Gap::Exact(Dyadic::zero()) });
+        }
         let sides = optimum.signs_beside(problem, kernel_point);
         let unlike = unlike_certificate(&sides, &optimum.certificate).filter(|&line| sides[line] != 0);
-        let gap = unlike.map(|line| problem.exact.value_near(line, &kernel_point)).try_fold(
-            BoundedDoubleDouble::exact(0.0),
-            |gap, value| Some(gap + value?.abs()),
-        )?;
+        let gap = unlike
+            .map(|line| problem.exact.value_near(line, &kernel_point))
+            .try_fold(BoundedDoubleDouble::exact(0.0), |gap, value| Some(gap + value?.abs()))?;
         let gap = Gap::Near { gap: bisectors.frame.unscaled_pair(gap), kernel_point };
         Some(Self { point, sides, gap })
     }

@@ -33,13 +33,18 @@ impl LadProblem<'_> {
 }
 
 impl LadOptimum {
+    /// The side of each line on which the minimiser lies.
+    pub(crate) fn signs(&self) -> Vec<i8> {
+        let mut signs = self.certificate.signs.clone();
+        self.through.iter().for_each(|&line| signs[line as usize] = 0);
+        signs
+    }
+
     /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. At
     /// the minimiser no line is read, near it only the lines that may pass between it and the point.
     pub(crate) fn signs_at(&self, problem: &LadProblem, point: &[Dyadic; 3]) -> Vec<i8> {
         if self.is_at(problem, point) {
-            let mut signs = self.certificate.signs.clone();
-            self.through.iter().for_each(|&line| signs[line as usize] = 0);
-            return signs;
+            return self.signs();
         }
         self.signs_at_vertex(problem, &Vertex::at(point.clone()))
     }

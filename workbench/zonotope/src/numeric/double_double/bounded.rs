@@ -78,7 +78,9 @@ impl BoundedDoubleDouble {
     /// The double nearest to the exact value, if the bounds tell which one it is.
     pub(crate) fn nearest_double(&self) -> Option<f64> {
         let reach = (self.low.abs() + self.error) * DOUBLE_DOUBLE_BOUND;
-        (self.high + reach == self.high && self.high - reach == self.high).then_some(self.high)
+        let is_near = self.high + reach == self.high && self.high - reach == self.high;
+        // Without an error the larger double is the rounded sum, also where that lies midway between two doubles.
+        (is_near || self.error == 0.0).then_some(self.high)
     }
 
     /// Whether the exact value is certainly not a double: it is strictly between `high` and the next one.
@@ -94,6 +96,11 @@ impl BoundedDoubleDouble {
     /// The sum of the two doubles, exactly.
     pub(crate) fn to_dyadic(self) -> Dyadic {
         Dyadic::from_f64(self.high) + Dyadic::from_f64(self.low)
+    }
+
+    /// Whether the exact value is known to be the double `high`.
+    pub(crate) fn is_exactly_double(&self) -> bool {
+        self.low == 0.0 && self.error == 0.0
     }
 
     /// The absolute value.

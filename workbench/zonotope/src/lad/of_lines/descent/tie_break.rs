@@ -45,7 +45,7 @@ impl<T> TieBreak<T> {
             random.random_range(-1.0..1.0) * if size > SMALLEST_NORMAL_FOR_OFFSETS { size } else { 1.0 }
         };
         let offsets = lines.iter().map(|&line| offset(line)).collect();
-        let moved = subproblem.moved_apart(lines, subproblem.exact_gradient(&around.signs), offsets);
+        let moved = subproblem.moved_apart(around, offsets);
         match (self.solve)(&moved, random.random(), tally) {
             Solution::Optimal(optimal) => Decision::Optimal {
                 face_dimension: if subproblem.is_sample() { 0 } else { face_dimension(&moved, &optimal) },

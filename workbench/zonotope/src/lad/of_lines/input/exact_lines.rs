@@ -21,6 +21,12 @@ pub(crate) trait ExactLines: Debug + Sync {
         false
     }
 
+    /// A point that may lie on one side of all lines, if the normals are known to sum to zero: then the objective is
+    /// least there, as the sum of all values is the same everywhere.
+    fn balanced_center(&self) -> Option<[f64; 2]> {
+        None
+    }
+
     /// A test that is true only of lines that pass through the given point; where it is false, the line may pass or
     /// not.
     fn certainly_passing(&self, _point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {

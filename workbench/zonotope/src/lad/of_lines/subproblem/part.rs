@@ -9,6 +9,7 @@ use std::cmp::Ordering;
 use std::rc::Rc;
 
 use super::exact_linear::ExactLinear;
+use super::subdifferential::Subdifferential;
 use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
 use crate::lad::of_lines::input::LadProblem;
@@ -32,7 +33,7 @@ pub(crate) struct Subproblem<'p> {
     /// The rounded linear term.
     pub(crate) linear: [f64; 2],
     /// A bound on the error of each coordinate of `linear`.
-    pub(super) linear_error: f64,
+    pub(crate) linear_error: f64,
     linear_source: ExactLinear,
     exact_linear: OnceCell<[Dyadic; 2]>,
 }
@@ -86,15 +87,19 @@ impl<'p> Subproblem<'p> {
         remainder
     }
 
-    /// The lines through a vertex, moved apart to the given offsets, under a known linear term.
-    pub(crate) fn moved_apart(&self, lines: &[u32], linear: [Dyadic; 2], offsets: Vec<f64>) -> Self {
-        let rounded = [linear[0].to_f64(), linear[1].to_f64()];
+    /// The lines through a vertex, moved apart to the given offsets; all other lines have the signs that they have at the
+    /// vertex.
+    pub(crate) fn moved_apart(&self, around: &Subdifferential, offsets: Vec<f64>) -> Self {
+        let lines = &around.through;
         let mut rows = GatheredLines::with_capacity(lines.len());
         for (&line, offset) in lines.iter().zip(offsets) {
             let [x, y] = self.normal(line);
             rows.push([x, y, offset], LineError::default());
         }
-        Self { own_offsets: true, ..self.part(lines, rows, rounded, ExactLinear::known(linear)) }
+        let source = self.linear_source.with_fixed_signs(self.members.clone(), around.signs.clone());
+        let mut moved = Self { own_offsets: true, ..self.part(lines, rows, around.gradient, source) };
+        moved.linear_error += around.gradient_error;
+        moved
     }
 
     fn new(
@@ -183,8 +188,11 @@ impl<'p> Subproblem<'p> {
 
     /// The sign of linear + Σ sign · normal along a line, where the source of the lines tells it at once.
     pub(crate) fn certain_rate(&self, signs: &[i8], along: u32) -> Option<Ordering> {
-        if self.is_sample || self.own_offsets || !self.linear_source.is_of_signs_alone() {
+        if self.is_sample || !self.linear_source.is_of_signs_alone() {
             return None;
+        }
+        if self.members.is_none() {
+            return self.problem.exact.certain_rate(signs, along as usize);
         }
         let mut all = vec![0; self.problem.len()];
         self.linear_source.add_signs(&mut all);
@@ -219,6 +227,12 @@ impl<'p> Subproblem<'p> {
         (self.is_sample || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
     }
 
+    /// A point that is expected to be near the optimum, where this is the whole of a problem without a linear term whose
+    /// normals sum to zero.
+    pub(crate) fn balanced_center(&self) -> Option<[f64; 2]> {
+        if self.members.is_none() && self.is_balanced() { self.problem.exact.balanced_center() } else { None }
+    }
+
     /// Whether only the place of the optimum is asked for, not its coefficients.
     pub(crate) fn is_sample(&self) -> bool {
         self.is_sample
@@ -244,8 +258,29 @@ impl<'p> Subproblem<'p> {
         }
     }
 
+    /// A line nearest to a point in rounded arithmetic; `None` if there are no lines with a normal.
+    pub(crate) fn nearest_line(&self, [px, py]: [f64; 2], tally: &mut impl Tally) -> Option<u32> {
+        self.count_pass(tally);
+        let mut nearest = None;
+        let mut least = f64::INFINITY;
+        self.lines.each_block(|start, block| {
+            for line in 0..block.len() {
+                let [x, y, b] = block.row(line);
+                let value = x * px + y * py + b;
+                let squared_distance = value * value / (x * x + y * y);
+                if squared_distance < least {
+                    (nearest, least) = (Some((start + line) as u32), squared_distance);
+                }
+            }
+        });
+        nearest
+    }
+
     /// The sign of the cross product of the normals of two lines.
     pub(crate) fn cross_sign(&self, first: u32, second: u32) -> Ordering {
+        if first == second {
+            return Ordering::Equal;
+        }
         let ([a, b], [c, d]) = (self.normal(first), self.normal(second));
         let (left, right) = (a * d, b * c);
         if (left - right).abs() > 8.0 * UNIT * (left.abs() + right.abs()) + UNDERFLOW {
