@@ -56,9 +56,8 @@ impl Corners {
     /// The sum, exactly, for the vertices of the polygon.
     pub(super) fn exact_sum(&self, vertices: &[[f64; 2]]) -> [Dyadic; 2] {
         [0, 1].map(|axis| {
-            let exact = |&(at, factor): &(u32, f64)| {
-                Dyadic::from_f64(factor) * Dyadic::from_f64(vertices[at as usize][axis])
-            };
+            let exact =
+                |&(at, factor): &(u32, f64)| Dyadic::from_f64(factor) * Dyadic::from_f64(vertices[at as usize][axis]);
             if self.0.len() <= ONE_BY_ONE_LIMIT {
                 return self.0.iter().map(exact).fold(Dyadic::zero(), |sum, c| sum + c);
             }

@@ -1,7 +1,7 @@
 //! The frame of the kernel: scales and a reference point in which doubles tell the lines of a hull apart.
 
-use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
+use crate::hull::{ConvexHull, VertexIndex};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, power_of_two, scale_by_power_of_two};
@@ -14,7 +14,7 @@ const THIN_EXPONENT: i64 = 10;
 const SMALLEST_CENTER: f64 = power_of_two(-60);
 
 /// The number of lines, at most, over which the reference is a median.
-const REFERENCE_SAMPLE: usize = 32;
+const REFERENCE_SAMPLE: usize = 16;
 
 /// The frame of the kernel, in which a coordinate of a point O of the plane is x = 2 · 2^−scale · O − reference. The
 /// scales take the points of the hull to magnitude at most 1, and the reference is near twice their middle.
@@ -51,15 +51,17 @@ impl Frame {
         let scales = if is_thin { scales } else { [scales[0].max(scales[1]); 2] };
         let factors = scales.map(|scale| [-(scale / 2), scale / 2 - scale].map(|e| scale_by_power_of_two(1.0, e)));
         let frame = Self { scales, reference: [0.0; 2], factors };
-        // If the hull is nearly symmetric, the median over a few lines is near every P_s + P_t, so that offsets are
-        // small. Else any reference does.
+        // If the hull is nearly symmetric, the median over both ends of a few lines is near one end of every line, so
+        // that offsets are small. Else any reference does.
         let step = farthest.len() / REFERENCE_SAMPLE + 1;
-        let mut sums = [[0.0; REFERENCE_SAMPLE]; 2];
+        let mut sums = [[0.0; 2 * REFERENCE_SAMPLE]; 2];
         let mut count = 0;
         for t in (0..farthest.len()).step_by(step) {
-            let (a, b) = (frame.scaled(hull.vertices()[t]), frame.scaled(hull.vertex(farthest[t].vertex())));
-            (sums[0][count], sums[1][count]) = (a[0] + b[0], a[1] + b[1]);
-            count += 1;
+            let far = frame.scaled(hull.vertex(farthest[t].vertex()));
+            for end in hull.edge(VertexIndex::new(t)).map(|end| frame.scaled(end)) {
+                (sums[0][count], sums[1][count]) = (end[0] + far[0], end[1] + far[1]);
+                count += 1;
+            }
         }
         let reference = sums.map(|mut sums| {
             let sums = &mut sums[..count];
@@ -104,6 +106,12 @@ impl Frame {
     /// Whether sums of four coordinates of the input neither overflow nor come near underflow.
     pub(crate) fn sums_are_doubles(&self) -> bool {
         self.scales.iter().all(|scale| (-900..1000).contains(scale))
+    }
+
+    /// Whether sums of four coordinates of the input do not overflow, nor does a factor that takes them to the frame.
+    /// Sums of doubles never underflow.
+    pub(crate) fn sums_are_finite(&self) -> bool {
+        self.scales.iter().all(|scale| (-1020..1000).contains(scale))
     }
 
     /// A point in the units of the frame, exactly.

@@ -24,14 +24,19 @@ pub(super) struct Lines<'h> {
 }
 
 impl Lines<'_> {
-    /// The row of the edge between two scaled vertices, and the magnitude of d with row · (x, y, 1) = edge × (x − d).
+    /// The row of the edge between two scaled vertices, and the magnitude of d with row · (x, y, 1) = edge × (x − d),
+    /// the smaller one of the two that its ends give.
     #[inline(always)]
     fn between(&self, from: [f64; 2], to: [f64; 2], far: FarthestVertex) -> ([f64; 3], f64) {
         let far = self.frame.scaled(self.hull.vertex(far.vertex()));
         let edge = [to[0] - from[0], to[1] - from[1]];
         let [rx, ry] = self.frame.reference;
-        let d = [sum_from_reference(far[0], from[0], rx), sum_from_reference(far[1], from[1], ry)];
-        ([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]], d[0].abs().max(d[1].abs()))
+        // The line runs through the midpoints of the farthest vertex and both ends. Opposite an edge that is nearly
+        // parallel to it, only one of them is near the centre of the hull.
+        let d = [from, to].map(|[x, y]| [sum_from_reference(far[0], x, rx), sum_from_reference(far[1], y, ry)]);
+        let [own, other] = d.map(|[x, y]| if x.abs() > y.abs() { x.abs() } else { y.abs() });
+        let (d, spread) = if other < own { (d[1], other) } else { (d[0], own) };
+        ([-edge[1], edge[0], edge[1] * d[0] - edge[0] * d[1]], spread)
     }
 
     /// The error of a row whose d has magnitude `spread`: each coordinate of d is within 3 UNIT of its value, each edge
@@ -42,9 +47,36 @@ impl Lines<'_> {
 
     /// The two ends of an edge and its farthest vertex in the frame, if none of them was rounded on the way there.
     pub(super) fn scaled_exactly(&self, t: usize) -> Option<[[f64; 2]; 3]> {
-        let [from, to] = self.ends(t);
-        let points = [from, to, self.hull.vertex(self.farthest[t].vertex())];
+        let next = if t + 1 < self.farthest.len() { t + 1 } else { 0 };
+        self.scaled_points([t, next, self.farthest[t].vertex().get()])
+    }
+
+    /// Vertices in the frame, if none of them was rounded on the way there.
+    pub(super) fn scaled_points<const N: usize>(&self, vertices: [usize; N]) -> Option<[[f64; 2]; N]> {
+        let points = vertices.map(|vertex| self.hull.vertices()[vertex]);
         points.iter().all(|&point| self.frame.scales_exactly(point)).then(|| points.map(|p| self.frame.scaled(p)))
+    }
+
+    /// The vertices whose midpoint is on two lines, if both lines run through the midpoint of the same two vertices.
+    pub(super) fn shared_midpoint(&self, lines: [usize; 2]) -> Option<[usize; 2]> {
+        let [first, second] = lines.map(|t| {
+            let far = self.farthest[t].vertex().get();
+            let next = if t + 1 < self.farthest.len() { t + 1 } else { 0 };
+            [t, next].map(|end| [end.min(far), end.max(far)])
+        });
+        first.into_iter().find(|ends| second.contains(ends))
+    }
+
+    /// The kernel point of the midpoint of two vertices, without an error; `None` where it takes more than two doubles.
+    fn midpoint(&self, ends: [usize; 2]) -> Option<[BoundedDoubleDouble; 2]> {
+        let [a, b] = self.scaled_points(ends)?;
+        let [x, y] = [0, 1].map(|axis| {
+            let (sum, tail) = exact_sum(a[axis], b[axis]);
+            let (head, rest) = exact_sum(sum, -self.frame.reference[axis]);
+            let (tail, lost) = exact_sum(rest, tail);
+            (lost == 0.0).then(|| BoundedDoubleDouble::of_parts(head, tail, 0.0))
+        });
+        Some([x?, y?])
     }
 
     /// The two vertices of an edge of the hull.
@@ -133,7 +165,9 @@ impl ExactLines for Lines<'_> {
         let reference = self.frame.reference;
         Box::new(move |t| {
             let [from, to, far] = self.scaled_exactly(t)?;
-            let [x, y] = [0, 1].map(|i| offset_from(&place[i], far[i], from[i], reference[i]));
+            let offsets = [from, to].map(|end| [0, 1].map(|i| offset_from(&place[i], far[i], end[i], reference[i])));
+            let [own, other] = offsets.map(|[x, y]| x.value.abs().max(y.value.abs()));
+            let [x, y] = if other < own { offsets[1] } else { offsets[0] };
             let [edge_x, edge_y] = [0, 1].map(|i| Bounded::exact(to[i]) - Bounded::exact(from[i]));
             let by_pairs = || PairLine::new([from, to, far], reference).value(&place).sign();
             (edge_x * y - edge_y * x).sign().or_else(by_pairs)
@@ -141,7 +175,10 @@ impl ExactLines for Lines<'_> {
     }
 
     fn meeting_point(&self, first: usize, second: usize) -> Option<[BoundedDoubleDouble; 2]> {
-        PairLine::of(self, first)?.meet(&PairLine::of(self, second)?)
+        let shared = self.shared_midpoint([first, second]);
+        shared
+            .and_then(|ends| self.midpoint(ends))
+            .or_else(|| PairLine::of(self, first)?.meet(&PairLine::of(self, second)?))
     }
 
     fn value_near(&self, t: usize, place: &[BoundedDoubleDouble; 2]) -> Option<BoundedDoubleDouble> {

@@ -43,8 +43,12 @@ impl<'h> Bisectors<'h> {
     /// The kernel problem whose objective at the kernel point x of a point O is Σ_t |e_t × (X − P_s − P_t)| divided by
     /// the powers of two of both scales. O(1), as the lines are made when they are read.
     pub fn kernel_problem(&self) -> LadProblem<'h> {
-        let lines = Lines { hull: self.hull, farthest: self.farthest, frame: self.frame };
+        let lines = self.lines();
         LadProblem::from_made_lines(Box::new(lines), Box::new(lines))
+    }
+
+    fn lines(&self) -> Lines<'h> {
+        Lines { hull: self.hull, farthest: self.farthest, frame: self.frame }
     }
 
     /// The doubles nearest to the centre where two lines meet, given their common point by pairs of doubles; `None`
@@ -53,28 +57,14 @@ impl<'h> Bisectors<'h> {
     /// A line runs through the midpoints of the farthest vertex and either end of the edge, and lines of few points
     /// often meet in such a midpoint. Then it is known without error.
     pub(crate) fn nearest_center(&self, lines: [usize; 2], place: &[BoundedDoubleDouble; 2]) -> Option<NearestCenter> {
-        let doubled = match self.shared_midpoint(lines) {
+        let doubled = match self.lines().shared_midpoint(lines) {
             Some(ends) => {
-                let [a, b] = ends.map(|end| self.hull.vertices()[end]);
-                if !(self.frame.scales_exactly(a) && self.frame.scales_exactly(b)) {
-                    return None;
-                }
-                let [a, b] = [a, b].map(|end| self.frame.scaled(end));
+                let [a, b] = self.lines().scaled_points(ends)?;
                 [0, 1].map(|axis| BoundedDoubleDouble::of_parts(a[axis], b[axis], 0.0))
             }
             None => self.frame.doubled_center(place),
         };
         self.frame.nearest_center(&doubled)
-    }
-
-    /// The vertices whose midpoint is on two lines, if both lines run through the midpoint of the same two vertices.
-    fn shared_midpoint(&self, lines: [usize; 2]) -> Option<[usize; 2]> {
-        let [first, second] = lines.map(|t| {
-            let far = self.farthest[t].vertex().get();
-            let next = if t + 1 < self.farthest.len() { t + 1 } else { 0 };
-            [t, next].map(|end| [end.min(far), end.max(far)])
-        });
-        first.into_iter().find(|ends| second.contains(ends))
     }
 
     /// The kernel point of a centre, both in homogeneous coordinates.

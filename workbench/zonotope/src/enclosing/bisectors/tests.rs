@@ -1,10 +1,10 @@
 //! The lines by doubles and by pairs of doubles against the exact ones.
 
 use super::*;
-use crate::lad::kernel_input::ExactLines;
-use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::hull::antipodal::farthest_vertices;
 use crate::hull::convex_hull;
+use crate::lad::kernel_input::ExactLines;
+use crate::numeric::double_double::BoundedDoubleDouble;
 
 /// A regular polygon, whose lines nearly meet, made thin along one axis.
 fn ellipse(corners: u32, height: f64) -> ConvexHull {

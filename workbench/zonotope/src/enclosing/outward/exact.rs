@@ -27,8 +27,12 @@ pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
     let (mut generators, slack) =
         if frame.sums_are_doubles() { one_by_one(exact) } else { with_errors_carried_on(exact) };
     generators.retain(|generator| *generator != [0.0, 0.0]);
-    let area_below = area_of_centered(exact).and_then(|area| certain_at_most(&area));
-    let area_above = area_of_ordered(&generators, slack).and_then(|area| certain_at_least(&area));
+    let (area_below, area_above) = if frame.sums_are_doubles() {
+        let above = area_of_ordered(&generators, slack).and_then(|area| certain_at_least(&area));
+        (area_of_centered(exact).and_then(|area| certain_at_most(&area)), above)
+    } else {
+        (None, None)
+    };
     let zonogon = widened(exact.center(), generators, slack);
     Outward {
         area_below: area_below.unwrap_or_else(|| at_most(&exact.exact_area())),

@@ -256,19 +256,25 @@ fn within<T: Tally>(
         search_above(limit, &remainder, expected, first, seed, tally)
     });
     match solution {
-        Solution::Optimal(optimal) => Solution::Optimal(Box::new(lift(*optimal, &remainder, Near { cell, crossing }))),
+        Solution::Optimal(optimal) => {
+            Solution::Optimal(Box::new(lift(*optimal, &remainder, Near { cells: vec![cell], crossing })))
+        }
         unbounded => unbounded,
     }
 }
 
 /// A solution of the remainder, the lines that cross a cell, as one of the subproblem.
 fn lift(optimal: Optimal, remainder: &Subproblem, near: Near) -> Optimal {
-    let crossing = &near.crossing;
+    let crossing = near.crossing.clone();
     let mut signs = remainder.fixed_signs().to_vec();
     for (&line, &sign) in crossing.iter().zip(&optimal.signs) {
         signs[line as usize] = sign;
     }
     let rename = |lines: Vec<u32>| lines.into_iter().map(|line| crossing[line as usize]).collect();
     let [defining, through, basis] = [optimal.defining, optimal.through, optimal.basis].map(rename);
+    let near = match optimal.near {
+        Some(inner) => near.narrowed(inner),
+        None => near,
+    };
     Optimal { defining, through, signs, basis, near: Some(near), ..optimal }
 }

@@ -57,7 +57,7 @@ impl LadOptimum {
 
     fn signs_at_vertex(&self, problem: &LadProblem, vertex: &Vertex) -> Vec<i8> {
         let mut around = Subdifferential::default();
-        let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.cell.contains(vertex.point)) else {
+        let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.contains(vertex.point)) else {
             Subproblem::whole(problem).read_at(vertex, &mut around, &mut ());
             return around.signs;
         };

@@ -93,9 +93,8 @@ impl Vertex {
         if self.place.is_some_and(|place| place.iter().any(BoundedDoubleDouble::is_no_double)) {
             return None;
         }
-        let is_double = |exact: &Dyadic, w: &Dyadic, value: f64| {
-            value.is_finite() && *exact == w * &Dyadic::from_f64(value)
-        };
+        let is_double =
+            |exact: &Dyadic, w: &Dyadic, value: f64| value.is_finite() && *exact == w * &Dyadic::from_f64(value);
         let holds = || {
             let [x, y, w] = self.exact(problem);
             is_double(x, w, self.point[0]) && is_double(y, w, self.point[1])
