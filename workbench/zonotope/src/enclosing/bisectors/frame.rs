@@ -43,10 +43,8 @@ pub(crate) struct NearestCenter {
 impl Frame {
     /// The frame for a hull and the farthest vertices of its edges.
     pub(super) fn of(hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
-        let scales = [0, 1].map(|axis| {
-            let largest = hull.vertices().iter().fold(0.0f64, |largest, vertex| largest.max(vertex[axis].abs()));
-            binary_exponent(largest).map_or(0, |e| i64::from(e) + 1)
-        });
+        let scales = largest_coordinates(hull.vertices())
+            .map(|largest| binary_exponent(largest).map_or(0, |e| i64::from(e) + 1));
         let is_thin = (scales[0] - scales[1]).abs() > THIN_EXPONENT;
         let scales = if is_thin { scales } else { [scales[0].max(scales[1]); 2] };
         let factors = scales.map(|scale| [-(scale / 2), scale / 2 - scale].map(|e| scale_by_power_of_two(1.0, e)));
@@ -144,4 +142,20 @@ impl Frame {
         let unscale = |v: Dyadic, axis: usize| v.scaled(self.scales[axis] - 1);
         [unscale(x + &(&rx * w), 0), unscale(y + &(&ry * w), 1), w.clone()]
     }
+}
+
+/// The largest magnitude of a coordinate along each axis, of four points at a time.
+fn largest_coordinates(points: &[[f64; 2]]) -> [f64; 2] {
+    const LANES: usize = 8;
+    let mut largest = [0.0f64; LANES];
+    let (chunks, rest) = points.as_flattened().as_chunks::<LANES>();
+    for chunk in chunks {
+        for (largest, value) in largest.iter_mut().zip(chunk) {
+            *largest = if value.abs() > *largest { value.abs() } else { *largest };
+        }
+    }
+    for (largest, value) in largest.iter_mut().zip(rest) {
+        *largest = largest.max(value.abs());
+    }
+    [0, 1].map(|axis| largest.iter().skip(axis).step_by(2).copied().fold(0.0, f64::max))
 }

@@ -132,12 +132,15 @@ impl ExactLines for Lines<'_> {
     /// The mean of the points P_s + P_t. Where no two edges are parallel, as of a regular polygon of an odd number of
     /// corners, every edge of the hull may be an edge of Z(O).
     fn balanced_center(&self) -> Option<[f64; 2]> {
-        let mut sum = [0.0; 2];
-        for (&from, far) in self.hull.vertices().iter().zip(self.farthest) {
-            let [from, far] = [from, self.hull.vertex(far.vertex())].map(|point| self.frame.scaled(point));
-            sum = [0, 1].map(|axis| sum[axis] + sum_from_reference(far[axis], from[axis], self.frame.reference[axis]));
+        let vertices = self.hull.vertices();
+        let mut sums = [[0.0; 2]; 2];
+        for (from, far) in vertices.iter().zip(self.farthest) {
+            let far = self.hull.vertex(far.vertex());
+            sums = [0, 1].map(|axis| [sums[axis][0] + from[axis], sums[axis][1] + far[axis]]);
         }
-        Some(sum.map(|coordinate| coordinate / self.len() as f64))
+        let mean = |which: usize| self.frame.scaled([0, 1].map(|axis| sums[axis][which] / vertices.len() as f64));
+        let ([x, y], [far_x, far_y], [rx, ry]) = (mean(0), mean(1), self.frame.reference);
+        Some([sum_from_reference(x, far_x, rx), sum_from_reference(y, far_y, ry)])
     }
 
     fn certainly_passing(&self, point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {

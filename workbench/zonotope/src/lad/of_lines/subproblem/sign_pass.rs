@@ -3,7 +3,10 @@
 //! The pass has no branch that depends on a sign, since a processor guesses half of such branches wrong: every line
 //! contributes its normal with the sign of its value, masked out where the value does not exceed its error bound.
 
-use crate::lad::of_lines::input::rounded_lines::{BLOCK, LineError, RoundedLines};
+use fearless_simd::{Simd, dispatch};
+
+use crate::lad::of_lines::input::rounded_lines::{BLOCK, Block, LineError, RoundedLines};
+use crate::numeric::lanes::level::level;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
 /// The signed sum of normals that a pass yields beside the signs.
@@ -34,40 +37,49 @@ pub(crate) fn read_sides<R: Fn(f64, f64, f64) -> (f64, f64)>(
     lines.each_block(|start, block| {
         let value_and_bound = reader(block.error);
         let mut zeros = Zeros { positions: [0; BLOCK + LANES], count: 0 };
-        let mut lanes = Lanes::default();
-        let (sign_chunks, sign_rest) = signs[start..start + block.len()].as_chunks_mut::<LANES>();
-        let (x_chunks, x_rest) = block.normal_x.as_chunks::<LANES>();
-        let (y_chunks, y_rest) = block.normal_y.as_chunks::<LANES>();
-        let (offset_chunks, offset_rest) = block.offset.as_chunks::<LANES>();
-        let chunks = x_chunks.iter().zip(y_chunks).zip(offset_chunks).zip(sign_chunks);
-        for (chunk, (((x, y), b), signs)) in chunks.enumerate() {
-            if lanes.read(x, y, b, signs, &value_and_bound) {
-                zeros.gather(signs, chunk * LANES);
-            }
-        }
-        if !sign_rest.is_empty() {
-            let mut rest = [0; LANES];
-            let padded = |values: &[f64], fill| std::array::from_fn(|i| values.get(i).copied().unwrap_or(fill));
-            lanes.read(
-                &padded(x_rest, 0.0),
-                &padded(y_rest, 0.0),
-                &padded(offset_rest, 1.0),
-                &mut rest,
-                &value_and_bound,
-            );
-            sign_rest.copy_from_slice(&rest[..sign_rest.len()]);
-            zeros.gather(sign_rest, block.len() - x_rest.len());
-        }
+        let signs = &mut signs[start..start + block.len()];
+        let lanes = dispatch!(level(), simd => read_block(simd, &block, signs, &mut zeros, &value_and_bound));
         let sum: [f64; 2] = [lanes.x.iter().sum(), lanes.y.iter().sum()];
         total.sum[0] += sum[0];
         total.sum[1] += sum[1];
         magnitude += lanes.magnitude.iter().sum::<f64>();
         for position in zeros.positions[..zeros.count].iter().map(|&position| usize::from(position)) {
-            signs[start + position] = uncertain(start + position, block.row(position), block.error);
+            signs[position] = uncertain(start + position, block.row(position), block.error);
         }
     });
     total.sum_error = UNIT * (BLOCK + n / BLOCK + 8) as f64 * magnitude + UNDERFLOW;
     total
+}
+
+/// Reads the lines of a block and collects the positions of those whose sign is zero. Compiled for each set of vector
+/// instructions, with the same sums at each.
+#[inline(always)]
+fn read_block<S: Simd>(
+    _simd: S,
+    block: &Block,
+    signs: &mut [i8],
+    zeros: &mut Zeros,
+    value_and_bound: &impl Fn(f64, f64, f64) -> (f64, f64),
+) -> Lanes {
+    let mut lanes = Lanes::default();
+    let (sign_chunks, sign_rest) = signs.as_chunks_mut::<LANES>();
+    let (x_chunks, x_rest) = block.normal_x.as_chunks::<LANES>();
+    let (y_chunks, y_rest) = block.normal_y.as_chunks::<LANES>();
+    let (offset_chunks, offset_rest) = block.offset.as_chunks::<LANES>();
+    let chunks = x_chunks.iter().zip(y_chunks).zip(offset_chunks).zip(sign_chunks);
+    for (chunk, (((x, y), b), signs)) in chunks.enumerate() {
+        if lanes.read(x, y, b, signs, value_and_bound) {
+            zeros.gather(signs, chunk * LANES);
+        }
+    }
+    if !sign_rest.is_empty() {
+        let mut rest = [0; LANES];
+        let padded = |values: &[f64], fill| std::array::from_fn(|i| values.get(i).copied().unwrap_or(fill));
+        lanes.read(&padded(x_rest, 0.0), &padded(y_rest, 0.0), &padded(offset_rest, 1.0), &mut rest, value_and_bound);
+        sign_rest.copy_from_slice(&rest[..sign_rest.len()]);
+        zeros.gather(sign_rest, block.len() - x_rest.len());
+    }
+    lanes
 }
 
 /// The positions of the zero signs in a block.
