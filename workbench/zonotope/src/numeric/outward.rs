@@ -140,6 +140,23 @@ mod tests {
     }
 
     #[test]
+    fn pairs_without_an_error_are_rounded_for_certain() {
+        let half_place = f64::EPSILON / 2.0;
+        for (tail, below, above) in [
+            (0.0, 1.0, 1.0),
+            (half_place, 1.0, 1.0 + f64::EPSILON),
+            (1e-30, 1.0, 1.0 + f64::EPSILON),
+            (-1e-30, 1f64.next_down(), 1.0),
+        ] {
+            let pair = BoundedDoubleDouble::of_parts(1.0, tail, 0.0);
+            assert_eq!((certain_at_most(&pair), certain_at_least(&pair)), (Some(below), Some(above)), "{tail:e}");
+            assert_eq!((pair.is_no_double(), pair.nearest_double()), (tail != 0.0, Some(1.0)));
+        }
+        let open = BoundedDoubleDouble::of_parts(1.0, 1e-30, 1e-29);
+        assert_eq!((certain_at_least(&open), open.is_no_double(), open.nearest_double()), (None, false, Some(1.0)));
+    }
+
+    #[test]
     fn what_was_lost_is_a_box() {
         let (one, part) = (Dyadic::one(), Dyadic::one().scaled(-60));
         let mut loss = Loss::none();
@@ -157,6 +174,12 @@ mod tests {
             let (low, high) = (at_most(&exact), at_least(&exact));
             prop_assert!(Dyadic::from_f64(low) <= exact && exact <= Dyadic::from_f64(high));
             prop_assert!(low == high || low.next_up() == high || (low == 0.0 && high == f64::from_bits(1)));
+            for (certain, right) in [
+                (certain_at_least(&BoundedDoubleDouble::of(&exact)), high),
+                (certain_at_most(&BoundedDoubleDouble::of(&exact)), low),
+            ] {
+                prop_assert!(certain.is_none_or(|double| double == right));
+            }
             let fraction = exact.to_rational();
             let (below, above) = (fraction_at_most(&fraction), fraction_at_least(&fraction));
             prop_assert!(below <= low && high <= above);

@@ -139,6 +139,39 @@ fn centers_at_the_largest_double() {
 }
 
 #[test]
+fn regular_polygons_of_any_aspect_are_verified() {
+    for count in [5, 6, 33, 34, 51, 52, 129, 130, 1001, 1002] {
+        for height in [1.0, 0.3, 1e-3, 1e-6, 1e-300, 1e300] {
+            let point = |i: usize| {
+                let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / f64::from(count));
+                [cos, height * sin]
+            };
+            let points: Vec<[f64; 2]> = (0..count as usize).map(point).collect();
+            let answer = min_area(&points).expect("finite points");
+            let verdict = check_min_area(&points, &answer).proof().map(drop);
+            assert_eq!(verdict, Ok(()), "{count} points of height {height:e}");
+            if count < 10 {
+                check(&points).expect("the answer is the truth");
+            }
+        }
+    }
+}
+
+#[test]
+fn regular_polygons_of_few_corners_are_the_truth_anywhere() {
+    for count in [3, 4, 5, 7, 8, 9] {
+        for (radius, center) in [(1.0, 0.0), (0.1, 0.3), (1e-160, 1e-160), (1e-310, 0.0), (1.0, 1e15)] {
+            let point = |i: usize| {
+                let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / f64::from(count));
+                [radius * cos + center, radius * sin - center]
+            };
+            let points: Vec<[f64; 2]> = (0..count as usize).map(point).collect();
+            check(&points).expect("the answer is the truth");
+        }
+    }
+}
+
+#[test]
 fn many_vertices_at_the_smallest_doubles() {
     for (count, radius) in [(129, 1e-310), (200, 1e-318), (700, 1e-309), (700, 1e-318)] {
         let point = |i: usize| {

@@ -54,3 +54,49 @@ pub(super) fn area_of_ordered(generators: &[[f64; 2]], [width, height]: [f64; 2]
     let area = (quarter + beside).scaled(2);
     area.is_known().then_some(area)
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::hull::antipodal::farthest_vertices;
+    use crate::hull::convex_hull;
+    use crate::numeric::dyadic::Dyadic;
+    use crate::zonotope::Zonotope;
+
+    fn is_near(area: Option<Pair>, exact: &Dyadic) -> bool {
+        area.is_none_or(|area| (area.to_dyadic() - exact.clone()).abs() <= Dyadic::from_f64(area.parts().1))
+    }
+
+    proptest! {
+        #[test]
+        fn areas_are_within_their_bounds(
+            points in proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 3..12),
+            center in [-1.0..1.0f64, -1.0..1.0],
+            scale in prop_oneof![Just(1.0), Just(1e-160), Just(1e-310), Just(1e150), Just(1e307)],
+        ) {
+            let points: Vec<_> = points.iter().map(|point| point.map(|v| v * scale)).collect();
+            let hull = convex_hull(&points).expect("the points are finite");
+            let farthest = farthest_vertices(&hull);
+            let zonogon = CenteredZonogon::new(&hull, &farthest, center.map(|v| v * scale));
+            prop_assert!(is_near(area_of_centered(&zonogon), &zonogon.exact_area()));
+        }
+
+        #[test]
+        fn areas_of_ordered_generators_are_within_their_bounds(
+            turns in proptest::collection::vec((0.01..3.1f64, 0.1..1.0f64), 1..9),
+            slack in [0.0..1e-15f64, 0.0..1e-15f64],
+        ) {
+            let generator = |&(angle, length): &(f64, f64)| [length * libm::cos(angle), length * libm::sin(angle)];
+            let mut turns = turns;
+            turns.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+            let generators: Vec<[f64; 2]> = turns.iter().map(generator).collect();
+            let widened = [&generators[..], &[[slack[0], 0.0], [0.0, slack[1]]]].concat();
+            let exact = Zonotope::new([0.0; 2], widened).expect("finite").exact_area();
+            prop_assert!(is_near(area_of_ordered(&generators, slack), &exact));
+            let backwards: Vec<[f64; 2]> = generators.iter().rev().copied().collect();
+            prop_assert!(backwards.len() < 2 || area_of_ordered(&backwards, slack).is_none());
+        }
+    }
+}
