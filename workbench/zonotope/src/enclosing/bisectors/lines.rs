@@ -45,6 +45,11 @@ impl Lines<'_> {
         LineError { offset_relative: 0.0, offset_per_normal: 8.0 * UNIT * spread }
     }
 
+    /// A line by pairs of doubles; `None` where the frame rounds its points.
+    fn by_pairs(&self, t: usize) -> Option<PairLine> {
+        Some(PairLine::new(self.scaled_exactly(t)?, self.frame.reference))
+    }
+
     /// The two ends of an edge and its farthest vertex in the frame, if none of them was rounded on the way there.
     pub(super) fn scaled_exactly(&self, t: usize) -> Option<[[f64; 2]; 3]> {
         let next = if t + 1 < self.farthest.len() { t + 1 } else { 0 };
@@ -158,7 +163,7 @@ impl ExactLines for Lines<'_> {
             return self.certain_sides([x, y].map(|c| BoundedDoubleDouble::of_ratio(c, w)));
         }
         let direction = [x, y].map(BoundedDoubleDouble::of);
-        Box::new(move |t| PairLine::of(self, t)?.rate(&direction).sign())
+        Box::new(move |t| self.by_pairs(t)?.rate(&direction).sign())
     }
 
     /// Differences of coordinates tell the side of nearly all lines of a hull that is nearly symmetric, whose lines
@@ -179,13 +184,11 @@ impl ExactLines for Lines<'_> {
 
     fn meeting_point(&self, first: usize, second: usize) -> Option<[BoundedDoubleDouble; 2]> {
         let shared = self.shared_midpoint([first, second]);
-        shared
-            .and_then(|ends| self.midpoint(ends))
-            .or_else(|| PairLine::of(self, first)?.meet(&PairLine::of(self, second)?))
+        shared.and_then(|ends| self.midpoint(ends)).or_else(|| self.by_pairs(first)?.meet(&self.by_pairs(second)?))
     }
 
     fn value_near(&self, t: usize, place: &[BoundedDoubleDouble; 2]) -> Option<BoundedDoubleDouble> {
-        Some(PairLine::of(self, t)?.value(place))
+        Some(self.by_pairs(t)?.value(place))
     }
 
     /// The normals are edges turned by a quarter, so the rate is the cross product of two vectors: of the line's edge
@@ -200,7 +203,7 @@ impl ExactLines for Lines<'_> {
             let point = self.hull.vertices()[vertex];
             self.frame.scales_exactly(point).then(|| self.frame.scaled(point))
         })?;
-        PairLine::of(self, along)?.edge_times(&sum).sign().map(|sign| sign.cmp(&0))
+        self.by_pairs(along)?.edge_times(&sum).sign().map(|sign| sign.cmp(&0))
     }
 
     /// Where edges of one sign follow each other, their sum is the difference of its two ends.

@@ -3,7 +3,6 @@
 //! The coordinates of a few points are of about one size, so pairs of doubles tell nearly everything about them; exact
 //! numbers would cost fifty times as much.
 
-use super::lines::Lines;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 
@@ -17,11 +16,6 @@ pub(super) struct PairLine {
 }
 
 impl PairLine {
-    /// The line of an edge; `None` where the frame rounds its points.
-    pub(super) fn of(lines: &Lines, t: usize) -> Option<Self> {
-        Some(Self::new(lines.scaled_exactly(t)?, lines.frame.reference))
-    }
-
     /// The line of an edge, given its ends and its farthest vertex in the frame.
     #[inline]
     pub(super) fn new([from, to, far]: [[f64; 2]; 3], reference: [f64; 2]) -> Self {

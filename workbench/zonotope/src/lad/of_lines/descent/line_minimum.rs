@@ -66,7 +66,7 @@ impl SearchLine {
             };
             let pivot = *weighted_median(candidates, slope_to_gain, order, |c| c.weight).expect("candidates are left");
             let own = || self.exact(subproblem).clone();
-            let vertex = Vertex::on_line(subproblem, self.index, own, pivot.line);
+            let vertex = subproblem.meeting_point(self.index, own, pivot.line);
             subproblem.read_at(&vertex, around, tally);
             forward = if self.slope_sign(subproblem, around, true).is_lt() {
                 true

@@ -9,12 +9,10 @@ use std::cmp::Ordering;
 use std::rc::Rc;
 
 use super::exact_linear::ExactLinear;
-use super::subdifferential::Subdifferential;
 use super::vertex::Vertex;
 use crate::arrangement::ExactLine;
 use crate::lad::of_lines::input::LadProblem;
 use crate::lad::of_lines::input::rounded_lines::{GatheredLines, LineError, RoundedLines};
-use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::{Operation, Tally};
@@ -87,18 +85,24 @@ impl<'p> Subproblem<'p> {
         remainder
     }
 
-    /// The lines through a vertex, moved apart to the given offsets; all other lines have the signs that they have at the
-    /// vertex.
-    pub(crate) fn moved_apart(&self, around: &Subdifferential, offsets: Vec<f64>) -> Self {
-        let lines = &around.through;
+    /// The lines through a vertex, moved apart to the given offsets. All other lines have the given signs, and their
+    /// signed normals with the linear term sum to `gradient` within `gradient_error`.
+    pub(crate) fn moved_apart(
+        &self,
+        lines: &[u32],
+        offsets: Vec<f64>,
+        signs: Vec<i8>,
+        gradient: [f64; 2],
+        gradient_error: f64,
+    ) -> Self {
         let mut rows = GatheredLines::with_capacity(lines.len());
         for (&line, offset) in lines.iter().zip(offsets) {
             let [x, y] = self.normal(line);
             rows.push([x, y, offset], LineError::default());
         }
-        let source = self.linear_source.with_fixed_signs(self.members.clone(), around.signs.clone());
-        let mut moved = Self { own_offsets: true, ..self.part(lines, rows, around.gradient, source) };
-        moved.linear_error += around.gradient_error;
+        let source = self.linear_source.with_fixed_signs(self.members.clone(), signs);
+        let mut moved = Self { own_offsets: true, ..self.part(lines, rows, gradient, source) };
+        moved.linear_error += gradient_error;
         moved
     }
 
@@ -178,12 +182,16 @@ impl<'p> Subproblem<'p> {
         [cx + &x, cy + &y]
     }
 
-    /// The common point of two lines by pairs of doubles, where the source of the lines knows it, and the positions of
-    /// the lines in the problem.
-    pub(super) fn meeting_point(&self, first: u32, second: u32) -> Option<([usize; 2], [BoundedDoubleDouble; 2])> {
-        let positions = [first, second].map(|line| self.position(line));
-        let place = || self.problem.exact.meeting_point(positions[0], positions[1]);
-        if self.own_offsets { None } else { Some((positions, place()?)) }
+    /// The common point of a line, which is `line` here if it is one of the subproblem at all and is given exactly where
+    /// that is needed, and another line of the subproblem.
+    pub(crate) fn meeting_point(&self, line: Option<u32>, exact: impl Fn() -> ExactLine, other: u32) -> Vertex {
+        if let Some(line) = line.filter(|_| !self.own_offsets) {
+            let positions = [line, other].map(|line| self.position(line));
+            if let Some(place) = self.problem.exact.meeting_point(positions[0], positions[1]) {
+                return Vertex::meeting_near(place, positions, [line, other]);
+            }
+        }
+        Vertex::meeting(&exact(), &self.exact_line(other), [line, Some(other)])
     }
 
     /// The sign of linear + Σ sign · normal along a line, where the source of the lines tells it at once.

@@ -8,7 +8,6 @@
 use std::cell::OnceCell;
 use std::cmp::Ordering;
 
-use super::part::Subproblem;
 use crate::arrangement::ExactLine;
 use crate::lad::of_lines::input::LadProblem;
 use crate::numeric::double_double::BoundedDoubleDouble;
@@ -44,14 +43,14 @@ enum Source {
 }
 
 impl Vertex {
-    /// The common point of a line, which is `line` of the instance if it is one at all, and another line of the
-    /// instance.
-    pub(crate) fn on_line(subproblem: &Subproblem, line: Option<u32>, own: impl Fn() -> ExactLine, other: u32) -> Self {
-        let on = [line, Some(other)];
-        if let Some((positions, place)) = line.and_then(|line| subproblem.meeting_point(line, other)) {
-            return Self { on, ..Self::near(place, Source::Lines(positions)) };
-        }
-        Self { on, ..Self::at(own().meet(&subproblem.exact_line(other))) }
+    /// The common point of two lines, which are the lines `on` of the instance where they are lines of it at all.
+    pub(super) fn meeting(first: &ExactLine, second: &ExactLine, on: [Option<u32>; 2]) -> Self {
+        Self { on, ..Self::at(first.meet(second)) }
+    }
+
+    /// The same by pairs of doubles, given the positions of both lines in the problem.
+    pub(super) fn meeting_near(place: [BoundedDoubleDouble; 2], positions: [usize; 2], on: [u32; 2]) -> Self {
+        Self { on: on.map(Some), ..Self::near(place, Source::Lines(positions)) }
     }
 
     /// The point with the given homogeneous coordinates.
