@@ -32,8 +32,7 @@ pub(crate) fn certain_at_least(value: &BoundedDoubleDouble) -> Option<f64> {
 /// The greatest double that is not above the exact value that a pair of doubles is near, if its bound tells which one
 /// it is.
 pub(crate) fn certain_at_most(value: &BoundedDoubleDouble) -> Option<f64> {
-    let opposite = BoundedDoubleDouble::exact(0.0) - *value;
-    certain_at_least(&opposite).map(|least| 0.0 - least)
+    certain_at_least(&value.negated()).map(|least| 0.0 - least)
 }
 
 /// A double that is not below a fraction and within a few units in the last place of it; infinite above the largest

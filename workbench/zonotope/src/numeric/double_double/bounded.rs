@@ -103,9 +103,14 @@ impl BoundedDoubleDouble {
         self.low == 0.0 && self.error == 0.0
     }
 
+    /// The opposite value.
+    pub(crate) fn negated(self) -> Self {
+        Self { high: -self.high, low: -self.low, ..self }
+    }
+
     /// The absolute value.
     pub(crate) fn abs(self) -> Self {
-        if self.high < 0.0 { Self { high: -self.high, low: -self.low, ..self } } else { self }
+        if self.high < 0.0 { self.negated() } else { self }
     }
 
     /// The value times a power of two; a value near zero where the exponent is below [`VANISHING`].
@@ -166,7 +171,7 @@ impl Add for BoundedDoubleDouble {
 impl Sub for BoundedDoubleDouble {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self + Self { high: -other.high, low: -other.low, ..other }
+        self + other.negated()
     }
 }
 
