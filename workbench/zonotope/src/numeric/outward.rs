@@ -5,6 +5,7 @@
 //! along each axis, r_k the sum of what was lost there.
 
 use super::Rational;
+use super::double_double::{BoundedDoubleDouble, DoubleDouble};
 use super::dyadic::Dyadic;
 
 /// The least double that is not below an exact number; infinite above the largest double.
@@ -15,6 +16,23 @@ pub(crate) fn at_least(exact: &Dyadic) -> f64 {
 /// The greatest double that is not above an exact number; negative infinity below the lowest double.
 pub(crate) fn at_most(exact: &Dyadic) -> f64 {
     0.0 - at_least(&-exact.clone())
+}
+
+/// The least double that is not below the exact value that a pair of doubles is near, if its bound tells which one it
+/// is.
+pub(crate) fn certain_at_least(value: &BoundedDoubleDouble) -> Option<f64> {
+    let nearest = value.nearest_double()?;
+    let (DoubleDouble { low, .. }, _) = value.parts();
+    match value.is_no_double() {
+        true => Some(if low > 0.0 { nearest.next_up() } else { nearest }),
+        false => value.is_exactly_double().then_some(nearest + 0.0),
+    }
+}
+
+/// The greatest double that is not above the exact value that a pair of doubles is near, if its bound tells which one
+/// it is.
+pub(crate) fn certain_at_most(value: &BoundedDoubleDouble) -> Option<f64> {
+    certain_at_least(&value.negated()).map(|least| 0.0 - least)
 }
 
 /// A double that is not below a fraction and within a few units in the last place of it; infinite above the largest
@@ -121,6 +139,23 @@ mod tests {
     }
 
     #[test]
+    fn pairs_without_an_error_are_rounded_for_certain() {
+        let half_place = f64::EPSILON / 2.0;
+        for (tail, below, above) in [
+            (0.0, 1.0, 1.0),
+            (half_place, 1.0, 1.0 + f64::EPSILON),
+            (1e-30, 1.0, 1.0 + f64::EPSILON),
+            (-1e-30, 1f64.next_down(), 1.0),
+        ] {
+            let pair = BoundedDoubleDouble::of_parts(1.0, tail, 0.0);
+            assert_eq!((certain_at_most(&pair), certain_at_least(&pair)), (Some(below), Some(above)), "{tail:e}");
+            assert_eq!((pair.is_no_double(), pair.nearest_double()), (tail != 0.0, Some(1.0)));
+        }
+        let open = BoundedDoubleDouble::of_parts(1.0, 1e-30, 1e-29);
+        assert_eq!((certain_at_least(&open), open.is_no_double(), open.nearest_double()), (None, false, Some(1.0)));
+    }
+
+    #[test]
     fn what_was_lost_is_a_box() {
         let (one, part) = (Dyadic::one(), Dyadic::one().scaled(-60));
         let mut loss = Loss::none();
@@ -138,6 +173,12 @@ mod tests {
             let (low, high) = (at_most(&exact), at_least(&exact));
             prop_assert!(Dyadic::from_f64(low) <= exact && exact <= Dyadic::from_f64(high));
             prop_assert!(low == high || low.next_up() == high || (low == 0.0 && high == f64::from_bits(1)));
+            for (certain, right) in [
+                (certain_at_least(&BoundedDoubleDouble::of(&exact)), high),
+                (certain_at_most(&BoundedDoubleDouble::of(&exact)), low),
+            ] {
+                prop_assert!(certain.is_none_or(|double| double == right));
+            }
             let fraction = exact.to_rational();
             let (below, above) = (fraction_at_most(&fraction), fraction_at_least(&fraction));
             prop_assert!(below <= low && high <= above);

@@ -3,9 +3,10 @@
 use thiserror::Error;
 
 use crate::enclosing::answer::Enclosing;
+use crate::enclosing::bisectors::Bisectors;
 use crate::hull::antipodal::FarthestVertex;
 use crate::hull::{ConvexHull, HullError};
-use crate::lad::LadCertificate;
+use crate::lad::{LadCertificate, Minimizer};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 
@@ -27,7 +28,7 @@ pub type MinAreaZonogon = Enclosing<2, AreaProof>;
 /// on that.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AreaProof {
-    pub(super) optimal_center: [Dyadic; 3],
+    pub(super) minimizer: Minimizer,
     pub(super) face_dimension: u8,
     pub(super) hull: ConvexHull,
     pub(super) farthest: Vec<FarthestVertex>,
@@ -35,14 +36,23 @@ pub struct AreaProof {
 }
 
 impl AreaProof {
-    /// The optimal centre in homogeneous coordinates [X, Y, W], W > 0: (X / W, Y / W), exactly.
-    pub fn optimal_center(&self) -> &[Dyadic; 3] {
-        &self.optimal_center
+    /// The optimal centre in homogeneous coordinates [X, Y, W], W > 0: (X / W, Y / W), exactly. It is computed at each
+    /// call: two lines ℓ_t say it as well, and few ask for it.
+    pub fn optimal_center(&self) -> [Dyadic; 3] {
+        if !self.hull.has_area() {
+            let ends = [self.hull.vertices()[0], self.hull.vertices()[self.hull.vertex_count() - 1]];
+            let sum = [0, 1].map(|axis| Dyadic::from_f64(ends[0][axis]) + Dyadic::from_f64(ends[1][axis]));
+            let [x, y] = sum;
+            return [x, y, Dyadic::from_f64(2.0)];
+        }
+        let bisectors = Bisectors::new(&self.hull, &self.farthest);
+        let problem = bisectors.kernel_problem();
+        bisectors.frame.center_of(&self.minimizer.homogeneous_point(|line| problem.exact_line(line)))
     }
 
     /// The optimal centre, exactly.
     pub fn exact_center(&self) -> [Rational; 2] {
-        let [x, y, w] = self.optimal_center.clone().map(|v| v.to_rational());
+        let [x, y, w] = self.optimal_center().map(|v| v.to_rational());
         [x / &w, y / w]
     }
 

@@ -62,8 +62,6 @@ use crate::enclosing::bisectors::Bisectors;
 use crate::hull::antipodal::{FarthestVertex, farthest_vertices_counted};
 use crate::hull::{ConvexHull, convex_hull_counted};
 use crate::lad::{self, LadOptimum};
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::outward::at_most;
 use crate::tally::Tally;
 use crate::zonotope::Zonotope;
 
@@ -87,22 +85,21 @@ pub fn min_area_by_kernel(
     let problem = bisectors.kernel_problem();
     let outcome = kernel.minimize(&problem, seed, tally);
     let optimum = outcome.into_optimum().expect("an area is never negative, so the objective is bounded");
-    let optimal_center = bisectors.frame.center_of(&optimum.point_in(&problem));
-    let kernel = Kernel { bisectors: &bisectors, problem: &problem, optimum: &optimum, center: &optimal_center };
-    let mut rounded = Rounded::around(&RoundedCenter::nearest(&kernel), &bisectors, &hull, &farthest);
+    let kernel = Kernel { bisectors: &bisectors, problem: &problem, optimum: &optimum };
+    let mut rounded = Rounded::around(&RoundedCenter::nearest(&kernel), &kernel, &hull, &farthest);
     if rounded.is_loose()
         && let Some(center) = RoundedCenter::best_nearby(&kernel)
     {
-        let nearby = Rounded::around(&center, &bisectors, &hull, &farthest);
+        let nearby = Rounded::around(&center, &kernel, &hull, &farthest);
         if nearby.lower_bound >= rounded.lower_bound && nearby.area <= rounded.area {
             rounded = nearby;
         }
     }
     let Rounded { zonogon, area, lower_bound } = rounded;
-    let LadOptimum { face_dimension, certificate, .. } = optimum;
+    let LadOptimum { face_dimension, certificate, minimizer, .. } = optimum;
     drop(problem);
     let effort = Effort { rows: hull.edge_count(), rounds: 1, ..Effort::default() };
-    let proof = AreaProof { optimal_center, face_dimension, hull, farthest, certificate };
+    let proof = AreaProof { minimizer, face_dimension, hull, farthest, certificate };
     Ok(Enclosing { body: zonogon, value: area, lower_bound, proof, effort })
 }
 
@@ -114,10 +111,9 @@ struct Rounded {
 }
 
 impl Rounded {
-    fn around(center: &RoundedCenter, bisectors: &Bisectors, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
-        let outward = center.outward(hull, farthest, &bisectors.frame);
-        let least = Dyadic::from_f64(outward.area_below) - center.gap.clone();
-        let lower_bound = at_most(&least).max(0.0);
+    fn around(center: &RoundedCenter, kernel: &Kernel, hull: &ConvexHull, farthest: &[FarthestVertex]) -> Self {
+        let outward = center.outward(hull, farthest, &kernel.bisectors.frame);
+        let lower_bound = center.less_gap(kernel, outward.area_below).max(0.0);
         Self { zonogon: outward.zonogon, area: outward.area_above, lower_bound }
     }
 

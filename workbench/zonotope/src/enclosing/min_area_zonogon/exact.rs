@@ -20,13 +20,14 @@ pub struct ExactZonogon {
 /// The exact optimum behind an answer. O(h) rational operations for h hull vertices.
 pub fn exact_optimum(answer: &MinAreaZonogon) -> ExactZonogon {
     let bisectors = Bisectors::new(&answer.proof.hull, &answer.proof.farthest);
-    let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&answer.proof.optimal_center), &mut ());
+    let optimal_center = answer.proof.optimal_center();
+    let sides = bisectors.kernel_problem().signs_at(&bisectors.kernel_point(&optimal_center), &mut ());
     let rounded_center = answer.body.center();
     let boundary = CenteredZonogon::from_sides(
         &answer.proof.hull,
         &answer.proof.farthest,
         rounded_center,
-        &answer.proof.optimal_center,
+        &optimal_center,
         &sides,
     );
     let center = answer.proof.exact_center();

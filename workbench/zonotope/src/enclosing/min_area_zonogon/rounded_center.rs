@@ -4,14 +4,16 @@
 //! term vanishes where δ_t is the sign of v_t(O), so only the lines between O and the optimum count, and those of the
 //! basis, whose δ_t need not be a sign.
 
-use crate::enclosing::bisectors::{Bisectors, Frame};
+use crate::enclosing::bisectors::{Bisectors, Frame, NearestCenter};
 use crate::enclosing::centered_zonogon::homogeneous;
 use crate::enclosing::half_turn::HalfTurn;
 use crate::enclosing::outward::{Outward, round_outward};
 use crate::hull::ConvexHull;
 use crate::hull::antipodal::FarthestVertex;
-use crate::lad::{LadCertificate, LadOptimum, LadProblem};
+use crate::lad::{LadCertificate, LadOptimum, LadProblem, LineIndex, Minimizer};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::outward::{at_most, certain_at_most};
 
 /// A centre in doubles near the optimal one.
 #[derive(Debug)]
@@ -19,8 +21,16 @@ pub(super) struct RoundedCenter {
     point: [f64; 2],
     /// The side of each ℓ_t on which the point lies.
     sides: Vec<i8>,
-    /// An upper bound of the excess of the area f at the point over its minimum.
-    pub(super) gap: Dyadic,
+    gap: Gap,
+}
+
+/// An upper bound of the excess of the area f at a centre over its minimum.
+#[derive(Debug)]
+enum Gap {
+    /// The bound within an error, for a centre that is the kernel point of these exact pairs.
+    Near { gap: BoundedDoubleDouble, kernel_point: [BoundedDoubleDouble; 2] },
+    /// The bound.
+    Exact(Dyadic),
 }
 
 /// The solved kernel problem of a hull.
@@ -29,16 +39,21 @@ pub(super) struct Kernel<'a, 'h> {
     pub(super) bisectors: &'a Bisectors<'h>,
     pub(super) problem: &'a LadProblem<'h>,
     pub(super) optimum: &'a LadOptimum,
-    /// The optimal centre in homogeneous coordinates.
-    pub(super) center: &'a [Dyadic; 3],
 }
 
 impl Kernel<'_, '_> {
     /// The doubles nearest to the optimal centre.
     fn rounded_center(&self) -> [f64; 2] {
-        let [x, y, w] = self.center;
+        let [x, y, w] = &self.bisectors.frame.center_of(&self.optimum.point_in(self.problem));
         // The centre lies between doubles, but rounding may take it beyond the largest one.
         [x.rounded_ratio(w), y.rounded_ratio(w)].map(|coordinate| coordinate.clamp(-f64::MAX, f64::MAX))
+    }
+
+    /// The gap at a kernel point, given the side of each line on which it lies.
+    fn exact_gap(&self, sides: &[i8], kernel_point: &[Dyadic; 3]) -> Dyadic {
+        let unlike = unlike_certificate(sides, &self.optimum.certificate).filter(|&line| sides[line] != 0);
+        let values = unlike.map(|line| self.problem.exact_scaled_value(line, kernel_point).abs());
+        self.unscaled(values.fold(Dyadic::zero(), |gap, value| gap + value))
     }
 
     /// A sum of the kernel's line values as an area in units of the input.
@@ -56,17 +71,51 @@ const NEARBY_LINE_LIMIT: usize = 1 << 12;
 impl RoundedCenter {
     /// The doubles nearest to the optimal centre.
     pub(super) fn nearest(kernel: &Kernel) -> Self {
+        Self::nearest_by_pairs(kernel).unwrap_or_else(|| Self::nearest_exactly(kernel))
+    }
+
+    /// The same by pairs of doubles, unless they leave open which doubles are nearest, or that these are not the
+    /// optimal centre itself.
+    fn nearest_by_pairs(kernel: &Kernel) -> Option<Self> {
+        let Kernel { bisectors, problem, optimum } = kernel;
+        let Minimizer::Vertex(first, second) = optimum.minimizer else { return None };
+        let lines = [first, second].map(LineIndex::position);
+        let NearestCenter { point, kernel_point, is_optimal } = bisectors.nearest_center(lines, &optimum.place?)?;
+        if is_optimal {
+            return Some(Self { point, sides: optimum.signs(), gap: Gap::Exact(Dyadic::zero()) });
+        }
+        let sides = optimum.signs_beside(problem, kernel_point);
+        let unlike = unlike_certificate(&sides, &optimum.certificate).filter(|&line| sides[line] != 0);
+        let gap = unlike
+            .map(|line| problem.exact.value_near(line, &kernel_point))
+            .try_fold(BoundedDoubleDouble::exact(0.0), |gap, value| Some(gap + value?.abs()))?;
+        let gap = Gap::Near { gap: bisectors.frame.unscaled_pair(gap), kernel_point };
+        Some(Self { point, sides, gap })
+    }
+
+    fn nearest_exactly(kernel: &Kernel) -> Self {
         let point = kernel.rounded_center();
         let kernel_point = kernel.bisectors.kernel_point(&homogeneous(point));
         let sides = kernel.optimum.signs_at(kernel.problem, &kernel_point);
         if kernel.optimum.is_at(kernel.problem, &kernel_point) {
-            return Self { point, sides, gap: Dyadic::zero() };
+            return Self { point, sides, gap: Gap::Exact(Dyadic::zero()) };
         }
-        let unlike = unlike_certificate(&sides, &kernel.optimum.certificate);
-        let gap = unlike
-            .filter(|&line| sides[line] != 0)
-            .fold(Dyadic::zero(), |gap, line| gap + kernel.problem.exact_scaled_value(line, &kernel_point).abs());
-        Self { point, sides, gap: kernel.unscaled(gap) }
+        let gap = Gap::Exact(kernel.exact_gap(&sides, &kernel_point));
+        Self { point, sides, gap }
+    }
+
+    /// The greatest double that is not above an area less the gap.
+    pub(super) fn less_gap(&self, kernel: &Kernel, area: f64) -> f64 {
+        match &self.gap {
+            Gap::Near { gap, kernel_point } => {
+                let least = BoundedDoubleDouble::exact(area) - *gap;
+                certain_at_most(&least).unwrap_or_else(|| {
+                    let [x, y] = kernel_point.map(|pair| pair.to_dyadic());
+                    at_most(&(Dyadic::from_f64(area) - kernel.exact_gap(&self.sides, &[x, y, Dyadic::one()])))
+                })
+            }
+            Gap::Exact(gap) => at_most(&(Dyadic::from_f64(area) - gap.clone())),
+        }
     }
 
     /// The best of the nearest doubles and their neighbours; `None` where too many lines pass between them to be worth
@@ -104,7 +153,7 @@ impl RoundedCenter {
         for &line in &near {
             sides[line as usize] = problem.exact_scaled_value(line as usize, &kernel_points[best]).sign() as i8;
         }
-        Some(Self { point: points[best], sides, gap: kernel.unscaled(gap) })
+        Some(Self { point: points[best], sides, gap: Gap::Exact(kernel.unscaled(gap)) })
     }
 
     /// Z(O) at the centre, rounded outward.

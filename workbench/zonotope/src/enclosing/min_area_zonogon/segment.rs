@@ -8,7 +8,7 @@ use crate::enclosing::bisectors::Bisectors;
 use crate::enclosing::centered_zonogon::CenteredZonogon;
 use crate::enclosing::outward::round_outward_exactly;
 use crate::hull::ConvexHull;
-use crate::lad::LadCertificate;
+use crate::lad::{LadCertificate, Minimizer};
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
 
@@ -35,9 +35,8 @@ pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
         }
         None => rounded(&hull, [0, 1].map(|i| halves(&sum)[i].to_f64())),
     };
-    let [x, y] = sum;
     let proof = AreaProof {
-        optimal_center: [x, y, Dyadic::from_f64(2.0)],
+        minimizer: Minimizer::Plane,
         face_dimension: if length.iter().all(Dyadic::is_zero) { 2 } else { 1 },
         hull,
         farthest: Vec::new(),

@@ -6,6 +6,7 @@ use super::exact::exact_optimum;
 use super::*;
 use crate::enclosing::min_area;
 use crate::interop::verifier::{check_exact_min_area, check_min_area};
+use crate::lad::{LineIndex, Minimizer};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::zonotope::Zonotope;
@@ -138,6 +139,39 @@ fn centers_at_the_largest_double() {
 }
 
 #[test]
+fn regular_polygons_of_any_aspect_are_verified() {
+    for count in [5, 6, 33, 34, 51, 52, 129, 130, 1001, 1002] {
+        for height in [1.0, 0.3, 1e-3, 1e-6, 1e-300, 1e300] {
+            let point = |i: usize| {
+                let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / f64::from(count));
+                [cos, height * sin]
+            };
+            let points: Vec<[f64; 2]> = (0..count as usize).map(point).collect();
+            let answer = min_area(&points).expect("finite points");
+            let verdict = check_min_area(&points, &answer).proof().map(drop);
+            assert_eq!(verdict, Ok(()), "{count} points of height {height:e}");
+            if count < 10 {
+                check(&points).expect("the answer is the truth");
+            }
+        }
+    }
+}
+
+#[test]
+fn regular_polygons_of_few_corners_are_the_truth_anywhere() {
+    for count in [3, 4, 5, 7, 8, 9] {
+        for (radius, center) in [(1.0, 0.0), (0.1, 0.3), (1e-160, 1e-160), (1e-310, 0.0), (1.0, 1e15)] {
+            let point = |i: usize| {
+                let (sin, cos) = libm::sincos(i as f64 * std::f64::consts::TAU / f64::from(count));
+                [radius * cos + center, radius * sin - center]
+            };
+            let points: Vec<[f64; 2]> = (0..count as usize).map(point).collect();
+            check(&points).expect("the answer is the truth");
+        }
+    }
+}
+
+#[test]
 fn many_vertices_at_the_smallest_doubles() {
     for (count, radius) in [(129, 1e-310), (200, 1e-318), (700, 1e-309), (700, 1e-318)] {
         let point = |i: usize| {
@@ -167,9 +201,13 @@ fn falsified_answers_are_rejected() {
     for bound in [f64::NAN, f64::INFINITY, 1e9] {
         rejected(&|answer| answer.lower_bound = bound, "lower_bound");
     }
-    let mut elsewhere = right();
-    elsewhere.proof.optimal_center[0] = elsewhere.proof.optimal_center[0].clone() + Dyadic::from_f64(9.0);
-    assert!(check_exact_min_area(&points, &elsewhere).is_wrong());
+    // The optimal centres of these points are a face: some other vertices of the arrangement are none of it.
+    let is_wrong_at = |first: u32, second: u32| {
+        let mut elsewhere = right();
+        elsewhere.proof.minimizer = Minimizer::Vertex(LineIndex(first), LineIndex(second));
+        check_exact_min_area(&points, &elsewhere).is_wrong()
+    };
+    assert!((0..4).any(|second| (0..second).any(|first| is_wrong_at(first, second))));
     let larger = |answer: &mut MinAreaZonogon| {
         let mut generators = answer.body.generators().to_vec();
         generators.push([1e-9, 0.0]);

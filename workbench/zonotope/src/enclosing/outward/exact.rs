@@ -6,12 +6,13 @@
 //! g_i with the same signs, a point of the rounded zonogon. So that zonogon contains Z(O) if it is widened by max |2
 //! E_k − E_n| along each axis.
 
+use super::areas::{area_of_centered, area_of_ordered};
 use super::{Outward, widened};
 use crate::enclosing::bisectors::Frame;
 use crate::enclosing::centered_zonogon::{BoundaryVertex, CenteredZonogon};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
-use crate::numeric::outward::{above, at_least, at_most};
+use crate::numeric::outward::{above, at_least, at_most, certain_at_least, certain_at_most};
 use crate::numeric::tolerance::UNIT;
 
 /// A rounded number and a bound on its error.
@@ -26,8 +27,18 @@ pub(crate) fn round_outward(exact: &CenteredZonogon, frame: &Frame) -> Outward {
     let (mut generators, slack) =
         if frame.sums_are_doubles() { one_by_one(exact) } else { with_errors_carried_on(exact) };
     generators.retain(|generator| *generator != [0.0, 0.0]);
+    let (area_below, area_above) = if frame.sums_are_doubles() {
+        let above = area_of_ordered(&generators, slack).and_then(|area| certain_at_least(&area));
+        (area_of_centered(exact).and_then(|area| certain_at_most(&area)), above)
+    } else {
+        (None, None)
+    };
     let zonogon = widened(exact.center(), generators, slack);
-    Outward { area_below: at_most(&exact.exact_area()), area_above: at_least(&zonogon.exact_area()), zonogon }
+    Outward {
+        area_below: area_below.unwrap_or_else(|| at_most(&exact.exact_area())),
+        area_above: area_above.unwrap_or_else(|| at_least(&zonogon.exact_area())),
+        zonogon,
+    }
 }
 
 /// Generators from half-edges that are rounded independently, and the sum of their errors along each axis, rounded up.

@@ -9,6 +9,7 @@
 //! ([`streaming`]). Where that bound is not precise enough, or sums of coordinates leave the range of doubles, errors
 //! and areas are computed exactly ([`exact`]).
 
+mod areas;
 mod exact;
 mod streaming;
 

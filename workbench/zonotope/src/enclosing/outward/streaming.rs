@@ -22,7 +22,7 @@ const AREA_PRECISION: f64 = 5e-14;
 /// Z(O) rounded outward, in O(h). `None` where exact arithmetic is needed, or costs little.
 pub(super) fn round_outward(half_turn: &HalfTurn, frame: &Frame) -> Option<Outward> {
     let hull = half_turn.hull();
-    if hull.edge_count() <= EXACT_EDGE_LIMIT || !half_turn.center_is_double() || !frame.sums_are_doubles() {
+    if hull.edge_count() <= EXACT_EDGE_LIMIT || !half_turn.center_is_double() || !frame.sums_are_finite() {
         return None;
     }
     let mut gathered = Gathered {

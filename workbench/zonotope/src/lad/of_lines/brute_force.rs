@@ -97,6 +97,7 @@ pub fn solve(problem: &LadProblem) -> LadOutcome {
                 face_dimension: truth.face_dimension,
                 certificate,
                 through: through.into_iter().map(|line| line as u32).collect(),
+                place: None,
                 near: None,
             })
         }

@@ -20,18 +20,22 @@
 //!
 //! # Method
 //! 1. At most `LINE_SEARCH_LIMIT` lines: descend by line searches.
-//! 2. Solve a sample of about n^(2/3) lines recursively, one line at random from each of as many equal strata.
-//! 3. Around the sample's optimum take a cell, in coordinates in which the normals point about equally everywhere. Its
+//! 2. If a point is known that is expected to be on one side of all lines and is so, in a balanced problem, descend from
+//!    a line nearest to it (`one_side`).
+//! 3. Solve a sample of about n^(2/3) lines recursively, one line at random from each of as many equal strata.
+//! 4. Around the sample's optimum take a cell, in coordinates in which the normals point about equally everywhere. Its
 //!    radius is such that the sampling error of the gradient can hardly move the optimum across more lines than cross
 //!    the cell.
-//! 4. In one pass sum up the lines that certainly miss the cell and keep the others. The gradient at the centre and the
+//! 5. In one pass sum up the lines that certainly miss the cell and keep the others. The gradient at the centre and the
 //!    density of the lines kept give a Newton step to where the optimum is expected, and with the error of that step a
 //!    smaller cell.
-//! 5. If the optimum is expected far outside, move the cell there; if most lines cross the cell, take the smaller one;
-//!    go to 4. Else solve the lines kept, recursively, starting with the smaller cell instead of a sample.
-//! 6. If the optimum of the lines kept lies in the interior of the cell, it is the answer; else move and enlarge the
-//!    cell and go to 4.
-//! 7. After `CELL_LIMIT` cells, or when all lines cross one, descend by line searches from the last optimum found.
+//! 6. If no line crosses the cell, enlarge it where the objective changes over it; else the whole cell is optimal, and a
+//!    line nearest to its centre leads to a vertex. If the optimum is expected far outside, move the cell there; if most
+//!    lines cross the cell, take the smaller one; go to 5. Else solve the lines kept, recursively, starting with the
+//!    smaller cell instead of a sample.
+//! 7. If the optimum of the lines kept lies in the interior of the cell, it is the answer; else move and enlarge the
+//!    cell and go to 5.
+//! 8. After `CELL_LIMIT` cells, or when all lines cross one, descend by line searches from the last optimum found.
 //!
 //! # Complexity
 //! n lines: expected O(n), with about one pass over the lines and O(n^(2/3) √(log n)) lines in the sample and kept;
@@ -66,6 +70,7 @@
 //! assert_eq!(outcome.optimum().unwrap().point(&problem), Some([499.0, 499.0]));
 //! ```
 
+mod one_side;
 mod sample;
 
 use rand::{RngExt, SeedableRng};
@@ -150,10 +155,17 @@ fn search_above<T: Tally>(
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     let (cell, mut best) = match expected {
         Some(cell) => (Some(cell), None),
-        None => match first_cell(limit, subproblem, &mut random, tally) {
-            Some((cell, vertex)) => (cell, Some(vertex)),
-            None => return descend_from_first(tally),
-        },
+        None => {
+            let sample = sample::draw(limit, subproblem, &mut random);
+            sample.count_pass(tally);
+            if let Some(line) = one_side::boundary_line(subproblem, &sample, tally) {
+                return descend(subproblem, SearchLine::of(subproblem, line), &tie_break(seed), tally);
+            }
+            match first_cell(limit, subproblem, &sample, &mut random, tally) {
+                Some((cell, vertex)) => (cell, Some(vertex)),
+                None => return descend_from_first(tally),
+            }
+        }
     };
     if let Some(cell) = cell
         && let Some(solution) = search_near(limit, subproblem, cell, &mut best, &mut random, tally)
@@ -161,7 +173,7 @@ fn search_above<T: Tally>(
         return solution;
     }
     match best {
-        Some(vertex) => descend_from(subproblem, Vertex::at(vertex.exact), &tie_break(seed), tally),
+        Some(vertex) => descend_from(subproblem, vertex.unnamed(), &tie_break(seed), tally),
         None if subproblem.len() > limit => search_above(limit, subproblem, None, first, random.random(), tally),
         None => descend_from_first(tally),
     }
@@ -181,6 +193,14 @@ fn search_near<T: Tally>(
         tally.add(Operation::SearchStep, 1);
         let split = cell.split(subproblem, tally);
         let crossing = split.crossing.len();
+        if crossing == 0 {
+            if split.is_certainly_slanted(subproblem) {
+                cell = cell.moved(cell.center, 2.0 * cell.radius);
+                continue;
+            }
+            let nearest = subproblem.nearest_line(cell.center, tally)?;
+            return Some(descend(subproblem, SearchLine::of(subproblem, nearest), &tie_break(random.random()), tally));
+        }
         if crossing == subproblem.len() && crossing > limit {
             return None;
         }
@@ -213,18 +233,17 @@ fn search_near<T: Tally>(
 fn first_cell<T: Tally>(
     limit: usize,
     subproblem: &Subproblem,
+    sample: &Subproblem,
     random: &mut Pcg64Mcg,
     tally: &mut T,
 ) -> Option<(Option<Cell>, Vertex)> {
-    let sample = sample::draw(limit, subproblem, random);
-    sample.count_pass(tally);
     let seed = random.random();
-    let solution = solve_above(limit, &sample, seed, tally);
+    let solution = solve_above(limit, sample, seed, tally);
     let Solution::Optimal(optimal) = solution else { return None };
     let vertex = optimal.vertex?;
     let center = vertex.point;
-    let cell = Frame::of(&sample).filter(|_| center.iter().all(|v| v.is_finite())).and_then(|frame| {
-        Some(Cell::new(center, sample::radius(&sample, subproblem.len(), center, frame, tally)?, frame))
+    let cell = Frame::of(sample).filter(|_| center.iter().all(|v| v.is_finite())).and_then(|frame| {
+        Some(Cell::new(center, sample::radius(sample, subproblem.len(), center, frame, tally)?, frame))
     });
     Some((cell, vertex))
 }
@@ -245,19 +264,25 @@ fn within<T: Tally>(
         search_above(limit, &remainder, expected, first, seed, tally)
     });
     match solution {
-        Solution::Optimal(optimal) => Solution::Optimal(Box::new(lift(*optimal, &remainder, Near { cell, crossing }))),
+        Solution::Optimal(optimal) => {
+            Solution::Optimal(Box::new(lift(*optimal, &remainder, Near { cells: vec![cell], crossing })))
+        }
         unbounded => unbounded,
     }
 }
 
 /// A solution of the remainder, the lines that cross a cell, as one of the subproblem.
 fn lift(optimal: Optimal, remainder: &Subproblem, near: Near) -> Optimal {
-    let crossing = &near.crossing;
+    let crossing = near.crossing.clone();
     let mut signs = remainder.fixed_signs().to_vec();
     for (&line, &sign) in crossing.iter().zip(&optimal.signs) {
         signs[line as usize] = sign;
     }
     let rename = |lines: Vec<u32>| lines.into_iter().map(|line| crossing[line as usize]).collect();
     let [defining, through, basis] = [optimal.defining, optimal.through, optimal.basis].map(rename);
+    let near = match optimal.near {
+        Some(inner) => near.narrowed(inner),
+        None => near,
+    };
     Optimal { defining, through, signs, basis, near: Some(near), ..optimal }
 }

@@ -8,6 +8,7 @@ use super::descent::{Near, Optimal, Solution};
 use super::input::LadProblem;
 use crate::arrangement::{ExactLine, LineIndex};
 use crate::numeric::Rational;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 
 /// The outcome of a minimisation.
@@ -44,6 +45,8 @@ pub struct LadOptimum {
     pub certificate: LadCertificate,
     /// The lines through the minimiser whose normal is not zero.
     pub(super) through: Vec<u32>,
+    /// The minimiser by pairs of doubles, where it was found by them.
+    pub(crate) place: Option<[BoundedDoubleDouble; 2]>,
     /// A cell in which most lines have the sign that they have at the minimiser, where pruning found one.
     pub(super) near: Option<Near>,
 }
@@ -82,8 +85,9 @@ impl LadOptimum {
         };
         let basis = optimal.basis.into_iter().map(LineIndex).collect();
         let certificate = LadCertificate { signs: optimal.signs, basis };
-        let Optimal { face_dimension, through, near, .. } = optimal;
-        Self { minimizer, face_dimension, certificate, through, near }
+        let Optimal { face_dimension, through, near, vertex, .. } = optimal;
+        let place = vertex.and_then(|vertex| vertex.place);
+        Self { minimizer, face_dimension, certificate, through, place, near }
     }
 
     /// The minimiser in homogeneous coordinates [X, Y, W], W > 0: the point (X / W, Y / W), exactly. On a line it is

@@ -5,6 +5,7 @@ use super::descent::Near;
 use super::input::LadProblem;
 use super::optimum::LadOptimum;
 use super::subproblem::{ExactLinear, Subdifferential, Subproblem, Vertex};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};
 use crate::tally::Tally;
@@ -32,21 +33,36 @@ impl LadProblem<'_> {
 }
 
 impl LadOptimum {
+    /// The side of each line on which the minimiser lies.
+    pub(crate) fn signs(&self) -> Vec<i8> {
+        let mut signs = self.certificate.signs.clone();
+        self.through.iter().for_each(|&line| signs[line as usize] = 0);
+        signs
+    }
+
     /// The side of each line on which a point of the scaled frame lies, given in homogeneous coordinates with W > 0. At
     /// the minimiser no line is read, near it only the lines that may pass between it and the point.
     pub(crate) fn signs_at(&self, problem: &LadProblem, point: &[Dyadic; 3]) -> Vec<i8> {
         if self.is_at(problem, point) {
-            let mut signs = self.certificate.signs.clone();
-            self.through.iter().for_each(|&line| signs[line as usize] = 0);
-            return signs;
+            return self.signs();
         }
-        let vertex = Vertex::at(point.clone());
-        let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.cell.contains(vertex.point)) else {
-            return problem.signs_at(point, &mut ());
-        };
+        self.signs_at_vertex(problem, &Vertex::at(point.clone()))
+    }
+
+    /// The side of each line on which a point of the scaled frame lies that is not the minimiser, given by pairs of
+    /// doubles that are exact. Near the minimiser only the lines are read that may pass between it and the point.
+    pub(crate) fn signs_beside(&self, problem: &LadProblem, place: [BoundedDoubleDouble; 2]) -> Vec<i8> {
+        self.signs_at_vertex(problem, &Vertex::at_pairs(place))
+    }
+
+    fn signs_at_vertex(&self, problem: &LadProblem, vertex: &Vertex) -> Vec<i8> {
         let mut around = Subdifferential::default();
+        let Some(Near { crossing, .. }) = self.near.as_ref().filter(|near| near.contains(vertex.point)) else {
+            Subproblem::whole(problem).read_at(vertex, &mut around, &mut ());
+            return around.signs;
+        };
         let crossing_lines = Subproblem::whole(problem).selection(crossing, [0.0, 0.0], ExactLinear::zero());
-        crossing_lines.read_at(&vertex, &mut around, &mut ());
+        crossing_lines.read_at(vertex, &mut around, &mut ());
         let mut signs = self.certificate.signs.clone();
         for (&line, sign) in crossing.iter().zip(around.signs) {
             signs[line as usize] = sign;

@@ -44,7 +44,7 @@ impl DoubleDoubleDirection {
         let sum = terms
             .into_iter()
             .flatten()
-            .fold(BoundedDoubleDouble::exact(0.0), |sum, (term, exponent)| sum + term.scaled_down(exponent - largest));
+            .fold(BoundedDoubleDouble::exact(0.0), |sum, (term, exponent)| sum + term.scaled(exponent - largest));
         sum.sign()
     }
 

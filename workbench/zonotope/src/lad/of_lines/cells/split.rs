@@ -28,6 +28,14 @@ pub(crate) struct Split {
     pub(crate) model: QuadraticModel,
 }
 
+impl Split {
+    /// Whether the objective certainly changes over a cell that no line crosses, where it is linear.
+    pub(crate) fn is_certainly_slanted(&self, subproblem: &Subproblem) -> bool {
+        let error = 2.0 * (self.sum_error + subproblem.linear_error);
+        (0..2).any(|axis| (self.sum[axis] + subproblem.linear[axis]).abs() > error)
+    }
+}
+
 impl Cell {
     /// Separates the lines that certainly miss the cell from the others. One pass.
     ///

@@ -10,7 +10,6 @@ use crate::numeric::dyadic::Dyadic;
 /// The objective grows by Σ (|normal · u| − δ normal · u) in direction u, a sum of terms that are never negative. It is
 /// zero if and only if δ normal · u ≥ 0 for each line with |δ| = 1 and normal · u = 0 for each line with |δ| < 1.
 pub(super) fn face_dimension(through: &Subproblem, optimal: &Optimal) -> u8 {
-    let gradient = through.exact_gradient(&optimal.signs);
     let normals: Vec<_> = optimal.basis.iter().map(|&line| through.exact_line(line).normal).collect();
     let mut cone = Cone::Plane;
     for (line, &sign) in optimal.signs.iter().enumerate().filter(|(_, sign)| **sign != 0) {
@@ -19,6 +18,7 @@ pub(super) fn face_dimension(through: &Subproblem, optimal: &Optimal) -> u8 {
             return 0;
         }
     }
+    let gradient = through.exact_gradient(&optimal.signs);
     for (own, other) in [(0, 1), (1, 0)].into_iter().take(normals.len()) {
         let sign = basis_sign(&gradient, &normals[own], normals.get(other));
         let sides: &[i8] = if sign == 0 { &[1, -1] } else { &[sign] };

@@ -106,7 +106,8 @@ impl SearchLine {
             tally.add(Operation::Comparison, 2 * crossings.len() as u64);
             let median = weighted_median(&crossings.positions, &crossings.weights, slope_to_gain);
             let pivot = crossings.lines[median.expect("candidates are left")];
-            let vertex = Vertex::new(self.exact(subproblem), &subproblem.exact_line(pivot), [self.index, Some(pivot)]);
+            let own = || self.exact(subproblem).clone();
+            let vertex = subproblem.meeting_point(self.index, own, pivot);
             subproblem.read_at(&vertex, around, tally);
             let was_forward = forward;
             forward = if self.slope_sign(subproblem, around, true).is_lt() {

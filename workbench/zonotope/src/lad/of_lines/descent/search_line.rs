@@ -74,7 +74,22 @@ impl SearchLine {
         if value.abs() > error {
             return value.total_cmp(&0.0);
         }
-        self.exact_slope(subproblem, around, forward).sign()
+        self.certain_slope(subproblem, around, forward)
+            .unwrap_or_else(|| self.exact_slope(subproblem, around, forward).sign())
+    }
+
+    /// The sign of the slope, where the source of the lines tells the sign of a signed sum of normals along the line:
+    /// each line through the point counts with the sign that it has ahead.
+    fn certain_slope(&self, subproblem: &Subproblem, around: &Subdifferential, forward: bool) -> Option<Ordering> {
+        let along = self.index?;
+        let mut signs = around.signs.clone();
+        for &line in &around.through {
+            // The line's value grows along this one with the cross product of both normals.
+            let ahead = subproblem.cross_sign(along, line);
+            signs[line as usize] = if forward { ahead as i8 } else { -(ahead as i8) };
+        }
+        let rate = subproblem.certain_rate(&signs, along)?;
+        Some(if forward { rate } else { rate.reverse() })
     }
 
     fn exact_slope(&self, subproblem: &Subproblem, around: &Subdifferential, forward: bool) -> Dyadic {

@@ -39,11 +39,25 @@ pub(crate) struct Optimal {
     pub(crate) near: Option<Near>,
 }
 
-/// A cell around a minimiser, and the lines that may cross it: all others have one sign in it.
+/// Cells around a minimiser, and the lines that may cross all of them: all others have one sign where they overlap.
 #[derive(Debug, Clone)]
 pub(crate) struct Near {
-    pub(crate) cell: Cell,
+    pub(crate) cells: Vec<Cell>,
     pub(crate) crossing: Vec<u32>,
+}
+
+impl Near {
+    /// The same with further cells, found among the crossing lines, by whose numbers theirs go.
+    pub(crate) fn narrowed(mut self, inner: Self) -> Self {
+        self.crossing = inner.crossing.into_iter().map(|line| self.crossing[line as usize]).collect();
+        self.cells.extend(inner.cells);
+        self
+    }
+
+    /// Whether a point, given within a relative 8 UNIT, certainly lies in the interior of all cells.
+    pub(crate) fn contains(&self, point: [f64; 2]) -> bool {
+        self.cells.iter().all(|cell| cell.contains(point))
+    }
 }
 
 /// The next move at a point that is minimal along the line on which it was found.

@@ -45,7 +45,8 @@ impl<T> TieBreak<T> {
             random.random_range(-1.0..1.0) * if size > SMALLEST_NORMAL_FOR_OFFSETS { size } else { 1.0 }
         };
         let offsets = lines.iter().map(|&line| offset(line)).collect();
-        let moved = subproblem.moved_apart(lines, around.exact_gradient(subproblem).clone(), offsets);
+        let Subdifferential { signs, gradient, gradient_error, .. } = around;
+        let moved = subproblem.moved_apart(lines, offsets, signs.clone(), *gradient, *gradient_error);
         match (self.solve)(&moved, random.random(), tally) {
             Solution::Optimal(optimal) => Decision::Optimal {
                 face_dimension: if subproblem.asks_place_only() { 0 } else { face_dimension(&moved, &optimal) },

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::fmt::Debug;
 
 use crate::arrangement::ExactLine;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 
 /// A source of exact lines.
@@ -20,6 +21,12 @@ pub(crate) trait ExactLines: Debug + Sync {
         false
     }
 
+    /// A point that may lie on one side of all lines, if the normals are known to sum to zero: then the objective is
+    /// least there, as the sum of all values is the same everywhere.
+    fn balanced_center(&self) -> Option<[f64; 2]> {
+        None
+    }
+
     /// A test that is true only of lines that pass through the given point; where it is false, the line may pass or
     /// not.
     fn certainly_passing(&self, _point: [f64; 2]) -> Box<dyn Fn(usize) -> bool + '_> {
@@ -34,6 +41,29 @@ pub(crate) trait ExactLines: Debug + Sync {
 
     /// The sign of the cross product of the normals of two lines, where it takes no exact arithmetic.
     fn certain_cross_sign(&self, _first: usize, _second: usize) -> Option<Ordering> {
+        None
+    }
+
+    /// The same filter for a point known by pairs of doubles; only a source that knows
+    /// [common points](Self::meeting_point) is asked.
+    fn certain_sides(&self, _place: [BoundedDoubleDouble; 2]) -> Box<dyn Fn(usize) -> Option<i8> + '_> {
+        Box::new(|_| None)
+    }
+
+    /// The common point of two lines that are not parallel by pairs of doubles; `None` unless the larger double of each
+    /// is within 4 UNIT of the exact coordinate, or [`UNDERFLOW`](crate::numeric::tolerance::UNDERFLOW).
+    fn meeting_point(&self, _first: usize, _second: usize) -> Option<[BoundedDoubleDouble; 2]> {
+        None
+    }
+
+    /// The value of a line at a point known by pairs of doubles.
+    fn value_near(&self, _position: usize, _place: &[BoundedDoubleDouble; 2]) -> Option<BoundedDoubleDouble> {
+        None
+    }
+
+    /// The sign of the rate at which Σ sign · normal · x over all lines grows along one of them, forward, by less than
+    /// exact arithmetic; `None` where it leaves the sign open.
+    fn certain_rate(&self, _signs: &[i8], _along: usize) -> Option<Ordering> {
         None
     }
 

@@ -75,6 +75,9 @@ impl GatheredLines {
 /// The number of lines that are read at a time.
 pub(crate) const BLOCK: usize = 256;
 
+/// Up to this number, lines are made in a smaller room: to clear a large one costs more than a pass over few lines.
+const SMALL_BLOCK: usize = 32;
+
 /// A run of consecutive lines.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Block<'b> {
@@ -147,10 +150,19 @@ impl RoundedLines<'_> {
                 }
             }
             Self::Made(lines) => {
-                let mut room = [[0.0; BLOCK]; 3];
+                let (mut small, mut large);
+                let room: [&mut [f64]; 3] = if n <= SMALL_BLOCK {
+                    small = [[0.0; SMALL_BLOCK]; 3];
+                    small.each_mut().map(|column| &mut column[..])
+                } else {
+                    large = [[0.0; BLOCK]; 3];
+                    large.each_mut().map(|column| &mut column[..])
+                };
+                let [x, y, b] = room;
                 for range in ranges {
-                    let error = lines.make(range.start, room.each_mut().map(|column| &mut column[..range.len()]));
-                    let [normal_x, normal_y, offset] = room.each_ref().map(|column| &column[..range.len()]);
+                    let columns = [&mut *x, &mut *y, &mut *b].map(|column| &mut column[..range.len()]);
+                    let error = lines.make(range.start, columns);
+                    let [normal_x, normal_y, offset] = [&*x, &*y, &*b].map(|column| &column[..range.len()]);
                     visit(range.start, Block { normal_x, normal_y, offset, error });
                 }
             }

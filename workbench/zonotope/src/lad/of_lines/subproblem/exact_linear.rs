@@ -59,6 +59,20 @@ impl ExactLinear {
         self.layers.last().map_or(&[], |layer| &layer.signs)
     }
 
+    /// Whether there is no vector beside the signed normals.
+    pub(super) fn is_of_signs_alone(&self) -> bool {
+        self.known.iter().all(Dyadic::is_zero)
+    }
+
+    /// Sets the sign of every line left out, at its position in the problem.
+    pub(super) fn add_signs(&self, signs: &mut [i8]) {
+        for layer in &self.layers {
+            for (line, &sign) in layer.signs.iter().enumerate().filter(|(_, sign)| **sign != 0) {
+                signs[layer.members.as_ref().map_or(line, |members| members[line] as usize)] = sign;
+            }
+        }
+    }
+
     /// The exact sum.
     pub(super) fn value(&self, problem: &LadProblem) -> [Dyadic; 2] {
         let [mut x, mut y] = self.known.clone();

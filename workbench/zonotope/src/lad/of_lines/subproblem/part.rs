@@ -31,7 +31,7 @@ pub(crate) struct Subproblem<'p> {
     /// The rounded linear term.
     pub(crate) linear: [f64; 2],
     /// A bound on the error of each coordinate of `linear`.
-    pub(super) linear_error: f64,
+    pub(crate) linear_error: f64,
     linear_source: ExactLinear,
     exact_linear: OnceCell<[Dyadic; 2]>,
 }
@@ -90,15 +90,25 @@ impl<'p> Subproblem<'p> {
         remainder
     }
 
-    /// The lines through a vertex, moved apart to the given offsets, under a known linear term.
-    pub(crate) fn moved_apart(&self, lines: &[u32], linear: [Dyadic; 2], offsets: Vec<f64>) -> Self {
-        let rounded = [linear[0].to_f64(), linear[1].to_f64()];
+    /// The lines through a vertex, moved apart to the given offsets. All other lines have the given signs, and their
+    /// signed normals with the linear term sum to `gradient` within `gradient_error`.
+    pub(crate) fn moved_apart(
+        &self,
+        lines: &[u32],
+        offsets: Vec<f64>,
+        signs: Vec<i8>,
+        gradient: [f64; 2],
+        gradient_error: f64,
+    ) -> Self {
         let mut rows = GatheredLines::with_capacity(lines.len());
         for (&line, offset) in lines.iter().zip(offsets) {
             let [x, y] = self.normal(line);
             rows.push([x, y, offset], LineError::default());
         }
-        Self { own_offsets: true, ..self.part(lines, rows, rounded, ExactLinear::known(linear)) }
+        let source = self.linear_source.with_fixed_signs(self.members.clone(), signs);
+        let mut moved = Self { own_offsets: true, ..self.part(lines, rows, gradient, source) };
+        moved.linear_error += gradient_error;
+        moved
     }
 
     fn new(
@@ -191,18 +201,49 @@ impl<'p> Subproblem<'p> {
         self.problem.exact.signed_normal_sum(&mut terms)
     }
 
+    /// The common point of a line, which is `line` here if it is one of the subproblem at all and is given exactly where
+    /// that is needed, and another line of the subproblem.
+    pub(crate) fn meeting_point(&self, line: Option<u32>, exact: impl Fn() -> ExactLine, other: u32) -> Vertex {
+        if let Some(line) = line.filter(|_| !self.own_offsets) {
+            let positions = [line, other].map(|line| self.position(line));
+            if let Some(place) = self.problem.exact.meeting_point(positions[0], positions[1]) {
+                return Vertex::meeting_near(place, positions, [line, other]);
+            }
+        }
+        Vertex::meeting(&exact(), &self.exact_line(other), [line, Some(other)])
+    }
+
+    /// The sign of linear + Σ sign · normal along a line, where the source of the lines tells it at once.
+    pub(crate) fn certain_rate(&self, signs: &[i8], along: u32) -> Option<Ordering> {
+        if self.asks_place_only || !self.linear_source.is_of_signs_alone() {
+            return None;
+        }
+        if self.members.is_none() {
+            return self.problem.exact.certain_rate(signs, along as usize);
+        }
+        let mut all = vec![0; self.problem.len()];
+        self.linear_source.add_signs(&mut all);
+        for (line, &sign) in signs.iter().enumerate() {
+            all[self.position(line as u32)] = sign;
+        }
+        self.problem.exact.certain_rate(&all, self.position(along))
+    }
+
     /// The exact side of a line on which a vertex lies, as a function of the line.
     pub(super) fn exact_sides<'a>(&'a self, vertex: &'a Vertex) -> impl Fn(u32) -> i8 + 'a {
         let (passing, signs) = (OnceCell::new(), OnceCell::new());
         move |line| {
-            let point = || if self.own_offsets { None } else { vertex.as_doubles() };
+            let point = || if self.own_offsets { None } else { vertex.as_doubles(self.problem) };
             let passing = passing.get_or_init(|| point().map(|point| self.problem.exact.certainly_passing(point)));
             if passing.as_ref().is_some_and(|passes| passes(self.position(line))) {
                 return 0;
             }
-            let known = || self.problem.exact.certain_signs(&vertex.exact);
+            let known = || match vertex.place {
+                Some(place) => self.problem.exact.certain_sides(place),
+                None => self.problem.exact.certain_signs(vertex.exact(self.problem)),
+            };
             let known = if self.own_offsets { None } else { signs.get_or_init(known)(self.position(line)) };
-            known.unwrap_or_else(|| vertex.exact_side(&self.exact_line(line)))
+            known.unwrap_or_else(|| vertex.exact_side(self.problem, &self.exact_line(line)))
         }
     }
 
@@ -211,6 +252,12 @@ impl<'p> Subproblem<'p> {
     pub(crate) fn is_balanced(&self) -> bool {
         let all_cancel = || self.members.is_none() && self.problem.exact.normals_sum_to_zero();
         (self.asks_place_only || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
+    }
+
+    /// A point that is expected to be near the optimum, where this is the whole of a problem without a linear term whose
+    /// normals sum to zero.
+    pub(crate) fn balanced_center(&self) -> Option<[f64; 2]> {
+        if self.members.is_none() && self.is_balanced() { self.problem.exact.balanced_center() } else { None }
     }
 
     /// Whether only the place of the optimum is asked for, not its coefficients.
@@ -238,8 +285,29 @@ impl<'p> Subproblem<'p> {
         }
     }
 
+    /// A line nearest to a point in rounded arithmetic; `None` if there are no lines with a normal.
+    pub(crate) fn nearest_line(&self, [px, py]: [f64; 2], tally: &mut impl Tally) -> Option<u32> {
+        self.count_pass(tally);
+        let mut nearest = None;
+        let mut least = f64::INFINITY;
+        self.lines.each_block(|start, block| {
+            for line in 0..block.len() {
+                let [x, y, b] = block.row(line);
+                let value = x * px + y * py + b;
+                let squared_distance = value * value / (x * x + y * y);
+                if squared_distance < least {
+                    (nearest, least) = (Some((start + line) as u32), squared_distance);
+                }
+            }
+        });
+        nearest
+    }
+
     /// The sign of the cross product of the normals of two lines.
     pub(crate) fn cross_sign(&self, first: u32, second: u32) -> Ordering {
+        if first == second {
+            return Ordering::Equal;
+        }
         let ([a, b], [c, d]) = (self.normal(first), self.normal(second));
         let (left, right) = (a * d, b * c);
         if (left - right).abs() > 8.0 * UNIT * (left.abs() + right.abs()) + UNDERFLOW {
