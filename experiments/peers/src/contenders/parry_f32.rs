@@ -32,7 +32,11 @@ const BLOCKS_OF_A_SUM: usize = 256;
 struct Block([[f32; LANES]; 3]);
 
 /// A zonotope around the origin.
-struct Body(Vec<Block>);
+struct Body {
+    blocks: Vec<Block>,
+    /// The vectors of the machine.
+    level: Level,
+}
 
 impl Body {
     /// The generators times a power of two, rounded; what the last block lacks is zero.
@@ -46,7 +50,7 @@ impl Body {
             }
             block
         };
-        Self(generators.chunks(LANES).map(block).collect())
+        Self { blocks: generators.chunks(LANES).map(block).collect(), level: Level::new() }
     }
 }
 
@@ -54,8 +58,8 @@ impl SupportMap for Body {
     fn local_support_point(&self, direction: Vector) -> Vector {
         let direction = direction.to_array();
         let mut sum = [0.0; 3];
-        for blocks in self.0.chunks(BLOCKS_OF_A_SUM) {
-            let part = dispatch!(Level::new(), simd => extreme_sum(simd, blocks, direction));
+        for blocks in self.blocks.chunks(BLOCKS_OF_A_SUM) {
+            let part = dispatch!(self.level, simd => extreme_sum(simd, blocks, direction));
             sum = [0, 1, 2].map(|axis| sum[axis] + part[axis]);
         }
         Vector::from_array(sum.map(|c| c as f32))

@@ -14,6 +14,11 @@ pub const UNIT: f64 = f64::EPSILON / 2.0;
 /// with factors of magnitude below 2^60, which stays far below 2^-960.
 pub const UNDERFLOW: f64 = power_of_two(-960);
 
+/// A coordinate of the centre of a zonogon that is larger than this, in the frame in which coordinates have magnitude
+/// about 1, is a normal double in the units of the input, where sums of coordinates are: the rounding of pairs of
+/// doubles to one is then relative.
+pub const SMALLEST_SCALED_CENTER: f64 = power_of_two(-60);
+
 /// An absolute error that covers the underflow of one product, or of the few products of a dot product.
 ///
 /// Each that underflows is off by at most 2^-1075, so there is room for far more of them than a sum has; a sum of

@@ -4,14 +4,11 @@ use crate::hull::antipodal::FarthestVertex;
 use crate::hull::{ConvexHull, VertexIndex};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::scaling::{binary_exponent, power_of_two, scale_by_power_of_two};
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::tolerance::SMALLEST_SCALED_CENTER;
 
 /// The axes of a hull whose extents differ by more than this power of two are scaled apart.
 const THIN_EXPONENT: i64 = 10;
-
-/// A coordinate of a centre that is larger than this in the frame is a normal double in the units of the input, where
-/// sums of coordinates are.
-const SMALLEST_CENTER: f64 = power_of_two(-60);
 
 /// The number of lines, at most, over which the reference is a median.
 const REFERENCE_SAMPLE: usize = 16;
@@ -125,7 +122,7 @@ impl Frame {
     /// The doubles nearest to a point O, given twice O in the scale of the frame; `None` unless pairs of doubles tell
     /// which doubles these are, and whether they are O itself.
     pub(super) fn nearest_center(&self, doubled: &[BoundedDoubleDouble; 2]) -> Option<NearestCenter> {
-        let [x, y] = doubled.map(|sum| sum.nearest_double().filter(|v| v.abs() > SMALLEST_CENTER));
+        let [x, y] = doubled.map(|sum| sum.nearest_double().filter(|v| v.abs() > SMALLEST_SCALED_CENTER));
         let nearest = [x?, y?];
         let is_optimal = doubled.iter().all(BoundedDoubleDouble::is_exactly_double);
         if !self.sums_are_doubles() || !(is_optimal || doubled.iter().any(BoundedDoubleDouble::is_no_double)) {

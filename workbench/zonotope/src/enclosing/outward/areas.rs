@@ -29,8 +29,8 @@ pub(super) fn area_of_centered(zonogon: &CenteredZonogon) -> Option<Pair> {
     area.is_known().then_some(area)
 }
 
-/// The area of the zonogon of generators in counter-clockwise order, all within half a turn from the first one, and of a
-/// box of given half-widths: 4 Σ |g × h| over all pairs. `None` if they are not in such an order, or sums overflow.
+/// The area of the zonogon of generators in counter-clockwise order, all within half a turn from the first one, and of
+/// a box of given half-widths: 4 Σ |g × h| over all pairs. `None` if they are not in such an order, or sums overflow.
 pub(super) fn area_of_ordered(generators: &[[f64; 2]], [width, height]: [f64; 2]) -> Option<Pair> {
     const ORIGIN: [f64; 2] = [0.0; 2];
     let turns_left = |a: [f64; 2], b: [f64; 2]| cross_sign(ORIGIN, a, ORIGIN, b) == Turn::Left;

@@ -20,8 +20,8 @@
 //!
 //! # Method
 //! 1. At most `LINE_SEARCH_LIMIT` lines: descend by line searches.
-//! 2. If a point is known that is expected to be on one side of all lines and is so, in a balanced problem, descend from
-//!    a line nearest to it (`one_side`).
+//! 2. If a point is known that is expected to be on one side of all lines and is so, in a balanced problem, descend
+//!    from a line nearest to it (`one_side`).
 //! 3. Solve a sample of about n^(2/3) lines recursively, one line at random from each of as many equal strata.
 //! 4. Around the sample's optimum take a cell, in coordinates in which the normals point about equally everywhere. Its
 //!    radius is such that the sampling error of the gradient can hardly move the optimum across more lines than cross
@@ -29,10 +29,10 @@
 //! 5. In one pass sum up the lines that certainly miss the cell and keep the others. The gradient at the centre and the
 //!    density of the lines kept give a Newton step to where the optimum is expected, and with the error of that step a
 //!    smaller cell.
-//! 6. If no line crosses the cell, enlarge it where the objective changes over it; else the whole cell is optimal, and a
-//!    line nearest to its centre leads to a vertex. If the optimum is expected far outside, move the cell there; if most
-//!    lines cross the cell, take the smaller one; go to 5. Else solve the lines kept, recursively, starting with the
-//!    smaller cell instead of a sample.
+//! 6. If no line crosses the cell, enlarge it where the objective changes over it; else the whole cell is optimal, and
+//!    a line nearest to its centre leads to a vertex. If the optimum is expected far outside, move the cell there; if
+//!    most lines cross the cell, take the smaller one; go to 5. Else solve the lines kept, recursively, starting with
+//!    the smaller cell instead of a sample.
 //! 7. If the optimum of the lines kept lies in the interior of the cell, it is the answer; else move and enlarge the
 //!    cell and go to 5.
 //! 8. After `CELL_LIMIT` cells, or when all lines cross one, descend by line searches from the last optimum found.

@@ -150,6 +150,11 @@ impl BoundedDoubleDouble {
         DoubleDouble { high: self.high, low: self.low }
     }
 
+    fn plus(self, other: Self) -> Self {
+        let rounding = DOUBLE_DOUBLE_OPERATION * (self.high.abs() + other.high.abs());
+        Self::within(self.pair() + other.pair(), self.error + other.error + rounding)
+    }
+
     fn within(DoubleDouble { high, low }: DoubleDouble, error: f64) -> Self {
         let error = error * DOUBLE_DOUBLE_BOUND;
         if high.is_finite() && low.is_finite() && error < f64::INFINITY {
@@ -163,15 +168,14 @@ impl BoundedDoubleDouble {
 impl Add for BoundedDoubleDouble {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let rounding = DOUBLE_DOUBLE_OPERATION * (self.high.abs() + other.high.abs());
-        Self::within(self.pair() + other.pair(), self.error + other.error + rounding)
+        self.plus(other)
     }
 }
 
 impl Sub for BoundedDoubleDouble {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self + other.negated()
+        self.plus(other.negated())
     }
 }
 

@@ -201,8 +201,8 @@ impl<'p> Subproblem<'p> {
         self.problem.exact.signed_normal_sum(&mut terms)
     }
 
-    /// The common point of a line, which is `line` here if it is one of the subproblem at all and is given exactly where
-    /// that is needed, and another line of the subproblem.
+    /// The common point of a line, which is `line` here if it is one of the subproblem at all and is given exactly
+    /// where that is needed, and another line of the subproblem.
     pub(crate) fn meeting_point(&self, line: Option<u32>, exact: impl Fn() -> ExactLine, other: u32) -> Vertex {
         if let Some(line) = line.filter(|_| !self.own_offsets) {
             let positions = [line, other].map(|line| self.position(line));
@@ -254,8 +254,8 @@ impl<'p> Subproblem<'p> {
         (self.asks_place_only || all_cancel()) && self.exact_linear().iter().all(Dyadic::is_zero)
     }
 
-    /// A point that is expected to be near the optimum, where this is the whole of a problem without a linear term whose
-    /// normals sum to zero.
+    /// A point that is expected to be near the optimum, where this is the whole of a problem without a linear term
+    /// whose normals sum to zero.
     pub(crate) fn balanced_center(&self) -> Option<[f64; 2]> {
         if self.members.is_none() && self.is_balanced() { self.problem.exact.balanced_center() } else { None }
     }
