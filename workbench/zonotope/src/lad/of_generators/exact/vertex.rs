@@ -52,8 +52,11 @@ impl ExactOptimum {
         let whole = NestedCells::default();
         for _ in 0..=PIVOT_LIMIT {
             tally.add(Operation::GeneratorRead, query.len() as u64);
-            let candidate = Self::with_exact_signs(query, p, basis, known, tally)
-                .or_else(|| Self::with_exact_signs(query, p, basis, &whole, tally))?;
+            let mut candidate = Self::with_exact_signs(query, p, basis, known, tally);
+            if candidate.is_none() && !known.steps().is_empty() {
+                candidate = Self::with_exact_signs(query, p, basis, &whole, tally);
+            }
+            let candidate = candidate?;
             let balance = Balance::at(&candidate, query, p)?;
             if balance.is_optimal() {
                 return Some(candidate);
