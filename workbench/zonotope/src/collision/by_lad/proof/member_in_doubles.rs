@@ -24,6 +24,17 @@ const MARGIN_SHARE: f64 = 0.25;
 /// The part of its range by which the third generator moves away from its end.
 const THIRD_ROOM: f64 = 0.5;
 
+/// A generator that may be the third, with what its coefficient is computed from.
+#[derive(Debug, Clone, Copy)]
+struct Third {
+    index: usize,
+    vector: [f64; 3],
+    sign: f64,
+    /// The cross products of the three generators, in which coefficients are read off.
+    normals: [[f64; 3]; 3],
+    determinant: f64,
+}
+
 /// Three generators and the factor of all others.
 #[derive(Debug, Clone, Copy)]
 struct Attempt {
@@ -32,6 +43,25 @@ struct Attempt {
     factor: f64,
     /// How far the largest of the three coefficients is from 1, nearly.
     margin: f64,
+}
+
+impl Third {
+    fn new(optimum: &RoundedOptimum, index: usize, vector: [f64; 3], sign: f64) -> Self {
+        let [a, b] = &optimum.vectors;
+        let normals = cyclic_cross_products(a, b, &vector);
+        Self { index, vector, sign, normals, determinant: dot(&vector, &normals[2]) }
+    }
+
+    /// The attempt with a factor, and its margin.
+    fn attempt(&self, optimum: &RoundedOptimum, p: &BoundedVector, factor: f64) -> Attempt {
+        let rest = |k: usize| p[k].value - (optimum.sum[k].value - self.sign * self.vector[k]) * factor;
+        let rest = [rest(0), rest(1), rest(2)];
+        let size = |k: usize| (dot(&rest, &self.normals[k]) / self.determinant).abs();
+        let largest = size(0).max(size(1)).max(size(2));
+        // none where the third is in the plane of the others
+        let margin = if self.determinant == 0.0 { 0.0 } else { 1.0 - largest };
+        Attempt { third: self.index, sign: self.sign, factor, margin }
+    }
 }
 
 /// The proof of a member whose gauge is less than 1.
@@ -44,20 +74,18 @@ pub(crate) fn witness(
     let inverse = (optimum.along.value / optimum.reach.value).min(1.0);
     let n = query.len();
     let last = optimum.cell();
-    let sign = |index: usize| cells.sign(query, &last, index);
     let is_shared = |i: &usize| optimum.shares.binary_search_by_key(i, |(index, _)| *index).is_ok();
     let picks =
         (0..n).step_by(n.div_ceil(THIRD_CANDIDATES).max(1)).filter(|i| !optimum.basis.contains(i) && !is_shared(i));
     // far enough from the ends: no other pick is much better, unless rounding forbids this one
     let mut enough = MARGIN_SHARE * (1.0 - inverse);
     let mut best = Attempt { third: 0, sign: 0.0, factor: 0.0, margin: 0.0 };
-    for third in picks {
-        let sign = sign(third);
-        let v = query.generator(third);
-        let height = sign * dot(&v, &optimum.direction.map(|c| c.value)) / optimum.reach.value;
+    for index in picks {
+        let third = Third::new(optimum, index, query.generator(index), cells.sign(query, &last, index));
+        let height = third.sign * dot(&third.vector, &optimum.direction.map(|c| c.value)) / optimum.reach.value;
         let moved = (inverse * (1.0 + THIRD_ROOM * height)).min(1.0);
         for factor in [moved, inverse, 1.0] {
-            let own = attempt(query, optimum, p, Attempt { third, sign, factor, margin: 0.0 });
+            let own = third.attempt(optimum, p, factor);
             if own.margin > best.margin {
                 best = own;
             }
@@ -153,20 +181,6 @@ fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3
     let is_within = first.is_within(determinant) && second.is_within(determinant) && third.is_within(determinant);
     let scale = if negative { -determinant.value } else { determinant.value };
     is_within.then_some([first.value / scale, second.value / scale, third.value / scale])
-}
-
-/// The attempt with its margin.
-fn attempt(query: &dyn KernelQuery, optimum: &RoundedOptimum, p: &BoundedVector, attempt: Attempt) -> Attempt {
-    let [a, b] = &optimum.vectors;
-    let c = &query.generator(attempt.third);
-    let normals = cyclic_cross_products(a, b, c);
-    let determinant = dot(c, &normals[2]);
-    let rest = |k: usize| p[k].value - (optimum.sum[k].value - attempt.sign * c[k]) * attempt.factor;
-    let rest = [rest(0), rest(1), rest(2)];
-    let size = |k: usize| (dot(&rest, &normals[k]) / determinant).abs();
-    let largest = size(0).max(size(1)).max(size(2));
-    // none where the third is in the plane of the others
-    Attempt { margin: if determinant == 0.0 { 0.0 } else { 1.0 - largest }, ..attempt }
 }
 
 #[cfg(test)]

@@ -19,6 +19,11 @@ pub(crate) struct Rest {
 }
 
 impl Rest {
+    /// Of the optimum for sure, whose coefficients are within [−1, 1] and whose λ needs no bound but that by its ends.
+    pub(super) fn of_sure_optimum(coefficients: [f64; 2]) -> Self {
+        Self { coefficients, size: f64::INFINITY, stretch: f64::INFINITY }
+    }
+
     /// From g, the two vectors, their coefficients, g · u and p · u.
     pub(super) fn new(
         sum: &BoundedVector,

@@ -125,7 +125,12 @@ impl RoundedOptimum {
         let basis = [first, second].map(|i| level.indices[i] as usize);
         let magnitude = fixed.magnitude;
         let divisor = if reversed { along.value } else { -along.value };
-        let rest = Rest::new(&sum, &[a, b], across.map(|value| value.value / divisor), [reach, along], p);
+        let coefficients = across.map(|value| value.value / divisor);
+        let rest = if missing == 0.0 && excess == [0.0; 2] {
+            Rest::of_sure_optimum(coefficients)
+        } else {
+            Rest::new(&sum, &[a, b], coefficients, [reach, along], p)
+        };
         Ok(Box::new(Self {
             basis,
             vectors,

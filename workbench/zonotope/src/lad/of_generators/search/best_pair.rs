@@ -61,16 +61,16 @@ fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> Found {
     Found { pair, octets: vectors.len() / 2 }
 }
 
-/// The best normal of each lane.
+/// The largest value of each lane.
 struct Lanes<S: Simd> {
-    gauge: f64x8<S>,
-    /// What tells the pair in a lane.
+    value: f64x8<S>,
+    /// What tells the pair or the generator in a lane.
     code: f64x8<S>,
 }
 
-/// The best normal of all lanes.
+/// The largest value of all lanes.
 struct Best {
-    gauge: f64,
+    value: f64,
     lane: usize,
     code: usize,
 }
@@ -78,7 +78,7 @@ struct Best {
 impl<S: Simd> Lanes<S> {
     #[inline(always)]
     fn new(simd: S) -> Self {
-        Self { gauge: f64x8::splat(simd, -1.0), code: f64x8::splat(simd, 0.0) }
+        Self { value: f64x8::splat(simd, -1.0), code: f64x8::splat(simd, 0.0) }
     }
 
     /// Tries the normals of eight pairs.
@@ -90,20 +90,25 @@ impl<S: Simd> Lanes<S> {
             reach += (normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]).magnitude();
         }
         // not a number where the two are parallel: then it is no better
-        let gauge = product(&normal, p).magnitude() / reach;
-        self.code = self.gauge.if_less(gauge, f64x8::splat(simd, code as f64), self.code);
-        self.gauge = self.gauge.if_less(gauge, gauge, self.gauge);
+        self.raise(simd, product(&normal, p).magnitude() / reach, code);
+    }
+
+    /// Keeps the larger value of each lane.
+    #[inline(always)]
+    fn raise(&mut self, simd: S, value: f64x8<S>, code: usize) {
+        self.code = self.value.if_less(value, f64x8::splat(simd, code as f64), self.code);
+        self.value = self.value.if_less(value, value, self.value);
     }
 
     #[inline(always)]
     fn best(&self) -> Best {
         let mut lane = 0;
         for other in 1..LANES {
-            if self.gauge[other] > self.gauge[lane] {
+            if self.value[other] > self.value[lane] {
                 lane = other;
             }
         }
-        Best { gauge: self.gauge[lane], lane, code: self.code[lane] as usize }
+        Best { value: self.value[lane], lane, code: self.code[lane] as usize }
     }
 }
 
@@ -124,7 +129,7 @@ fn among_all<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LIMI
 fn along_lines<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LIMIT]; 3], p: &[f64; 3]) -> Found {
     let wide = splat(simd, p);
     let mut found = Found { pair: [0, 0], octets: 0 };
-    let (mut line, mut gauge) = (0, -1.0);
+    let (mut line, mut gauge) = (least_steep(simd, vectors, columns, &wide), -1.0);
     // each line has a better vertex than the one before
     loop {
         let (own, mut lanes) = (splat(simd, &vectors[line]), Lanes::new(simd));
@@ -133,12 +138,26 @@ fn along_lines<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LI
             found.octets += 1;
         }
         let best = lanes.best();
-        if best.gauge.is_nan() || best.gauge <= gauge {
+        if best.value.is_nan() || best.value <= gauge {
             return found;
         }
         let other = (best.code + best.lane) % vectors.len();
-        (found.pair, gauge, line) = ([line, other], best.gauge, other);
+        (found.pair, gauge, line) = ([line, other], best.value, other);
     }
+}
+
+/// The generator that is most nearly orthogonal to p: its line is the nearest to the direction of p, around which the
+/// optimum is.
+#[inline(always)]
+fn least_steep<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LIMIT]; 3], p: &Octet<S>) -> usize {
+    let mut lanes = Lanes::new(simd);
+    for start in (0..vectors.len()).step_by(LANES) {
+        let v = stretch(simd, columns, start);
+        let along = product(&v, p);
+        lanes.raise(simd, product(&v, &v) / (along * along), start);
+    }
+    let best = lanes.best();
+    (best.code + best.lane) % vectors.len()
 }
 
 /// Eight generators side by side, from a place on.
