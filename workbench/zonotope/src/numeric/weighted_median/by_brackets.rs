@@ -52,6 +52,9 @@ use crate::numeric::lanes::octet::{LANES, total};
 /// Number of items up to which halving is quicker than a sample.
 const HALVING_LIMIT: usize = 500;
 
+/// So many items are halved without memory of the heap.
+const INLINE_ITEMS: usize = 32;
+
 /// Standard deviations of the sample's weights between the median that it proposes and the ends of the bracket.
 const BRACKET_DEVIATIONS: f64 = 2.0;
 
@@ -81,7 +84,7 @@ pub(crate) fn weighted_median(places: &[f64], weights: &[f64], target: f64) -> O
     }
 }
 
-fn items(places: &[f64], weights: &[f64]) -> SmallVec<[Item; 16]> {
+fn items(places: &[f64], weights: &[f64]) -> SmallVec<[Item; INLINE_ITEMS]> {
     let columns = (0..).zip(places).zip(weights);
     columns.map(|((index, &place), &weight)| Item::new(place, weight, index)).collect()
 }

@@ -31,7 +31,10 @@ impl Reduced {
     pub(crate) fn whole(query: &dyn KernelQuery) -> Self {
         let mut vectors = Vec::with_capacity(query.len());
         for part in query.parts() {
-            part.map_into(&mut vectors, |v| *v);
+            match part.frame {
+                None => vectors.extend_from_slice(part.rows.list()),
+                Some(_) => vectors.extend(part.images()),
+            }
         }
         Self {
             vectors,

@@ -1,8 +1,6 @@
 //! The crossings on a line that is searched, and the weighted median of their places.
 
-use smallvec::SmallVec;
-
-use crate::numeric::lanes::octet::LANES;
+use crate::lad::of_generators::plane::rounded_lines::PerLine;
 use crate::numeric::weighted_median::weighted_median;
 
 /// A crossing on a line that is searched: its place along the line, and the line that crosses there.
@@ -15,18 +13,18 @@ pub(crate) struct Crossing {
 /// Crossings in the order of their lines, in columns; a few take no memory beside that of the list itself.
 #[derive(Debug)]
 pub(crate) struct CrossingList {
-    places: SmallVec<[f64; 2 * LANES]>,
+    places: PerLine<f64>,
     /// Half of what the slope gains at each.
-    weights: SmallVec<[f64; 2 * LANES]>,
-    lines: SmallVec<[u32; 2 * LANES]>,
+    weights: PerLine<f64>,
+    lines: PerLine<u32>,
 }
 
 impl CrossingList {
     pub(crate) fn with_capacity(capacity: usize) -> Self {
         Self {
-            places: SmallVec::with_capacity(capacity),
-            weights: SmallVec::with_capacity(capacity),
-            lines: SmallVec::with_capacity(capacity),
+            places: PerLine::with_capacity(capacity),
+            weights: PerLine::with_capacity(capacity),
+            lines: PerLine::with_capacity(capacity),
         }
     }
 

@@ -3,10 +3,8 @@
 //! Each line search ends where the slope changes its sign, which selection among the crossings ahead finds. Rounding
 //! may make the descent end at a wrong vertex, no worse: the vertex is certified by others.
 
-use smallvec::SmallVec;
-
 use crate::lad::of_generators::guess::crossings::CrossingList;
-use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, PerLine, RoundedLines};
 use crate::numeric::lanes::octet::{LANES, slot};
 
 /// The most line searches.
@@ -102,14 +100,14 @@ fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
 /// The places at which lines cross the line that is searched.
 struct Crossings {
     /// The place of the crossing of each slot's line, in multiples of the direction of the search.
-    places: SmallVec<[f64; 2 * LANES]>,
+    places: PerLine<f64>,
     ahead: CrossingList,
 }
 
 impl Crossings {
     fn of(len: usize) -> Self {
         Self {
-            places: SmallVec::with_capacity(len.next_multiple_of(LANES)),
+            places: PerLine::with_capacity(len.next_multiple_of(LANES)),
             ahead: CrossingList::with_capacity(len.min(HORIZON_SAMPLE)),
         }
     }

@@ -11,8 +11,15 @@ use crate::numeric::lanes::octet::{LANES, slot, total, turned};
 #[repr(align(64))]
 pub(crate) struct LineBlock(pub(crate) [[f64; LANES]; 4]);
 
-/// Blocks of lines; a few take no memory beside that of the list itself.
-pub(crate) type LineBlocks = SmallVec<[LineBlock; 1]>;
+/// Blocks of lines; up to [`INLINE_LINES`] take no memory beside that of the list itself.
+pub(crate) type LineBlocks = SmallVec<[LineBlock; INLINE_LINES / LANES]>;
+
+/// A number for each line or slot; up to [`INLINE_LINES`] take no memory beside that of the list itself.
+pub(crate) type PerLine<T> = SmallVec<[T; INLINE_LINES]>;
+
+/// The lists of a search have room for so many lines in themselves: most searches end among fewer, and memory of the
+/// heap takes as long as a search among them.
+pub(crate) const INLINE_LINES: usize = 64;
 
 /// What fills the last block up: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
@@ -74,7 +81,7 @@ impl RoundedLines {
         linear: [f64; 2],
         point: [f64; 2],
         direction: [f64; 2],
-        places: &mut SmallVec<[f64; 2 * LANES]>,
+        places: &mut PerLine<f64>,
     ) -> f64 {
         places.resize(LANES * self.blocks.len(), 0.0);
         let sum = dispatch!(level(), simd => slope_and_crossings(simd, &self.blocks, point, direction, places));

@@ -22,6 +22,9 @@ use crate::tally::{Operation, Tally};
 /// At most this many lines are searched from vertex to vertex without a smaller cell.
 const DESCENT_LINES: usize = 40;
 
+/// Few searches go through more problems, each reduced from the one before.
+const USUAL_LEVELS: usize = 4;
+
 /// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from nearly parallel lines
 /// and is not believed.
 const BELIEVED_DISTANCE: f64 = 64.0;
@@ -68,7 +71,8 @@ pub(crate) fn narrow(
 ) -> Result<Searched, Missed> {
     let chart = &problem.chart;
     let lost = Missed::Lost { crossing: reduced.vectors.len() };
-    let mut levels = vec![reduced];
+    let mut levels = Vec::with_capacity(USUAL_LEVELS);
+    levels.push(reduced);
     let mut guess = start.copied();
     let mut lines = levels[0].lines(chart);
     while lines.len() > DESCENT_LINES {
