@@ -81,16 +81,32 @@ impl<S: Simd> Lanes<S> {
         Self { value: f64x8::splat(simd, -1.0), code: f64x8::splat(simd, 0.0) }
     }
 
-    /// Tries the normals of eight pairs.
+    /// Tries the normals of `K` eights of pairs in one pass over the generators, as one eight alone would wait for each
+    /// addition to end.
     #[inline(always)]
-    fn read(&mut self, simd: S, vectors: &[[f64; 3]], [a, b]: [&Octet<S>; 2], p: &Octet<S>, code: usize) {
-        let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        let mut reach = f64x8::splat(simd, 0.0);
-        for v in vectors {
-            reach += (normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]).magnitude();
+    fn read<const K: usize>(
+        &mut self,
+        simd: S,
+        vectors: &[[f64; 3]],
+        a: &Octet<S>,
+        others: [Octet<S>; K],
+        p: &Octet<S>,
+        codes: [usize; K],
+    ) {
+        let mut normals = others;
+        for (normal, b) in normals.iter_mut().zip(&others) {
+            *normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
         }
-        // not a number where the two are parallel: then it is no better
-        self.raise(simd, product(&normal, p).magnitude() / reach, code);
+        let mut reaches = [f64x8::splat(simd, 0.0); K];
+        for v in vectors {
+            for (reach, normal) in reaches.iter_mut().zip(&normals) {
+                *reach += (normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2]).magnitude();
+            }
+        }
+        for ((normal, reach), code) in normals.iter().zip(reaches).zip(codes) {
+            // not a number where the two are parallel: then it is no better
+            self.raise(simd, product(normal, p).magnitude() / reach, code);
+        }
     }
 
     /// Keeps the larger value of each lane.
@@ -119,7 +135,7 @@ fn among_all<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LIMI
     let (wide, first) = (splat(simd, p), stretch(simd, columns, 0));
     let mut lanes = Lanes::new(simd);
     for step in 1..=vectors.len() / 2 {
-        lanes.read(simd, vectors, [&first, &stretch(simd, columns, step)], &wide, step);
+        lanes.read(simd, vectors, &first, [stretch(simd, columns, step)], &wide, [step]);
     }
     lanes.best()
 }
@@ -133,10 +149,9 @@ fn along_lines<S: Simd>(simd: S, vectors: &[[f64; 3]], columns: &[[f64; PAIRS_LI
     // each line has a better vertex than the one before
     loop {
         let (own, mut lanes) = (splat(simd, &vectors[line]), Lanes::new(simd));
-        for start in (0..vectors.len()).step_by(LANES) {
-            lanes.read(simd, vectors, [&own, &stretch(simd, columns, start)], &wide, start);
-            found.octets += 1;
-        }
+        let starts = [0, LANES];
+        lanes.read(simd, vectors, &own, [stretch(simd, columns, 0), stretch(simd, columns, LANES)], &wide, starts);
+        found.octets += starts.len();
         let best = lanes.best();
         if best.value.is_nan() || best.value <= gauge {
             return found;
