@@ -15,7 +15,7 @@
 //! | `WiderCell` | once | `CorrectedSample` |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
 //! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactVertex` |
-//! | `ExactVertex` | a search ended at a vertex of which doubles prove too little | `ExactInCells` |
+//! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none | `ExactInCells` |
 //! | `ExactInCells` | cells are known | `ExactInBall` where the optimum seems near, else `LongestFirst` |
 //! | `ExactInBall` | once | `LongestFirst` |
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
@@ -289,10 +289,13 @@ impl Climb<'_, '_> {
     }
 
     fn exact_vertex(&mut self) -> Attempt {
-        let Some(vertex) = &self.known.vertex else { return Err(Rung::ExactInCells) };
         let query = self.problem.query;
-        exact_at(query, &query.exact(), vertex, &self.known.cells, self.tally)
-            .map_or(Err(Rung::ExactInCells), |optimum| Ok(Optimum::Exact(Box::new(optimum))))
+        let found = match &self.known.vertex {
+            Some(vertex) => exact_at(query, &query.exact(), vertex, &self.known.cells, self.tally),
+            None if self.sample.is_some() => ExactOptimum::from_line_of_longest(query, &query.exact(), self.tally),
+            None => None,
+        };
+        found.map_or(Err(Rung::ExactInCells), |optimum| Ok(Optimum::Exact(Box::new(optimum))))
     }
 
     fn flat_body(&mut self) -> Attempt {

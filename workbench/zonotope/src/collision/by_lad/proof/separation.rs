@@ -6,9 +6,9 @@ use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, exact, multiple, negated, rounded_direction};
-
 use crate::numeric::signed_sum::signed_sum;
 
 /// Multiples of the direction that are rounded in turn: each multiple has its coordinates rounded differently.
@@ -44,11 +44,12 @@ pub(crate) fn separation(
     };
     let longest = (0..3).max_by_key(|&axis| normal[axis].clone().abs()).expect("there are three axes");
     let [x, y, z] = [0, 1, 2].map(|i| normal[i].rounded_ratio(&normal[longest].clone().abs()));
+    let pairs = p.each_ref().map(BoundedDoubleDouble::of);
     let candidates = MULTIPLES.iter().map(|&factor| rounded_direction(&multiple(&Dyadic::from_f64(factor), &normal)));
     candidates
         .chain([[x, y, z]])
         .chain(neighbours([x, y, z]))
-        .find(|&u| separates(query, p, u))
+        .find(|&u| seems_to_separate(query, &pairs, u).unwrap_or_else(|| separates(query, p, u)))
         .map_or_else(|| Separation::Exact(Box::new(direction.clone().map(|v| v.to_rational()))), Separation::Rounded)
 }
 
@@ -63,6 +64,16 @@ fn neighbours(u: [f64; 3]) -> impl Iterator<Item = [f64; 3]> {
         let steps = [code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1];
         [0, 1, 2].map(|i| step(u[i], steps[i]))
     })
+}
+
+/// Whether u · p > h(u), where pairs of doubles tell. O(n).
+fn seems_to_separate(query: &dyn KernelQuery, p: &[BoundedDoubleDouble; 3], u: [f64; 3]) -> Option<bool> {
+    let query = query.as_query()?;
+    let u = u.map(BoundedDoubleDouble::exact);
+    let product = |v: [BoundedDoubleDouble; 3]| v[0] * u[0] + v[1] * u[1] + v[2] * u[2];
+    let reaches = query.generators().map(|v| product(v.map(BoundedDoubleDouble::exact)).abs());
+    let reach = reaches.fold(BoundedDoubleDouble::exact(0.0), |sum, term| sum + term);
+    (product(*p) - reach).sign().map(|sign| sign > 0)
 }
 
 /// Whether u · p > h(u), exactly. O(n).

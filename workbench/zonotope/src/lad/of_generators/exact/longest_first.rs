@@ -5,6 +5,7 @@
 //! does not ask why the longest generators were enough.
 
 use crate::lad::by_pruning;
+use crate::lad::of_generators::exact::bundle::Bundle;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::exact::pivot::Balance;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
@@ -54,8 +55,11 @@ pub(crate) fn optimum(
     }
     let basis = optimum.certificate.basis.iter().map(|line| indices[line.position()]).collect();
     let optimum = ExactOptimum::new(query, p, direction, signs, basis);
-    if Balance::at(&optimum, query, p).is_some_and(|balance| balance.is_optimal()) {
-        return Ok(optimum);
+    if let [first, second] = optimum.basis[..] {
+        let bundles = [first, second].map(|index| Bundle::of(index, query.exact_generator(index)));
+        if Balance::of(bundles, optimum.sum.clone(), p).is_optimal() {
+            return Ok(optimum);
+        }
     }
     let center = rounded_direction(&optimum.direction);
     Err(Some(center).filter(|center| is_meeting(query, center)))

@@ -127,7 +127,7 @@ impl ExactOptimum {
         Self::with_sum(p, direction, signs, basis, sum)
     }
 
-    fn with_sum(
+    pub(super) fn with_sum(
         p: &ExactVector,
         direction: ExactVector,
         signs: Vec<i8>,

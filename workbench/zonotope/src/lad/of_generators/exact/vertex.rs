@@ -7,18 +7,21 @@
 
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
+use crate::lad::of_generators::exact::best_on_line::best_on_line;
+use crate::lad::of_generators::exact::bundle::Bundle;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::exact::pivot::Balance;
 use crate::lad::of_generators::exact::solve::{EXACT_SOLVE_LIMIT, ExactOptimum};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, cross, dot, is_zero, negated, rounded_direction};
+use crate::numeric::linear::max_norm;
 use crate::tally::{Operation, Tally};
 
 /// At most so many pivots lead from a vertex that doubles found to the optimum.
 const PIVOT_LIMIT: usize = 12;
 
-/// The generators of a face are solved for if they are at most one in so many, however many that is: twenty directions
-/// of parallel generators have a tenth of them in each face.
+/// The generators of a facet of many directions are solved for if they are at most one in so many, however many that
+/// is: generators of whole numbers have a sixth of them in some facets.
 const LARGEST_FACET_SHARE: usize = 4;
 
 impl ExactOptimum {
@@ -39,6 +42,20 @@ impl ExactOptimum {
         Self::new(query, p, direction, signs, vertex.basis.to_vec())
     }
 
+    /// The optimum, if a few pivots lead there from the best vertex on the line of the longest generator: where lengths
+    /// are uneven, so that no sample is like the whole, the longest have most to say.
+    pub(crate) fn from_line_of_longest(
+        query: &dyn KernelQuery,
+        p: &ExactVector,
+        tally: &mut dyn Tally,
+    ) -> Option<Self> {
+        let sizes = query.generators().map(|v| max_norm(&v));
+        let (longest, _) = (0..).zip(sizes).max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        tally.add(Operation::GeneratorRead, 2 * query.len() as u64);
+        let basis = best_on_line(query, p, longest)?;
+        Self::from_likely_vertex(query, p, basis, &NestedCells::default(), tally)
+    }
+
     /// The optimum from a vertex that is probably the optimum or near it, if a few pivots lead there.
     pub(crate) fn from_likely_vertex(
         query: &dyn KernelQuery,
@@ -52,34 +69,41 @@ impl ExactOptimum {
         let whole = NestedCells::default();
         for _ in 0..=PIVOT_LIMIT {
             tally.add(Operation::GeneratorRead, query.len() as u64);
-            let mut candidate = Self::with_exact_signs(query, p, basis, known, tally);
-            if candidate.is_none() && !known.steps().is_empty() {
-                candidate = Self::with_exact_signs(query, p, basis, &whole, tally);
+            let mut vertex = ExactVertex::at(query, p, basis, known);
+            if vertex.is_none() && !known.steps().is_empty() {
+                vertex = ExactVertex::at(query, p, basis, &whole);
             }
-            let candidate = candidate?;
-            let balance = Balance::at(&candidate, query, p)?;
+            let Some(vertex) = vertex else {
+                (basis, known) = (best_on_line(query, p, basis[0])?, &whole);
+                continue;
+            };
+            let Some(bundles) = Bundle::of_facet(query, &vertex.direction, basis, &vertex.facet) else {
+                return vertex.optimum_of_facet(query, p, tally);
+            };
+            let balance = Balance::of(bundles, query.signed_sum(&vertex.signs), p);
             if balance.is_optimal() {
-                return Some(candidate);
+                return Some(balance.optimum(vertex, query, p));
             }
-            basis = balance.pivot(&candidate, query)?;
+            basis = balance.pivot(&vertex, query)?;
             known = &whole;
         }
         None
     }
+}
 
-    /// A vertex with the signs of all generators at its direction; `None` where it is not in the cells, or is no
-    /// vertex.
-    ///
-    /// Generators beside the basis that are orthogonal to the direction belong to the same face of the body. Which two
-    /// of them are the basis, and which signs the others have, is a problem of these generators alone, whose lines meet
-    /// in the vertex.
-    fn with_exact_signs(
-        query: &dyn KernelQuery,
-        p: &ExactVector,
-        basis: [usize; 2],
-        cells: &NestedCells,
-        tally: &mut dyn Tally,
-    ) -> Option<Self> {
+/// A vertex with the exact signs of all generators at it.
+pub(super) struct ExactVertex {
+    /// The vertex, scaled: u · p > 0.
+    pub(super) direction: ExactVector,
+    /// 1 or −1 for each generator; 0 for those of the facet and for the zero vector.
+    pub(super) signs: Vec<i8>,
+    /// The generators other than zero that are orthogonal to the direction, in increasing order.
+    pub(super) facet: Vec<usize>,
+}
+
+impl ExactVertex {
+    /// The vertex of two generators; `None` where it is not in the cells, or is no vertex.
+    fn at(query: &dyn KernelQuery, p: &ExactVector, basis: [usize; 2], cells: &NestedCells) -> Option<Self> {
         let [a, b] = basis.map(|index| query.exact_generator(index));
         let product = cross(&a, &b);
         let side = dot(&product, p).sign();
@@ -97,13 +121,19 @@ impl ExactOptimum {
                 facet.push(index);
             }
         }
+        Some(Self { direction, signs, facet })
+    }
+
+    /// The optimum if it is at this vertex, whose facet has more than two directions.
+    ///
+    /// Which two generators of the facet are the basis, and which signs the others have, is a problem of these
+    /// generators alone, whose lines meet in the vertex.
+    fn optimum_of_facet(self, query: &dyn KernelQuery, p: &ExactVector, tally: &mut dyn Tally) -> Option<ExactOptimum> {
+        let Self { direction, signs, facet } = self;
         if facet.len() > EXACT_SOLVE_LIMIT.max(query.len() / LARGEST_FACET_SHARE) {
             return None;
         }
-        if facet.len() == 2 {
-            return Some(Self::new(query, p, direction, signs, basis.to_vec()));
-        }
-        let optimum = Self::of_some(query, p, facet, signs, rounded_direction(&direction), tally)?;
+        let optimum = ExactOptimum::of_some(query, p, facet, signs, rounded_direction(&direction), tally)?;
         is_zero(&cross(&optimum.direction, &direction)).then_some(optimum)
     }
 }
@@ -162,9 +192,9 @@ mod tests {
     }
 
     #[test]
-    fn a_vertex_of_parallel_generators_is_none() {
+    fn parallel_generators_lead_to_another_vertex() {
         let body = [[1.0, 2.0, 3.0], [2.0, 4.0, 6.0], [0.0, 1.0, 0.0]];
         let query = Query::new([0.0; 3], [1.0, 0.0, 0.0], &body).expect("finite");
-        assert!(!reached(&query, &exact([1.0, 0.0, 0.0]), [0, 1]));
+        assert!(reached(&query, &exact([1.0, 0.0, 0.0]), [0, 1]));
     }
 }

@@ -44,6 +44,14 @@ impl CrossingList {
         self.lines.push(line as u32);
     }
 
+    /// Adds the crossing of a line with a normal, and returns its weight.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, place: f64, [a, b]: [f64; 2], [dx, dy]: [f64; 2], line: usize) -> f64 {
+        let weight = (a * dx + b * dy).abs();
+        self.push(place, weight, line);
+        weight
+    }
+
     /// The first crossing, by place and then by line, at which the weights up to it and with it reach `target`; the
     /// last one if they never do.
     pub(crate) fn select(&self, target: f64) -> Option<Crossing> {

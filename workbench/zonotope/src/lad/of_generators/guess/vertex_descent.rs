@@ -112,20 +112,34 @@ impl Crossings {
         }
     }
 
-    /// Gathers the crossings ahead that are no farther than `farthest`, of one line in `step`, and returns their
-    /// total weight: half of what the slope gains at all of them.
-    fn gather(&mut self, lines: &RoundedLines, [dx, dy]: [f64; 2], farthest: f64, step: usize) -> f64 {
+    /// Gathers the crossings ahead that are no farther than `farthest`, and returns their total weight: half of what the
+    /// slope gains at all of them.
+    fn gather(&mut self, lines: &RoundedLines, direction: [f64; 2], farthest: f64) -> f64 {
+        self.ahead.clear();
+        let last = farthest.min(f64::MAX);
+        let (places, _) = self.places.as_chunks::<LANES>();
+        let mut gain = 0.0;
+        // the lines that fill up the last block are crossed nowhere
+        for (number, (LineBlock([a, b, ..]), places)) in lines.blocks().iter().zip(places).enumerate() {
+            for row in 0..LANES {
+                let lane = slot(row);
+                if is_ahead(places[lane]) && places[lane] <= last {
+                    gain += self.ahead.add(places[lane], [a[lane], b[lane]], direction, LANES * number + row);
+                }
+            }
+        }
+        gain
+    }
+
+    /// Gathers the crossings ahead of one line in `step`, and returns their total weight.
+    fn gather_some(&mut self, lines: &RoundedLines, direction: [f64; 2], step: usize) -> f64 {
         self.ahead.clear();
         let mut gain = 0.0;
-        let last = farthest.min(f64::MAX);
         for line in (0..lines.len()).step_by(step) {
             let place = self.places[slot(line)];
-            // zero is ahead where the slope was summed up with the sign before it
-            if place.is_sign_positive() && place <= last {
+            if is_ahead(place) && place < f64::INFINITY {
                 let [a, b, ..] = lines.line(line);
-                let weight = (a * dx + b * dy).abs();
-                gain += weight;
-                self.ahead.push(place, weight, line);
+                gain += self.ahead.add(place, [a, b], direction, line);
             }
         }
         gain
@@ -137,7 +151,7 @@ impl Crossings {
         if step < 2 {
             return f64::INFINITY;
         }
-        let gain = self.gather(lines, direction, f64::INFINITY, step);
+        let gain = self.gather_some(lines, direction, step);
         let target = HORIZON_MARGIN * target / step as f64 + 2.0 * gain / self.ahead.len() as f64;
         if target < gain {
             self.ahead.select(target).map_or(f64::INFINITY, |crossing| crossing.place)
@@ -145,6 +159,12 @@ impl Crossings {
             f64::INFINITY
         }
     }
+}
+
+/// Zero is ahead where the slope was summed up with the sign before it.
+#[inline(always)]
+fn is_ahead(place: f64) -> bool {
+    place.is_sign_positive()
 }
 
 /// The minimum along a line: the line that crosses it there, and the point.
@@ -169,9 +189,9 @@ fn search(
     }
     let target = -slope / 2.0;
     let farthest = crossings.farthest(lines, direction, target);
-    let gain = crossings.gather(lines, direction, farthest, 1);
+    let gain = crossings.gather(lines, direction, farthest);
     if gain < target && farthest < f64::INFINITY {
-        crossings.gather(lines, direction, f64::INFINITY, 1);
+        crossings.gather(lines, direction, f64::INFINITY);
     }
     let found = crossings.ahead.select(target)?;
     Some((found.line, [0, 1].map(|k| foot[k] + found.place * direction[k])))
