@@ -53,8 +53,6 @@ pub enum Rung {
     FlatBody,
     /// The generators that cross the search's cells, in exact arithmetic.
     ExactInCells,
-    /// The generators that cross a ball around the optimum of those, in exact arithmetic.
-    ExactInBall,
     /// The longest generators alone, in exact arithmetic.
     LongestFirst,
     /// All generators in exact arithmetic.
@@ -77,7 +75,7 @@ pub enum Rung {
 
 impl Rung {
     /// All rungs, each stage's in the order in which they are tried.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 25] = [
         Self::LeastSquares,
         Self::LeastSquaresInPlane,
         Self::SampledDirection,
@@ -94,7 +92,6 @@ impl Rung {
         Self::ExactVertex,
         Self::FlatBody,
         Self::ExactInCells,
-        Self::ExactInBall,
         Self::LongestFirst,
         Self::ExactWhole,
         Self::RoundedDirection,
@@ -125,7 +122,6 @@ impl Rung {
             Self::ExactVertex => "exact_vertex",
             Self::FlatBody => "flat_body",
             Self::ExactInCells => "exact_in_cells",
-            Self::ExactInBall => "exact_in_ball",
             Self::LongestFirst => "longest_first",
             Self::ExactWhole => "exact_whole",
             Self::RoundedDirection => "rounded_direction",

@@ -16,8 +16,7 @@
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
 //! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactVertex` |
 //! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none | `ExactInCells` |
-//! | `ExactInCells` | cells are known | `ExactInBall` where the optimum seems near, else `LongestFirst` |
-//! | `ExactInBall` | once | `LongestFirst` |
+//! | `ExactInCells` | cells are known | `LongestFirst` |
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
 //!
@@ -157,12 +156,8 @@ fn exact_near(
     cells: &NestedCells,
     tally: &mut dyn Tally,
 ) -> (ExactOptimum, Rung) {
-    let ball = match ExactOptimum::in_cells(query, p, cells, tally) {
-        Ok(optimum) => return (optimum, Rung::ExactInCells),
-        Err(ball) => ball,
-    };
-    if let Some(optimum) = ball.and_then(|ball| ExactOptimum::in_ball(query, p, ball, tally)) {
-        return (optimum, Rung::ExactInBall);
+    if let Some(optimum) = ExactOptimum::in_cells(query, p, cells, tally) {
+        return (optimum, Rung::ExactInCells);
     }
     tally.add(Operation::ExactFallback, 1);
     match longest_first::optimum(query, p, tally) {

@@ -5,7 +5,6 @@
 //! sizes of coordinates and vectors may be any distance apart.
 
 use super::BoundedDoubleDouble;
-use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use crate::numeric::tolerance::{PAIRABLE_EXPONENT, PAIRABLE_SIZES};
@@ -27,8 +26,10 @@ impl DoubleDoubleDirection {
         });
         let largest = terms.iter().flatten().map(|(_, exponent)| *exponent).max().unwrap_or(0);
         let is_moderate = terms.iter().flatten().all(|(_, exponent)| largest - exponent < PAIRABLE_EXPONENT);
-        let scaled = |c: &Dyadic| BoundedDoubleDouble::of(&c.clone().scaled(-largest));
-        Self { terms, moderate: is_moderate.then(|| direction.each_ref().map(scaled)) }
+        let scaled = |term: Option<(BoundedDoubleDouble, i64)>| {
+            term.map_or(BoundedDoubleDouble::exact(0.0), |(coordinate, exponent)| coordinate.scaled(exponent - largest))
+        };
+        Self { terms, moderate: is_moderate.then(|| terms.map(scaled)) }
     }
 
     /// The sign of v · u, if two doubles a coordinate tell it and it is not zero.
@@ -60,6 +61,7 @@ impl DoubleDoubleDirection {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::dyadic::Dyadic;
     use crate::numeric::exact_linear::{cross, dot, exact};
     use proptest::prelude::*;
 

@@ -27,7 +27,6 @@ const REACHED_BY: [(Rung, &str, usize); Rung::ALL.len()] = [
     (Rung::ExactVertex, "random", 12),
     (Rung::FlatBody, "in a plane", 300),
     (Rung::ExactInCells, "lattice", 300),
-    (Rung::ExactInBall, "lattice", 1000),
     (Rung::LongestFirst, "wide scales", 300),
     (Rung::ExactWhole, "wide scales", 40),
     (Rung::RoundedDirection, "random", 12),

@@ -13,9 +13,6 @@ use crate::numeric::linear::{dot, euclidean_norm};
 use crate::numeric::scaling::power_of_two_below;
 use crate::numeric::tolerance::THIRTY_ROUNDINGS;
 
-/// How much wider a second cell is where the optimum seemed to be outside of the first.
-const BALL_STRETCH: f64 = 8.0;
-
 /// The positive multiples of all directions of an ellipse, or of a ball if the cone has no axes.
 ///
 /// The ellipse is center + x axes_0 + y axes_1, x² + y² ≤ 1; to it belong all directions that are no farther from it
@@ -47,13 +44,6 @@ impl DirectionCone {
         let size =
             euclidean_norm(&self.center) + self.axes.iter().flatten().map(euclidean_norm).sum::<f64>() + self.ball;
         Self { ball: self.ball + 2.0 * relative_error * size, ..*self }
-    }
-
-    /// A ball around another direction, larger than the cell by [`BALL_STRETCH`] in terms of the lengths of the
-    /// centres.
-    pub(crate) fn around_other(&self, center: [f64; 3]) -> Self {
-        let ball = BALL_STRETCH * self.size() * (euclidean_norm(&center) / euclidean_norm(&self.center));
-        Self { center, axes: None, ball }
     }
 
     fn size(&self) -> f64 {

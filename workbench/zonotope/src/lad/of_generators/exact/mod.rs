@@ -2,7 +2,7 @@
 //!
 //! | file | what it has |
 //! |---|---|
-//! | [`solve`] | the exact optimum: of the generators that cross cells, of a ball around another optimum, of all |
+//! | [`solve`] | the exact optimum: of the generators that cross cells, of some, of all |
 //! | [`vertex`] | the exact optimum at a vertex that doubles found, or near it |
 //! | [`bundle`] | the parallel generators of a facet as one |
 //! | [`best_on_line`] | the best vertex on the line of a generator, where a search ended at none |

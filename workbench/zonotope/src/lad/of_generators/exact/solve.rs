@@ -1,13 +1,11 @@
 //! The exact optimum: where the ray along p leaves Z, as a supporting direction and the face of Z on it.
 
 use crate::lad::by_pruning;
-use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::nested::NestedCells;
-use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, dot, rounded_direction, sum};
+use crate::numeric::exact_linear::{ExactVector, dot, sum};
 use crate::seed::EXACT_STAGE_SEED;
 use crate::tally::{Operation, Tally};
 
@@ -51,29 +49,14 @@ impl ExactOptimum {
         Self::new(query, p, direction, optimum.certificate.signs.clone(), basis)
     }
 
-    /// The optimum of the generators that cross a ball around an optimum that was outside its cells: where the
-    /// minimiser is not unique, another minimiser of the problem may be outside. `None` where the ball holds hardly
-    /// less than the whole, or where the ball's optimum is outside the ball, too.
-    pub(crate) fn in_ball(
-        query: &dyn KernelQuery,
-        p: &ExactVector,
-        ball: DirectionCone,
-        tally: &mut dyn Tally,
-    ) -> Option<Self> {
-        let reduced = Reduced::of_query(query, ball);
-        let is_smaller = reduced.is_moderate() && 2 * reduced.vectors.len() <= query.len();
-        let cells = is_smaller.then(|| NestedCells::new(vec![(ball, reduced.indices)]))?;
-        Self::in_cells(query, p, &cells, tally).ok()
-    }
-
-    /// Solves the problem of the generators that cross the given cells; an error is a ball around the optimum found,
-    /// where that optimum is not proved to be in the cells.
+    /// Solves the problem of the generators that cross the given cells; `None` where the optimum found is not proved to
+    /// be in the cells.
     pub(crate) fn in_cells(
         query: &dyn KernelQuery,
         p: &ExactVector,
         cells: &NestedCells,
         tally: &mut dyn Tally,
-    ) -> Result<Self, Option<DirectionCone>> {
+    ) -> Option<Self> {
         // of the problems that are small enough for exact arithmetic, the widest has the cell that most likely holds
         // the optimum
         let steps = cells.steps();
@@ -81,14 +64,14 @@ impl ExactOptimum {
             .iter()
             .position(|(_, crossing)| crossing.len() <= EXACT_SOLVE_LIMIT)
             .map_or(steps.len(), |step| step + 1);
-        let (cell, indices) = steps[..count].last().ok_or(None)?;
+        let (cell, indices) = steps[..count].last()?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, query.len() as u64);
         let indices = indices.iter().map(|&index| index as usize).collect();
         let signs = cells.up_to(count).signs(query);
-        let optimum = Self::of_some(query, p, indices, signs, cell.coarse_center(), tally).ok_or(None)?;
+        let optimum = Self::of_some(query, p, indices, signs, cell.coarse_center(), tally)?;
         let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&optimum.direction, p));
-        if is_inside { Ok(optimum) } else { Err(Some(cell.around_other(rounded_direction(&optimum.direction)))) }
+        is_inside.then_some(optimum)
     }
 
     /// The optimum of some generators and the sum of all others with their signs, in coordinates around a direction;
