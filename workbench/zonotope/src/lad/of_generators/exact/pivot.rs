@@ -9,7 +9,7 @@
 
 use crate::lad::of_generators::exact::bundle::{Bundle, Share};
 use crate::lad::of_generators::exact::solve::ExactOptimum;
-use crate::lad::of_generators::exact::vertex::ExactVertex;
+use crate::lad::of_generators::exact::vertex_signs::ExactVertex;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::guess::crossings::CrossingList;
 use crate::numeric::double_double::DoubleDoubleDirection;

@@ -112,8 +112,8 @@ impl Crossings {
         }
     }
 
-    /// Gathers the crossings ahead that are no farther than `farthest`, and returns their total weight: half of what the
-    /// slope gains at all of them.
+    /// Gathers the crossings ahead that are no farther than `farthest`, and returns their total weight: half of what
+    /// the slope gains at all of them.
     fn gather(&mut self, lines: &RoundedLines, direction: [f64; 2], farthest: f64) -> f64 {
         self.ahead.clear();
         let last = farthest.min(f64::MAX);
