@@ -1,0 +1,53 @@
+//! The point of a zonotope nearest to a point outside of it, exactly, from extreme vertex to extreme vertex.
+//!
+//! A simplex of extreme vertices has a point x nearest to the point b. The extreme vertex in the direction b − x is no
+//! farther in that direction than x just when no point of the zonotope is nearer than x. Otherwise it joins the
+//! simplex, and the next x is nearer. So no simplex occurs twice; there are finitely many, and the descent ends.
+
+use super::exact_simplex::ExactSimplex;
+use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
+use crate::lad::of_generators::generators::KernelQuery;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, difference, dot, negated, sum};
+
+/// The direction from the nearest point x to b.
+#[derive(Debug)]
+pub(super) struct Descended {
+    /// u, a positive multiple of b − x.
+    pub(super) direction: ExactVector,
+    /// u · (b − x).
+    pub(super) along: Dyadic,
+    /// The sign of u · g for each generator.
+    pub(super) signs: Vec<i8>,
+    /// How many extreme vertices were looked at.
+    pub(super) steps: u64,
+}
+
+/// The direction to a point `end` from the nearest point of the zonotope of some of a query's generators, centred at
+/// the origin, which does not hold `end`; `start` is any first direction. O(m) exact operations a step.
+pub(super) fn descend(query: &dyn KernelQuery, indices: &[u32], end: &ExactVector, start: &ExactVector) -> Descended {
+    let generators: Vec<ExactVector> = indices.iter().map(|&index| query.exact_generator(index as usize)).collect();
+    let mut direction = start.clone();
+    let mut simplex: Option<ExactSimplex> = None;
+    let mut steps = 0;
+    loop {
+        steps += 1;
+        let table = DirectionSigns::new(query, &direction);
+        let signs: Vec<i8> = indices.iter().map(|&index| table.sign(index as usize, &direction)).collect();
+        let extreme = generators.iter().zip(&signs).fold(negated(end.clone()), |vertex, (generator, &sign)| {
+            if sign < 0 { difference(&vertex, generator) } else { sum(&vertex, generator) }
+        });
+        match &mut simplex {
+            None => simplex = Some(ExactSimplex::of(extreme)),
+            Some(simplex) => {
+                let level = dot(&direction, simplex.vertex());
+                if dot(&direction, &extreme) <= level {
+                    return Descended { along: -level, direction, signs, steps };
+                }
+                simplex.add(extreme);
+            }
+        }
+        let nearest = simplex.as_ref().expect("the first step made a simplex").nearest();
+        direction = negated(nearest.clone());
+    }
+}
