@@ -1,14 +1,17 @@
 //! Distances by every method against the exact truth, on all families of questions in one to three dimensions, and of
 //! boxes in near contact; every gap is proved by the verifier, every status is that of the location's own twin.
 
+use dashu_ratio::RBig;
 use proptest::array::{uniform3, uniform4, uniform6};
 use proptest::prelude::*;
 use tests::body_families::{Asked, asked, families};
 use tests::numbers::moved_by_ulps;
 use tests::runner::for_all;
+use zonotope::collision::distance::penetration::{self, Penetration, by_branch_and_bound, by_facet_normals};
 use zonotope::collision::distance::{FeatureKind, Method, brute_force, by_support_simplex};
 use zonotope::collision::{Query, Status, brute_force as location_twin, by_lad};
 use zonotope::interop::verifier::check_distance;
+use zonotope::numeric::dyadic::Dyadic;
 use zonotope::{Pose, Zonotope};
 
 /// The questions of a long run for each of the thirteen families, by dimension.
@@ -79,6 +82,39 @@ fn methods_are_named_and_agree() {
         assert_eq!(Method::from_id(method.id()), Some(method));
         assert!(method.dimensions().contains(&3));
         assert_eq!(method.exact_squared_distance(&query, &mut ()), 8.into(), "{}", method.title());
+    }
+}
+
+/// Whether the exact depth lies between the bounds: its square is rational, the depth itself seldom is.
+fn holds<const D: usize>(depth: &Penetration<D>, squared: &RBig) -> bool {
+    let square = |v: f64| Dyadic::from_f64(v).to_rational() * Dyadic::from_f64(v).to_rational();
+    square(depth.lower) <= *squared && (depth.upper == f64::INFINITY || *squared <= square(depth.upper))
+}
+
+/// The bounds hold the depth of the truth, which is 0 unless the displacement is inside, and are near to each other.
+fn is_as_deep<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
+    let query = asked.displacement();
+    let is_inside = location_twin::locate(&query).status() == Status::Inside;
+    let truth = penetration::brute_force::squared_depth(&query).filter(|_| is_inside).unwrap_or(RBig::ZERO);
+    let exact = by_facet_normals::penetration(&query);
+    prop_assert!(holds(&exact, &truth), "{:?}", exact);
+    let depth = penetration::of_query(&query);
+    prop_assert!(holds(&depth, &truth), "{:?}, exactly {:?}", depth, exact);
+    // a hundredth of the least doubles is none
+    prop_assert!(depth.is_within(by_branch_and_bound::ACCURACY) || depth.upper < 1e-320, "{:?}", depth);
+    prop_assert_eq!(depth.upper > 0.0, is_inside);
+    Ok(())
+}
+
+#[test]
+fn depths_hold_the_truth() {
+    for (family, generators) in families::<3>(14) {
+        for_all(&asked(generators), 120, |asked| {
+            is_as_deep(&asked).map_err(|error| TestCaseError::fail(format!("{family}: {error}")))
+        });
+    }
+    for (_, generators) in families::<2>(8) {
+        for_all(&asked(generators), 60, |asked| is_as_deep(&asked));
     }
 }
 
