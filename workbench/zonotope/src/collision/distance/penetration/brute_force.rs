@@ -35,10 +35,10 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::collision::{Query, distance::penetration::brute_force};
+//! use zonotope::{collision::{Query, distance::penetration::brute_force}, numeric::Rational};
 //! let square = [[1.0, 0.0], [0.0, 1.0]];
 //! let query = Query::new([0.0, 0.0], [0.75, 0.5], &square).unwrap();
-//! assert_eq!(brute_force::squared_depth(&query), Some(zonotope::numeric::Rational::from_parts(1.into(), 16u8.into())));
+//! assert_eq!(brute_force::squared_depth(&query), Some(Rational::from_parts(1.into(), 16u8.into())));
 //! ```
 
 use crate::numeric::Rational;

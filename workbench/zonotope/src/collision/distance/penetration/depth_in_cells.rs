@@ -161,7 +161,7 @@ fn quotient(value: &BoundedDoubleDouble, vector: &PairVector) -> (f64, f64) {
     let divided = |value: f64, positive: f64, negative: f64| {
         if value >= 0.0 { value / positive } else { value / negative }
     };
-    if !(shortest > 0.0) {
+    if shortest.is_nan() || shortest <= 0.0 {
         return (f64::NEG_INFINITY, f64::INFINITY);
     }
     (divided(low, longest, shortest).next_down(), divided(high, shortest, longest).next_up())

@@ -11,6 +11,7 @@ use crate::interop::verifier::check_distance;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::sum_of_products;
+use crate::numeric::linear::dot;
 use crate::zonotope::pose::Pose;
 
 fn coordinate() -> impl Strategy<Value = f64> {
@@ -131,7 +132,7 @@ proptest! {
         let matrix = [[a, b, c], [d, e, f], [g, h, i]];
         let pose = Pose::new(matrix, [1.0, -2.0, 0.5]).expect("finite");
         let body = Zonotope::new([0.0; 3], generators.clone()).expect("finite");
-        let images: Vec<[f64; 3]> = generators.iter().map(|v| matrix.map(|row| crate::numeric::linear::dot(&row, v))).collect();
+        let images: Vec<[f64; 3]> = generators.iter().map(|v| matrix.map(|row| dot(&row, v))).collect();
         let image = Zonotope::new([1.0, -2.0, 0.5], images).expect("finite");
         let other = Zonotope::new(to, generators).expect("finite");
         let (posed, plain) = (body.at(&pose).proximity(&other), image.proximity(&other));
