@@ -8,7 +8,7 @@ use super::exact_simplex::ExactSimplex;
 use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, difference, dot, negated, sum};
+use crate::numeric::exact_linear::{ExactVector, cross, difference, dot, multiple, negated, sum};
 
 /// The direction from the nearest point x to b.
 #[derive(Debug)]
@@ -23,10 +23,40 @@ pub(super) struct Descended {
     pub(super) steps: u64,
 }
 
+/// The same where the nearest point to `end` in the plane or on the line that at most two generators span has
+/// coefficients in [−1, 1]: then none of them turns away from the direction. `None` elsewhere.
+pub(super) fn over_whole_face(generators: &[ExactVector], end: &ExactVector) -> Option<Descended> {
+    let direction = match generators {
+        [] => end.clone(),
+        [v] => {
+            let (along, square) = (dot(end, v), dot(v, v));
+            let foot = multiple(&along, v);
+            (along.abs() <= square && !square.is_zero()).then(|| difference(&multiple(&square, end), &foot))?
+        }
+        [v, w] => {
+            let normal = cross(v, w);
+            let square = dot(&normal, &normal);
+            let coefficients = [cross(end, w), cross(v, end)].map(|c| dot(&c, &normal).abs());
+            let is_inside = !square.is_zero() && coefficients.iter().all(|c| *c <= square);
+            let is_ahead = dot(&normal, end).sign().is_gt();
+            is_inside.then(|| if is_ahead { normal } else { negated(normal) })?
+        }
+        _ => return None,
+    };
+    let along = dot(&direction, end);
+    let signs = vec![0; generators.len()];
+    along.sign().is_gt().then_some(Descended { direction, along, signs, steps: 1 })
+}
+
 /// The direction to a point `end` from the nearest point of the zonotope of some of a query's generators, centred at
 /// the origin, which does not hold `end`; `start` is any first direction. O(m) exact operations a step.
-pub(super) fn descend(query: &dyn KernelQuery, indices: &[u32], end: &ExactVector, start: &ExactVector) -> Descended {
-    let generators: Vec<ExactVector> = indices.iter().map(|&index| query.exact_generator(index as usize)).collect();
+pub(super) fn descend(
+    query: &dyn KernelQuery,
+    indices: &[u32],
+    generators: &[ExactVector],
+    end: &ExactVector,
+    start: &ExactVector,
+) -> Descended {
     let mut direction = start.clone();
     let mut simplex: Option<ExactSimplex> = None;
     let mut steps = 0;

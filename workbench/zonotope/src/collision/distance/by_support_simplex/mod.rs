@@ -15,10 +15,12 @@
 //! 1. The kernel ([`by_lad`](crate::collision::by_lad)) decides whether p is in Z, exactly. If not, it finds a
 //!    direction in which p is beyond Z.
 //! 2. From there, simplices of extreme vertices come nearer and nearer to p in doubles, and tell how far the direction
-//!    of p − x may be from the one that is known (`direction_guess`).
+//!    of p − x may be from the one that is known (`direction_guess`). Near contact, where the rounding of sums hides
+//!    that direction, the vertices are summed up exactly (`vertices`).
 //! 3. In the cone of these directions nearly all generators have a fixed sign. They are summed up, exactly (the
 //!    kernel's sign pass). What is left is the same problem for the few generators that cross the cone.
-//! 4. That problem is solved exactly, again by simplices of extreme vertices (`exact_descent`, `exact_simplex`).
+//! 4. That problem is solved exactly: mostly at most two generators are left, and the point is in the interior of
+//!    their face; else again by simplices of extreme vertices (`exact_descent`, `exact_simplex`).
 //! 5. If the direction u that is found is in the cone, all signs are those of u · g_i, so x is extreme in Z in the
 //!    direction u and no other point of Z is nearer. Otherwise the cone is made wider, and 3 to 5 are repeated. A cone
 //!    with the origin inside is crossed by all generators, so that ends.
@@ -27,7 +29,8 @@
 //! # Complexity
 //! n generators: expected O(n) for the kernel, and O(n) for each of some ten steps until the cone is narrow; then few
 //! generators are left, unless many are orthogonal to u. Each of m such generators takes part in exact operations, a
-//! few for each exact step. At worst all n, and as many steps as there are simplices. Space O(n).
+//! few for each exact step. At worst all n, and as many steps as there are simplices; so it is with generators shorter
+//! than 2^-450 or longer than 2^500, whose signs the passes in doubles do not tell. Space O(n).
 //!
 //! # Shapes
 //! `query`: n × D generators in two runs, any order, zero and parallel ones allowed.
@@ -61,10 +64,12 @@ mod direction_guess;
 mod exact_descent;
 mod exact_simplex;
 mod face_point;
+mod fixed_signs;
 mod nearest_point;
 mod report;
 #[cfg(test)]
 mod tests;
+mod vertices;
 
 use super::Proximity;
 use crate::collision::by_lad::{locate_counted, locate_posed_counted};

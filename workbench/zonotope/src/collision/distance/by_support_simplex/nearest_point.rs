@@ -4,14 +4,14 @@
 use std::ops::Range;
 
 use super::direction_guess;
-use super::exact_descent::{Descended, descend};
+use super::exact_descent::{Descended, descend, over_whole_face};
 use super::face_point::{Share, shares};
+use super::fixed_signs::fixed_signs;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference, dot, exact, is_zero, multiple, rounded_direction};
-use crate::numeric::lanes::signed_factors;
 use crate::numeric::linear::{euclidean_norm, max_norm};
 use crate::tally::{Operation, Tally};
 
@@ -48,7 +48,7 @@ pub(super) fn find(query: &dyn KernelQuery, start: [f64; 3], tally: &mut dyn Tal
     } else {
         rounded_direction(&p)
     };
-    let mut cone = direction_guess::cone(query, start, tally);
+    let mut cone = direction_guess::cone(query, &p, start, tally);
     loop {
         let around = match nearest_in(query, &p, &cone, tally) {
             Ok(nearest) => return nearest,
@@ -79,44 +79,29 @@ fn nearest_in(
     let signs = fixed_signs(query, cone, &indices);
     let end = difference(p, &query.signed_sum(&signs));
     let center = exact(cone.center);
-    let found = descend(query, &indices, &end, &center);
+    let generators: Vec<ExactVector> = indices.iter().map(|&index| query.exact_generator(index as usize)).collect();
+    let found =
+        over_whole_face(&generators, &end).unwrap_or_else(|| descend(query, &indices, &generators, &end, &center));
     tally.add(Operation::ExactFallback, found.steps * indices.len() as u64);
     // scaled such that its product with the centre is that of the centre itself, a direction of the cone is near it
     if indices.len() == query.len() || cone.contains_exactly(&found.direction, &center) {
-        Ok(with_face(query, &indices, signs, &end, found))
+        Ok(with_face(&indices, generators, signs, &end, found))
     } else {
         Err(found.direction)
     }
 }
 
-/// The sign that each generator has throughout a cone; 0 for those that cross it.
-fn fixed_signs(query: &dyn KernelQuery, cone: &DirectionCone, crossing: &[u32]) -> Vec<i8> {
-    let mut signs = Vec::with_capacity(query.len());
-    for part in query.parts() {
-        // as the pass took them that told which generators cross the cone
-        let center = part.frame.map_or(cone.center, |frame| frame.pulled_cell(cone).center);
-        let mut factors = vec![0.0; part.rows.len()];
-        signed_factors(part.rows, &center, 1.0, &mut factors);
-        signs.extend(factors.into_iter().map(|factor| if factor < 0.0 { -1 } else { 1 }));
-    }
-    for &index in crossing {
-        signs[index as usize] = 0;
-    }
-    signs
-}
-
 /// The coefficients of the generators that cross the cone: signs off the face, those of the point in it.
 fn with_face(
-    query: &dyn KernelQuery,
     crossing: &[u32],
+    generators: Vec<ExactVector>,
     mut signs: Vec<i8>,
     end: &ExactVector,
     found: Descended,
 ) -> NearestPoint {
     let Descended { direction, along, signs: own, .. } = found;
     let (mut face, mut left) = (Vec::new(), end.clone());
-    for (&index, sign) in crossing.iter().zip(own) {
-        let generator = query.exact_generator(index as usize);
+    for ((&index, generator), sign) in crossing.iter().zip(generators).zip(own) {
         signs[index as usize] = sign;
         match sign {
             0 => face.push((index as usize, generator)),
