@@ -55,6 +55,7 @@ use super::depth_in_cells::DepthInCells;
 use crate::collision::Location;
 use crate::collision::by_lad::{locate_counted, locate_posed_counted};
 use crate::lad::of_generators::generators::{KernelQuery, Posed};
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact, is_zero, rounded_direction};
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::{Operation, Tally};
@@ -101,22 +102,25 @@ pub fn penetration_posed(query: &PosedQuery<'_>) -> Penetration<3> {
 
 /// The depth of a displacement that is inside.
 pub(in crate::collision::distance) fn of_inner_point(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration<3> {
-    let generators: Vec<ExactVector> =
-        (0..query.len()).map(|index| query.exact_generator(index)).filter(|v| !is_zero(v)).collect();
-    let p = query.exact();
-    if generators.len() <= SEARCHLESS_COUNT {
-        return of_exact(&p, &generators);
+    let indices: Vec<u32> =
+        (0..query.len() as u32).filter(|&index| !is_zero(&query.exact_generator(index as usize))).collect();
+    let exact_depth = || {
+        let generators: Vec<ExactVector> = indices.iter().map(|&index| query.exact_generator(index as usize)).collect();
+        of_exact(&query.exact(), &generators)
+    };
+    if indices.len() <= SEARCHLESS_COUNT {
+        return exact_depth();
     }
-    let count = generators.len() as u64;
-    let is_exact_possible = generators.len() <= EXACT_COUNT;
+    let count = indices.len() as u64;
+    let is_exact_possible = indices.len() <= EXACT_COUNT;
     let most_cells = if is_exact_possible { count * count * count / PRODUCTS_OF_A_CELL } else { MOST_CELLS };
-    let size = generators.iter().flatten().filter_map(|c| c.binary_exponent()).max().unwrap_or(0);
-    let scaled = |v: &ExactVector| v.each_ref().map(|c| c.clone().scaled(-size));
-    let function = DepthInCells::new(&scaled(&p), generators.iter().map(scaled).collect());
+    let largest = |index: &u32| query.exact_generator(*index as usize).iter().filter_map(Dyadic::binary_exponent).max();
+    let size = indices.iter().filter_map(largest).max().unwrap_or(0);
+    let function = DepthInCells::new(query, indices.clone(), -size);
     let (bracket, looks) = least_value(&function, ACCURACY, most_cells.min(MOST_CELLS) as u32);
     tally.add(Operation::SearchStep, u64::from(looks));
     if !bracket.is_within(ACCURACY) && is_exact_possible {
-        return of_exact(&p, &generators);
+        return exact_depth();
     }
     // the bounds are normal doubles but where the depth is nearly out of the range of doubles
     Penetration {

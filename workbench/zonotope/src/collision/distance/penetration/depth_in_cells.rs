@@ -9,11 +9,13 @@
 //! The least distance belongs to a facet, and its normal is a product of two generators that cross the cell. Where few
 //! cross, all these products are tried, and the cell is settled.
 
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::linear::{cross, dot, euclidean_norm, sum_norm};
-use crate::numeric::tolerance::{CELL_ROUNDING, THIRTY_ROUNDINGS, UNDERFLOW};
+use crate::numeric::scaling::scale_by_power_of_two;
+use crate::numeric::tolerance::{CELL_ROUNDING, LONG_SUM, THIRTY_ROUNDINGS, UNDERFLOW, UNIT};
 use crate::zonotope::direction_search::best_first::{DirectionFunction, Look};
 use crate::zonotope::direction_search::cell::Cell;
 
@@ -23,13 +25,26 @@ const SETTLED_COUNT: usize = 6;
 /// A vector of space, to twice the digits of a double.
 type PairVector = [BoundedDoubleDouble; 3];
 
-/// The function of directions, for a point and generators that were scaled to ordinary size.
-pub(super) struct DepthInCells {
-    generators: Vec<ExactVector>,
+/// The function of directions, for a point and generators that are scaled to ordinary size.
+pub(super) struct DepthInCells<'q> {
+    query: &'q dyn KernelQuery,
+    /// The generators that are not zero, by their indices in the query.
+    indices: Vec<u32>,
     pairs: Vec<PairVector>,
     rounded: Vec<[f64; 3]>,
     /// −p.
     end: PairVector,
+}
+
+/// What generators that cross a cell sum up to in the middle of the cell, in doubles.
+#[derive(Default)]
+struct Crossing {
+    /// Σ ± v with the signs of v · center.
+    sum: [f64; 3],
+    /// Σ |v · center|.
+    value: f64,
+    /// At least what each of these sums times a direction of the cell may be off.
+    error: f64,
 }
 
 /// Generators that cross a cell, and the sum of the others with their signs, minus p.
@@ -38,13 +53,29 @@ pub(super) struct Known {
     sum: PairVector,
 }
 
-impl DepthInCells {
-    /// The function for exact vectors whose coordinates have magnitudes up to about 1.
-    pub(super) fn new(p: &ExactVector, generators: Vec<ExactVector>) -> Self {
-        let pair = |v: &ExactVector| v.each_ref().map(BoundedDoubleDouble::of);
-        let pairs: Vec<PairVector> = generators.iter().map(pair).collect();
+impl<'q> DepthInCells<'q> {
+    /// The function for the point and the generators of a query, times 2^`exponent`.
+    pub(super) fn new(query: &'q dyn KernelQuery, indices: Vec<u32>, exponent: i64) -> Self {
+        let pair = |v: ExactVector| v.map(|c| BoundedDoubleDouble::of(&c.scaled(exponent)));
+        let are_doubles = query.relative_error() == 0.0;
+        let pairs: Vec<PairVector> = indices
+            .iter()
+            .map(|&index| {
+                let own = query.generator(index as usize);
+                let scaled = own.map(|c| scale_by_power_of_two(c, exponent));
+                // a product with a power of two is exact unless it is subnormal
+                let is_exact =
+                    are_doubles && own.iter().zip(&scaled).all(|(c, scaled)| *c == 0.0 || scaled.is_normal());
+                if is_exact {
+                    scaled.map(BoundedDoubleDouble::exact)
+                } else {
+                    pair(query.exact_generator(index as usize))
+                }
+            })
+            .collect();
         let rounded = pairs.iter().map(|v| v.map(|c| c.high)).collect();
-        Self { generators, pairs, rounded, end: pair(p).map(|c| c.negated()) }
+        let end = pair(query.exact()).map(|c| c.negated());
+        Self { query, indices, pairs, rounded, end }
     }
 
     /// h(u) − u · p, where `sum` holds what has a fixed sign; elsewhere a lower bound.
@@ -52,24 +83,29 @@ impl DepthInCells {
         crossing.iter().fold(dot(u, sum), |value, &index| value + dot(u, &self.pairs[index as usize]).abs())
     }
 
-    /// The sum of the generators that have a fixed sign in a cell, and the others with the signs of their products with
-    /// the centre.
-    fn split(&self, cell: &Cell, known: &Known) -> (Known, Vec<f64>) {
+    /// The sum of the generators that have a fixed sign in a cell, and the others with what they sum up to.
+    fn split(&self, cell: &Cell, known: &Known) -> (Known, Crossing) {
         let (center, reach) = (cell.center(), cell.reach());
-        let (mut crossing, mut signs, mut sum) = (Vec::new(), Vec::new(), known.sum);
+        let (mut crossing, mut middle, mut sum) = (Vec::new(), Crossing::default(), known.sum);
+        let mut magnitude = 0.0;
         for &index in &known.crossing {
             let v = &self.rounded[index as usize];
-            let along = dot(v, &center);
+            let (along, size) = (dot(v, &center), sum_norm(v));
             let across = dot(&v.map(f64::abs), &reach);
             // false for NaN as well
-            if along.abs() > across + CELL_ROUNDING * sum_norm(v) + UNDERFLOW {
+            if along.abs() > across + CELL_ROUNDING * size + UNDERFLOW {
                 sum = signed(&sum, &self.pairs[index as usize], along);
             } else {
                 crossing.push(index);
-                signs.push(along);
+                let sign = f64::copysign(1.0, along);
+                middle.sum = [0, 1, 2].map(|k| middle.sum[k] + sign * v[k]);
+                middle.value += along.abs();
+                magnitude += size;
             }
         }
-        (Known { crossing, sum }, signs)
+        // each vector and product is off by less than the rounding of a cell, each of so many additions by u
+        middle.error = (CELL_ROUNDING + crossing.len() as f64 * UNIT) * LONG_SUM * magnitude + UNDERFLOW;
+        (Known { crossing, sum }, middle)
     }
 
     /// What all facets with a normal in the cell say: the least lower bound of a distance, and the normal with the
@@ -98,17 +134,21 @@ impl DepthInCells {
         if is_clear && a * b > CLEAR_ANGLE {
             return Some(normal);
         }
-        let exact = exact_linear::cross(&self.generators[first], &self.generators[second]);
+        let [v, w] = [first, second].map(|place| self.query.exact_generator(self.indices[place] as usize));
+        let exact = exact_linear::cross(&v, &w);
         let exponent = exact.iter().filter_map(|c| c.binary_exponent()).max()?;
         Some(exact.map(|c| BoundedDoubleDouble::of(&c.scaled(-exponent))))
     }
 }
 
+/// The part of a value that the error of sums in doubles may be; above it, pairs of doubles are summed up.
+const DOUBLES_DOUBT: f64 = 1e-4;
+
 /// The sine of an angle between generators, and the size of a product of lengths, above which pairs of doubles know
 /// their cross product well.
 const CLEAR_ANGLE: f64 = 1e-8;
 
-impl DirectionFunction for DepthInCells {
+impl DirectionFunction for DepthInCells<'_> {
     type Known = Known;
 
     fn everywhere(&self) -> Known {
@@ -116,7 +156,7 @@ impl DirectionFunction for DepthInCells {
     }
 
     fn look_at(&self, cell: &Cell, known: &Known, upper: f64) -> Look<Known> {
-        let (known, signs) = self.split(cell, known);
+        let (known, middle) = self.split(cell, known);
         if known.crossing.len() <= SETTLED_COUNT
             && let Some((lower, normal)) = self.settle(cell, &known)
         {
@@ -128,20 +168,22 @@ impl DirectionFunction for DepthInCells {
             return Look { lower, found, known: None };
         }
         let center = cell.center().map(BoundedDoubleDouble::exact);
-        let value = self.value(&center, &known.sum, &known.crossing);
-        let found = Some((cell.center(), quotient(&value, &center).1));
-        let in_the_middle = known
-            .crossing
-            .iter()
-            .zip(signs)
-            .fold(known.sum, |sum, (&index, along)| signed(&sum, &self.pairs[index as usize], along));
         let corners = cell.corners().map(|corner| corner.map(BoundedDoubleDouble::exact));
-        let bound = |sum: &PairVector| {
-            corners.iter().map(|corner| quotient(&dot(corner, sum), corner).0).fold(f64::INFINITY, f64::min)
+        let fixed = dot(&center, &known.sum);
+        let of_crossing = BoundedDoubleDouble::of_parts(middle.value, 0.0, middle.error);
+        let is_precise = middle.error < DOUBLES_DOUBT * (fixed + of_crossing).high;
+        let value = if is_precise { fixed + of_crossing } else { self.value(&center, &known.sum, &known.crossing) };
+        let in_the_middle = |corner: &PairVector| {
+            let own = dot(&corner.map(|c| c.high), &middle.sum);
+            dot(corner, &known.sum) + BoundedDoubleDouble::of_parts(own, 0.0, 2.0 * middle.error)
+        };
+        let least = |value: &dyn Fn(&PairVector) -> BoundedDoubleDouble| {
+            corners.iter().map(|corner| quotient(&value(corner), corner).0).fold(f64::INFINITY, f64::min)
         };
         // false for NaN as well; the point is inside, so no distance is negative
-        let lower = [bound(&known.sum), bound(&in_the_middle)].into_iter().filter(|bound| *bound > 0.0);
-        Look { lower: lower.fold(0.0, f64::max), found, known: Some(known) }
+        let bounds = [least(&|corner| dot(corner, &known.sum)), least(&in_the_middle)];
+        let lower = bounds.into_iter().filter(|bound| *bound > 0.0).fold(0.0, f64::max);
+        Look { lower, found: Some((cell.center(), quotient(&value, &center).1)), known: Some(known) }
     }
 }
 
