@@ -3,6 +3,7 @@
 mod centered;
 mod collision;
 mod cutting;
+mod distance;
 mod dynamic_hull;
 mod faces;
 mod fixed_directions;

@@ -15,6 +15,7 @@
 //! | --- | --- | --- |
 //! | [`check_location`] | p lies outside | a direction u with u · p > Σ abs(u · g_i) |
 //! | | p lies inside or on the boundary | coefficients δ_i in [−1, 1] with Σ δ_i g_i = p: those of at most d basis generators solve this equation exactly, the doubles given for them lie beside the solution; inside if no direction supports there |
+//! | [`check_distance`] | p is that far from the zonotope | coefficients δ_i in [−1, 1] of the nearest point x, those of a basis solved for: no g_i leads from x towards p |
 //! | [`check_gauge`] | the least t ≥ 0 with p in t Z | as for a location, which tells the side of 1; the d − 1 generators that span the facet through which p leaves tell the value |
 //! | [`check_member_batch`] | status and gauge of many points | none: every point is held against every facet |
 //! | [`check_support`] | h(u) = u · c + Σ abs(u · g_i) and a point that far | none: the sum, and the face of all farthest points, a zonotope itself |
@@ -71,6 +72,7 @@ pub use arrangement::upper_hull::check_upper_hull;
 pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics};
 pub use bodies::support::{SupportAnswer, SupportProof, check_support};
 pub use collision::displaced::{Body, Displaced, Pose};
+pub use collision::distance::{DistanceAnswer, DistanceProof, check_distance};
 pub use collision::gauge::{GaugeAnswer, GaugeProof, check_gauge};
 pub use collision::location::{LocationAnswer, LocationCertificate, LocationProof, Status, check_location};
 pub use collision::member_batch::{MemberBatchProof, check_member_batch};

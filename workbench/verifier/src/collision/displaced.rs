@@ -32,6 +32,8 @@ pub struct Body<'a, G> {
 pub struct Displaced {
     pub(crate) p: Vector,
     pub(crate) generators: Vec<Vector>,
+    /// Of the unit 2^exponent in which both are whole numbers.
+    exponent: i32,
 }
 
 impl Displaced {
@@ -86,11 +88,17 @@ impl Displaced {
         let generators = |body: &Body<'_, G>| -> Vec<Vector> {
             body.generators.iter().map(|generator| frame.placed(generator.as_ref(), body.pose)).collect()
         };
-        Ok(Self { p, generators: [generators(a), generators(b)].concat() })
+        let exponent = frame.places.exponent() + frame.matrices.exponent();
+        Ok(Self { p, generators: [generators(a), generators(b)].concat(), exponent })
     }
 
     pub(crate) fn dimension(&self) -> usize {
         self.p.len()
+    }
+
+    /// The exponent of the unit in which the vectors are whole numbers.
+    pub(crate) fn exponent(&self) -> i32 {
+        self.exponent
     }
 
     /// The exact support function Σ |u · g_i|.

@@ -143,8 +143,22 @@ pub(crate) fn proven(question: &Displaced, certificate: &LocationCertificate) ->
     }
 }
 
-/// The coefficients, those of the basis solved for.
-fn exact_coefficients(question: &Displaced, coefficients: &[f64], basis: &[usize]) -> Result<Coefficients, String> {
+/// The coefficients of a certificate off its basis, and what they leave of the vector, in units of 1 / `one`.
+pub(super) struct Certified {
+    /// A numerator for each generator; 0 for those of the basis.
+    pub(super) numerators: Vec<IBig>,
+    /// p − Σ δ_i g_i over the generators off the basis.
+    pub(super) rest: Vector,
+    /// The denominator of both.
+    pub(super) one: IBig,
+}
+
+/// The coefficients off the basis, or what is wrong with them or with the basis.
+pub(super) fn certified_coefficients(
+    question: &Displaced,
+    coefficients: &[f64],
+    basis: &[usize],
+) -> Result<Certified, String> {
     let count = question.generators.len();
     if coefficients.len() != count {
         return Err(format!("certificate: {} coefficients for {count} generators", coefficients.len()));
@@ -174,6 +188,12 @@ fn exact_coefficients(question: &Displaced, coefficients: &[f64], basis: &[usize
             *rest -= &numerators[index] * component;
         }
     }
+    Ok(Certified { numerators, rest, one })
+}
+
+/// The coefficients, those of the basis solved for.
+fn exact_coefficients(question: &Displaced, coefficients: &[f64], basis: &[usize]) -> Result<Coefficients, String> {
+    let Certified { mut numerators, rest, one } = certified_coefficients(question, coefficients, basis)?;
     let columns: Vec<&Vector> = basis.iter().map(|&generator| &question.generators[generator]).collect();
     let (solved, denominator) = solve(&columns, &rest)
         .ok_or("certificate: the basis is dependent, or its generators do not lead to the point")?;

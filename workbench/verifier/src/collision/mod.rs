@@ -1,6 +1,8 @@
-//! Where a displacement lies relative to a zonotope: membership and intersection, the gauge, many points at once.
+//! Where a displacement lies relative to a zonotope: membership and intersection, the gauge, the distance, many points
+//! at once.
 
 pub(crate) mod displaced;
+pub(crate) mod distance;
 pub(crate) mod gauge;
 pub(crate) mod location;
 pub(crate) mod member_batch;

@@ -45,7 +45,7 @@
 //! assert_eq!(by_gjk::locate(&question), GjkAnswer::Intersecting);
 //! ```
 
-mod nearest;
+pub(in crate::collision) mod nearest;
 
 use nearest::Simplex;
 

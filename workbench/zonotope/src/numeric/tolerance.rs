@@ -143,3 +143,19 @@ pub const DISPLACEMENT_ACCURACY: f64 = power_of_two(-50);
 /// A vector that is shorter than this part of the longest one contributes less to a sum than rounding that sum to
 /// doubles takes off: 2^-64, some digits below the last place of the longest vector.
 pub const NEGLIGIBLE_LENGTH: f64 = power_of_two(-64);
+
+/// An angle between directions, in terms of 1, above which a direction that is known to rounding is not believed:
+/// bodies that near to each other are separated by a direction that was proved.
+pub const CONTACT_ANGLE: f64 = power_of_two(-10);
+
+/// The cone around a separating direction of bodies in near contact that is searched first for the direction of the
+/// shortest vector between them: far above the rounding of the separating direction, which mostly is the normal of the
+/// face in contact.
+pub const SEPARATING_DIRECTION_DOUBT: f64 = power_of_two(-30);
+
+/// By how much the product of a rounded vector with a direction of a cell may be off, beside |v|_1 for directions whose
+/// coordinates are at most 1.
+///
+/// The vector is within 4 ε = 8 u of the exact one in each coordinate, and the two products that are compared go
+/// through four roundings each; 32 u exceeds that and the rounding of the bound.
+pub const CELL_ROUNDING: f64 = 32.0 * UNIT;

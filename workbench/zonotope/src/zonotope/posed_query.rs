@@ -56,9 +56,14 @@ impl<'a> PosedQuery<'a> {
     /// The displacement, exactly: the image of a centre under a pose is seldom a vector of doubles.
     pub fn displacement(&self) -> &ExactVector {
         self.displacement.get_or_init(|| {
-            let [from, to] = [0, 1].map(|i| self.poses[i].exact_point(self.points[i]));
+            let [from, to] = self.ends();
             difference(&to, &from)
         })
+    }
+
+    /// Where the displacement starts and ends, exactly.
+    pub(crate) fn ends(&self) -> [ExactVector; 2] {
+        [0, 1].map(|i| self.poses[i].exact_point(self.points[i]))
     }
 
     /// The displacement by plain sums of doubles, with a bound of each coordinate's error: that of the terms, which may

@@ -99,7 +99,7 @@ impl<'a> PosedZonotope<'a> {
     }
 
     #[inline]
-    fn query<'q>(&'q self, other: &'q PosedZonotope<'_>) -> PosedQuery<'q> {
+    pub(in crate::collision) fn query<'q>(&'q self, other: &'q PosedZonotope<'_>) -> PosedQuery<'q> {
         PosedQuery::between((self.body, &self.pose), (other.body, &other.pose))
     }
 }

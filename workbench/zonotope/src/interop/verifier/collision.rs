@@ -1,10 +1,12 @@
 //! Locations.
 
 use ::verifier::{
-    Body, Displaced, Fraction, LocationAnswer, LocationCertificate, LocationProof, Verdict, whole_direction,
+    Body, Displaced, DistanceAnswer, DistanceProof, Fraction, LocationAnswer, LocationCertificate, LocationProof,
+    Verdict, whole_direction,
 };
 
 use super::fraction;
+use crate::collision::distance::Gap;
 use crate::collision::{Location, Query, Separation, Status};
 
 /// The query as the verifier takes it.
@@ -41,4 +43,19 @@ pub fn location_answer<const D: usize>(query: &Query<'_, D>, location: &Location
 /// Checks a location with its proof.
 pub fn check_location<const D: usize>(query: &Query<'_, D>, location: &Location<D>) -> Verdict<LocationProof> {
     ::verifier::check_location(&displaced(query), &location_answer(query, location))
+}
+
+/// The gap between disjoint bodies as the verifier takes it.
+pub fn distance_answer<const D: usize>(gap: &Gap<D>) -> DistanceAnswer {
+    let Gap { nearest, .. } = gap;
+    DistanceAnswer {
+        distance: gap.distance(),
+        coefficients: nearest.coefficients.clone(),
+        basis: nearest.basis.clone(),
+    }
+}
+
+/// Checks the distance of disjoint bodies with its proof.
+pub fn check_distance<const D: usize>(query: &Query<'_, D>, gap: &Gap<D>) -> Verdict<DistanceProof> {
+    ::verifier::check_distance(&displaced(query), &distance_answer(gap))
 }

@@ -7,6 +7,7 @@
 //! | function | checks the answer of |
 //! |---|---|
 //! | [`check_location`] | [`collision`](crate::collision): inside, on the boundary or outside |
+//! | [`check_distance`] | [`collision::distance`](crate::collision::distance): the distance of disjoint bodies |
 //! | [`check_lad`] | [`lad`](crate::lad): least absolute deviations by lines in the plane |
 //! | [`check_lad_of_forms`] | [`lad::of_forms`](crate::lad::of_forms): the same in three variables |
 //! | [`check_convex_hull`] | [`hull`](crate::hull) |
@@ -35,7 +36,7 @@ mod min_area;
 mod min_length;
 mod tiling;
 
-pub use collision::{check_location, displaced, location_answer};
+pub use collision::{check_distance, check_location, displaced, distance_answer, location_answer};
 pub use fixed_directions::{check_min_length_dirs, check_min_length_dirs_at_any_gap, check_min_length_dirs_bounds};
 pub use hull::check_convex_hull;
 pub use lad::{check_lad, check_lad_of_forms, lad_answer, lad_of_forms_answer};

@@ -33,7 +33,7 @@ pub(crate) struct BoundedDoubleDouble {
 
 impl BoundedDoubleDouble {
     /// A double.
-    pub(crate) fn exact(value: f64) -> Self {
+    pub(crate) const fn exact(value: f64) -> Self {
         Self { high: value, low: 0.0, error: 0.0 }
     }
 

@@ -4,7 +4,7 @@ use dashu_int::IBig;
 
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
-use crate::numeric::double_double::DoubleDouble;
+use crate::numeric::double_double::{BoundedDoubleDouble, DoubleDouble};
 use crate::numeric::dyadic::Dyadic;
 
 /// Numbers that are added, subtracted and multiplied: exactly, or rounded as their type says.
@@ -75,6 +75,7 @@ macro_rules! ring_of_long_numbers {
 
 ring_of_values!(f64, 0.0, 1.0);
 ring_of_values!(Bounded, Bounded::exact(0.0), Bounded::exact(1.0));
+ring_of_values!(BoundedDoubleDouble, BoundedDoubleDouble::exact(0.0), BoundedDoubleDouble::exact(1.0));
 ring_of_values!(DoubleDouble, DoubleDouble { high: 0.0, low: 0.0 }, DoubleDouble { high: 1.0, low: 0.0 });
 ring_of_long_numbers!(Dyadic, Dyadic::zero(), Dyadic::one());
 ring_of_long_numbers!(Rational, Rational::ZERO, Rational::ONE);

@@ -1,0 +1,48 @@
+//! How near bodies are and how deep they overlap, as methods of the bodies.
+
+use super::penetration::{self, Penetration};
+use super::{Proximity, by_support_simplex};
+use crate::collision::PosedZonotope;
+use crate::zonotope::Zonotope;
+use crate::zonotope::query::Query;
+
+impl<const D: usize> Zonotope<D> {
+    /// How near two closed bodies are: their distance with the points, faces and coefficients that prove it, or how
+    /// they meet. In one to three dimensions; more do not compile. Expected O(n) for each of a few steps.
+    pub fn proximity(&self, other: &Self) -> Proximity<D> {
+        let query = Query::between(self, other);
+        match by_support_simplex::proximity(&query) {
+            Proximity::Touching(witness) => Proximity::Touching(witness.with_nearest_basis(&query)),
+            Proximity::Overlapping(witness) => Proximity::Overlapping(witness.with_nearest_basis(&query)),
+            disjoint @ Proximity::Disjoint(_) => disjoint,
+        }
+    }
+
+    /// How deep two bodies overlap: the length of the shortest translation after which they only touch, within a
+    /// hundredth, and its direction; 0 for bodies without a common inner point. In space O(n) for each of some hundred
+    /// cells of directions, elsewhere O(n^D) exact operations.
+    pub fn penetration(&self, other: &Self) -> Penetration<D> {
+        penetration::of_query(&Query::between(self, other))
+    }
+}
+
+impl PosedZonotope<'_> {
+    /// How near two closed bodies are where their poses put them, exactly for the poses as they are given. Expected
+    /// O(n) for each of a few steps.
+    pub fn proximity<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Proximity<3> {
+        let other = other.into();
+        let query = self.query(&other);
+        match by_support_simplex::proximity_posed(&query) {
+            Proximity::Touching(witness) => Proximity::Touching(witness.with_nearest_basis(&query)),
+            Proximity::Overlapping(witness) => Proximity::Overlapping(witness.with_nearest_basis(&query)),
+            disjoint @ Proximity::Disjoint(_) => disjoint,
+        }
+    }
+
+    /// How deep two bodies overlap where their poses put them, within a hundredth. O(n) for each of some hundred cells
+    /// of directions.
+    pub fn penetration<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Penetration<3> {
+        let other = other.into();
+        penetration::by_branch_and_bound::penetration_posed(&self.query(&other))
+    }
+}

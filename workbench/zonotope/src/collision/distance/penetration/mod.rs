@@ -1,0 +1,35 @@
+//! Problem: how deep two bodies overlap, that is by how much one must be moved at least so that they only touch.
+//!
+//! Let the displacement p of the centres lie inside the zonotope Z of the generators of both bodies. Moving the second
+//! body by t takes p to p + t, so the least translation is the distance of p from the boundary of Z. That is the least
+//! h(u) − u · p over unit vectors u, h the support function of Z, and is attained at the outer normal of a facet. The
+//! function is not convex over the sphere: only a search that looks at all directions proves the least value.
+//!
+//! | method | dimensions | cost for n generators | what it is |
+//! |---|---|---|---|
+//! | [`by_branch_and_bound`] (default in space) | 3 | O(n) for each of some cells | bounds on cells of directions |
+//! | [`by_facet_normals`] (default elsewhere) | any D | O(n^D), exact | every facet normal in exact arithmetic |
+//! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every normal of D − 1 generators |
+
+mod answer;
+pub mod brute_force;
+pub mod by_branch_and_bound;
+pub mod by_facet_normals;
+mod depth_in_cells;
+#[cfg(test)]
+mod tests;
+
+pub use answer::Penetration;
+
+use crate::zonotope::query::Query;
+
+/// How deep the displacement of a query lies in the zonotope, by the default method of the dimension.
+pub fn of_query<const D: usize>(query: &Query<'_, D>) -> Penetration<D> {
+    match query.in_dimension::<3>() {
+        Some(query) => {
+            let Penetration { lower, upper, direction } = by_branch_and_bound::penetration(&query);
+            Penetration { lower, upper, direction: std::array::from_fn(|k| direction[k]) }
+        }
+        None => by_facet_normals::penetration(query),
+    }
+}

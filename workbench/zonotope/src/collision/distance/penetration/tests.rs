@@ -1,0 +1,106 @@
+//! Penetration depths beside the twin, and by hand.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::collision::Query;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use by_branch_and_bound::ACCURACY;
+
+fn holds<const D: usize>(depth: &Penetration<D>, squared: &Rational) -> bool {
+    let square = |v: f64| Dyadic::from_f64(v).to_rational() * Dyadic::from_f64(v).to_rational();
+    square(depth.lower) <= *squared && (depth.upper == f64::INFINITY || *squared <= square(depth.upper))
+}
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => -1.0..1.0f64,
+        4 => (-2i32..3).prop_map(f64::from),
+        1 => prop::sample::select(vec![1e-9, -1e-9, 1e-20, 1e20, 1e150, 1e-150, 5e-324, 1e300]),
+    ]
+}
+
+fn check(query: &Query<'_, 3>) -> Result<(), TestCaseError> {
+    let truth = brute_force::squared_depth(query).unwrap_or(Rational::ZERO);
+    let exact = by_facet_normals::penetration(query);
+    prop_assert!(holds(&exact, &truth), "{:?}", exact);
+    let depth = by_branch_and_bound::penetration(query);
+    prop_assert!(holds(&depth, &truth), "{:?} {:?}", depth, exact);
+    let is_subnormal = exact.upper < 1e-300;
+    prop_assert!(depth.is_within(ACCURACY) || is_subnormal, "{:?}", depth);
+    Ok(())
+}
+
+/// A point of the zonotope that is not on the boundary unless rounding or a flat body puts it there.
+fn inner_point<const D: usize>(generators: &[[f64; D]], coefficients: &[f64]) -> [f64; D] {
+    let terms = generators.iter().zip(coefficients);
+    terms.fold([0.0; D], |sum, (g, c)| std::array::from_fn(|k| sum[k] + 0.75 * c * g[k]))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn depths_are_those_of_the_twin(
+        generators in proptest::collection::vec([coordinate(), coordinate(), coordinate()], 0..12),
+        coefficients in proptest::collection::vec(prop_oneof![4 => -1.0..1.0f64, 1 => Just(0.0)], 12),
+    ) {
+        let inner = inner_point(&generators, &coefficients);
+        check(&Query::new([0.0; 3], inner, &generators).expect("finite"))?;
+    }
+
+    #[test]
+    fn depths_of_boxes_are_those_of_the_twin(
+        sides in proptest::array::uniform6(0.1..2.0f64),
+        matrix in proptest::array::uniform3(proptest::array::uniform3(-1.0..1.0f64)),
+        to in proptest::array::uniform3(-1.0..1.0f64),
+    ) {
+        let axis = |k: usize| std::array::from_fn(|i| if i == k { sides[k] } else { 0.0 });
+        let turned = |k: usize| matrix[k].map(|c| c * sides[3 + k]);
+        let generators: Vec<[f64; 3]> = (0..3).map(axis).chain((0..3).map(turned)).collect();
+        check(&Query::new([0.0; 3], to, &generators).expect("finite"))?;
+    }
+
+    #[test]
+    fn depths_in_the_plane_are_those_of_the_twin(
+        generators in proptest::collection::vec([coordinate(), coordinate()], 0..8),
+        coefficients in proptest::collection::vec(-1.0..1.0f64, 8),
+    ) {
+        let inner = inner_point(&generators, &coefficients);
+        let query = Query::new([0.0; 2], inner, &generators).expect("finite");
+        let truth = brute_force::squared_depth(&query).unwrap_or(Rational::ZERO);
+        let depth = by_facet_normals::penetration(&query);
+        prop_assert!(holds(&depth, &truth), "{:?}", depth);
+    }
+}
+
+/// Bodies like balls, around their centres: the depth is nearly the same in all directions.
+#[test]
+fn balls_need_cells_everywhere() {
+    let mut state = 7u64;
+    let mut unit = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    };
+    for count in [20, 60, 100] {
+        let generators: Vec<[f64; 3]> = (0..count).map(|_| [unit(), unit(), unit()]).collect();
+        for to in [[0.0; 3], [0.1 * count as f64, 0.0, 0.0]] {
+            let query = Query::new([0.0; 3], to, &generators).expect("finite");
+            let depth = by_branch_and_bound::penetration(&query);
+            let exact = by_facet_normals::penetration(&query);
+            assert!(depth.is_within(ACCURACY) && depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?}");
+        }
+    }
+}
+
+#[test]
+fn needles_and_plates() {
+    // half-lengths 1, 2^-30 and 2^-60: the depth of the centre is the least
+    let sizes = [1.0, f64::EPSILON.sqrt(), f64::EPSILON * 2.0f64.powi(-8)];
+    let turned = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+    let generators: Vec<[f64; 3]> = turned.iter().zip(sizes).map(|(v, s)| v.map(|c| c * s)).collect();
+    let depth = by_branch_and_bound::penetration(&Query::new([0.0; 3], [0.0; 3], &generators).expect("finite"));
+    assert!(depth.lower <= sizes[2] && sizes[2] <= depth.upper && depth.is_within(ACCURACY), "{depth:?}");
+    assert_eq!(depth.direction.map(f64::abs), [0.0, 0.0, 1.0]);
+}
