@@ -122,6 +122,7 @@ pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
 pub mod numeric;
+pub mod reduction;
 pub mod seed;
 pub mod tally;
 pub mod zonotope;

@@ -1,0 +1,142 @@
+//! The difference of the support functions of two centred zonotopes, in coordinates of ordinary size.
+
+use std::cmp::Ordering;
+
+use crate::numeric::lanes::Extents;
+use crate::numeric::linear::dot;
+use crate::numeric::scaling::{
+    PowerOfTwo, binary_exponent, largest_magnitude, scale_by_power_of_two, scaled_difference,
+};
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
+use crate::zonotope::Zonotope;
+
+/// Additions that a sum goes through beside one for each term: for the terms of a cone, a few for each time it is cut.
+const FURTHER_ADDITIONS: f64 = 512.0;
+
+/// u ↦ Σ |u · a| − Σ |u · b|.
+#[derive(Debug, Clone)]
+pub(super) struct Difference<const D: usize> {
+    /// The generators that count for it.
+    pub(super) farther: Vec<[f64; D]>,
+    /// Those that count against it.
+    pub(super) nearer: Vec<[f64; D]>,
+}
+
+/// Two bodies times one power of two, so that the largest coordinate is about 1.
+pub(super) struct ScaledBodies<const D: usize> {
+    generators: [Vec<[f64; D]>; 2],
+    displacement: [f64; D],
+    exponent: i64,
+}
+
+impl<const D: usize> ScaledBodies<D> {
+    pub(super) fn new(a: &Zonotope<D>, b: &Zonotope<D>) -> Self {
+        let generators = without_shared(a.generators(), b.generators());
+        let halves: Vec<f64> = a.center().iter().chain(&b.center()).map(|c| c / 2.0).collect();
+        let displaced: [f64; D] = std::array::from_fn(|k| (halves[k] - halves[D + k]).abs());
+        let lists = [generators[0].as_flattened(), generators[1].as_flattened(), &displaced];
+        let largest = lists.iter().map(|list| largest_magnitude(list)).fold(0.0, f64::max);
+        let exponent = -i64::from(binary_exponent(largest).unwrap_or(0));
+        let displacement =
+            std::array::from_fn(|k| scaled_difference(a.center()[k], b.center()[k], exponent));
+        let generators =
+            generators.map(|list| list.iter().map(|g| g.map(|c| scale_by_power_of_two(c, exponent))).collect());
+        Self { generators, displacement, exponent }
+    }
+
+    /// h_A − h_B for even and h_B − h_A for odd `side`, with the displacement among the farther generators.
+    pub(super) fn difference(&self, side: usize) -> Difference<D> {
+        let mut farther = self.generators[side].clone();
+        if self.displacement != [0.0; D] {
+            farther.push(self.displacement);
+        }
+        Difference { farther, nearer: self.generators[1 - side].clone() }
+    }
+
+    /// A length in the units of the input, not above it.
+    pub(super) fn unscaled_below(&self, length: f64) -> f64 {
+        let value = PowerOfTwo::new(-self.exponent).apply(length);
+        if value < f64::MIN_POSITIVE { value.next_down().max(0.0) } else { value }
+    }
+
+    /// A length in the units of the input, not below it.
+    pub(super) fn unscaled_above(&self, length: f64) -> f64 {
+        let value = PowerOfTwo::new(-self.exponent).apply(length);
+        if value < f64::MIN_POSITIVE && length > 0.0 { value.next_up() } else { value }
+    }
+}
+
+impl<const D: usize> Difference<D> {
+    /// A bound for the rounding errors of any sum of products ± u · v over the generators, for |u_k| ≤ 1.
+    ///
+    /// A product of D terms is off by (D + 1) u |v|_1, each of the additions by u times the sum of all |v|_1; the
+    /// displacement was rounded once before, and what is far smaller than the largest generator may be lost to
+    /// underflow.
+    pub(super) fn rounding(&self) -> f64 {
+        let count = (self.farther.len() + self.nearer.len()) as f64;
+        let magnitude: f64 =
+            [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
+        (UNIT * (count + D as f64 + FURTHER_ADDITIONS) * magnitude + count * PRODUCT_UNDERFLOW) * LONG_SUM
+    }
+
+    /// Whether nothing is left of it.
+    pub(super) fn is_zero(&self) -> bool {
+        self.farther.is_empty() && self.nearer.is_empty()
+    }
+}
+
+/// The generators of two bodies without zero ones and without those, up to sign, that both have: as often as both have
+/// them, they add the same to both support functions. O(n log n).
+fn without_shared<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> [Vec<[f64; D]>; 2] {
+    let sorted = |list: &[[f64; D]]| {
+        let upward = |g: &[f64; D]| match g.iter().find(|&&c| c != 0.0) {
+            Some(&first) if first < 0.0 => Some(g.map(|c| 0.0 - c)),
+            Some(_) => Some(g.map(|c| c + 0.0)),
+            None => None,
+        };
+        let mut list: Vec<[f64; D]> = list.iter().filter_map(upward).collect();
+        list.sort_by(compare);
+        list
+    };
+    let (a, b) = (sorted(a), sorted(b));
+    let (mut i, mut j) = (0, 0);
+    let mut left = [Vec::new(), Vec::new()];
+    while i < a.len() && j < b.len() {
+        match compare(&a[i], &b[j]) {
+            Ordering::Less => {
+                left[0].push(a[i]);
+                i += 1;
+            }
+            Ordering::Greater => {
+                left[1].push(b[j]);
+                j += 1;
+            }
+            Ordering::Equal => (i, j) = (i + 1, j + 1),
+        }
+    }
+    left[0].extend(&a[i..]);
+    left[1].extend(&b[j..]);
+    left
+}
+
+fn compare<const D: usize>(a: &[f64; D], b: &[f64; D]) -> Ordering {
+    let orders = a.iter().zip(b).map(|(x, y)| x.total_cmp(y));
+    orders.fold(Ordering::Equal, Ordering::then)
+}
+
+/// Σ |u · v| over the vectors of some indices.
+pub(super) fn magnitude_sum<const D: usize>(vectors: &[[f64; D]], indices: &[u32], u: &[f64; D]) -> f64 {
+    indices.iter().map(|&index| dot(&vectors[index as usize], u).abs()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shared_generators_count_for_nothing() {
+        let a = [[1.0, 2.0], [0.0, -1.0], [0.0, 0.0], [-0.0, 1.0]];
+        let b = [[-1.0, -2.0], [0.0, 1.0], [3.0, 0.0]];
+        assert_eq!(without_shared(&a, &b), [vec![[0.0, 1.0]], vec![[3.0, 0.0]]]);
+    }
+}
