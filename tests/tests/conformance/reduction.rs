@@ -5,9 +5,9 @@ use dashu_ratio::RBig;
 use proptest::prelude::*;
 use tests::body_families::{Generators, families};
 use tests::runner::for_all;
+use zonotope::Zonotope;
 use zonotope::reduction::hausdorff::{brute_force as truth, excess};
 use zonotope::reduction::{Containment, Method, Problem, ReductionError, brute_force};
-use zonotope::Zonotope;
 
 /// The bodies of a long run for each of the thirteen families, by dimension: 2,600 in all.
 const CASES: [u32; 4] = [30, 60, 80, 30];

@@ -170,8 +170,7 @@ fn projected<const D: usize>(
     let mut generators = Vec::with_capacity(cells.len() + D);
     for cell in cells {
         let square = dot(&cell.middle, &cell.middle);
-        let lengths: Vec<f64> =
-            cell.members.iter().map(|&index| dot(&vectors[index], &cell.middle) / square).collect();
+        let lengths: Vec<f64> = cell.members.iter().map(|&index| dot(&vectors[index], &cell.middle) / square).collect();
         let mut sum = ExactSum::default();
         lengths.iter().for_each(|t| sum.add(t.abs()));
         let length = at_least(&sum.value());

@@ -1,14 +1,14 @@
 //! The rules by name.
 
 use super::answer::{Problem, Reduced, ReductionError};
-use super::keeping::by_adaptive::adaptive;
 use super::by_clusters::clusters;
+use super::by_patches::patches;
+use super::hausdorff::excess_with_limit;
+use super::keeping::by_adaptive::adaptive;
 use super::keeping::by_combastel::combastel;
 use super::keeping::by_girard::girard;
-use super::by_patches::patches;
 use super::keeping::by_pca::pca;
 use super::keeping::by_scott::scott;
-use super::hausdorff::excess_with_limit;
 
 /// A rule that reduces a zonotope to a number of generators.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]

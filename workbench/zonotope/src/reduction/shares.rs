@@ -67,8 +67,7 @@ impl Shares {
         if (0..self.frame.len()).any(|at| self.frame[at] >= generators.len() || is_twice(at)) {
             return Err(ShareFlaw::Index);
         }
-        let columns: Vec<Vec<Rational>> =
-            self.frame.iter().map(|&f| generators[f].map(rational).to_vec()).collect();
+        let columns: Vec<Vec<Rational>> = self.frame.iter().map(|&f| generators[f].map(rational).to_vec()).collect();
         let mut drawn = vec![Rational::ZERO; generators.len()];
         let magnitude = |value: Rational| if value < Rational::ZERO { -value } else { value };
         for (index, (generator, share)) in inner.generators().iter().zip(&self.shares).enumerate() {
@@ -112,7 +111,9 @@ mod tests {
         assert_eq!(Shares { frame: vec![], ..shares.clone() }.check(&inner, &outer), Err(ShareFlaw::OffFrame(0)));
         assert_eq!(Shares { frame: vec![0], ..shares.clone() }.check(&inner, &outer), Err(ShareFlaw::Index));
         assert_eq!(Shares { shares: vec![half], frame: vec![1] }.check(&inner, &outer), Err(ShareFlaw::OtherBodies));
-        let all = Some(Share { generator: 0, coefficient: 0.6 });
-        assert_eq!(Shares { shares: vec![all, half], frame: vec![1] }.check(&inner, &outer), Err(ShareFlaw::Overdrawn(0)));
+        let wider = Zonotope::new([0.0; 2], vec![[4.0, 0.0], [0.0, 2.0], [1.0, 0.0]]).unwrap();
+        let more = Some(Share { generator: 0, coefficient: 0.6 });
+        let shares = Shares { shares: vec![more, half], frame: vec![1, 2] };
+        assert_eq!(shares.check(&inner, &wider), Err(ShareFlaw::Overdrawn(0)));
     }
 }

@@ -1,9 +1,9 @@
 //! Every rule against the exact truth and against its own proof, on small bodies of every kind.
 
 use super::brute_force::contains;
-use super::keeping::by_adaptive::adaptive_within;
 use super::by_patches::{patch_count, patches_within};
 use super::hausdorff::excess;
+use super::keeping::by_adaptive::adaptive_within;
 use super::{Containment, Method, Problem, Reduced, ReductionError};
 use crate::zonotope::Zonotope;
 use proptest::prelude::*;

@@ -21,6 +21,10 @@ pub(super) struct Chart<const D: usize> {
 /// A principal axis counts as thin if the body's width along it is below this part of the largest.
 const THIN_WIDTH: f64 = 0.1;
 
+/// An axis along which the body is narrower than this part of its largest width is left out in every chart: facets of
+/// so thin a body have normals of few certain digits.
+const LEAST_WIDTH: f64 = 1e-9;
+
 /// The charts of vectors, from all coordinates to one that leaves out all thin axes. None if all vectors are zero.
 pub(super) fn charts<const D: usize>(vectors: &[[f64; D]]) -> Vec<Chart<D>> {
     let weighted = vectors.iter().map(|v| (*v, 1.0 / dot(v, v).sqrt())).filter(|(_, weight)| weight.is_finite());
@@ -29,9 +33,8 @@ pub(super) fn charts<const D: usize>(vectors: &[[f64; D]]) -> Vec<Chart<D>> {
     let mut order: [usize; D] = std::array::from_fn(|k| k);
     order.sort_by(|&a, &b| extents[b].total_cmp(&extents[a]).then(a.cmp(&b)));
     (axes, extents) = (order.map(|k| axes[k]), order.map(|k| extents[k]));
-    let is_candidate =
-        |rank: &usize| *rank == D || extents[*rank] <= THIN_WIDTH * extents[0];
-    let has_width = |rank: &usize| extents[*rank - 1] > 0.0;
+    let is_candidate = |rank: &usize| *rank == D || extents[*rank] <= THIN_WIDTH * extents[0];
+    let has_width = |rank: &usize| extents[*rank - 1] > LEAST_WIDTH * extents[0];
     (1..=D).rev().filter(is_candidate).filter(has_width).map(|rank| Chart::new(&axes[rank..])).collect()
 }
 

@@ -74,13 +74,13 @@ mod tests {
 
     #[test]
     fn clusters_worked_out_by_hand() {
-        let vectors = [[4.0, 3.0], [-4.0, 3.0], [0.0, -2.0], [8.0, 6.0]];
+        let vectors = [[4.0, 3.0], [-4.0, 3.0], [1.0, -2.0], [8.0, 6.0]];
         let two = cluster_sums(&vectors, 2);
-        // (4, 3) and (8, 6) make one cluster; (−4, 3) and (0, −2) point to (−4, 5) and are 5 + 2 long
+        // (4, 3) and (8, 6) make one cluster; (−4, 3) and −(1, −2) add up to (−5, 5) and are 5 + √5 long
         assert_eq!(two.len(), 2);
-        assert!((dot(&two[0], &two[0]).sqrt() - 15.0).abs() < 1e-12, "{two:?}");
+        assert!((two[0][0] - 12.0).abs() < 1e-12 && (two[0][1] - 9.0).abs() < 1e-12, "{two:?}");
         let length = dot(&two[1], &two[1]).sqrt();
-        assert!((length - 7.0).abs() < 1e-12 && (two[1][0] * 5.0 + two[1][1] * 4.0).abs() < 1e-12, "{two:?}");
+        assert!((length - 5.0 - 5f64.sqrt()).abs() < 1e-12 && (two[1][0] + two[1][1]).abs() < 1e-12, "{two:?}");
         assert_eq!(cluster_sums(&vectors, 9).len(), 3);
     }
 }

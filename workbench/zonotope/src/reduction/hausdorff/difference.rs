@@ -37,8 +37,7 @@ impl<const D: usize> ScaledBodies<D> {
         let lists = [generators[0].as_flattened(), generators[1].as_flattened(), &displaced];
         let largest = lists.iter().map(|list| largest_magnitude(list)).fold(0.0, f64::max);
         let exponent = -i64::from(binary_exponent(largest).unwrap_or(0));
-        let displacement =
-            std::array::from_fn(|k| scaled_difference(a.center()[k], b.center()[k], exponent));
+        let displacement = std::array::from_fn(|k| scaled_difference(a.center()[k], b.center()[k], exponent));
         let generators =
             generators.map(|list| list.iter().map(|g| g.map(|c| scale_by_power_of_two(c, exponent))).collect());
         Self { generators, displacement, exponent }
@@ -74,8 +73,7 @@ impl<const D: usize> Difference<D> {
     /// underflow.
     pub(super) fn rounding(&self) -> f64 {
         let count = (self.farther.len() + self.nearer.len()) as f64;
-        let magnitude: f64 =
-            [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
+        let magnitude: f64 = [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
         (UNIT * (count + D as f64 + FURTHER_ADDITIONS) * magnitude + count * PRODUCT_UNDERFLOW) * LONG_SUM
     }
 

@@ -6,7 +6,9 @@ use crate::numeric::linear::dot;
 const SWEEP_LIMIT: usize = 30;
 
 /// Orthonormal axes up to rounding, by falling Σ w (axis · v)², of vectors v with weights w. O(n D²).
-pub(in crate::reduction) fn principal_axes<const D: usize>(vectors: impl Iterator<Item = ([f64; D], f64)>) -> [[f64; D]; D] {
+pub(in crate::reduction) fn principal_axes<const D: usize>(
+    vectors: impl Iterator<Item = ([f64; D], f64)>,
+) -> [[f64; D]; D] {
     let mut matrix = [[0.0; D]; D];
     for (v, weight) in vectors {
         for (row, c) in matrix.iter_mut().zip(v) {
