@@ -87,22 +87,28 @@ impl<'a, const D: usize> Facets<'a, D> {
         });
     }
 
-    /// Calls `visit` with normals, rounded, of at most `limit` hyperplanes: every so many of them, another choice for
-    /// each `turn`.
-    pub(super) fn for_sampled_normals(&self, limit: u64, turn: u64, mut visit: impl FnMut([f64; D])) {
+    /// At most `limit` of the sets of generators that span hyperplanes: every so many of them, another choice for each
+    /// `turn`.
+    pub(super) fn sampled_hyperplanes(&self, limit: u64, turn: u64) -> Vec<Vec<usize>> {
         let stride = Self::count(self.unit.len(), self.rank, u64::MAX).map_or(u64::MAX, |count| count.div_ceil(limit));
         let mut next = turn % stride.max(1);
+        let mut sets = Vec::new();
         for_each_subset(self.unit.len(), self.rank - 1, |chosen| {
-            if next > 0 {
-                next -= 1;
-                return;
+            if next == 0 {
+                sets.push(chosen.to_vec());
+                next = stride;
             }
-            next = stride - 1;
-            let rows: Vec<[f64; D]> = chosen.iter().map(|&index| self.unit[index].map(|c| c.value)).collect();
-            let rows: Vec<&[f64]> = rows.iter().map(|row| &row[..self.rank]).collect();
-            let normal = hyperplane_normal(&rows);
-            visit(std::array::from_fn(|k| normal.get(k).copied().unwrap_or(0.0)));
+            next -= 1;
         });
+        sets
+    }
+
+    /// The normal of the hyperplane that some generators span, rounded.
+    pub(super) fn normal(&self, chosen: &[usize]) -> [f64; D] {
+        let rows: Vec<[f64; D]> = chosen.iter().map(|&index| self.unit[index].map(|c| c.value)).collect();
+        let rows: Vec<&[f64]> = rows.iter().map(|row| &row[..self.rank]).collect();
+        let normal = hyperplane_normal(&rows);
+        std::array::from_fn(|k| normal.get(k).copied().unwrap_or(0.0))
     }
 
     /// Whether the body contains the one of other generators, which are 0 beyond the first `rank` coordinates as well.

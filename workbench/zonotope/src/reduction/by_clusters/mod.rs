@@ -55,6 +55,7 @@
 //! ```
 
 mod chart;
+mod comparison;
 mod fit;
 mod k_means;
 mod quasi_newton;

@@ -5,10 +5,8 @@
 //! is warped by a tangent, so that its points spread more evenly over the sphere, and a point has the solid angle that
 //! is left to it as its weight.
 
+use crate::numeric::lanes::octet::LANES;
 use crate::numeric::linear::dot;
-
-/// Directions side by side.
-pub(super) const LANES: usize = 8;
 
 /// Unit vectors of the first `rank` coordinates, 0 in the others, each coordinate of a block side by side.
 pub(super) struct SampledDirections<const D: usize> {

@@ -16,7 +16,9 @@
 //!    point in the middle. The difference of these two is linear: its maximum over the unit vectors of the cone is at
 //!    most its largest value at a corner of length 1, divided by the least cosine of the corners with the middle. The
 //!    gap to the value in the middle falls with the square of the cone's width.
-//! 3. Cut the cone of the highest bound in two at the middle of its longest edge, until no bound exceeds (1 + ω) times
+//! 3. No value is above the maximum of a convex function of few terms (`difference`), which
+//!    is bounded first, in the same way: it tells distances that are far smaller than what a cone's gap comes to.
+//! 4. Cut the cone of the highest bound in two at the middle of its longest edge, until no bound exceeds (1 + ω) times
 //!    the largest value that was met.
 //!
 //! # Complexity
@@ -60,7 +62,10 @@ use super::difference::{Difference, ScaledBodies};
 use crate::zonotope::Zonotope;
 
 /// At most this many cones are looked at.
-pub const CONE_LIMIT: usize = 1 << 21;
+pub const CONE_LIMIT: usize = 1 << 20;
+
+/// At most this many cones are looked at for the convex bound.
+const CONVEX_CONE_LIMIT: usize = 1 << 10;
 
 /// A distance between two bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,10 +129,19 @@ impl<const D: usize> Ord for Waiting<D> {
     }
 }
 
+/// A difference with what bounds it everywhere.
+struct Side<const D: usize> {
+    difference: Difference<D>,
+    rounding: f64,
+    /// No value exceeds this.
+    limit: f64,
+}
+
 /// The cones that wait, and the best value met.
 struct Search<const D: usize> {
     heap: BinaryHeap<Waiting<D>>,
     turn: usize,
+    width: f64,
     lower: f64,
     direction: [f64; D],
     /// The highest bound of the cones that need not be cut, or cannot be.
@@ -135,11 +149,34 @@ struct Search<const D: usize> {
 }
 
 impl<const D: usize> Search<D> {
-    fn add(&mut self, cone: Cone<D>, side: usize, width: f64) {
+    /// Bounds of the largest value of any of some differences, by at most `limit` cones.
+    fn run(sides: &[Side<D>], width: f64, limit: usize) -> Self {
+        let direction = std::array::from_fn(|k| if k == 0 { 1.0 } else { 0.0 });
+        let mut search = Self { heap: BinaryHeap::new(), turn: 0, width, lower: 0.0, direction, upper: 0.0 };
+        for (index, side) in sides.iter().enumerate().filter(|(_, side)| !side.difference.is_zero()) {
+            let cones = Cone::orthants(&side.difference, side.rounding);
+            cones.into_iter().for_each(|cone| search.add(cone, index, side.limit));
+        }
+        while let Some(Waiting { cone, side: index, .. }) = search.heap.pop() {
+            if cone.upper <= (1.0 + width) * search.lower || search.turn >= limit {
+                search.upper = search.upper.max(cone.upper);
+                break;
+            }
+            let side = &sides[index];
+            match cone.halves(&side.difference, side.rounding) {
+                Some(halves) => halves.into_iter().for_each(|half| search.add(half, index, side.limit)),
+                None => search.upper = search.upper.max(cone.upper),
+            }
+        }
+        search
+    }
+
+    fn add(&mut self, mut cone: Cone<D>, side: usize, limit: f64) {
+        cone.upper = cone.upper.min(limit);
         if cone.lower > self.lower {
             (self.lower, self.direction) = (cone.lower, cone.middle);
         }
-        if cone.upper > (1.0 + width) * self.lower {
+        if cone.upper > (1.0 + self.width) * self.lower {
             self.heap.push(Waiting { cone, side, turn: self.turn });
             self.turn += 1;
         } else {
@@ -154,31 +191,17 @@ fn search<const D: usize>(
     width: f64,
     limit: usize,
 ) -> Distance<D> {
-    let mut direction = [0.0; D];
-    if let Some(first) = direction.first_mut() {
-        *first = 1.0;
-    }
-    if differences.iter().all(Difference::is_zero) {
-        return Distance { lower: 0.0, upper: 0.0, direction };
-    }
-    let roundings: Vec<f64> = differences.iter().map(Difference::rounding).collect();
-    let mut search = Search { heap: BinaryHeap::new(), turn: 0, lower: 0.0, direction, upper: 0.0 };
-    for (side, (difference, rounding)) in differences.iter().zip(&roundings).enumerate() {
-        Cone::orthants(difference, *rounding).into_iter().for_each(|cone| search.add(cone, side, width));
-    }
-    while let Some(Waiting { cone, side, .. }) = search.heap.pop() {
-        if cone.upper <= (1.0 + width) * search.lower || search.turn >= limit {
-            search.upper = search.upper.max(cone.upper);
-            break;
-        }
-        match cone.halves(&differences[side], roundings[side]) {
-            Some(halves) => halves.into_iter().for_each(|half| search.add(half, side, width)),
-            None => search.upper = search.upper.max(cone.upper),
-        }
-    }
+    let bounded = |difference: Difference<D>| {
+        let rounding = difference.rounding();
+        let convex = Side { difference: difference.convex_bound(), rounding, limit: f64::INFINITY };
+        let limit = Search::run(&[convex], width / 2.0, limit.min(CONVEX_CONE_LIMIT)).upper;
+        Side { difference, rounding, limit }
+    };
+    let sides: Vec<Side<D>> = differences.into_iter().map(bounded).collect();
+    let found = Search::run(&sides, width, limit);
     Distance {
-        lower: bodies.unscaled_below(search.lower),
-        upper: bodies.unscaled_above(search.upper),
-        direction: search.direction,
+        lower: bodies.unscaled_below(found.lower),
+        upper: bodies.unscaled_above(found.upper),
+        direction: found.direction,
     }
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::numeric::lanes::Extents;
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{add_multiple, dot};
 use crate::numeric::scaling::{
     PowerOfTwo, binary_exponent, largest_magnitude, scale_by_power_of_two, scaled_difference,
 };
@@ -75,6 +75,33 @@ impl<const D: usize> Difference<D> {
         let count = (self.farther.len() + self.nearer.len()) as f64;
         let magnitude: f64 = [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
         (UNIT * (count + D as f64 + FURTHER_ADDITIONS) * magnitude + count * PRODUCT_UNDERFLOW) * LONG_SUM
+    }
+
+    /// A convex function that is nowhere less: Σ |u · r| with r = b − Σ ± v for each farther generator b and the nearer
+    /// generators v given to it, by |u · b| ≤ |u · r| + Σ |u · v|.
+    ///
+    /// Every nearer generator goes to the farther one whose direction is nearest to its own. Where each b is nearly the
+    /// sum of its own, this is nearly the difference itself, however small that is. O(n k).
+    pub(super) fn convex_bound(&self) -> Self {
+        let unit = |b: &[f64; D]| {
+            let length = dot(b, b).sqrt();
+            b.map(|c| c / length)
+        };
+        let units: Vec<[f64; D]> = self.farther.iter().map(unit).collect();
+        let mut left = self.farther.clone();
+        for v in &self.nearer {
+            let (mut nearest, mut product) = (None, 0.0f64);
+            for (index, u) in units.iter().enumerate() {
+                let along = dot(u, v);
+                if along.abs() > product.abs() {
+                    (nearest, product) = (Some(index), along);
+                }
+            }
+            if let Some(index) = nearest {
+                add_multiple(&mut left[index], if product < 0.0 { 1.0 } else { -1.0 }, v);
+            }
+        }
+        Self { farther: left, nearer: Vec::new() }
     }
 
     /// Whether nothing is left of it.
