@@ -56,6 +56,7 @@
 //! ```
 
 use super::answer::{Problem, Reduced, ReductionError, check_epsilon};
+use super::cells::{Cell, SIDE_LIMIT, cells};
 use super::frame_cover::{Frame, covered};
 use super::keeping::order::scaled;
 use super::shares::Share;
@@ -64,9 +65,6 @@ use crate::numeric::linear::dot;
 use crate::numeric::outward::at_least;
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::zonotope::Zonotope;
-
-/// The finest grid: indices of cells along a side fit in 32 bits.
-const SIDE_LIMIT: u32 = 1 << 31;
 
 /// The finest grid for a count: what is left of a generator there is below 2^-12 of it.
 const COUNTED_SIDE_LIMIT: u32 = 1 << 12;
@@ -122,41 +120,6 @@ fn side_for(dimension: usize, epsilon: f64) -> f64 {
         mean *= d as f64 / (d as f64 + 1.0);
     }
     ((dimension as f64 - 1.0).sqrt() / (mean * epsilon)).ceil().max(1.0)
-}
-
-/// A cell of the grid: the face's axis, and along every other axis which part of the side.
-type Place<const D: usize> = [u32; D];
-
-/// A cell with its generators, by their indices.
-struct Cell<const D: usize> {
-    middle: [f64; D],
-    members: Vec<usize>,
-}
-
-/// The cells that hold generators, in the order of their places.
-fn cells<const D: usize>(vectors: &[[f64; D]], side: u32) -> Vec<Cell<D>> {
-    let mut placed: Vec<(usize, Place<D>, usize)> = (0..vectors.len())
-        .filter_map(|index| {
-            let v = &vectors[index];
-            let largest = largest_magnitude(v);
-            let axis = v.iter().position(|c| c.abs() == largest)?;
-            let part = |c: f64| (((c / v[axis] + 1.0) * 0.5 * f64::from(side)) as u32).min(side - 1);
-            let place = std::array::from_fn(|k| if k == axis { 0 } else { part(v[k]) });
-            (largest > 0.0).then_some((axis, place, index))
-        })
-        .collect();
-    placed.sort_unstable();
-    let middle = |axis: usize, place: &Place<D>| {
-        let along = |k: usize| (2.0 * f64::from(place[k]) + 1.0) / f64::from(side) - 1.0;
-        std::array::from_fn(|k| if k == axis { 1.0 } else { along(k) })
-    };
-    placed
-        .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
-        .map(|cell| Cell {
-            middle: middle(cell[0].0, &cell[0].1),
-            members: cell.iter().map(|(_, _, index)| *index).collect(),
-        })
-        .collect()
 }
 
 /// The enclosing zonotope of the projections on the middles of cells and of the box of the rest.

@@ -18,6 +18,7 @@ mod answer;
 pub mod brute_force;
 pub mod by_clusters;
 pub mod by_patches;
+mod cells;
 mod containment;
 mod frame_cover;
 pub mod hausdorff;

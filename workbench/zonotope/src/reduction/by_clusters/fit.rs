@@ -23,11 +23,13 @@ const DIRECTIONS_PER_GENERATOR: usize = 32;
 const NORMAL_LIMIT: u64 = 1 << 17;
 const READ_LIMIT: u64 = 1 << 31;
 
-/// Minimisations one after the other, each of a number of steps; after some of them all facet normals are looked at
-/// again.
+/// Minimisations one after the other; after some of them all facet normals are looked at again.
 const STAGES: usize = 20;
-const STEPS_PER_STAGE: usize = 15;
 const STAGES_PER_CHOICE: usize = 4;
+
+/// Steps of a minimisation, and the number of generators for which one more is taken.
+const STEPS_PER_STAGE: usize = 15;
+const GENERATORS_PER_STEP: usize = 32;
 
 /// The last power.
 const LARGEST_POWER: u32 = 16;
@@ -40,6 +42,7 @@ const NEGLIGIBLE_ERROR: f64 = 1e-12;
 pub(super) fn fitted<const D: usize>(body: &[[f64; D]], rank: usize, start: Vec<[f64; D]>) -> Vec<[f64; D]> {
     let count = (DIRECTIONS_PER_GENERATOR * start.len()).next_multiple_of(LANES);
     let sampled = Comparison::new(body, SampledDirections::new(rank, count));
+    let steps = STEPS_PER_STAGE + start.len() / GENERATORS_PER_STEP;
     let mut generators = start;
     let mut best = (f64::INFINITY, generators.clone());
     let mut hyperplanes = Vec::new();
@@ -61,7 +64,7 @@ pub(super) fn fitted<const D: usize>(body: &[[f64; D]], rank: usize, start: Vec<
             power: LARGEST_POWER.min(2 + 2 * (stage as u32 * 3 / 5)),
         };
         let mut point = generators.as_flattened().to_vec();
-        minimize(&mut point, STEPS_PER_STAGE, 0.1 * range.half_width, |point, gradient| {
+        minimize(&mut point, steps, 0.1 * range.half_width, |point, gradient| {
             compared.objective(point.as_chunks().0, measure, gradient)
         });
         generators = point.as_chunks().0.to_vec();

@@ -23,9 +23,11 @@
 //!    bodies of few digits at the ends of the range of doubles, Girard's rule has.
 //!
 //! # Complexity
-//! n generators: O(n k) for each Lloyd round; 48 k to 64 k directions, each a pass over the generators, and up to some
-//! 400 evaluations of the fit at O(k) each; 2 C(k, D − 1) passes for factor and proof. At most [`NORMAL_LIMIT`] facet
-//! normals are proved, so beyond that B has fewer generators than asked for. O(n + k) space.
+//! n generators: O(n k) for each Lloyd round; 32 k directions and up to 2^17 facet normals five times, each a pass over
+//! the generators; some 400 evaluations of the fit along 64 k directions at O(k) each; 2 C(k, D − 1) passes for factor
+//! and proof. Of more than 2^15 generators all but the proof see sums over cells of directions instead. At most
+//! [`NORMAL_LIMIT`] facet normals are proved and at most [`CLUSTER_LIMIT`] clusters made, so beyond that B has fewer
+//! generators than asked for. O(n + k²) space.
 //!
 //! # Shapes
 //! `generators`: n × D, half-segments, any order.
@@ -56,6 +58,7 @@
 
 mod chart;
 mod comparison;
+mod condensed;
 mod fit;
 mod k_means;
 mod quasi_newton;
@@ -69,12 +72,16 @@ use crate::numeric::lanes::absolute_sum;
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::zonotope::Zonotope;
 use chart::{Chart, charts};
+use condensed::condensed;
 use fit::fitted;
 use k_means::cluster_sums;
 use sampled_directions::SampledDirections;
 
 /// At most this many facet normals are looked at for a proof.
 pub const NORMAL_LIMIT: u64 = 1 << 20;
+
+/// At most this many clusters are made.
+pub const CLUSTER_LIMIT: usize = 1024;
 
 /// The factor's first margin, and the factor by which a margin grows that was not enough.
 const FIRST_MARGIN: f64 = 1.0 / 1_073_741_824.0;
@@ -115,8 +122,9 @@ fn in_chart<const D: usize>(problem: &Problem<'_, D>, vectors: &[[f64; D]], char
     let own = problem.body().generators();
     let rank = chart.rank();
     let is_provable = |count: &usize| Facets::<D>::count(*count, rank, NORMAL_LIMIT).is_some();
-    let count = (rank..=problem.count() - chart.left_out()).rev().find(is_provable)?;
-    let seen: Vec<[f64; D]> = vectors.iter().map(|v| chart.projected(v)).collect();
+    let most = (problem.count() - chart.left_out()).min(CLUSTER_LIMIT);
+    let count = (rank..=most).rev().find(is_provable)?;
+    let seen = condensed(vectors.iter().map(|v| chart.projected(v)).collect(), rank);
     let generators = fitted(&seen, rank, cluster_sums(&seen, count));
     let generators = times_power_of_two(&generators, exponent_of(own));
     let projected: Vec<[f64; D]> = own.iter().map(|v| chart.projected(v)).collect();

@@ -2,9 +2,10 @@
 //!
 //! # Statement
 //! Input: two zonotopes A, B in R^D and a width ω ≥ 0. Output: bounds of the Hausdorff distance with upper ≤
-//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that [`CONE_LIMIT`] cones
-//! give, or rounding. [`excess`] bounds the largest distance of a point of A from B, which is 0 just when A lies in B.
-//! Bodies without generators, flat bodies, zero and parallel generators are ordinary input.
+//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that [`CONE_LIMIT`] cones,
+//! some 2^31 readings of generators, or rounding allow. [`excess`] bounds the largest distance of a point of A from B,
+//! which is 0 just when A lies in B. Bodies without generators, flat bodies, zero and parallel generators are ordinary
+//! input.
 //!
 //! # Source
 //! Not in the paper, where Lemma 5.5 bounds H by a constant. Branch and bound over cones, with these bounds.
@@ -63,6 +64,9 @@ use crate::zonotope::Zonotope;
 
 /// At most this many cones are looked at.
 pub const CONE_LIMIT: usize = 1 << 20;
+
+/// About this many times a generator is read at most, besides the first readings of all.
+const READ_LIMIT: u64 = 1 << 31;
 
 /// At most this many cones are looked at for the convex bound.
 const CONVEX_CONE_LIMIT: usize = 1 << 10;
@@ -141,6 +145,7 @@ struct Side<const D: usize> {
 struct Search<const D: usize> {
     heap: BinaryHeap<Waiting<D>>,
     turn: usize,
+    reads: u64,
     width: f64,
     lower: f64,
     direction: [f64; D],
@@ -152,17 +157,18 @@ impl<const D: usize> Search<D> {
     /// Bounds of the largest value of any of some differences, by at most `limit` cones.
     fn run(sides: &[Side<D>], width: f64, limit: usize) -> Self {
         let direction = std::array::from_fn(|k| if k == 0 { 1.0 } else { 0.0 });
-        let mut search = Self { heap: BinaryHeap::new(), turn: 0, width, lower: 0.0, direction, upper: 0.0 };
+        let mut search = Self { heap: BinaryHeap::new(), turn: 0, reads: 0, width, lower: 0.0, direction, upper: 0.0 };
         for (index, side) in sides.iter().enumerate().filter(|(_, side)| !side.difference.is_zero()) {
             let cones = Cone::orthants(&side.difference, side.rounding);
             cones.into_iter().for_each(|cone| search.add(cone, index, side.limit));
         }
         while let Some(Waiting { cone, side: index, .. }) = search.heap.pop() {
-            if cone.upper <= (1.0 + width) * search.lower || search.turn >= limit {
+            if cone.upper <= (1.0 + width) * search.lower || search.turn >= limit || search.reads > READ_LIMIT {
                 search.upper = search.upper.max(cone.upper);
                 break;
             }
             let side = &sides[index];
+            search.reads += 2 * cone.reads();
             match cone.halves(&side.difference, side.rounding) {
                 Some(halves) => halves.into_iter().for_each(|half| search.add(half, index, side.limit)),
                 None => search.upper = search.upper.max(cone.upper),

@@ -123,6 +123,11 @@ impl<const D: usize> Cone<D> {
         Self { corners, farther, nearer, upper, middle, lower: lower.max(0.0) }
     }
 
+    /// How many generators were looked at for the cone, up to those that its halves need not look at.
+    pub(super) fn reads(&self) -> u64 {
+        (self.farther.open.len() + self.nearer.open.len()) as u64 + 1
+    }
+
     /// The two cones that the cone is cut into at the middle of its longest edge; `None` if doubles have no middle.
     pub(super) fn halves(&self, difference: &Difference<D>, rounding: f64) -> Option<[Self; 2]> {
         let mut longest = (f64::INFINITY, 0, 0);
