@@ -20,7 +20,8 @@ pub(super) fn condensed<const D: usize>(vectors: Vec<[f64; D]>, rank: usize) -> 
     let sum = |members: &[usize]| {
         let (mut sum, mut total) = ([0.0; D], 0.0);
         for v in members.iter().map(|&index| &vectors[index]) {
-            add_multiple(&mut sum, if dot(&sum, v) < 0.0 { -1.0 } else { 1.0 }, v);
+            let sign = if dot(&sum, v) < 0.0 { -1.0 } else { 1.0 };
+            add_multiple(&mut sum, sign, v);
             total += dot(v, v).sqrt();
         }
         let length = dot(&sum, &sum).sqrt();
