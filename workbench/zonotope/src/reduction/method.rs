@@ -37,7 +37,7 @@ pub enum Method {
 const COMPARED_WIDTH: f64 = 0.02;
 
 /// The cones of directions that a comparison of two rules looks at, at most.
-const COMPARED_CONES: usize = 1 << 15;
+const COMPARED_CONES: usize = 1 << 12;
 
 impl Method {
     /// Every rule, the default first and the best of the others last.

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::lanes::Extents;
 use crate::numeric::linear::{add_multiple, dot};
 use crate::numeric::scaling::{
@@ -10,8 +11,29 @@ use crate::numeric::scaling::{
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::Zonotope;
 
-/// Additions that a sum goes through beside one for each term: for the terms of a cone, a few for each time it is cut.
-const FURTHER_ADDITIONS: f64 = 512.0;
+/// Roundings of a sum beside one for each term: products, signs, the ends of sums, in up to ten dimensions.
+const FURTHER_ADDITIONS: f64 = 64.0;
+
+/// A bound for the rounding errors of a sum by its terms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rounding {
+    /// u times the sum of all |v|_1.
+    of_addition: f64,
+    /// What is far smaller than the largest generator may be lost to underflow.
+    underflow: f64,
+}
+
+impl Rounding {
+    /// For the difference of two sums of ± u · v along a direction with |u_k| ≤ 1, divided by |u|, over all generators,
+    /// all but a number of which come as one vector, summed to twice the digits of a double.
+    ///
+    /// Each addition of a single term is off by u times the sum of all |v|_1; so are, at most, the products of D terms,
+    /// all together and D times, what the sign of a product near 0 costs, the displacement that was rounded before, and
+    /// the sums in pairs.
+    pub(super) fn of_terms(&self, terms: usize) -> f64 {
+        self.of_addition * (terms as f64 + FURTHER_ADDITIONS) + self.underflow
+    }
+}
 
 /// u ↦ Σ |u · a| − Σ |u · b|.
 #[derive(Debug, Clone)]
@@ -66,15 +88,11 @@ impl<const D: usize> ScaledBodies<D> {
 }
 
 impl<const D: usize> Difference<D> {
-    /// A bound for the rounding errors of any sum of products ± u · v over the generators, for |u_k| ≤ 1.
-    ///
-    /// A product of D terms is off by (D + 1) u |v|_1, each of the additions by u times the sum of all |v|_1; the
-    /// displacement was rounded once before, and what is far smaller than the largest generator may be lost to
-    /// underflow.
-    pub(super) fn rounding(&self) -> f64 {
+    /// What bounds the rounding errors of sums of products ± u · v over the generators.
+    pub(super) fn rounding(&self) -> Rounding {
         let count = (self.farther.len() + self.nearer.len()) as f64;
         let magnitude: f64 = [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
-        (UNIT * (count + D as f64 + FURTHER_ADDITIONS) * magnitude + count * PRODUCT_UNDERFLOW) * LONG_SUM
+        Rounding { of_addition: UNIT * magnitude * LONG_SUM, underflow: count * PRODUCT_UNDERFLOW }
     }
 
     /// A convex function that is nowhere less: Σ |u · r| with r = b − Σ ± v for each farther generator b and the nearer
@@ -89,6 +107,7 @@ impl<const D: usize> Difference<D> {
         };
         let units: Vec<[f64; D]> = self.farther.iter().map(unit).collect();
         let mut left = self.farther.clone();
+        let mut tails = vec![[0.0; D]; left.len()];
         for v in &self.nearer {
             let (mut nearest, mut product) = (None, 0.0f64);
             for (index, u) in units.iter().enumerate() {
@@ -98,9 +117,14 @@ impl<const D: usize> Difference<D> {
                 }
             }
             if let Some(index) = nearest {
-                add_multiple(&mut left[index], if product < 0.0 { 1.0 } else { -1.0 }, v);
+                for (k, c) in v.iter().enumerate() {
+                    let (sum, rest) = exact_sum(left[index][k], if product < 0.0 { *c } else { -c });
+                    left[index][k] = sum;
+                    tails[index][k] += rest;
+                }
             }
         }
+        left.iter_mut().zip(&tails).for_each(|(sum, tail)| add_multiple(sum, 1.0, tail));
         Self { farther: left, nearer: Vec::new() }
     }
 
