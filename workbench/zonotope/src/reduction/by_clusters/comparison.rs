@@ -141,7 +141,7 @@ fn tile<S: Simd, const D: usize, const T: usize>(
     let mut reach = [zero; T];
     for b in generators {
         for t in 0..T {
-            reach[t] += product(&directions[t], b).abs();
+            reach[t] += along(&directions[t], b).abs();
         }
     }
     let (middle, scale) = (f64x8::splat(simd, measure.middle), f64x8::splat(simd, 1.0 / measure.half_width));
@@ -157,7 +157,7 @@ fn tile<S: Simd, const D: usize, const T: usize>(
     for (b, slopes) in generators.iter().zip(slopes) {
         let mut sums = [zero; D];
         for t in 0..T {
-            let signed = turned(simd, slope[t], product(&directions[t], b));
+            let signed = turned(simd, slope[t], along(&directions[t], b));
             for k in 0..D {
                 sums[k] += signed * directions[t][k];
             }
@@ -170,12 +170,12 @@ fn tile<S: Simd, const D: usize, const T: usize>(
 }
 
 #[inline(always)]
-fn product<S: Simd, const D: usize>(direction: &[f64x8<S>; D], b: &[f64; D]) -> f64x8<S> {
-    let mut product = direction[0] * b[0];
+fn along<S: Simd, const D: usize>(direction: &[f64x8<S>; D], b: &[f64; D]) -> f64x8<S> {
+    let mut sum = direction[0] * b[0];
     for k in 1..D {
-        product += direction[k] * b[k];
+        sum += direction[k] * b[k];
     }
-    product
+    sum
 }
 
 #[cfg(test)]

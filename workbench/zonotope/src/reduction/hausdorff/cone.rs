@@ -133,7 +133,7 @@ pub(super) struct Cone<const D: usize> {
     /// A unit vector of the cone, up to rounding, and a bound that its difference is not below.
     pub(super) middle: [f64; D],
     pub(super) lower: f64,
-    /// By how much rounding keeps the bounds apart.
+    /// By how much rounding keeps the bounds of narrow cones apart.
     pub(super) doubt: f64,
 }
 
@@ -182,7 +182,8 @@ impl<const D: usize> Cone<D> {
             false => f64::INFINITY,
         };
         let lower = ((value - error) * (2.0 - THIRTY_ROUNDINGS)).max(0.0);
-        Self { part, corners, farther, nearer, upper, middle, lower, doubt: 2.0 * error }
+        let doubt = 2.0 * rounding.of_terms(difference.farther.len());
+        Self { part, corners, farther, nearer, upper, middle, lower, doubt }
     }
 
     /// How many generators were looked at for the cone, up to those that its halves need not look at.
