@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_plane_of_space() {
-        let flat: Vec<[f64; 3]> = (0..9).map(|k| f64::from(k)).map(|a| [a, 3.0 - a, a]).collect();
+        let flat: Vec<[f64; 3]> = (0..9).map(f64::from).map(|a| [a, 3.0 - a, a]).collect();
         let charts = charts(&flat);
         assert_eq!(charts.iter().map(Chart::rank).collect::<Vec<_>>(), [2]);
         let projected: Vec<[f64; 3]> = flat.iter().map(|v| charts[0].projected(v)).collect();

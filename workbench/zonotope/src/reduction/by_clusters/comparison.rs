@@ -133,9 +133,9 @@ fn tile<S: Simd, const D: usize, const T: usize>(
 ) -> f64x8<S> {
     let zero = f64x8::splat(simd, 0.0);
     let mut directions = [[zero; D]; T];
-    for t in 0..T {
-        for k in 0..D {
-            directions[t][k] = f64x8::from_slice(simd, &compared.blocks[first + t][k]);
+    for (direction, block) in directions.iter_mut().zip(&compared.blocks[first..]) {
+        for (coordinates, lanes) in direction.iter_mut().zip(block) {
+            *coordinates = f64x8::from_slice(simd, lanes);
         }
     }
     let mut reach = [zero; T];

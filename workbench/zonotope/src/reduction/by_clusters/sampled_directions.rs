@@ -70,7 +70,7 @@ mod tests {
     #[test]
     fn directions_are_even() {
         // the means of |u_1| over the half sphere in two, three and four dimensions
-        for (rank, mean) in [(2, 0.636_619_77), (3, 0.5), (4, 0.424_413_18)] {
+        for (rank, mean) in [(2, std::f64::consts::FRAC_2_PI), (3, 0.5), (4, 0.424_413_18)] {
             let directions = SampledDirections::<4>::new(rank, 4096);
             for axis in 0..rank {
                 let (mut sum, mut total) = (0.0, 0.0);

@@ -96,10 +96,10 @@ impl<const D: usize> Terms<D> {
 
     /// Adds a generator with the sign of its product.
     fn add(&mut self, v: &[f64; D], product: f64) {
-        for k in 0..D {
-            let (sum, rest) = exact_sum(self.fixed[k], if product < 0.0 { -v[k] } else { v[k] });
-            self.fixed[k] = sum;
-            self.tail[k] += rest;
+        for ((sum, tail), c) in self.fixed.iter_mut().zip(&mut self.tail).zip(v) {
+            let (next, rest) = exact_sum(*sum, if product < 0.0 { -c } else { *c });
+            *sum = next;
+            *tail += rest;
         }
     }
 
