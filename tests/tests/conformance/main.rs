@@ -11,4 +11,5 @@ mod hull;
 mod kernel;
 mod min_area;
 mod min_total_length;
+mod reduction;
 mod slope_selection;

@@ -83,6 +83,8 @@
 //! | [`arrangement::separator`] | the k-th separator of that tiling | 5.1 |
 //! | [`arrangement::cutting`] | trapezoids that few lines of an arrangement cross, and location among them | 5.2 |
 //! | [`collision::upper_hull`] | the height of the upper hull over a point | 5.1 |
+//! | [`reduction`] | a zonotope of few generators around one of many | 5.2, Lemma 5.5 |
+//! | [`reduction::hausdorff`] | the Hausdorff distance of two zonotopes, between two bounds | 5.2, H(A, B) |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
 //! | [`zonotope::faces`] | the face lattice in space; vertices and facets in any dimension | 3 |
@@ -108,7 +110,8 @@
 //! # Layers
 //!
 //! [`numeric`], [`seed`] and [`tally`] at the bottom, then [`hull`], [`arrangement`] and [`zonotope`], then [`lad`],
-//! then [`enclosing`] and [`collision`], then [`line_fit`].
+//! then [`enclosing`] and [`collision`], then [`line_fit`]; [`reduction`] stands on
+//! [`zonotope`].
 
 // The tables of methods name those that the feature brings.
 #![cfg_attr(not(feature = "linear-programming"), allow(rustdoc::broken_intra_doc_links))]
@@ -123,6 +126,7 @@ pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
 pub mod numeric;
+pub mod reduction;
 pub mod seed;
 pub mod tally;
 pub mod zonotope;

@@ -1,0 +1,191 @@
+//! The difference of the support functions of two centred zonotopes, in coordinates of ordinary size.
+
+use std::cmp::Ordering;
+
+use crate::numeric::exact_sum::exact_sum;
+use crate::numeric::lanes::Extents;
+use crate::numeric::linear::{add_multiple, dot};
+use crate::numeric::scaling::{
+    PowerOfTwo, binary_exponent, largest_magnitude, scale_by_power_of_two, scaled_difference,
+};
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
+use crate::zonotope::Zonotope;
+
+/// Roundings of a sum beside one for each term: products, signs, the ends of sums, in up to ten dimensions.
+const FURTHER_ADDITIONS: f64 = 64.0;
+
+/// A bound for the rounding errors of a sum by its terms.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rounding {
+    /// u times the sum of all |v|_1.
+    of_addition: f64,
+    /// What is far smaller than the largest generator may be lost to underflow.
+    underflow: f64,
+}
+
+impl Rounding {
+    /// For the difference of two sums of ± u · v along a direction with |u_k| ≤ 1, divided by |u|, over all generators,
+    /// all but a number of which come as one vector, summed to twice the digits of a double.
+    ///
+    /// Each addition of a single term is off by u times the sum of all |v|_1; so are, at most, the products of D terms,
+    /// all together and D times, what the sign of a product near 0 costs, the displacement that was rounded before, and
+    /// the sums in pairs.
+    pub(super) fn of_terms(&self, terms: usize) -> f64 {
+        self.of_addition * (terms as f64 + FURTHER_ADDITIONS) + self.underflow
+    }
+}
+
+/// u ↦ Σ |u · a| − Σ |u · b|.
+#[derive(Debug, Clone)]
+pub(super) struct Difference<const D: usize> {
+    /// The generators that count for it.
+    pub(super) farther: Vec<[f64; D]>,
+    /// Those that count against it.
+    pub(super) nearer: Vec<[f64; D]>,
+}
+
+/// Two bodies times one power of two, so that the largest coordinate is about 1.
+pub(super) struct ScaledBodies<const D: usize> {
+    generators: [Vec<[f64; D]>; 2],
+    displacement: [f64; D],
+    exponent: i64,
+}
+
+impl<const D: usize> ScaledBodies<D> {
+    pub(super) fn new(a: &Zonotope<D>, b: &Zonotope<D>) -> Self {
+        let generators = without_shared(a.generators(), b.generators());
+        let halves: Vec<f64> = a.center().iter().chain(&b.center()).map(|c| c / 2.0).collect();
+        let displaced: [f64; D] = std::array::from_fn(|k| (halves[k] - halves[D + k]).abs());
+        let lists = [generators[0].as_flattened(), generators[1].as_flattened(), &displaced];
+        let largest = lists.iter().map(|list| largest_magnitude(list)).fold(0.0, f64::max);
+        let exponent = -i64::from(binary_exponent(largest).unwrap_or(0));
+        let displacement = std::array::from_fn(|k| scaled_difference(a.center()[k], b.center()[k], exponent));
+        let generators =
+            generators.map(|list| list.iter().map(|g| g.map(|c| scale_by_power_of_two(c, exponent))).collect());
+        Self { generators, displacement, exponent }
+    }
+
+    /// h_A − h_B for even and h_B − h_A for odd `side`, with the displacement among the farther generators.
+    pub(super) fn difference(&self, side: usize) -> Difference<D> {
+        let mut farther = self.generators[side].clone();
+        if self.displacement != [0.0; D] {
+            farther.push(self.displacement);
+        }
+        Difference { farther, nearer: self.generators[1 - side].clone() }
+    }
+
+    /// A length in the units of the input, not above it.
+    pub(super) fn unscaled_below(&self, length: f64) -> f64 {
+        let value = PowerOfTwo::new(-self.exponent).apply(length);
+        if value < f64::MIN_POSITIVE { value.next_down().max(0.0) } else { value }
+    }
+
+    /// A length in the units of the input, not below it.
+    pub(super) fn unscaled_above(&self, length: f64) -> f64 {
+        let value = PowerOfTwo::new(-self.exponent).apply(length);
+        if value < f64::MIN_POSITIVE && length > 0.0 { value.next_up() } else { value }
+    }
+}
+
+impl<const D: usize> Difference<D> {
+    /// What bounds the rounding errors of sums of products ± u · v over the generators.
+    pub(super) fn rounding(&self) -> Rounding {
+        let count = (self.farther.len() + self.nearer.len()) as f64;
+        let magnitude: f64 = [&self.farther, &self.nearer].iter().flat_map(|list| Extents::new(list).sums()).sum();
+        Rounding { of_addition: UNIT * magnitude * LONG_SUM, underflow: count * PRODUCT_UNDERFLOW }
+    }
+
+    /// A convex function that is nowhere less: Σ |u · r| with r = b − Σ ± v for each farther generator b and the nearer
+    /// generators v given to it, by |u · b| ≤ |u · r| + Σ |u · v|.
+    ///
+    /// Every nearer generator goes to the farther one whose direction is nearest to its own. Where each b is nearly the
+    /// sum of its own, this is nearly the difference itself, however small that is. O(n k).
+    pub(super) fn convex_bound(&self) -> Self {
+        let unit = |b: &[f64; D]| {
+            let length = dot(b, b).sqrt();
+            b.map(|c| c / length)
+        };
+        let units: Vec<[f64; D]> = self.farther.iter().map(unit).collect();
+        let mut left = self.farther.clone();
+        let mut tails = vec![[0.0; D]; left.len()];
+        for v in &self.nearer {
+            let (mut nearest, mut product) = (None, 0.0f64);
+            for (index, u) in units.iter().enumerate() {
+                let along = dot(u, v);
+                if along.abs() > product.abs() {
+                    (nearest, product) = (Some(index), along);
+                }
+            }
+            if let Some(index) = nearest {
+                for (k, c) in v.iter().enumerate() {
+                    let (sum, rest) = exact_sum(left[index][k], if product < 0.0 { *c } else { -c });
+                    left[index][k] = sum;
+                    tails[index][k] += rest;
+                }
+            }
+        }
+        left.iter_mut().zip(&tails).for_each(|(sum, tail)| add_multiple(sum, 1.0, tail));
+        Self { farther: left, nearer: Vec::new() }
+    }
+
+    /// Whether nothing is left of it.
+    pub(super) fn is_zero(&self) -> bool {
+        self.farther.is_empty() && self.nearer.is_empty()
+    }
+}
+
+/// The generators of two bodies without zero ones and without those, up to sign, that both have: as often as both have
+/// them, they add the same to both support functions. O(n log n).
+fn without_shared<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> [Vec<[f64; D]>; 2] {
+    let sorted = |list: &[[f64; D]]| {
+        let upward = |g: &[f64; D]| match g.iter().find(|&&c| c != 0.0) {
+            Some(&first) if first < 0.0 => Some(g.map(|c| 0.0 - c)),
+            Some(_) => Some(g.map(|c| c + 0.0)),
+            None => None,
+        };
+        let mut list: Vec<[f64; D]> = list.iter().filter_map(upward).collect();
+        list.sort_by(compare);
+        list
+    };
+    let (a, b) = (sorted(a), sorted(b));
+    let (mut i, mut j) = (0, 0);
+    let mut left = [Vec::new(), Vec::new()];
+    while i < a.len() && j < b.len() {
+        match compare(&a[i], &b[j]) {
+            Ordering::Less => {
+                left[0].push(a[i]);
+                i += 1;
+            }
+            Ordering::Greater => {
+                left[1].push(b[j]);
+                j += 1;
+            }
+            Ordering::Equal => (i, j) = (i + 1, j + 1),
+        }
+    }
+    left[0].extend(&a[i..]);
+    left[1].extend(&b[j..]);
+    left
+}
+
+fn compare<const D: usize>(a: &[f64; D], b: &[f64; D]) -> Ordering {
+    let orders = a.iter().zip(b).map(|(x, y)| x.total_cmp(y));
+    orders.fold(Ordering::Equal, Ordering::then)
+}
+
+/// Σ |u · v| over the vectors of some indices.
+pub(super) fn magnitude_sum<const D: usize>(vectors: &[[f64; D]], indices: &[u32], u: &[f64; D]) -> f64 {
+    indices.iter().map(|&index| dot(&vectors[index as usize], u).abs()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shared_generators_count_for_nothing() {
+        let a = [[1.0, 2.0], [0.0, -1.0], [0.0, 0.0], [-0.0, 1.0]];
+        let b = [[-1.0, -2.0], [0.0, 1.0], [3.0, 0.0]];
+        assert_eq!(without_shared(&a, &b), [vec![[0.0, 1.0]], vec![[3.0, 0.0]]]);
+    }
+}
