@@ -22,7 +22,7 @@ pub(super) fn best_on_line(query: &dyn KernelQuery, p: &ExactVector, line: usize
     let mut crossings = CrossingList::with_capacity(query.len());
     for (other, (value, rate)) in terms().enumerate() {
         let place = -value / (side * rate);
-        if place >= 0.0 && place < f64::INFINITY && other != line {
+        if (0.0..f64::INFINITY).contains(&place) && other != line {
             crossings.push(place, rate.abs(), other);
         }
     }
