@@ -16,7 +16,7 @@
 //!    direction in which p is beyond Z.
 //! 2. From there, simplices of extreme vertices come nearer and nearer to p in doubles, and tell how far the direction
 //!    of p − x may be from the one that is known (`direction_guess`). Near contact, where the rounding of sums hides
-//!    that direction, the vertices are summed up exactly (`vertices`).
+//!    that direction, the vertices are summed up exactly.
 //! 3. In the cone of these directions nearly all generators have a fixed sign. They are summed up, exactly (the
 //!    kernel's sign pass). What is left is the same problem for the few generators that cross the cone.
 //! 4. That problem is solved exactly: mostly at most two generators are left, and the point is in the interior of
@@ -67,9 +67,9 @@ mod face_point;
 mod fixed_signs;
 mod nearest_point;
 mod report;
+mod rounded_vertices;
 #[cfg(test)]
 mod tests;
-mod vertices;
 
 use super::Proximity;
 use crate::collision::by_lad::{locate_counted, locate_posed_counted};

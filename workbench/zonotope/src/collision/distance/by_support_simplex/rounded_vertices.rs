@@ -1,12 +1,8 @@
-//! Extreme vertices of a zonotope as seen from a displacement, in doubles of ordinary size: from sums in doubles, or
-//! from exact sums.
+//! Extreme vertices of a zonotope as seen from a displacement, in doubles of ordinary size.
 
-use super::fixed_signs::fixed_signs;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, difference};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm, max_norm};
 use crate::numeric::scaling::{PowerOfTwo, binary_exponent};
@@ -18,20 +14,8 @@ const NARROWING: f64 = 1.0 / 16.0;
 /// No generators are summed up where there are at most this many.
 const WORTHWHILE_COUNT: usize = 64;
 
-/// Whoever has the extreme vertices.
-pub(super) trait Vertices {
-    /// How many generators a vertex is made of.
-    fn read_count(&self) -> usize;
-
-    /// The extreme vertex in a direction, and what nearest points of simplices of such vertices are off by rounding.
-    fn extreme(&mut self, direction: &[f64; 3]) -> ([f64; 3], f64);
-
-    /// From now on directions are in a cone.
-    fn narrow(&mut self, cone: &DirectionCone);
-}
-
-/// Sums in doubles. As soon as the directions are in a narrow cone, the generators whose sign is fixed in it are summed
-/// up once and for all, and the passes that follow read the others alone.
+/// Sums in doubles. As soon as directions are known to be in a narrow cone, the generators whose sign is fixed in it are
+/// summed up once and for all, and the passes that follow read the others alone.
 pub(super) struct RoundedVertices<'q> {
     query: &'q dyn KernelQuery,
     p: [f64; 3],
@@ -59,14 +43,14 @@ impl<'q> RoundedVertices<'q> {
             }
         }
     }
-}
 
-impl Vertices for RoundedVertices<'_> {
-    fn read_count(&self) -> usize {
+    /// How many generators a vertex is summed up from.
+    pub(super) fn read_count(&self) -> usize {
         self.narrowed.as_ref().map_or(self.query.len(), |(_, vectors, _)| vectors.len())
     }
 
-    fn extreme(&mut self, direction: &[f64; 3]) -> ([f64; 3], f64) {
+    /// The extreme vertex in a direction, and what nearest points of simplices of such vertices are off by rounding.
+    pub(super) fn extreme(&mut self, direction: &[f64; 3]) -> ([f64; 3], f64) {
         let (fixed, crossing) = self.split(&DirectionCone { center: *direction, axes: None, ball: 0.0 });
         let sum = crossing.iter().fold(fixed.sum, |sum, v| {
             let sign = f64::copysign(1.0, dot(v, direction));
@@ -79,7 +63,8 @@ impl Vertices for RoundedVertices<'_> {
         (vertex.map(|c| scale.apply(c)), rounding)
     }
 
-    fn narrow(&mut self, cone: &DirectionCone) {
+    /// From now on directions are in a cone.
+    pub(super) fn narrow(&mut self, cone: &DirectionCone) {
         let width = cone.ball / euclidean_norm(&cone.center);
         let last = self.narrowed.as_ref().map_or(1.0, |(_, _, width)| *width);
         if width <= NARROWING * last && self.read_count() > WORTHWHILE_COUNT {
@@ -87,39 +72,4 @@ impl Vertices for RoundedVertices<'_> {
             self.narrowed = Some((fixed, crossing, width));
         }
     }
-}
-
-/// Exact sums, rounded after the displacement was subtracted. A vertex is off by a unit in its own last place, however
-/// many generators there are.
-pub(super) struct ExactVertices<'q> {
-    query: &'q dyn KernelQuery,
-    p: &'q ExactVector,
-    /// The exponent of the first vertex, by which all are scaled.
-    exponent: Option<i64>,
-    /// The longest vertex so far.
-    longest: f64,
-}
-
-impl<'q> ExactVertices<'q> {
-    pub(super) fn new(query: &'q dyn KernelQuery, p: &'q ExactVector) -> Self {
-        Self { query, p, exponent: None, longest: 0.0 }
-    }
-}
-
-impl Vertices for ExactVertices<'_> {
-    fn read_count(&self) -> usize {
-        self.query.len()
-    }
-
-    fn extreme(&mut self, direction: &[f64; 3]) -> ([f64; 3], f64) {
-        let cone = DirectionCone { center: *direction, axes: None, ball: 0.0 };
-        let vertex = difference(&self.query.signed_sum(&fixed_signs(self.query, &cone, &[])), self.p);
-        let exponent =
-            *self.exponent.get_or_insert_with(|| vertex.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0));
-        let vertex = vertex.map(|c| c.scaled(-exponent).to_f64());
-        self.longest = self.longest.max(euclidean_norm(&vertex));
-        (vertex, NEAREST_POINT_ROUNDING * self.longest)
-    }
-
-    fn narrow(&mut self, _: &DirectionCone) {}
 }
