@@ -2,8 +2,8 @@
 //!
 //! # Statement
 //! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own answer.
-//! Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
+//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
+//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
 //!
 //! # Source
 //! Not in the paper: A. Girard, Reachability of uncertain linear systems using zonotopes, 2005; the rule most used in
