@@ -130,8 +130,7 @@ fn in_chart<const D: usize>(problem: &Problem<'_, D>, vectors: &[[f64; D]], char
     let generators = times_power_of_two(&generators, exponent_of(own));
     let projected: Vec<[f64; D]> = own.iter().map(|v| chart.projected(v)).collect();
     let enclosing = enclosing(&projected, rank, generators)?;
-    let lifted = chart.lifted(&enclosing, own);
-    lifted.as_flattened().iter().all(|c| c.is_finite()).then_some(lifted)
+    chart.lifted(&enclosing, own)
 }
 
 /// The generators times the covering factor and a margin, so that they enclose the body exactly.

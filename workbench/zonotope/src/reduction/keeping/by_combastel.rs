@@ -32,7 +32,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_combastel::combastel}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_combastel::combastel}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[8.0, 0.0], [3.0, 3.0], [0.5, 0.25], [0.0, 2.0]])?;
 //! let reduced = combastel(&Problem::new(&body, 3)?)?;
 //! // (8, 0) is the longest, and the box of the others has the half-lengths 7/2 and 21/4

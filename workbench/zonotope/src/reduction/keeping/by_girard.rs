@@ -33,7 +33,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_girard::girard}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_girard::girard}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [3.0, 3.0], [0.5, 0.25], [0.0, 2.0]])?;
 //! let reduced = girard(&Problem::new(&body, 3)?)?;
 //! // (3, 3) is farthest from the axes, and the box of the others has the half-lengths 3/2 and 9/4

@@ -37,7 +37,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_pca::pca}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_pca::pca}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[2.0, 2.0], [1.0, 1.0], [1.0, -1.0]])?;
 //! let reduced = pca(&Problem::new(&body, 2)?)?;
 //! // the box along the diagonals is the body itself, but for the rounding of the half-lengths

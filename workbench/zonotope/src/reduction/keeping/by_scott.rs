@@ -39,7 +39,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_scott::scott}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_scott::scott}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[4.0, 0.0], [0.0, 4.0], [1.0, 0.0], [1.0, 1.0]])?;
 //! let reduced = scott(&Problem::new(&body, 3)?)?;
 //! // (1, 0) is parallel to the frame, and costs nothing
