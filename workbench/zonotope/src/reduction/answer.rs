@@ -64,8 +64,8 @@ impl<const D: usize> Reduced<D> {
 pub enum Containment {
     /// Every generator is written in terms of the enclosing ones.
     Shares(Shares),
-    /// Along every facet normal of the enclosing zonotope, the other one reaches no farther. Its facet normals are those
-    /// of the hyperplanes that its generators span, so nothing has to be listed;
+    /// Along every facet normal of the enclosing zonotope, the other one reaches no farther. Its facet normals are
+    /// those of the hyperplanes that its generators span, so nothing has to be listed;
     /// [`brute_force::contains`](super::brute_force::contains) checks them all.
     FacetNormals,
 }

@@ -2,9 +2,10 @@
 //! box takes the rest.
 //!
 //! # Statement
-//! Input: a zonotope A in R^D and ε in (0, 1), or a count k ≥ D. Output: a zonotope B with the same centre that contains
-//! A exactly, with a proof by [`Shares`](super::Shares). For ε the Hausdorff distance is at most ε times the diameter of
-//! A; for a count there are at most k generators. Flat bodies, zero and parallel generators are ordinary input.
+//! Input: a zonotope A in R^D and ε in (0, 1), or a count k ≥ D. Output: a zonotope B with the same centre that
+//! contains A exactly, with a proof by [`Shares`](super::Shares). For ε the Hausdorff distance is at most ε times the
+//! diameter of A; for a count there are at most k generators. Flat bodies, zero and parallel generators are ordinary
+//! input.
 //!
 //! # Source
 //! Lemma 5.5, with these departures. The patches are cells of a grid on the faces of a cube, in any dimension; a patch
@@ -29,8 +30,8 @@
 //! `generators`: n × D, half-segments, any order.
 //!
 //! # Numerics
-//! Which patch a generator belongs to and how much of it goes there is rounded; what is left of it is exact, and the box
-//! is rounded up to doubles, so containment is exact.
+//! Which patch a generator belongs to and how much of it goes there is rounded; what is left of it is exact, and the
+//! box is rounded up to doubles, so containment is exact.
 //!
 //! # Errors
 //! [`BadEpsilon`](super::ReductionError::BadEpsilon) ⇔ ε is not in (0, 1);

@@ -47,7 +47,7 @@ impl<const D: usize> Scaled<D> {
 }
 
 impl<'a, const D: usize> Facets<'a, D> {
-    /// The facets of a body; `None` if its generators do not span the first `rank` coordinates.
+    /// The facets of a body; `None` if its generators do not span the first `rank` coordinates, or are not finite.
     pub(super) fn new(outer: &'a [[f64; D]], rank: usize) -> Option<Self> {
         let unit = |g: &[f64; D]| {
             let exponent = binary_exponent(largest_magnitude(g)).unwrap_or(0);
@@ -57,7 +57,8 @@ impl<'a, const D: usize> Facets<'a, D> {
                 Bounded { value, error: if is_exact { 0.0 } else { PRODUCT_UNDERFLOW } }
             })
         };
-        let spans = Span::of_doubles(outer).rank() == rank && rank > 0;
+        let is_finite = outer.as_flattened().iter().all(|c| c.is_finite());
+        let spans = is_finite && rank > 0 && Span::of_doubles(outer).rank() == rank;
         spans.then(|| Self { outer, rank, unit: outer.iter().map(unit).collect() })
     }
 

@@ -100,7 +100,8 @@ mod tests {
 
     #[test]
     fn shares_worked_out_by_hand() {
-        // (2, 1) and (2, −1) are half of (4, 0) each, and the box [−1, 1] along y takes what is left: 1/2 of (0, 2) each
+        // (2, 1) and (2, −1) are half of (4, 0) each, and the box [−1, 1] along y takes what is left: 1/2 of (0, 2)
+        // each
         let inner = Zonotope::new([0.0; 2], vec![[2.0, 1.0], [2.0, -1.0]]).unwrap();
         let outer = Zonotope::new([0.0; 2], vec![[4.0, 0.0], [0.0, 2.0]]).unwrap();
         let half = Some(Share { generator: 0, coefficient: 0.5 });

@@ -81,8 +81,8 @@ impl<const D: usize> Chart<D> {
     }
 
     /// Generators around a body, from generators around its projection: those on the graph of the linear functions, and
-    /// one along each coordinate axis that was left out.
-    pub(super) fn lifted(&self, projections: &[[f64; D]], body: &[[f64; D]]) -> Vec<[f64; D]> {
+    /// one along each coordinate axis that was left out; `None` if one leaves the range of doubles.
+    pub(super) fn lifted(&self, projections: &[[f64; D]], body: &[[f64; D]]) -> Option<Vec<[f64; D]>> {
         let mut lost: [Dyadic; D] = std::array::from_fn(|_| Dyadic::zero());
         let mut generators: Vec<[f64; D]> = projections
             .iter()
@@ -93,6 +93,10 @@ impl<const D: usize> Chart<D> {
                 v
             })
             .collect();
+        let are_finite = |list: &[[f64; D]]| list.as_flattened().iter().all(|c| c.is_finite());
+        if !are_finite(&generators) {
+            return None;
+        }
         for v in generators.iter().chain(body) {
             for (c, rates) in &self.others {
                 let terms = rates.iter().zip(v).filter(|(rate, _)| **rate != 0.0);
@@ -103,7 +107,7 @@ impl<const D: usize> Chart<D> {
             }
         }
         generators.extend(axis_generators(lost.each_ref().map(at_least)));
-        generators
+        are_finite(&generators).then_some(generators)
     }
 }
 
@@ -118,7 +122,7 @@ mod tests {
         assert_eq!(charts.iter().map(Chart::rank).collect::<Vec<_>>(), [2]);
         let projected: Vec<[f64; 3]> = flat.iter().map(|v| charts[0].projected(v)).collect();
         assert!(projected.iter().all(|v| v[2] == 0.0));
-        let lifted = charts[0].lifted(&projected, &flat);
+        let lifted = charts[0].lifted(&projected, &flat).unwrap();
         assert!(lifted.len() <= 10);
         for (a, b) in lifted.iter().zip(&flat) {
             assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-14), "{a:?} for {b:?}");

@@ -14,8 +14,8 @@ use crate::numeric::lanes::absolute_sum;
 use crate::numeric::lanes::octet::LANES;
 use crate::numeric::linear::dot;
 
-/// Sampled directions for each generator, and as many facet normals: the difference changes over the width of a cluster,
-/// which some directions have to cover.
+/// Sampled directions for each generator, and as many facet normals: the difference changes over the width of a
+/// cluster, which some directions have to cover.
 const DIRECTIONS_PER_GENERATOR: usize = 32;
 
 /// Facet normals among which those of a stage are chosen: at most this many, and at most this many generators of the

@@ -2,8 +2,8 @@
 //!
 //! A cluster's sum has its direction; its length is the sum of the lengths of its members. That is more than the sum is
 //! long, and it makes the mean of |b · u| over all directions u that of Σ |v · u|: the zonotope of the clusters is as
-//! wide as the body on average. Plain sums are narrower everywhere by about 1 / k, which would have to be made up for by
-//! a factor.
+//! wide as the body on average. Plain sums are narrower everywhere by about 1 / k, which would have to be made up for
+//! by a factor.
 
 use crate::numeric::linear::{add_multiple, dot};
 

@@ -1,8 +1,8 @@
 //! Order reduction, by cluster sums that are fitted to the body and scaled by the exact factor: the default.
 //!
 //! # Statement
-//! Input: a zonotope A in R^D and a count k ≥ D. Output: a zonotope B with the same centre and at most k generators that
-//! contains A exactly. The proof is the check of all facet normals of B. A body of at most k generators is its own
+//! Input: a zonotope A in R^D and a count k ≥ D. Output: a zonotope B with the same centre and at most k generators
+//! that contains A exactly. The proof is the check of all facet normals of B. A body of at most k generators is its own
 //! answer. Flat and thin bodies, zero and parallel generators are ordinary input.
 //!
 //! # Source
@@ -12,8 +12,9 @@
 //! that no mean difference is left to the factor, and the generators are fitted to the body's support function.
 //!
 //! # Method
-//! 1. Leave out coordinates that are nearly functions of the others (`chart`): a thin body is reduced in the plane along
-//!    which it lies, and a generator along each axis left out makes up for its thickness. All such charts are tried.
+//! 1. Leave out coordinates that are nearly functions of the others (`chart`): a thin body is reduced in the plane
+//!    along which it lies, and a generator along each axis left out makes up for its thickness. All such charts are
+//!    tried.
 //! 2. Cluster the generators by direction, by Lloyd's rounds from directions far from each other (`k_means`).
 //! 3. Fit the generators to the body along sampled directions and the facet normals of the zonotope where it is
 //!    narrowest (`fit`), by quasi-Newton steps on a rising power of the differences.
@@ -129,8 +130,7 @@ fn in_chart<const D: usize>(problem: &Problem<'_, D>, vectors: &[[f64; D]], char
     let generators = times_power_of_two(&generators, exponent_of(own));
     let projected: Vec<[f64; D]> = own.iter().map(|v| chart.projected(v)).collect();
     let enclosing = enclosing(&projected, rank, generators)?;
-    let lifted = chart.lifted(&enclosing, own);
-    lifted.as_flattened().iter().all(|c| c.is_finite()).then_some(lifted)
+    chart.lifted(&enclosing, own)
 }
 
 /// The generators times the covering factor and a margin, so that they enclose the body exactly.

@@ -10,8 +10,8 @@
 //! generators.
 //!
 //! # Method
-//! 1. On a face of the arrangement the difference of the support functions is linear, l · u with l = Σ ± a − Σ ± b. If a
-//!    unit vector in the face is a maximum, it is the projection of l on the span of the face, up to its length: the
+//! 1. On a face of the arrangement the difference of the support functions is linear, l · u with l = Σ ± a − Σ ± b. If
+//!    a unit vector in the face is a maximum, it is the projection of l on the span of the face, up to its length: the
 //!    subspace orthogonal to the generators that vanish there, D − 1 at most of which are independent.
 //! 2. So for all signs and all sets of at most D − 1 generators, project l on the subspace orthogonal to the set, and
 //!    take the difference of the support functions there. No value exceeds the maximum, and one attains it.

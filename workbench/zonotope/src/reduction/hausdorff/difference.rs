@@ -77,7 +77,7 @@ impl<const D: usize> ScaledBodies<D> {
     /// A length in the units of the input, not above it.
     pub(super) fn unscaled_below(&self, length: f64) -> f64 {
         let value = PowerOfTwo::new(-self.exponent).apply(length);
-        if value < f64::MIN_POSITIVE { value.next_down().max(0.0) } else { value }
+        if value < f64::MIN_POSITIVE { value.next_down().max(0.0) } else { value.min(f64::MAX) }
     }
 
     /// A length in the units of the input, not below it.

@@ -2,9 +2,9 @@
 //!
 //! # Statement
 //! Input: a zonotope in R^D and ε in (0, 1), or a count k ≥ D. Output: a zonotope with the same centre that contains it
-//! exactly, with a proof by [`Shares`](super::super::Shares). For ε the Hausdorff distance is at most ε times the diagonal of
-//! the body's bounding box, up to rounding. For a count there are at most k generators, and fewer where the bound
-//! allows it at no cost. Flat bodies, zero and parallel generators are ordinary input.
+//! exactly, with a proof by [`Shares`](super::super::Shares). For ε the Hausdorff distance is at most ε times the
+//! diagonal of the body's bounding box, up to rounding. For a count there are at most k generators, and fewer where the
+//! bound allows it at no cost. Flat bodies, zero and parallel generators are ordinary input.
 //!
 //! # Source
 //! Not in the paper: M. Wetzlinger, A. Kulmburg and M. Althoff, Adaptive parameter tuning for reachability analysis of
@@ -15,8 +15,8 @@
 //! 2. For one generator, its box exceeds its segment by at most 2 |v'|, v' the vector of |v_k| with the largest
 //!    coordinate left out: the segment covers that coordinate. So the box of the first m exceeds them by at most
 //!    2 |Σ v'|.
-//! 3. Take the greatest m for which that is at most ε times the diagonal; for a count, the greatest m whose bound is not
-//!    above that of the least m that leaves k generators.
+//! 3. Take the greatest m for which that is at most ε times the diagonal; for a count, the greatest m whose bound is
+//!    not above that of the least m that leaves k generators.
 //!
 //! # Complexity
 //! O(n log n) comparisons and O(n D) exact additions; O(n) space.

@@ -2,8 +2,8 @@
 //!
 //! # Statement
 //! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own answer.
-//! Flat bodies, zero and parallel generators are ordinary input; of equally long generators the first are kept.
+//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
+//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally long generators the first are kept.
 //!
 //! # Source
 //! Not in the paper: C. Combastel, A state bounding observer based on zonotopes, 2003.
@@ -32,7 +32,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_combastel::combastel}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_combastel::combastel}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[8.0, 0.0], [3.0, 3.0], [0.5, 0.25], [0.0, 2.0]])?;
 //! let reduced = combastel(&Problem::new(&body, 3)?)?;
 //! // (8, 0) is the longest, and the box of the others has the half-lengths 7/2 and 21/4

@@ -2,8 +2,8 @@
 //!
 //! # Statement
 //! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own answer.
-//! Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
+//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
+//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
 //!
 //! # Source
 //! Not in the paper: A. Girard, Reachability of uncertain linear systems using zonotopes, 2005; the rule most used in
@@ -33,7 +33,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_girard::girard}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_girard::girard}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [3.0, 3.0], [0.5, 0.25], [0.0, 2.0]])?;
 //! let reduced = girard(&Problem::new(&body, 3)?)?;
 //! // (3, 3) is farthest from the axes, and the box of the others has the half-lengths 3/2 and 9/4

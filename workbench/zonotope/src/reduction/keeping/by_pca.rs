@@ -3,8 +3,8 @@
 //!
 //! # Statement
 //! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own answer.
-//! Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
+//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
+//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are kept.
 //!
 //! # Source
 //! Not in the paper: A.-K. Kopetzki, B. Schürmann and M. Althoff, Methods for order reduction of zonotopes, 2017. The
@@ -37,11 +37,12 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_pca::pca}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_pca::pca}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[2.0, 2.0], [1.0, 1.0], [1.0, -1.0]])?;
 //! let reduced = pca(&Problem::new(&body, 2)?)?;
 //! // the box along the diagonals is the body itself, but for the rounding of the half-lengths
-//! let area: f64 = { let [[a, b], [c, d]] = [reduced.body.generators()[0], reduced.body.generators()[1]]; a * d - b * c };
+//! let [[a, b], [c, d]] = *reduced.body.generators() else { panic!("two edges") };
+//! let area: f64 = a * d - b * c;
 //! assert!(area.abs() >= 6.0 && area.abs() < 6.0 + 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -3,8 +3,9 @@
 //!
 //! # Statement
 //! Input: a zonotope in R^D and a count k ≥ D. Output: a zonotope with the same centre and at most k generators that
-//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own answer.
-//! Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are taken.
+//! contains it exactly, with a proof by [`Shares`](super::super::Shares). A body of at most k generators is its own
+//! answer. Flat bodies, zero and parallel generators are ordinary input; of equally good generators the first are
+//! taken.
 //!
 //! # Source
 //! Not in the paper: J. K. Scott, D. M. Raimondo, G. R. Marseglia and R. D. Braatz, Constrained zonotopes, 2016, where
@@ -38,7 +39,7 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::{Problem, by_scott::scott}};
+//! use zonotope::{Zonotope, reduction::{Problem, keeping::by_scott::scott}};
 //! let body = Zonotope::new([0.0, 0.0], vec![[4.0, 0.0], [0.0, 4.0], [1.0, 0.0], [1.0, 1.0]])?;
 //! let reduced = scott(&Problem::new(&body, 3)?)?;
 //! // (1, 0) is parallel to the frame, and costs nothing
