@@ -115,7 +115,7 @@ impl<const D: usize> Proximity<D> {
 }
 
 impl<const D: usize> Gap<D> {
-    /// The distance, within two units in the last place; infinite where it leaves the range of doubles.
+    /// The distance, positive and within two units in the last place; infinite where it leaves the range of doubles.
     pub fn distance(&self) -> f64 {
         rounded_length(&self.along, &dot(&self.direction, &self.direction))
     }
@@ -154,12 +154,13 @@ impl<const D: usize> Gap<D> {
 /// length `square` has the product `along` with. Infinite where it leaves the range of doubles.
 ///
 /// The quotient is rounded to little more than half a unit in its last place, which the root halves, and the root is
-/// rounded itself. What is left is a power of two, whose product is rounded only where it is subnormal.
+/// rounded itself. What is left is a power of two, whose product is rounded only where it is subnormal; what would be
+/// rounded to 0 there is the smallest double, so that a positive length stays positive.
 pub(super) fn rounded_length(along: &Dyadic, square: &Dyadic) -> f64 {
     let numerator = along * along;
     let size = |number: &Dyadic| number.binary_exponent().expect("the numbers are not zero");
     // half of this is the exponent of the root
     let exponent = (size(&numerator) - size(square)).div_euclid(2) * 2;
     let quotient = numerator.scaled(-exponent).rounded_ratio(square);
-    scale_by_power_of_two(quotient.sqrt(), exponent / 2)
+    scale_by_power_of_two(quotient.sqrt(), exponent / 2).max(f64::from_bits(1))
 }

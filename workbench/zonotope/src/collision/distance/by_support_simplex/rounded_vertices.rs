@@ -14,8 +14,8 @@ const NARROWING: f64 = 1.0 / 16.0;
 /// No generators are summed up where there are at most this many.
 const WORTHWHILE_COUNT: usize = 64;
 
-/// Sums in doubles. As soon as directions are known to be in a narrow cone, the generators whose sign is fixed in it are
-/// summed up once and for all, and the passes that follow read the others alone.
+/// Sums in doubles. As soon as directions are known to be in a narrow cone, the generators whose sign is fixed in it
+/// are summed up once and for all, and the passes that follow read the others alone.
 pub(super) struct RoundedVertices<'q> {
     query: &'q dyn KernelQuery,
     p: [f64; 3],
