@@ -195,9 +195,9 @@ fn distances_at_the_ends_of_the_range() {
     let tiny = f64::from_bits(1);
     assert_eq!(point([0.0; 3]).proximity(&point([tiny, 0.0, 0.0])).distance(), tiny);
     assert_eq!(point([0.0; 3]).proximity(&point([3.0 * tiny, 4.0 * tiny, 0.0])).distance(), 5.0 * tiny);
-    // the plane through three points on the axes passes the origin at 1 / √3 of the least double
-    let triangle = [[-tiny, tiny, 0.0], [-tiny, 0.0, tiny]];
-    let face = Zonotope::new([tiny, 0.0, 0.0], triangle.to_vec()).expect("finite");
+    // the plane x + 2 y + 2 z = tiny passes the origin at a third of the least double, which would be rounded to 0
+    let plane = [[-2.0 * tiny, tiny, 0.0], [-2.0 * tiny, 0.0, tiny]];
+    let face = Zonotope::new([tiny, 0.0, 0.0], plane.to_vec()).expect("finite");
     assert_eq!(face.proximity(&point([0.0; 3])).distance(), tiny);
     assert_eq!(point([0.0; 3]).proximity(&point([3e307, 4e307, 0.0])).distance(), 5e307);
     assert_eq!(point([f64::MIN; 3]).proximity(&point([f64::MAX; 3])).distance(), f64::INFINITY);
