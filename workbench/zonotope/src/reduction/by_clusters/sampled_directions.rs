@@ -60,7 +60,8 @@ fn direction<const D: usize>(rank: usize, steps: &[f64], index: usize) -> ([f64;
         density *= 1.0 + u[axis] * u[axis];
     }
     let length = dot(&u, &u).sqrt();
-    (u.map(|c| c / length), density / length.powi(rank as i32))
+    // by products: a power of the standard library may have other last bits on another machine
+    (u.map(|c| c / length), (0..rank).fold(density, |weight, _| weight / length))
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
-//! The best vertex on the line of a generator, in doubles: where a pair of generators that a search ended at is none,
-//! because the two are parallel, and rounding has made their lines meet far away.
+//! The best vertex on the line of a generator, in doubles: where pivots begin if a search ended at no vertex.
+//!
+//! A search may end at two parallel generators, whose lines rounding has made meet far away, or it may prove nothing at
+//! all.
 
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::guess::crossings::CrossingList;
