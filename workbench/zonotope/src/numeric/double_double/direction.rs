@@ -2,12 +2,13 @@
 //! not orthogonal to u.
 //!
 //! Each coordinate of u is rounded once, to about 98 bits with an exponent of its own, and so is each product. So the
-//! sizes of coordinates and vectors may be any distance apart.
+//! sizes of coordinates and vectors may be any distance apart. The product of v with the first doubles alone, which
+//! takes a thirtieth of the time, comes first: it is far enough from 0 for most vectors.
 
 use super::BoundedDoubleDouble;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
-use crate::numeric::tolerance::{PAIRABLE_EXPONENT, PAIRABLE_SIZES};
+use crate::numeric::tolerance::{PAIRABLE_EXPONENT, PAIRABLE_SIZES, PRODUCT_OF_ROUNDED_VECTORS, PRODUCT_UNDERFLOW};
 
 /// An exact direction of space, rounded to two doubles a coordinate.
 pub(crate) struct DoubleDoubleDirection {
@@ -34,6 +35,13 @@ impl DoubleDoubleDirection {
 
     /// The sign of v · u, if two doubles a coordinate tell it and it is not zero.
     pub(crate) fn certain_sign(&self, v: &[f64; 3]) -> Option<i8> {
+        if let Some(direction) = &self.moderate {
+            let [x, y, z] = [0, 1, 2].map(|k| direction[k].high * v[k]);
+            let (value, size) = (x + y + z, x.abs() + y.abs() + z.abs());
+            if value.abs() > PRODUCT_OF_ROUNDED_VECTORS * size + PRODUCT_UNDERFLOW {
+                return Some(if value > 0.0 { 1 } else { -1 });
+            }
+        }
         if let Some(product) = self.moderate_product(v) {
             return product.sign();
         }

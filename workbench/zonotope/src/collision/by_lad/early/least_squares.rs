@@ -15,7 +15,7 @@ use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::lanes::body_sums::{squares, squares_at};
+use crate::numeric::lanes::body_sums::squares_at;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
@@ -177,10 +177,14 @@ impl Carried for Weighted {
 /// Tells where p is relative to a few generators, whose coefficients are in terms of their own lengths if `OWN`.
 #[inline(always)]
 pub(crate) fn tell<const OWN: bool>(query: &impl EarlyQuery, p: &BoundedVector) -> Result<Clear, Open> {
-    // all passes at once, for a few generators on the instructions that every machine has: what calling a function for
-    // wider ones costs is more than they spare there
-    let level = if OWN && query.count() < LANES { Level::baseline() } else { level() };
-    dispatch!(level, simd => tell_at::<_, OWN>(simd, query, p))
+    dispatch!(level_for(query.count()), simd => tell_at::<_, OWN>(simd, query, p))
+}
+
+/// The vector instructions for all passes of a question at once: for a few generators those that every machine has, as
+/// calling a function for wider ones costs more than they spare there.
+#[inline(always)]
+fn level_for(count: usize) -> Level {
+    if count < LANES { Level::baseline() } else { level() }
 }
 
 #[inline(always)]
@@ -245,12 +249,22 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
 
 /// The proof that p is in a flat body, by coefficients in terms of their own lengths.
 pub(crate) fn tell_flat(query: &Query<'_, 3>, p: &BoundedVector, plane: &SimplePlane) -> Result<Witness, Open> {
+    dispatch!(level_for(query.len()), simd => tell_flat_at(simd, query, p, plane))
+}
+
+#[inline(always)]
+fn tell_flat_at<S: Simd>(
+    simd: S,
+    query: &Query<'_, 3>,
+    p: &BoundedVector,
+    plane: &SimplePlane,
+) -> Result<Witness, Open> {
     let (runs, n) = (query.rows(), query.len());
-    let moments = Moments::of_squares(squares::<true>(runs));
+    let moments = Moments::of_squares(squares_at::<_, true>(simd, runs));
     let own = [p[0].value, p[1].value, p[2].value];
     let (y, is_thick) = moments.with_normal(&plane.normal).solve(&own);
     let mut coefficients = vec![0.0; n];
-    let sums = dispatch!(level(), simd => write::<_, true>(simd, runs, &y, &mut coefficients));
+    let sums = write::<_, true>(simd, runs, &y, &mut coefficients);
     if is_thick && sums.largest <= WELL_WITHIN {
         let magnitude = magnitude::<true>(&moments, n);
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
