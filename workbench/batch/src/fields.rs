@@ -104,6 +104,13 @@ impl<'a> Fields<'a> {
         (0..).zip(rows).map(|(index, row)| vector_at(row, &place, index)).collect()
     }
 
+    /// The text under `name`.
+    pub(super) fn text(&self, name: &str) -> Result<&'a str, Refusal> {
+        let value = self.value(name);
+        let place = self.place.field(name);
+        value.text().ok_or_else(|| Refusal::bad_input(format!("`{place}` is {}, not a string", value.describe())))
+    }
+
     /// The number under `name`.
     pub(super) fn number(&self, name: &str) -> Result<f64, Refusal> {
         number(self.value(name), &self.place.field(name))

@@ -6,6 +6,10 @@ use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation};
 use crate::json::vector_to_json;
 use crate::refusal::{Code, Refusal};
 
+/// The fields of a zonotope, and those that it may have.
+pub(super) const BODY: [&str; 2] = ["center", "generators"];
+pub(super) const PLACED: [&str; 1] = ["pose"];
+
 /// What a kind asks of its methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Task {

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
-use super::collision::{Task, certificate, locate, posed_method};
+use super::collision::{BODY, PLACED, Task, certificate, locate, posed_method};
 use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
@@ -17,10 +17,6 @@ pub(super) const KIND: Kind = Kind {
     methods: || Task::Locate.method_names(),
     solve,
 };
-
-/// The fields of a zonotope, and those that it may have.
-const BODY: [&str; 2] = ["center", "generators"];
-const PLACED: [&str; 1] = ["pose"];
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];

@@ -2,13 +2,16 @@
 
 mod collision;
 mod combinatorics;
+mod distance;
 mod gauge;
+mod hausdorff;
 mod intersect;
 mod member;
 mod member_batch;
 mod min_area;
 mod min_length_all;
 mod min_length_dirs;
+mod reduce;
 mod separator;
 mod slope_selection;
 mod support;
@@ -43,6 +46,10 @@ pub static KINDS: &[Kind] = &[
     member::KIND,
     intersect::KIND,
     gauge::KIND,
+    distance::KIND,
+    reduce::APPROX,
+    reduce::REDUCE,
+    hausdorff::KIND,
     member_batch::KIND,
     support::KIND,
     combinatorics::KIND,

@@ -5,13 +5,15 @@
 //! of the hyperplanes that its generators span. A normal in doubles comes with the error of each coordinate; times the
 //! extents of the bodies that bounds the error of the reaches along it.
 
+use std::array;
+
 use crate::numeric::bounded::Bounded;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{Span, exact, hyperplane_normal, sum_of_products};
 use crate::numeric::lanes::{Extents, absolute_sum};
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
 use crate::numeric::subsets::for_each_subset;
-use crate::numeric::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW};
+use crate::numeric::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW};
 
 /// Generators of a body that spans the first `rank` coordinates, if it spans them: the others are 0.
 pub(super) struct Facets<'a, const D: usize> {
@@ -83,7 +85,7 @@ impl<'a, const D: usize> Facets<'a, D> {
                 let rows: Vec<&[Bounded]> = chosen.iter().map(|&index| &self.unit[index][..self.rank]).collect();
                 let normal = hyperplane_normal(&rows);
                 let coordinate = |k: usize| normal.get(k).copied().unwrap_or(Bounded::exact(0.0));
-                goes_on = visit(chosen, std::array::from_fn(coordinate));
+                goes_on = visit(chosen, array::from_fn(coordinate));
             }
         });
     }
@@ -109,26 +111,37 @@ impl<'a, const D: usize> Facets<'a, D> {
         let rows: Vec<[f64; D]> = chosen.iter().map(|&index| self.unit[index].map(|c| c.value)).collect();
         let rows: Vec<&[f64]> = rows.iter().map(|row| &row[..self.rank]).collect();
         let normal = hyperplane_normal(&rows);
-        std::array::from_fn(|k| normal.get(k).copied().unwrap_or(0.0))
+        array::from_fn(|k| normal.get(k).copied().unwrap_or(0.0))
     }
 
-    /// Whether the body contains the one of other generators, which are 0 beyond the first `rank` coordinates as well.
-    /// O(C(k, r − 1) (n + k)).
+    /// Whether the body contains the one of other generators with the same centre, which are 0 beyond the first `rank`
+    /// coordinates as well. O(C(k, r − 1) (n + k)).
     pub(super) fn contain(&self, inner: &[[f64; D]]) -> bool {
-        let (outer_scaled, inner_scaled) = self.scaled(inner);
+        self.contain_displaced(inner, &array::from_fn(|_| Dyadic::zero()))
+    }
+
+    /// The same where the other body has its centre at a displacement, of which the coordinates beyond the first `rank`
+    /// are 0, too.
+    pub(super) fn contain_displaced(&self, inner: &[[f64; D]], displacement: &[Dyadic; D]) -> bool {
+        let (outer_scaled, inner_scaled, exponent) = self.scaled(inner);
+        let moved = displacement.each_ref().map(|c| {
+            let value = c.clone().scaled(exponent).to_f64();
+            Bounded { value, error: value.abs() * DIFFERENCE_OF_LEADING_DOUBLES + PRODUCT_UNDERFLOW }
+        });
         let mut holds = true;
         self.for_each_normal(|chosen, normal| {
             let (direction, errors) = (normal.map(|c| c.value), normal.map(|c| c.error));
             let [reach, limit] = [&inner_scaled, &outer_scaled].map(|body| body.reach(&direction, &errors));
-            let slack = limit - reach;
-            holds = slack.is_positive() || self.contain_along(chosen, inner);
+            let along = normal.iter().zip(&moved).fold(Bounded::exact(0.0), |sum, (&u, &p)| sum + u * p);
+            let slack = limit - reach - Bounded { value: along.value.abs(), error: along.error };
+            holds = slack.is_positive() || self.contain_along(chosen, inner, displacement);
             holds
         });
         holds
     }
 
     /// Whether the inner body reaches no farther along the normal of a hyperplane, exactly.
-    fn contain_along(&self, chosen: &[usize], inner: &[[f64; D]]) -> bool {
+    fn contain_along(&self, chosen: &[usize], inner: &[[f64; D]], displacement: &[Dyadic; D]) -> bool {
         let rows: Vec<Vec<Dyadic>> =
             chosen.iter().map(|&index| exact(self.outer[index])[..self.rank].to_vec()).collect();
         let normal = hyperplane_normal(&rows);
@@ -136,13 +149,13 @@ impl<'a, const D: usize> Facets<'a, D> {
             let products = generators.iter().map(|g| sum_of_products(&exact(*g), &normal).abs());
             products.fold(Dyadic::zero(), |sum, product| &sum + &product)
         };
-        reach(inner) <= reach(self.outer)
+        &reach(inner) + &sum_of_products(displacement, &normal).abs() <= reach(self.outer)
     }
 
     /// The factor by which the body has to grow to contain the one of other generators, up to rounding; infinite if
     /// that is not known. O(C(k, r − 1) (n + k)).
     pub(super) fn growth(&self, inner: &[[f64; D]]) -> f64 {
-        let (outer_scaled, inner_scaled) = self.scaled(inner);
+        let (outer_scaled, inner_scaled, _) = self.scaled(inner);
         let mut factor = 0.0f64;
         self.for_each_normal(|_, normal| {
             let direction = normal.map(|c| c.value);
@@ -157,10 +170,11 @@ impl<'a, const D: usize> Facets<'a, D> {
         factor
     }
 
-    fn scaled(&self, inner: &[[f64; D]]) -> (Scaled<D>, Scaled<D>) {
+    /// Both bodies times a power of two, and its exponent.
+    fn scaled(&self, inner: &[[f64; D]]) -> (Scaled<D>, Scaled<D>, i64) {
         let largest = largest_magnitude(self.outer.as_flattened()).max(largest_magnitude(inner.as_flattened()));
         let exponent = -i64::from(binary_exponent(largest).unwrap_or(0));
-        (Scaled::new(self.outer, exponent), Scaled::new(inner, exponent))
+        (Scaled::new(self.outer, exponent), Scaled::new(inner, exponent), exponent)
     }
 }
 

@@ -11,7 +11,8 @@
 //! | [`by_patches`] | O(n log n) | Lemma 5.5: O(1 / √k) |
 //! | [`keeping`], five rules in use | O(n log n), one O(n (n − k)) | does not fall until k nears n |
 //!
-//! [`brute_force`] says in rationals whether a zonotope contains another one: the truth that all of them are held to.
+//! [`contains`] decides whether a zonotope contains another one; [`brute_force`] does in rationals: the truth that all
+//! rules are held to.
 //! [`Method`] has them by name, and the best of all; [`hausdorff`] bounds what they cost.
 
 mod answer;
@@ -20,6 +21,7 @@ pub mod by_clusters;
 pub mod by_patches;
 mod cells;
 mod containment;
+mod contains;
 mod frame_cover;
 pub mod hausdorff;
 pub mod keeping;
@@ -27,6 +29,7 @@ mod method;
 mod shares;
 
 pub use answer::{Containment, Problem, Reduced, ReductionError};
+pub use contains::contains;
 pub use method::Method;
 pub use shares::{Share, ShareFlaw, Shares};
 

@@ -23,7 +23,7 @@ impl Method {
     pub const ALL: [Self; 2] = [Self::BySupportSimplex, Self::BruteForce];
 
     /// The name of the method's file.
-    pub fn id(self) -> &'static str {
+    pub const fn id(self) -> &'static str {
         match self {
             Self::BySupportSimplex => "by_support_simplex",
             Self::BruteForce => "brute_force",
