@@ -1,4 +1,4 @@
-//! `intersect` and `inspect`: answers with their proofs, pictures, and files that are no zonotopes.
+//! `intersect`, `distance`, `reduce` and `inspect`: answers with their proofs, pictures, and files that are no zonotopes.
 
 use std::fs;
 
@@ -65,6 +65,49 @@ fn a_gap_is_as_wide_as_it_is() {
 }
 
 #[test]
+fn how_far_apart_and_how_deep() {
+    let folder = folder();
+    written(&folder, "cube.json", CUBE);
+    for (name, content, status, _) in PAIRS {
+        written(&folder, name, content);
+        let words =
+            ["distance", "cube.json", name, "--json", "a.json", "--question", "q.json", "--svg", "p.svg", "--force"];
+        let text = output(zonobench(&folder).args(words));
+        assert!(text.contains("checked: "), "{name}: {text}");
+        let line = |label: &str| text.lines().find(|line| line.starts_with(label)).map(str::to_owned);
+        match status {
+            "outside" => assert!(line("distance").is_some_and(|line| line.ends_with("2.0")), "{text}"),
+            "boundary" => assert!(line("they touch").is_some(), "{text}"),
+            _ => assert!(line("depth").is_some_and(|line| line.contains("and 1.0")), "{text}"),
+        }
+        let picture = fs::read_to_string(folder.path().join("p.svg")).expect("the picture");
+        assert!(picture.starts_with("<svg") && !picture.contains("NaN") && !picture.contains("inf"), "{name}");
+        let verdict = output(zonobench(&folder).args(["verify", "q.json", "a.json"]));
+        assert_eq!(verdict.split('\t').nth(2), Some("right"), "{name}: {verdict}");
+    }
+}
+
+#[test]
+fn a_body_of_few_generators_around_one_of_many() {
+    let folder = folder();
+    let rows: Vec<String> = (1..40).map(|i| format!("{},{},{}", i % 7 - 3, i % 11 - 5, i % 5 + 1)).collect();
+    written(&folder, "many.csv", &format!("x,y,z\n{}\n", rows.join("\n")));
+    let words = ["--json", "r.json", "--question", "q.json", "--svg", "p.svg", "--force"];
+    for rule in ["cluster", "girard", "best"] {
+        let text = output(zonobench(&folder).args(["reduce", "many.csv", "--count", "8", "--rule", rule]).args(words));
+        assert!(text.contains("8 generators, around the same centre") && text.contains("checked: "), "{text}");
+        let picture = fs::read_to_string(folder.path().join("p.svg")).expect("the picture");
+        assert!(picture.starts_with("<svg") && !picture.contains("NaN") && !picture.contains("inf"), "{rule}");
+        let verdict = output(zonobench(&folder).args(["verify", "q.json", "r.json"]));
+        assert_eq!(verdict.split('\t').nth(2), Some("unchecked"), "the upper bound is not searched for: {verdict}");
+        let text = output(zonobench(&folder).args(["inspect", "r.json"]));
+        assert!(text.contains("8 generators"), "other commands read the answer: {text}");
+    }
+    let complaint = complaint(zonobench(&folder).args(["reduce", "many.csv", "--count", "2"]), 1);
+    assert!(complaint.contains("2 generators are too few"), "{complaint}");
+}
+
+#[test]
 fn bodies_of_every_size_are_drawn() {
     let folder = folder();
     let bodies = [
@@ -79,9 +122,11 @@ fn bodies_of_every_size_are_drawn() {
         assert!(text.contains("bounding box"), "{text}");
         for b in &bodies[i..] {
             written(&folder, "b.json", b);
-            output(zonobench(&folder).args(["intersect", "a.json", "b.json", "--svg", "p.svg", "--force"]));
-            let picture = fs::read_to_string(folder.path().join("p.svg")).expect("the picture");
-            assert!(!picture.contains("NaN") && !picture.contains("inf"), "{a} and {b}");
+            for command in ["intersect", "distance"] {
+                output(zonobench(&folder).args([command, "a.json", "b.json", "--svg", "p.svg", "--force"]));
+                let picture = fs::read_to_string(folder.path().join("p.svg")).expect("the picture");
+                assert!(!picture.contains("NaN") && !picture.contains("inf"), "{command} {a} and {b}");
+            }
         }
     }
 }

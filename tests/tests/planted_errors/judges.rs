@@ -4,6 +4,7 @@ use dashu_ratio::RBig;
 use serde_json::Value;
 use zonotope::collision::{Query, brute_force};
 
+use crate::proximity;
 use crate::rationals::{absolute, dot, index, indices, minus, number, solved, vector, vectors};
 
 /// Figures within a relative error of this are the same but for rounding; planted errors are far smaller or far larger.
@@ -28,6 +29,7 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> boo
             let generators = bodies.map(|((_, a), (_, b))| [a, b].concat());
             Some(same_fields(&["intersects", "status"], right, changed)).zip(proves(&p, &generators, right, changed))
         }
+        "distance" => proximity::judged(input, right, changed),
         "gauge" => {
             let body = placed(input, "p");
             let p = body.as_ref().zip(vector(&input["q"])).map(|((center, _), q)| minus(&q, center));
@@ -60,12 +62,12 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> boo
     judged.is_some_and(|(first, second)| first && second)
 }
 
-fn same_fields(names: &[&str], right: &Value, changed: &Value) -> bool {
+pub fn same_fields(names: &[&str], right: &Value, changed: &Value) -> bool {
     names.iter().all(|name| right[name] == changed[name])
 }
 
 /// Whether two figures are the same but for rounding; zero and infinity are never rounded to.
-fn same_figure(right: &Value, changed: &Value) -> bool {
+pub fn same_figure(right: &Value, changed: &Value) -> bool {
     match (right.as_f64(), changed.as_f64()) {
         (Some(right), Some(changed)) if right != 0.0 => (changed - right).abs() <= SAME * right.abs(),
         (Some(right), Some(changed)) => right == changed,
@@ -73,8 +75,16 @@ fn same_figure(right: &Value, changed: &Value) -> bool {
     }
 }
 
+/// Whether two points are the same but for rounding.
+pub fn is_near(right: &Value, changed: &Value) -> bool {
+    let Some((right, changed)) = doubles(right).zip(doubles(changed)) else { return false };
+    let size: f64 = right.iter().map(|c| c.abs()).sum();
+    let is_beside = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME * (1.0 + size);
+    right.len() == changed.len() && right.iter().zip(&changed).all(is_beside)
+}
+
 /// The centre, under the given name, and the generators of a body where its pose puts them.
-fn placed(body: &Value, center: &str) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
+pub fn placed(body: &Value, center: &str) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
     let (center, generators) = (vector(&body[center])?, vectors(&body["generators"])?);
     let Some(pose) = body.get("pose") else { return Some((center, generators)) };
     let (matrix, translation) = (vectors(&pose["matrix"])?, vector(&pose["translation"])?);
@@ -85,7 +95,12 @@ fn placed(body: &Value, center: &str) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
 
 /// Whether the certificate proves what that of the right answer does: that p lies in the zonotope of the generators,
 /// or that it does not.
-fn proves(p: &Option<Vec<RBig>>, generators: &Option<Vec<Vec<RBig>>>, right: &Value, changed: &Value) -> Option<bool> {
+pub fn proves(
+    p: &Option<Vec<RBig>>,
+    generators: &Option<Vec<Vec<RBig>>>,
+    right: &Value,
+    changed: &Value,
+) -> Option<bool> {
     let (p, generators) = (p.as_ref()?, generators.as_ref()?);
     let (old, certificate) = (&right["certificate"], &changed["certificate"]);
     if old.get("separating_direction").is_some() {

@@ -8,6 +8,7 @@
 mod errors;
 mod judges;
 mod plain;
+mod proximity;
 mod rationals;
 
 use batch::json::{MAX_VALUES, Tree, read};
@@ -74,6 +75,7 @@ proptest! {
         errors_are_noticed("member", &json!({"point": q, "center": p, "generators": generators}))?;
         let [a, b] = [(&p, first), (&q, second)].map(|(center, own)| json!({"center": center, "generators": own}));
         errors_are_noticed("intersect", &json!({"a": a, "b": b}))?;
+        errors_are_noticed("distance", &json!({"a": a, "b": b}))?;
         errors_are_noticed("gauge", &json!({"p": p, "q": q, "generators": generators}))?;
         errors_are_noticed("member_batch", &json!({"center": p, "generators": generators, "points": [p, q, r]}))?;
     }
@@ -87,6 +89,7 @@ proptest! {
         let a = json!({"center": p, "generators": first, "pose": from});
         errors_are_noticed("intersect", &json!({"a": a, "b": {"center": q, "generators": second, "pose": to}}))?;
         errors_are_noticed("intersect", &json!({"a": a, "b": {"center": q, "generators": second}}))?;
+        errors_are_noticed("distance", &json!({"a": a, "b": {"center": q, "generators": second}}))?;
         errors_are_noticed("gauge", &json!({"p": p, "q": q, "generators": generators, "pose": to}))?;
     }
 

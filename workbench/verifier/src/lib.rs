@@ -16,12 +16,15 @@
 //! | [`check_location`] | p lies outside | a direction u with u · p > Σ abs(u · g_i) |
 //! | | p lies inside or on the boundary | coefficients δ_i in [−1, 1] with Σ δ_i g_i = p: those of at most d basis generators solve this equation exactly, the doubles given for them lie beside the solution; inside if no direction supports there |
 //! | [`check_distance`] | p is that far from the zonotope | coefficients δ_i in [−1, 1] of the nearest point x, those of a basis solved for: no g_i leads from x towards p |
+//! | [`check_proximity`] | distance, nearest points and faces of two bodies, how deep they overlap | that of a location and of a distance; the normal of a hyperplane between bodies that touch; none for the depth: every facet of a small sum |
 //! | [`check_gauge`] | the least t ≥ 0 with p in t Z | as for a location, which tells the side of 1; the d − 1 generators that span the facet through which p leaves tell the value |
 //! | [`check_member_batch`] | status and gauge of many points | none: every point is held against every facet |
 //! | [`check_support`] | h(u) = u · c + Σ abs(u · g_i) and a point that far | none: the sum, and the face of all farthest points, a zonotope itself |
 //! | [`check_min_area`] | no enclosing zonogon has less area | hull edges e_t and coefficients δ_t in [−1, 1] with Σ δ_t e_t = 0 |
 //! | [`check_min_length_dirs`] | no cheaper one along given directions | forces λ_j at points, Σ λ_j = 0, that load no direction beyond its weight: Σ_j abs(λ_j · v_i) ≤ w_i |
 //! | [`check_min_length_all`] | none is shorter by more than a factor | forces λ_j at points, Σ λ_j = 0, and the farthest vertex of Σ [−1, 1] λ_j |
+//! | [`check_reduction`] | a zonotope of few generators contains another one | shares, which write each generator in terms of the enclosing ones; else none: every facet normal |
+//! | [`check_hausdorff`] | how far apart two bodies are at least, whether one contains the other | a direction in which their support functions differ by that |
 //! | [`check_combinatorics`] | numbers of faces, the volume | none: counted in another way, Σ abs(det) |
 //! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |
 //! | [`check_separator`] | a chain with k tiles on its left | none: the order of the lines along the chain |
@@ -63,6 +66,7 @@ mod exact;
 mod faces;
 mod hull;
 mod lad;
+mod reduction;
 mod verdict;
 
 pub use arrangement::separator::{SeparatorProof, check_separator};
@@ -76,6 +80,8 @@ pub use collision::distance::{DistanceAnswer, DistanceProof, check_distance};
 pub use collision::gauge::{GaugeAnswer, GaugeProof, check_gauge};
 pub use collision::location::{LocationAnswer, LocationCertificate, LocationProof, Status, check_location};
 pub use collision::member_batch::{MemberBatchProof, check_member_batch};
+pub use collision::penetration::PenetrationAnswer;
+pub use collision::proximity::{ProximityAnswer, ProximityParts, ProximityProof, check_proximity};
 pub use enclosing::min_area::{
     Certificate, ExactMinArea, MinAreaAnswer, MinAreaProof, check_exact_min_area, check_min_area,
 };
@@ -91,6 +97,9 @@ pub use exact::fraction::Fraction;
 pub use exact::whole_direction;
 pub use hull::{ConvexHullProof, check_convex_hull};
 pub use lad::{Lad, LadAnswer, LadProof, check_lad};
+pub use reduction::hausdorff::{HausdorffAnswer, check_hausdorff};
+pub use reduction::reduced::{Reduction, ReductionAnswer, check_reduction};
+pub use reduction::shares::Shares;
 pub use verdict::{Proved, Verdict};
 
 /// The largest relative difference that is accepted between a figure of an answer and its exact value.

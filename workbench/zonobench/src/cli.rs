@@ -2,7 +2,7 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{enclose, inspect, intersect, list, reproduce, solve, verify};
+use crate::commands::{distance, enclose, inspect, intersect, list, reduce, reproduce, solve, verify};
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
 #[derive(Debug, Parser)]
@@ -24,6 +24,10 @@ pub enum Command {
     Enclose(enclose::Options),
     /// Tell whether two zonotopes have a point in common, with the proof.
     Intersect(intersect::Options),
+    /// Tell how far apart two zonotopes are, or how deep they overlap.
+    Distance(distance::Options),
+    /// Find a zonotope of few generators around a zonotope.
+    Reduce(reduce::Options),
     /// Tell what kind of body a zonotope is: faces, volume, size.
     Inspect(inspect::Options),
     /// Answer questions, one line of JSON each.

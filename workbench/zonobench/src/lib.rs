@@ -1,4 +1,5 @@
-//! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `inspect`, `solve`, `verify`.
+//! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `distance`, `reduce`,
+//! `inspect`, `solve`, `verify`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
@@ -60,6 +61,8 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Intersect(options) => commands::intersect::run(options),
+        Command::Distance(options) => commands::distance::run(options),
+        Command::Reduce(options) => commands::reduce::run(options),
         Command::Inspect(options) => commands::inspect::run(options),
         Command::Solve(options) => commands::solve::run(options),
         Command::Verify(options) => commands::verify::run(options),

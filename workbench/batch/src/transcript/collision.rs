@@ -1,11 +1,11 @@
 //! Points and zonotopes relative to zonotopes.
 
 use super::Verdict;
-use super::reading::{boolean, direction, float, index, indices, member, text, vector, vectors};
+use super::reading::{boolean, direction, exact_numbers, float, index, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
-    Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, Pose, Status, check_gauge, check_location,
-    check_member_batch,
+    Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, PenetrationAnswer, Pose, ProximityAnswer,
+    ProximityParts, Status, check_gauge, check_location, check_member_batch, check_proximity,
 };
 
 pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -17,6 +17,38 @@ pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<Verdict, String> 
 pub(super) fn intersect(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
     located(&Displaced::between(&a.body(), &b.body())?, result, "intersects")
+}
+
+pub(super) fn distance(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
+    let [nearest, features] = [member(result, "nearest")?, member(result, "features")?];
+    let part = |name| result.field(name);
+    let proof = |tree: &Tree| -> Result<_, String> {
+        Ok((vector(member(tree, "coefficients")?, "coefficients")?, indices(tree, "basis")?))
+    };
+    let parts = ProximityParts {
+        distance: part("distance_certificate").map(proof).transpose()?,
+        normal: part("contact_normal")
+            .map(|tree| exact_numbers(tree).ok_or("`contact_normal` is not a list of exact numbers"))
+            .transpose()?,
+        penetration: part("penetration").map(penetration).transpose()?,
+    };
+    let answer = ProximityAnswer {
+        distance: float(result, "distance")?,
+        location: location(result)?,
+        nearest: [vector(member(nearest, "a")?, "a")?, vector(member(nearest, "b")?, "b")?],
+        features: [text(features, "a")?.to_owned(), text(features, "b")?.to_owned()],
+        parts,
+    };
+    Ok(check_proximity(&a.body(), &b.body(), &answer).in_words())
+}
+
+fn penetration(tree: &Tree) -> Result<PenetrationAnswer, String> {
+    Ok(PenetrationAnswer {
+        lower: float(tree, "lower")?,
+        upper: float(tree, "upper")?,
+        direction: vector(member(tree, "direction")?, "direction")?,
+    })
 }
 
 /// A zonotope of a question with its pose, if it has one.
@@ -52,14 +84,18 @@ fn pose(tree: &Tree) -> Result<Pose, String> {
 }
 
 fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<Verdict, String> {
-    let answer = LocationAnswer {
-        status: status(text(result, "status")?)?,
-        certificate: certificate(member(result, "certificate")?)?,
-    };
+    let answer = location(result)?;
     if boolean(result, flag)? != (answer.status != Status::Outside) {
         return Err(format!("`{flag}` contradicts the status"));
     }
     Ok(check_location(question, &answer).in_words())
+}
+
+fn location(result: &Tree) -> Result<LocationAnswer, String> {
+    Ok(LocationAnswer {
+        status: status(text(result, "status")?)?,
+        certificate: certificate(member(result, "certificate")?)?,
+    })
 }
 
 fn status(name: &str) -> Result<Status, String> {

@@ -3,6 +3,7 @@
 mod collision;
 mod enclosing;
 mod reading;
+mod reduction;
 mod solids;
 
 use crate::json::{self, MAX_VALUES, Tree};
@@ -66,6 +67,10 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
         "separator" => solids::separator(input, result),
         "upper_hull" => solids::upper_hull(input, result),
         "member_batch" => collision::member_batch(input, result),
+        "distance" => collision::distance(input, result),
+        "approx" => reduction::approx(input, result),
+        "reduce" => reduction::reduce(input, result),
+        "hausdorff" => reduction::hausdorff(input, result),
         "member" => collision::member_of(input, result),
         "intersect" => collision::intersect(input, result),
         "gauge" => collision::gauge(input, result),

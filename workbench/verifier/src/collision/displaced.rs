@@ -30,9 +30,12 @@ pub struct Body<'a, G> {
 /// The exact vector from one point to another, and generators, all of one dimension.
 #[derive(Debug, Clone)]
 pub struct Displaced {
+    /// Where the vector begins and ends.
+    pub(crate) from: Vector,
+    pub(crate) to: Vector,
     pub(crate) p: Vector,
     pub(crate) generators: Vec<Vector>,
-    /// Of the unit 2^exponent in which both are whole numbers.
+    /// Of the unit 2^exponent in which all are whole numbers.
     exponent: i32,
 }
 
@@ -84,12 +87,12 @@ impl Displaced {
         let frame = Frame { places: Grid::of(places), matrices: Grid::at(Grid::of(matrices).exponent().min(0)) };
 
         let [from, to] = [a, b].map(|body| frame.placed_point(body.center, body.pose));
-        let p = to.iter().zip(from).map(|(to, from)| to - from).collect();
+        let p = to.iter().zip(&from).map(|(to, from)| to - from).collect();
         let generators = |body: &Body<'_, G>| -> Vec<Vector> {
             body.generators.iter().map(|generator| frame.placed(generator.as_ref(), body.pose)).collect()
         };
         let exponent = frame.places.exponent() + frame.matrices.exponent();
-        Ok(Self { p, generators: [generators(a), generators(b)].concat(), exponent })
+        Ok(Self { from, to, p, generators: [generators(a), generators(b)].concat(), exponent })
     }
 
     pub(crate) fn dimension(&self) -> usize {

@@ -13,7 +13,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
 use super::displaced::Displaced;
-use super::location::{Certified, certified_coefficients};
+use super::location::{Certified, Coefficients, certified_coefficients};
 use crate::exact::length::root;
 use crate::exact::linear::{Vector, dot, is_zero, solve};
 use crate::exact::proportion::{Proportion, check_coefficient, check_figure};
@@ -53,6 +53,20 @@ pub fn check_distance(question: &Displaced, answer: &DistanceAnswer) -> Verdict<
 }
 
 fn proved(question: &Displaced, answer: &DistanceAnswer) -> Result<DistanceProof, String> {
+    nearest(question, answer)?;
+    Ok(DistanceProof { distance: answer.distance })
+}
+
+/// The nearest point of a zonotope, as it was proved.
+pub(super) struct Nearest {
+    /// Its exact coefficients.
+    pub(super) coefficients: Coefficients,
+    /// A positive multiple of the vector that leads from it to p.
+    pub(super) residual: Vector,
+}
+
+/// The nearest point that the certificate proves, whose distance is the claimed one.
+pub(super) fn nearest(question: &Displaced, answer: &DistanceAnswer) -> Result<Nearest, String> {
     let Certified { mut numerators, mut rest, one } =
         certified_coefficients(question, &answer.coefficients, &answer.basis)?;
     let columns: Vec<&Vector> = answer.basis.iter().map(|&generator| &question.generators[generator]).collect();
@@ -90,11 +104,11 @@ fn proved(question: &Displaced, answer: &DistanceAnswer) -> Result<DistanceProof
         }
     }
     let [low, high] = root(&dot(&rest, &rest));
-    let unit = Proportion::new(IBig::ONE, whole, question.exponent());
+    let unit = Proportion::new(IBig::ONE, whole.clone(), question.exponent());
     let (low, high) = (low.times(&unit), high.times(&unit));
     let allowed = high.times(&Proportion::of_double(ROUNDINGS * f64::EPSILON / 2.0));
     check_figure("distance", answer.distance, &low, &allowed)?;
-    Ok(DistanceProof { distance: answer.distance })
+    Ok(Nearest { coefficients: Coefficients { numerators, denominator: whole }, residual: rest })
 }
 
 #[cfg(test)]

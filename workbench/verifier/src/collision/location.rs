@@ -110,7 +110,8 @@ impl Display for LocationProof {
     }
 }
 
-fn located(question: &Displaced, answer: &LocationAnswer) -> Result<Located, String> {
+/// What the certificate of an answer proves, if that is the status of the answer.
+pub(super) fn located(question: &Displaced, answer: &LocationAnswer) -> Result<Located, String> {
     let found = proven(question, &answer.certificate)?;
     match (&found, answer.status) {
         (Located::Outside(_), Status::Outside) => Ok(found),

@@ -6,3 +6,5 @@ pub(crate) mod distance;
 pub(crate) mod gauge;
 pub(crate) mod location;
 pub(crate) mod member_batch;
+pub(crate) mod penetration;
+pub(crate) mod proximity;

@@ -10,12 +10,16 @@ use dashu_int::ops::Abs;
 use super::pencils::Pencils;
 use crate::exact::linear::{Echelon, Vector, dot, is_zero};
 use crate::exact::subsets::{count_subsets, subsets};
+use crate::faces::facets::reach;
 use crate::faces::normals::{
     DOT_ERROR, Image, MOST_COORDINATES, Normal, TooMany, UNDERFLOW, image_dot, image_size, images,
 };
 
 /// So many pairs of a facet and a point are gone through, and of an open facet and a generator.
 const MOST_PAIRS: u64 = 4_000_000_000;
+
+/// So many exact products of a facet normal and a generator are taken.
+const MOST_EXACT_PRODUCTS: u64 = 3_000_000;
 
 /// Finding a facet takes as long as this many points.
 const POINTS_A_FACET: usize = 32;
@@ -72,6 +76,43 @@ pub(crate) fn one_outside(
     Ok(None)
 }
 
+/// Whether the zonotope of the outer generators contains that of the inner ones, unless there are too many facets: along
+/// each facet normal u of the outer one, Σ |u · inner| is at most Σ |u · outer|.
+pub(crate) fn contains_body(dimension: usize, outer: &[Vector], inner: &[Vector]) -> Result<bool, TooMany> {
+    let span = Echelon::spanned(dimension, outer);
+    if inner.iter().any(|vector| !span.contains(vector)) {
+        return Ok(false);
+    }
+    let (rank, pivots) = (span.rank(), span.pivots());
+    if rank == 0 {
+        return Ok(true);
+    }
+    let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+    let [outer, inner] = [outer, inner].map(|list| list.iter().map(projected).collect::<Vec<Vector>>());
+    let products = count_subsets(outer.len(), rank - 1).saturating_mul((outer.len() + inner.len()) as u64);
+    if rank > MOST_COORDINATES {
+        if products > MOST_EXACT_PRODUCTS {
+            return Err(TooMany);
+        }
+        return Ok(subsets(outer.len(), rank - 1).all(|facet| {
+            let normal = Echelon::spanned(rank, facet.iter().map(|&index| &outer[index])).complement(rank);
+            !matches!(&normal[..], [u] if reach(&inner, u) > reach(&outer, u))
+        }));
+    }
+    if products > MOST_PAIRS {
+        return Err(TooMany);
+    }
+    let all = [outer.clone(), inner.clone()].concat();
+    let all = images(&all);
+    let (outer_images, inner_images) = all.split_at(outer.len());
+    let [large, small] =
+        [Body { generators: &outer, images: outer_images }, Body { generators: &inner, images: inner_images }];
+    Ok(subsets(outer.len(), rank - 1).filter_map(|facet| Normal::of(rank, &facet, &outer)).all(|normal| {
+        let [[low, _], [_, high]] = [&large, &small].map(|body| body.reach_bounds(&normal));
+        high < low || reach(&inner, &normal.exact) <= reach(&outer, &normal.exact)
+    }))
+}
+
 /// The zonotope of some generators, exactly and as images.
 struct Body<'a> {
     generators: &'a [Vector],
@@ -79,8 +120,8 @@ struct Body<'a> {
 }
 
 impl Body<'_> {
-    /// The first point that is beyond one of the two facets with a normal.
-    fn first_beyond(&self, normal: &Normal, points: &[Vector], images: &[Image]) -> Option<usize> {
+    /// Bounds of Σ |u · g_i| for a normal u.
+    fn reach_bounds(&self, normal: &Normal) -> [f64; 2] {
         let (mut reach, mut size) = (0.0, 0.0);
         for image in self.images {
             reach += image_dot(&normal.image, image).abs();
@@ -88,8 +129,14 @@ impl Body<'_> {
         }
         let count = self.images.len() as f64;
         let doubt = size * (DOT_ERROR + count * f64::EPSILON) + (count + 1.0) * UNDERFLOW;
+        [(reach - doubt).next_down(), (reach + doubt).next_up()]
+    }
+
+    /// The first point that is beyond one of the two facets with a normal.
+    fn first_beyond(&self, normal: &Normal, points: &[Vector], images: &[Image]) -> Option<usize> {
+        let [least, _] = self.reach_bounds(normal);
         let is_open = |image: &Image| {
-            let certain = (reach - doubt - image_size(&normal.image, image) * DOT_ERROR).next_down();
+            let certain = (least - image_size(&normal.image, image) * DOT_ERROR).next_down();
             image_dot(&normal.image, image).abs() >= certain
         };
         let open: Vec<usize> = (0..points.len()).filter(|&index| is_open(&images[index])).collect();

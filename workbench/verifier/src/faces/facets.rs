@@ -40,6 +40,11 @@ impl Facets {
         self.normals.len()
     }
 
+    /// Each normal u with Σ |u · g_i|.
+    pub(crate) fn normals(&self) -> &[(Vector, IBig)] {
+        &self.normals
+    }
+
     /// The largest of |u · p| / Σ |u · g_i|.
     pub(crate) fn gauge(&self, p: &Vector) -> Proportion {
         let mut largest = (IBig::ZERO, IBig::ONE);

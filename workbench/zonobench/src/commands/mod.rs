@@ -1,11 +1,14 @@
 //! The commands, one file each.
 
+mod asked;
 mod asking;
+pub mod distance;
 pub mod enclose;
 pub mod inspect;
 pub mod intersect;
 pub mod list;
 mod page;
+pub mod reduce;
 pub mod reproduce;
 pub mod solve;
 mod table;

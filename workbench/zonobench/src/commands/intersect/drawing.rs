@@ -16,6 +16,15 @@ const COLORS: [Color; 2] = [INPUT, REFLECTED];
 
 /// Both bodies, projected to a plane that holds the separating direction or both centres.
 pub(super) fn draw(name: &str, meeting: &Meeting) -> String {
+    drawn(name, meeting, None)
+}
+
+/// The same with a point of each body and, between the points, a line.
+pub(in crate::commands) fn draw_with_points(name: &str, meeting: &Meeting, points: &[Vec<f64>; 2]) -> String {
+    drawn(name, meeting, Some(points))
+}
+
+fn drawn(name: &str, meeting: &Meeting, points: Option<&[Vec<f64>; 2]>) -> String {
     let small = Small::of(meeting);
     let view = View::of(meeting, &small);
     let polygons = small.bodies.each_ref().map(|(center, generators)| view.polygon(center, generators));
@@ -55,6 +64,12 @@ pub(super) fn draw(name: &str, meeting: &Meeting) -> String {
     if let Some(point) = point {
         panel.marker(point, &OPTIMAL_CENTER);
     }
+    let nearest = points.filter(|_| point.is_none()).map(|points| small.differences(points));
+    let between = Stroke::new(OPTIMAL_CENTER.color, weight::STRONG);
+    if let Some(ends) = nearest.map(|ends| ends.map(|end| view.place(&end))) {
+        panel.segment(ends[0], ends[1], &between);
+        ends.iter().for_each(|end| panel.marker(*end, &OPTIMAL_CENTER));
+    }
 
     let proof = match point {
         Some(_) => LegendEntry::new(Sample::Point(OPTIMAL_CENTER), "a common point"),
@@ -63,18 +78,23 @@ pub(super) fn draw(name: &str, meeting: &Meeting) -> String {
             if meeting.dimension() == 2 { "a line between them" } else { "a plane between them, seen from its edge" },
         ),
     };
-    let legend = [
+    let mut legend = vec![
         LegendEntry::new(Sample::Area(paints[0]), "a"),
         LegendEntry::new(Sample::Area(paints[1]), "b"),
         proof,
         LegendEntry::new(Sample::Point(Marker::new(Shape::Diamond, 5.0, INK)), "centres"),
     ];
+    if points.is_some() && point.is_none() {
+        legend.push(LegendEntry::new(Sample::Line(between), "from nearest point to nearest point"));
+    }
     page.finish(&legend)
 }
 
 /// The bodies moved so that the first centre is the origin, and scaled by a power of two to about 1.
 struct Small {
     bodies: [(Vec<f64>, Vec<Vec<f64>>); 2],
+    origin: Vec<f64>,
+    shrinking: i64,
 }
 
 impl Small {
@@ -98,7 +118,18 @@ impl Small {
             .each_ref()
             .map(|body| body.generators.iter().map(|generator| small(&exact(generator))).collect::<Vec<_>>());
         let [a, b] = generators;
-        Self { bodies: [(small(&centers[0]), a), (small(&centers[1]), b)] }
+        Self {
+            bodies: [(small(&centers[0]), a), (small(&centers[1]), b)],
+            origin: meeting.bodies[0].center.clone(),
+            shrinking: shrink,
+        }
+    }
+
+    /// Points of the bodies, moved and scaled as they are.
+    fn differences(&self, points: &[Vec<f64>; 2]) -> [Vec<f64>; 2] {
+        let along =
+            |(&x, &o): (&f64, &f64)| (Dyadic::from_f64(x) - Dyadic::from_f64(o)).scaled(self.shrinking).to_f64();
+        points.each_ref().map(|point| point.iter().zip(&self.origin).map(along).collect())
     }
 
     /// The height of the plane in the middle of the gap, in its direction.

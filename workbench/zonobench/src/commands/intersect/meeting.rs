@@ -1,30 +1,27 @@
 //! Two bodies and what `solve` says about them, in the terms of the picture and the summary.
 
-use anyhow::{anyhow, bail};
+use anyhow::anyhow;
 use serde_json::{Value, json};
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
+use crate::commands::asked::{Asked, float, floats};
 use crate::input::Body;
-use batch::Line;
-use batch::Verdict;
-use batch::json::{NonFinite, rows_to_json, vector_to_json};
+use batch::json::{rows_to_json, vector_to_json};
 
 /// Two bodies, the question about them and its answer.
-pub(super) struct Meeting {
-    pub(super) bodies: [Body; 2],
-    /// The question and the answer in the format of `solve`.
-    pub(super) question: Value,
-    pub(super) answer: Value,
-    pub(super) status: String,
+pub(in crate::commands) struct Meeting {
+    pub(in crate::commands) bodies: [Body; 2],
+    pub(in crate::commands) asked: Asked,
+    pub(in crate::commands) status: String,
     /// How many times both bodies must be taken about their centres to touch, unless they are too large for it to be
     /// found.
-    pub(super) gauge: Option<f64>,
-    pub(super) proof: Proof,
+    pub(in crate::commands) gauge: Option<f64>,
+    pub(in crate::commands) proof: Proof,
 }
 
 /// The proof, rounded for the eye.
-pub(super) enum Proof {
+pub(in crate::commands) enum Proof {
     Gap(Gap),
     /// A coefficient for each generator, those of the first body first, and the point that they lead to.
     Common {
@@ -34,74 +31,54 @@ pub(super) enum Proof {
 }
 
 /// Two parallel planes with the first body below one and the second above the other.
-pub(super) struct Gap {
+pub(in crate::commands) struct Gap {
     /// The unit normal of the planes.
-    pub(super) direction: Vec<f64>,
+    pub(in crate::commands) direction: Vec<f64>,
     /// Their distance.
-    pub(super) width: f64,
+    pub(in crate::commands) width: f64,
     /// How far the second centre lies above the first in this direction, and how far both bodies together reach.
-    pub(super) centers: f64,
-    pub(super) reach: f64,
+    pub(in crate::commands) centers: f64,
+    pub(in crate::commands) reach: f64,
 }
 
 impl Meeting {
     /// Asks about two bodies, which may be refused.
-    pub(super) fn of(name: &str, bodies: [Body; 2]) -> anyhow::Result<Self> {
+    pub(in crate::commands) fn of(name: &str, bodies: [Body; 2]) -> anyhow::Result<Self> {
         let [a, b] = bodies
             .each_ref()
             .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)}));
         let generators = [a["generators"].clone(), b["generators"].clone()].into_iter();
         let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
         let distance = json!({"p": a["center"], "q": b["center"], "generators": generators});
-        let question = json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}});
-        let answer = answered(&question)?;
-        let gauge = answered(&json!({"id": name, "kind": "gauge", "input": distance})).ok();
+        let asked = Asked::of(json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}}))?;
+        let gauge = Asked::of(json!({"id": name, "kind": "gauge", "input": distance})).ok();
 
-        let result = &answer["result"];
+        let result = asked.result();
         let certificate = &result["certificate"];
         let proof = match certificate["separating_direction"].as_array() {
             Some(direction) => Proof::Gap(Gap::of(&bodies, direction)?),
             None => {
-                let floats = certificate["coefficients"].as_array().into_iter().flatten();
-                let coefficients: Vec<f64> = floats.filter_map(Value::as_f64).collect();
+                let coefficients = floats(&certificate["coefficients"]);
                 let point = common_point(&bodies[0], &coefficients);
                 Proof::Common { coefficients, point }
             }
         };
         let status = result["status"].as_str().unwrap_or_default().to_owned();
-        let gauge = gauge.map(|answer| float(&answer["result"]["gauge"]));
-        Ok(Self { bodies, question, answer, status, gauge, proof })
-    }
-
-    /// What the verifier, which shares no code with the solvers, says about the answer.
-    pub(super) fn verdict(&self) -> Verdict {
-        batch::verify(&self.question.to_string(), &self.answer.to_string())
+        let gauge = gauge.map(|asked| float(&asked.result()["gauge"]));
+        Ok(Self { bodies, asked, status, gauge, proof })
     }
 
     /// How many coordinates there are.
-    pub(super) fn dimension(&self) -> usize {
+    pub(in crate::commands) fn dimension(&self) -> usize {
         self.bodies[0].center.len()
     }
 
     /// The distance of the centres.
-    pub(super) fn distance(&self) -> f64 {
+    pub(in crate::commands) fn distance(&self) -> f64 {
         let [a, b] = &self.bodies;
         let exact = |x: &f64| Dyadic::from_f64(*x);
         length(&b.center.iter().zip(&a.center).map(|(b, a)| exact(b) - exact(a)).collect::<Vec<_>>()).1
     }
-}
-
-fn answered(question: &Value) -> anyhow::Result<Value> {
-    let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
-    if answer.refused {
-        bail!("{}", answer.content["error"]["message"].as_str().unwrap_or("the question is refused"));
-    }
-    Ok(answer.content)
-}
-
-fn float(value: &Value) -> f64 {
-    let spelled = || value.as_str().and_then(NonFinite::spelled).map(NonFinite::value);
-    value.as_f64().or_else(spelled).unwrap_or(f64::NAN)
 }
 
 /// A vector divided by its length, and the length; computed on multiples that neither overflow nor vanish.
@@ -115,7 +92,8 @@ fn length(vector: &[Dyadic]) -> (Vec<f64>, f64) {
 }
 
 impl Gap {
-    fn of(bodies: &[Body; 2], direction: &[Value]) -> anyhow::Result<Self> {
+    /// The gap in a direction.
+    pub(in crate::commands) fn of(bodies: &[Body; 2], direction: &[Value]) -> anyhow::Result<Self> {
         let direction = whole(direction).ok_or_else(|| anyhow!("the direction cannot be read"))?;
         let exact = |v: &[f64]| v.iter().map(|&x| Dyadic::from_f64(x)).collect::<Vec<_>>();
         let along = |v: &[f64]| direction.iter().zip(exact(v)).fold(Dyadic::zero(), |sum, (u, x)| sum + u * &x);

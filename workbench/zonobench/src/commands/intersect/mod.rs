@@ -1,7 +1,7 @@
 //! `zonobench intersect`: whether two zonotopes have a point in common, with the proof.
 
-mod drawing;
-mod meeting;
+pub(super) mod drawing;
+pub(super) mod meeting;
 mod summary;
 
 use std::io::{self, Write};
@@ -50,16 +50,12 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let bodies = [read(&options.a)?, read(&options.b)?];
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let meeting = Meeting::of(&name, bodies)?;
-    let verdict = meeting.verdict();
+    let verdict = meeting.asked.verdict();
 
     if let Some(file) = &options.svg {
         write_whole(file, drawing::draw(&name, &meeting).as_bytes(), existing)?;
     }
-    for (file, content) in [(&options.question, &meeting.question), (&options.json, &meeting.answer)] {
-        if let Some(file) = file {
-            write_whole(file, format!("{content}\n").as_bytes(), existing)?;
-        }
-    }
+    meeting.asked.write(options.question.as_ref(), options.json.as_ref(), existing)?;
     io::stdout().lock().write_all(summary::summary(options, &meeting, &verdict).as_bytes())?;
     Ok(if matches!(verdict, Verdict::Right(_)) { Ending::Good } else { Ending::Bad })
 }

@@ -57,7 +57,7 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
             Verdict::Wrong(reason) | Verdict::Unchecked(reason) => format!("WRONG: {reason}"),
         },
     );
-    table.row("method", meeting.answer["method"].as_str().unwrap_or_default().to_owned());
+    table.row("method", meeting.asked.answer["method"].as_str().unwrap_or_default().to_owned());
     table.row(
         "verify",
         match (&options.question, &options.json) {

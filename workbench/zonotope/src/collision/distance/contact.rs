@@ -12,7 +12,7 @@ use crate::lad::of_generators::span::prism::Prism;
 use crate::lad::of_generators::{ladder, solve};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, Span, dot, exact};
+use crate::numeric::exact_linear::{ExactVector, Span, dot, exact, solve as solve_exactly};
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::query::Query;
 
@@ -41,7 +41,9 @@ pub struct Touching<const D: usize> {
 pub fn contact<const D: usize>(query: &Query<'_, D>, proximity: &Proximity<D>) -> Option<Contact<D>> {
     let generators: Vec<[Dyadic; D]> = query.generators().map(|v| exact(*v)).collect();
     let count = query.runs()[0].len();
-    let point = point(exact(query.from()), &witness(proximity)?.coefficients, &generators[..count]);
+    let (from, to) = (exact(query.from()), exact(query.to()));
+    let p = array::from_fn(|k| &to[k] - &from[k]);
+    let point = point(&from, &p, witness(proximity)?, &generators, count);
     let touching = is_touching(proximity).then(|| {
         let normal = || match query.in_dimension::<3>() {
             Some(query) => facet_normal(&query),
@@ -57,7 +59,7 @@ pub fn contact_posed(query: &PosedQuery<'_>, proximity: &Proximity<3>) -> Option
     let posed = Posed::new(query);
     let generators: Vec<ExactVector> = (0..posed.len()).map(|index| posed.exact_generator(index)).collect();
     let (count, [from, _]) = (query.rows()[0].len(), query.ends());
-    let point = point(from, &witness(proximity)?.coefficients, &generators[..count]);
+    let point = point(&from, query.displacement(), witness(proximity)?, &generators, count);
     let touching = is_touching(proximity).then(|| touching(&generators, count, || facet_normal(&posed)));
     Some(Contact { point, touching })
 }
@@ -73,13 +75,42 @@ fn is_touching<const D: usize>(proximity: &Proximity<D>) -> bool {
     matches!(proximity, Proximity::Touching(_))
 }
 
-/// center + Σ δ_i g_i, rounded once; coefficients of further generators are passed over.
-fn point<const D: usize>(center: [Dyadic; D], coefficients: &[f64], generators: &[[Dyadic; D]]) -> [f64; D] {
-    let sum = coefficients.iter().zip(generators).fold(center, |sum, (&coefficient, g)| {
+/// The point of the first body that the witness has for the displacement p, rounded once: center + Σ δ_i g_i over its
+/// generators, the first so many, with the exact coefficients of the basis. Those in doubles would not do: a long
+/// generator takes the point as far away as the last place of its coefficient.
+fn point<const D: usize>(
+    center: &[Dyadic; D],
+    p: &[Dyadic; D],
+    witness: &Witness,
+    generators: &[[Dyadic; D]],
+    count: usize,
+) -> [f64; D] {
+    let Witness { coefficients, basis } = witness;
+    let (mut own, mut rest) = (center.clone(), p.clone());
+    for (index, (&coefficient, g)) in coefficients.iter().zip(generators).enumerate() {
+        if coefficient == 0.0 || basis.contains(&index) {
+            continue;
+        }
         let factor = Dyadic::from_f64(coefficient);
-        array::from_fn(|k| &sum[k] + &(&factor * &g[k]))
-    });
-    sum.map(|c| c.rounded_ratio(&Dyadic::one()))
+        for k in 0..D {
+            let term = &factor * &g[k];
+            rest[k] = &rest[k] - &term;
+            if index < count {
+                own[k] = &own[k] + &term;
+            }
+        }
+    }
+    let rational = |v: &[Dyadic; D]| -> Vec<Rational> { v.iter().map(Dyadic::to_rational).collect() };
+    let columns: Vec<Vec<Rational>> = basis.iter().map(|&index| rational(&generators[index])).collect();
+    let solved =
+        solve_exactly(&columns, &rational(&rest)).expect("the basis of a witness makes up what the others leave");
+    let mut point = own.map(|c| c.to_rational());
+    for (&index, coefficient) in basis.iter().zip(solved).filter(|(index, _)| **index < count) {
+        for (c, g) in point.iter_mut().zip(&generators[index]) {
+            *c += &coefficient * g.to_rational();
+        }
+    }
+    point.map(|c| c.to_f64().value())
 }
 
 /// How the bodies touch whose generators are given, those of the first body first; `facet_normal` finds the normal

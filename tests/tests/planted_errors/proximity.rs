@@ -1,0 +1,102 @@
+//! Whether a changed answer about the distance of two bodies is still true.
+
+use dashu_ratio::RBig;
+use serde_json::Value;
+
+use crate::judges::{is_near, placed, proves, same_fields, same_figure};
+use crate::rationals::{absolute, dot, indices, minus, number, solved, vector};
+
+/// Bounds of a depth differ by this much of the upper one.
+const DEPTH_ACCURACY: f64 = 0.01;
+
+/// The question in rationals.
+struct Question {
+    p: Vec<RBig>,
+    generators: Vec<Vec<RBig>>,
+    /// How many generators are those of the first body.
+    count: usize,
+}
+
+/// Whether `changed` answers the question, as `right` does: the status with its proof, and everything else.
+pub fn judged(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bool)> {
+    let [(from, own), (to, others)] = [placed(&input["a"], "center")?, placed(&input["b"], "center")?];
+    let (p, count) = (minus(&to, &from), own.len());
+    let question = Question { p, generators: [own, others].concat(), count };
+    let is_same = same_fields(&["status", "features"], right, changed)
+        && same_figure(&right["distance"], &changed["distance"])
+        && ["a", "b"].iter().all(|name| is_near(&right["nearest"][name], &changed["nearest"][name]));
+    let is_proved = proves(&Some(question.p.clone()), &Some(question.generators.clone()), right, changed)?;
+    let parts = match right["status"].as_str()? {
+        "outside" => is_nearest(&question, &changed["distance_certificate"])?,
+        "boundary" => supports(&question, right, changed)? && right["penetration"] == changed["penetration"],
+        _ => is_deep(&question, &right["penetration"], &changed["penetration"])?,
+    };
+    Some((is_same && is_proved, parts))
+}
+
+/// Whether coefficients prove that their point is nearest: r = p − Σ δ_i g_i leads nowhere nearer.
+fn is_nearest(question: &Question, certificate: &Value) -> Option<bool> {
+    let (coefficients, basis) = (vector(&certificate["coefficients"])?, indices(&certificate["basis"])?);
+    if coefficients.len() != question.generators.len() {
+        return Some(false);
+    }
+    let taken = |residual: &[RBig], factor: &RBig, g: &[RBig]| -> Vec<RBig> {
+        residual.iter().zip(g).map(|(rest, c)| rest - factor * c).collect()
+    };
+    let off = (0..coefficients.len()).filter(|index| !basis.contains(index));
+    let rest = off.fold(question.p.clone(), |rest, i| taken(&rest, &coefficients[i], &question.generators[i]));
+    let columns: Option<Vec<&Vec<RBig>>> = basis.iter().map(|&index| question.generators.get(index)).collect();
+    let columns = columns?;
+    let products = |v: &[RBig]| -> Vec<RBig> { columns.iter().map(|column| dot(column, v)).collect() };
+    let gram: Vec<Vec<RBig>> = columns.iter().map(|column| products(column)).collect();
+    let exact = solved(&gram.iter().collect::<Vec<_>>(), &products(&rest))?;
+    let mut all = coefficients;
+    let mut residual = rest;
+    for ((&index, exact), column) in basis.iter().zip(exact).zip(&columns) {
+        let (nearest, given) = (exact.to_f64().value(), certificate["coefficients"][index].as_f64()?);
+        if !(nearest.next_down()..=nearest.next_up()).contains(&given) {
+            return Some(false);
+        }
+        residual = taken(&residual, &exact, column);
+        all[index] = exact;
+    }
+    let is_extreme = |(g, delta): (&Vec<RBig>, &RBig)| {
+        let along = dot(g, &residual);
+        absolute(delta.clone()) <= RBig::ONE
+            && (along == RBig::ZERO || *delta == if along > RBig::ZERO { RBig::ONE } else { -RBig::ONE })
+    };
+    Some(residual.iter().any(|c| *c != RBig::ZERO) && question.generators.iter().zip(&all).all(is_extreme))
+}
+
+/// Whether the hyperplane supports both bodies, in faces of the dimensions of the right one.
+fn supports(question: &Question, right: &Value, changed: &Value) -> Option<bool> {
+    let [old, new] = [vector(&right["contact_normal"])?, vector(&changed["contact_normal"])?];
+    let reach = question.generators.iter().fold(RBig::ZERO, |sum, g| sum + absolute(dot(&new, g)));
+    let is_supporting =
+        new.len() == question.p.len() && new.iter().any(|c| *c != RBig::ZERO) && dot(&new, &question.p) == reach;
+    let ranks = |u: &[RBig]| -> [usize; 2] {
+        let (own, others) = question.generators.split_at(question.count);
+        [own, others].map(|list| {
+            let mut independent: Vec<&Vec<RBig>> = Vec::new();
+            for g in list.iter().filter(|g| dot(u, g) == RBig::ZERO) {
+                if solved(&independent, g).is_none() {
+                    independent.push(g);
+                }
+            }
+            independent.len()
+        })
+    };
+    Some(is_supporting && ranks(&old) == ranks(&new))
+}
+
+/// Whether the bounds hold the depth that the right bounds hold, and the direction is one in which it is about that.
+fn is_deep(question: &Question, right: &Value, changed: &Value) -> Option<bool> {
+    let bounds = |value: &Value| Some([number(&value["lower"])?, number(&value["upper"])?]);
+    let ([least, most], [lower, upper]) = (bounds(right)?, bounds(changed)?);
+    let u = vector(&changed["direction"])?;
+    let reach = question.generators.iter().fold(RBig::ZERO, |sum, g| sum + absolute(dot(&u, g)));
+    let along = (reach - dot(&u, &question.p)).to_f64().value();
+    let length = dot(&u, &u).to_f64().value().sqrt();
+    let is_about = along <= (1.0 + 3.0 * DEPTH_ACCURACY) * most.to_f64().value() * length + 1e-9 * length;
+    Some(u.len() == question.p.len() && length > 0.0 && lower <= most && upper >= least && lower <= upper && is_about)
+}

@@ -1,0 +1,61 @@
+//! Bodies around bodies, and how far apart they are at most.
+
+use super::Verdict;
+use super::reading::{boolean, float, index, indices, member, vector, vectors};
+use crate::json::Tree;
+use verifier::{HausdorffAnswer, Reduction, ReductionAnswer, Shares, check_hausdorff, check_reduction};
+
+pub(super) fn reduce(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let question = Reduction {
+        center: vector(member(input, "center")?, "center")?,
+        generators: vectors(member(input, "generators")?, "generators")?,
+        count: Some(index(input, "count")?),
+    };
+    checked(&question, result)
+}
+
+pub(super) fn approx(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let center = vec![0.0; generators.first().map_or(3, Vec::len)];
+    checked(&Reduction { center, generators, count: None }, result)
+}
+
+fn checked(question: &Reduction, result: &Tree) -> Result<Verdict, String> {
+    let (certificate, distance) = (member(result, "certificate")?, member(result, "hausdorff")?);
+    let answer = ReductionAnswer {
+        center: vector(member(result, "center")?, "center")?,
+        generators: vectors(member(result, "generators")?, "generators")?,
+        bounds: [float(distance, "lower")?, float(distance, "upper")?],
+        direction: vector(member(distance, "direction")?, "direction")?,
+        shares: certificate.field("shares").map(|list| shares(list, certificate)).transpose()?,
+    };
+    Ok(check_reduction(question, &answer))
+}
+
+fn shares(list: &Tree, certificate: &Tree) -> Result<Shares, String> {
+    let share = |tree: &Tree| match (tree, tree.list()) {
+        (Tree::Null, _) => Ok(None),
+        (_, Some([generator, coefficient])) => match (generator.index(), coefficient.float()) {
+            (Some(generator), Some(coefficient)) => Ok(Some((generator, coefficient))),
+            _ => Err("a share is no index with a coefficient".to_owned()),
+        },
+        _ => Err("a share is neither a pair nor null".to_owned()),
+    };
+    let list = list.list().ok_or("`shares` is not a list")?;
+    Ok(Shares { shares: list.iter().map(share).collect::<Result<_, _>>()?, frame: indices(certificate, "frame")? })
+}
+
+pub(super) fn hausdorff(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let body = |name| -> Result<(Vec<f64>, Vec<Vec<f64>>), String> {
+        let body = member(input, name)?;
+        Ok((vector(member(body, "center")?, "center")?, vectors(member(body, "generators")?, "generators")?))
+    };
+    let (a, b) = (body("a")?, body("b")?);
+    let answer = HausdorffAnswer {
+        value: float(result, "value")?,
+        bounds: [float(result, "lower")?, float(result, "upper")?],
+        direction: vector(member(result, "direction")?, "direction")?,
+        is_subset: boolean(result, "a_subset_b")?,
+    };
+    Ok(check_hausdorff((&a.0, &a.1), (&b.0, &b.1), &answer))
+}

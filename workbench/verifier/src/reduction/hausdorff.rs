@@ -1,0 +1,151 @@
+//! Answers to "what is the Hausdorff distance of two zonotopes": the lower bound in the direction that attains it.
+//!
+//! The distance is the largest difference |h_a(u) − h_b(u)| over unit vectors u. One direction proves a lower bound;
+//! an upper bound would take a search over all directions, which is not repeated.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+
+use crate::RELATIVE_ERROR;
+use crate::exact::fraction::Fraction;
+use crate::exact::grid::{Grid, check_finite};
+use crate::exact::length::root;
+use crate::exact::linear::{Vector, dot};
+use crate::exact::proportion::Proportion;
+use crate::exact::whole_direction;
+use crate::faces::containment::contains_body;
+use crate::faces::facets::reach;
+use crate::verdict::{Stop, Verdict};
+
+/// Two bodies in whole numbers of one unit.
+pub(super) struct BodyPair {
+    /// The vector from the first centre to the second.
+    displacement: Vector,
+    /// The generators of both.
+    pub(super) generators: [Vec<Vector>; 2],
+    /// The exponent of the unit.
+    exponent: i32,
+}
+
+/// A centre and generators.
+type Plain<'a> = (&'a [f64], &'a [Vec<f64>]);
+
+impl BodyPair {
+    pub(super) fn new(a: Plain<'_>, b: Plain<'_>) -> Result<Self, String> {
+        let dimension = a.0.len();
+        if [a, b].iter().any(|(center, list)| {
+            center.len() != dimension || list.iter().any(|generator| generator.len() != dimension)
+        }) {
+            return Err("the dimensions do not agree".to_owned());
+        }
+        let all = [a, b].into_iter().flat_map(|(center, list)| center.iter().chain(list.iter().flatten()));
+        check_finite("the question or the answer", all.clone())?;
+        let grid = Grid::of(all.copied());
+        let whole = |v: &[f64]| -> Vector { v.iter().map(|&c| grid.units(c)).collect() };
+        let displacement = whole(b.0).iter().zip(whole(a.0)).map(|(to, from)| to - from).collect();
+        let generators = [a, b].map(|(_, list)| list.iter().map(|g| whole(g)).collect());
+        Ok(Self { displacement, generators, exponent: grid.exponent() })
+    }
+}
+
+/// Checks that the support functions differ by the lower bound in the direction, up to rounding, and that the upper
+/// bound is not below it.
+pub(super) fn check_bounds(pair: &BodyPair, [lower, upper]: [f64; 2], direction: &[f64]) -> Result<(), Stop> {
+    if !(lower >= 0.0 && lower <= upper) {
+        return Err("the bounds of the distance are in no order".into());
+    }
+    if direction.len() != pair.displacement.len() || direction.iter().any(|c| !c.is_finite()) {
+        return Err("the direction of the distance is no vector of the question's space".into());
+    }
+    if lower == 0.0 {
+        return Ok(());
+    }
+    let exact: Option<Vec<_>> = direction.iter().map(|&c| Fraction::of_double(c)).collect();
+    let u = whole_direction(&exact.unwrap_or_default());
+    let [a, b] = pair.generators.each_ref().map(|list| reach(list, &u));
+    let difference = (a - b).abs() + dot(&u, &pair.displacement).abs();
+    let [_, length] = root(&dot(&u, &u));
+    let unit = Proportion::whole(IBig::ONE, pair.exponent);
+    let Some(proved) = Proportion::whole(difference, 0).times(&unit).over(&length) else {
+        return Err("the direction of the distance is zero".into());
+    };
+    let claimed = if lower.is_finite() { lower } else { f64::MAX };
+    let claimed = Proportion::of_double(claimed).times(&Proportion::of_double(1.0 - RELATIVE_ERROR));
+    if claimed.compare(&proved) == Ordering::Greater {
+        return Err(format!("in the direction of the distance the bodies differ by {:?}", proved.nearest()).into());
+    }
+    Ok(())
+}
+
+/// An answer as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HausdorffAnswer {
+    /// The claimed distance.
+    pub value: f64,
+    /// The claimed bounds of the distance.
+    pub bounds: [f64; 2],
+    /// The direction in which the support functions differ by the lower bound.
+    pub direction: Vec<f64>,
+    /// Whether the second body is claimed to contain the first one.
+    pub is_subset: bool,
+}
+
+/// Proves the lower bound of the distance of two bodies, each a centre and generators, and whether the second contains
+/// the first; the upper bound is left unchecked.
+pub fn check_hausdorff(a: (&[f64], &[Vec<f64>]), b: (&[f64], &[Vec<f64>]), answer: &HausdorffAnswer) -> Verdict {
+    match proved(a, b, answer) {
+        Ok(()) => Verdict::Unchecked(
+            "containment and the lower bound of the distance hold; the upper bound is not checked".to_owned(),
+        ),
+        Err(Stop::Wrong(reason)) => Verdict::Wrong(reason),
+        Err(Stop::Unchecked(reason)) => Verdict::Unchecked(reason),
+    }
+}
+
+fn proved(a: Plain<'_>, b: Plain<'_>, answer: &HausdorffAnswer) -> Result<(), Stop> {
+    let pair = BodyPair::new(a, b)?;
+    let [lower, upper] = answer.bounds;
+    check_bounds(&pair, answer.bounds, &answer.direction)?;
+    if !(lower <= answer.value && answer.value <= upper) {
+        return Err("the distance is not between its bounds".into());
+    }
+    let [own, others] = &pair.generators;
+    let moved: Vec<Vector> = own.iter().cloned().chain([pair.displacement.clone()]).collect();
+    match contains_body(pair.displacement.len(), others, &moved) {
+        Ok(is_subset) if is_subset == answer.is_subset => Ok(()),
+        Ok(true) => Err("a lies in b".into()),
+        Ok(false) => Err("a does not lie in b".into()),
+        Err(_) => Err(Stop::Unchecked("b has too many facets to try".to_owned())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_wrong(x: f64, side: f64, answer: &HausdorffAnswer) -> bool {
+        let square = |side: f64| vec![vec![side, 0.0], vec![0.0, side]];
+        check_hausdorff((&[x, 0.0], &square(1.0)), (&[0.0, 0.0], &square(side)), answer).is_wrong()
+    }
+
+    #[test]
+    fn squares_by_hand() {
+        let answer = |bounds, direction: [f64; 2], is_subset| HausdorffAnswer {
+            value: bounds,
+            bounds: [bounds, bounds],
+            direction: direction.to_vec(),
+            is_subset,
+        };
+        // side 2 around side 1: the corners are √2 apart; moved by 1 it still is in it
+        let root = 2.0_f64.sqrt() * (1.0 - 1e-14);
+        assert!(!is_wrong(0.0, 2.0, &answer(root, [1.0, 1.0], true)));
+        assert!(is_wrong(0.0, 2.0, &answer(1.5, [1.0, 1.0], true)), "not so far");
+        assert!(is_wrong(0.0, 2.0, &answer(root, [1.0, 0.0], true)), "not in this direction");
+        assert!(is_wrong(0.0, 2.0, &answer(root, [1.0, 1.0], false)), "it is contained");
+        assert!(!is_wrong(1.0, 2.0, &answer(2.0, [-1.0, 0.0], true)));
+        assert!(is_wrong(1.5, 2.0, &answer(2.0, [-1.0, 0.0], true)), "it is not contained");
+        assert!(is_wrong(0.0, 2.0, &HausdorffAnswer { value: 9.0, ..answer(root, [1.0, 1.0], true) }));
+    }
+}

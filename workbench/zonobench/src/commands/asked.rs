@@ -1,0 +1,63 @@
+//! A question in the format of `solve`, and what `solve` says to it.
+
+use std::path::PathBuf;
+
+use anyhow::bail;
+use batch::json::NonFinite;
+use batch::{Line, Verdict};
+use serde_json::Value;
+
+use crate::output::{Existing, write_whole};
+
+/// A question with its answer.
+pub(super) struct Asked {
+    pub(super) question: Value,
+    pub(super) answer: Value,
+}
+
+impl Asked {
+    /// Asks; a question that is refused is an error.
+    pub(super) fn of(question: Value) -> anyhow::Result<Self> {
+        let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
+        if answer.refused {
+            bail!("{}", answer.content["error"]["message"].as_str().unwrap_or("the question is refused"));
+        }
+        Ok(Self { question, answer: answer.content })
+    }
+
+    /// The result in the answer.
+    pub(super) fn result(&self) -> &Value {
+        &self.answer["result"]
+    }
+
+    /// What the verifier, which shares no code with the solvers, says about the answer.
+    pub(super) fn verdict(&self) -> Verdict {
+        batch::verify(&self.question.to_string(), &self.answer.to_string())
+    }
+
+    /// Writes the question and the answer to the files that were asked for.
+    pub(super) fn write(
+        &self,
+        question: Option<&PathBuf>,
+        answer: Option<&PathBuf>,
+        existing: Existing,
+    ) -> anyhow::Result<()> {
+        for (file, content) in [(question, &self.question), (answer, &self.answer)] {
+            if let Some(file) = file {
+                write_whole(file, format!("{content}\n").as_bytes(), existing)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A number of an answer.
+pub(super) fn float(value: &Value) -> f64 {
+    let spelled = || value.as_str().and_then(NonFinite::spelled).map(NonFinite::value);
+    value.as_f64().or_else(spelled).unwrap_or(f64::NAN)
+}
+
+/// A vector of an answer.
+pub(super) fn floats(value: &Value) -> Vec<f64> {
+    value.as_array().into_iter().flatten().map(float).collect()
+}

@@ -1,0 +1,75 @@
+//! `zonobench distance`: how far apart two zonotopes are, or how deep they overlap.
+
+mod summary;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::Ending;
+use super::asked::{Asked, floats};
+use super::intersect::drawing::draw_with_points;
+use super::intersect::meeting::{Gap, Meeting, Proof};
+use super::verify::question_name;
+use crate::input::{BodySource, Format};
+use crate::output::{Existing, check_outputs, write_whole};
+use batch::Verdict;
+use batch::json::{rows_to_json, vector_to_json};
+
+/// Options of `distance`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The first zonotope, of one to three dimensions: JSON with `generators` and perhaps a `center`, or a table whose
+    /// rows are generators; `-` is standard input.
+    a: PathBuf,
+    /// The second zonotope.
+    b: PathBuf,
+    /// The format of both files, where their extensions do not tell it.
+    #[arg(long)]
+    format: Option<Format>,
+    /// Write a picture of both bodies with their nearest points.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// Write the answer with its certificate, in the format of `solve`.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the question in the format of `solve`: `verify` checks the answer against it.
+    #[arg(long, value_name = "FILE")]
+    question: Option<PathBuf>,
+    /// Replace files that exist.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Reads, solves, checks, and prints the distance with its proof.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let existing = Existing::from_force(options.force);
+    let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
+    check_outputs(outputs, &[&options.a, &options.b], existing)?;
+    let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read();
+    let bodies = [read(&options.a)?, read(&options.b)?];
+    let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
+    let [a, b] = bodies
+        .each_ref()
+        .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)}));
+    let asked = Asked::of(json!({"id": name, "kind": "distance", "input": {"a": a, "b": b}}))?;
+    let verdict = asked.verdict();
+
+    if let Some(file) = &options.svg {
+        let points = ["a", "b"].map(|body| floats(&asked.result()["nearest"][body]));
+        let mut meeting = Meeting::of(&name, bodies.clone())?;
+        if let Proof::Gap(_) = meeting.proof {
+            let between: Vec<Value> = points[1].iter().zip(&points[0]).map(|(b, a)| (b - a).into()).collect();
+            // a gap that is too narrow for doubles is drawn along the direction that separates
+            if between.iter().any(|c| c.as_f64() != Some(0.0)) {
+                meeting.proof = Proof::Gap(Gap::of(&bodies, &between)?);
+            }
+        }
+        write_whole(file, draw_with_points(&name, &meeting, &points).as_bytes(), existing)?;
+    }
+    asked.write(options.question.as_ref(), options.json.as_ref(), existing)?;
+    io::stdout().lock().write_all(summary::summary(options, &bodies, &asked, &verdict).as_bytes())?;
+    Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
+}

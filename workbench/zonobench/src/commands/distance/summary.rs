@@ -1,0 +1,61 @@
+//! What a person reads of a distance.
+
+use super::Options;
+use crate::commands::asked::{Asked, float, floats};
+use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
+use crate::input::Body;
+use batch::Verdict;
+
+/// The distance or the depth, with where it is, in a few lines.
+pub(super) fn summary(options: &Options, bodies: &[Body; 2], asked: &Asked, verdict: &Verdict) -> String {
+    let result = asked.result();
+    let mut table = Table::default();
+    for (name, body, file) in [("a", &bodies[0], &options.a), ("b", &bodies[1], &options.b)] {
+        let count = counted(body.generators.len(), "generator", "generators");
+        let rounded = if body.is_rounded { ROUNDED } else { "" };
+        table.row(name, format!("{count} in {}, centre {}{rounded}", file.display(), tuple(&body.center)));
+    }
+    let answer = match result["status"].as_str().unwrap_or_default() {
+        "inside" => "a and b overlap: their interiors meet",
+        "boundary" => "a and b touch: they have a point in common, but not in the interiors",
+        _ => "a and b are disjoint",
+    };
+    table.row("answer", answer.to_owned());
+    let distance = float(&result["distance"]);
+    table.row("distance", figure(distance));
+    let point = |body: &str| tuple(&floats(&result["nearest"][body]));
+    let feature = |body: &str| result["features"][body].as_str().unwrap_or_default().to_owned();
+    if result["status"] == "outside" {
+        table.row("nearest in a", format!("{}, on a face: {}", point("a"), feature("a")));
+        table.row("nearest in b", format!("{}, on a face: {}", point("b"), feature("b")));
+    } else {
+        table.row("common point", format!("{}, rounded", point("a")));
+    }
+    if result["status"] == "boundary" {
+        table.row("they touch", format!("a: {}, b: {}", feature("a"), feature("b")));
+    }
+    if result["status"] == "inside" {
+        let depth = &result["penetration"];
+        let (lower, upper) = (float(&depth["lower"]), float(&depth["upper"]));
+        table
+            .row("depth", format!("between {} and {}: so far b is to be moved at least", figure(lower), figure(upper)));
+        table.row("direction", format!("{}, of any length", tuple(&floats(&depth["direction"]))));
+    }
+    table.row(
+        "certificate",
+        match verdict {
+            Verdict::Right(proved) => format!("checked: {proved}"),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
+            Verdict::Wrong(reason) => format!("WRONG: {reason}"),
+        },
+    );
+    table.row("method", asked.answer["method"].as_str().unwrap_or_default().to_owned());
+    table.row(
+        "verify",
+        match (&options.question, &options.json) {
+            (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
+            _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
+        },
+    );
+    table.text()
+}

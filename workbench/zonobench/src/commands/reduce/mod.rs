@@ -1,0 +1,110 @@
+//! `zonobench reduce`: a zonotope of few generators around a zonotope.
+
+mod drawing;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use serde_json::{Value, json};
+
+use super::Ending;
+use super::asked::{Asked, float, floats};
+use super::table::{ROUNDED, Table, counted, figure, tuple};
+use super::verify::question_name;
+use crate::input::{Body, BodySource, Format};
+use crate::output::{Existing, check_outputs, write_whole};
+use batch::Verdict;
+use batch::json::{rows_to_json, vector_to_json};
+use zonotope::reduction::Method;
+
+/// Options of `reduce`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
+    /// standard input.
+    file: PathBuf,
+    /// The most generators of the answer: at least as many as there are coordinates.
+    #[arg(long, value_name = "K")]
+    count: u64,
+    /// The rule: the best of all, or one of them.
+    #[arg(long, default_value = Method::Clusters.id(), value_parser = PossibleValuesParser::new(Method::ALL.map(Method::id)))]
+    rule: String,
+    /// The format, where the extension does not tell it.
+    #[arg(long)]
+    format: Option<Format>,
+    /// Write a picture of both bodies.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// Write the answer with its certificate, in the format of `solve`: other commands read the body from it.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the question in the format of `solve`: `verify` checks the answer against it.
+    #[arg(long, value_name = "FILE")]
+    question: Option<PathBuf>,
+    /// Replace files that exist.
+    #[arg(long)]
+    force: bool,
+}
+
+/// Reads, reduces, checks, and prints a summary.
+pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let existing = Existing::from_force(options.force);
+    let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
+    check_outputs(outputs, &[&options.file], existing)?;
+    let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
+    let name = question_name(&options.file);
+    let input = json!({
+        "center": vector_to_json(&body.center),
+        "generators": rows_to_json(&body.generators),
+        "count": options.count,
+        "rule": options.rule,
+    });
+    let asked = Asked::of(json!({"id": name, "kind": "reduce", "input": input}))?;
+    let verdict = asked.verdict();
+    let rows = asked.result()["generators"].as_array().into_iter().flatten();
+    let reduced: Vec<Vec<f64>> = rows.map(floats).collect();
+    if let Some(file) = &options.svg {
+        write_whole(file, drawing::draw(&name, &body, &reduced).as_bytes(), existing)?;
+    }
+    asked.write(options.question.as_ref(), options.json.as_ref(), existing)?;
+    let text = summary(options, &body, &reduced, &asked, &verdict);
+    io::stdout().lock().write_all(text.as_bytes())?;
+    Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
+}
+
+fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, verdict: &Verdict) -> String {
+    let mut table = Table::default();
+    let count = counted(body.generators.len(), "generator", "generators");
+    let rounded = if body.is_rounded { ROUNDED } else { "" };
+    table.row("body", format!("{count} in {}, centre {}{rounded}", options.file.display(), tuple(&body.center)));
+    table.row("answer", format!("{}, around the same centre", counted(reduced.len(), "generator", "generators")));
+    table.row("rule", options.rule.clone());
+    let distance: &Value = &asked.result()["hausdorff"];
+    table.row(
+        "distance",
+        format!(
+            "between {} and {}: no point of the answer is farther than that from the body",
+            figure(float(&distance["lower"])),
+            figure(float(&distance["upper"]))
+        ),
+    );
+    let length = |rows: &[Vec<f64>]| rows.iter().map(|row| row.iter().map(|x| x * x).sum::<f64>().sqrt()).sum::<f64>();
+    table.row("total length", format!("{}, of the body {}", figure(length(reduced)), figure(length(&body.generators))));
+    table.row(
+        "certificate",
+        match verdict {
+            Verdict::Right(proved) | Verdict::Unchecked(proved) => format!("checked: {proved}"),
+            Verdict::Wrong(reason) => format!("WRONG: {reason}"),
+        },
+    );
+    table.row(
+        "verify",
+        match (&options.question, &options.json) {
+            (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
+            _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
+        },
+    );
+    table.text()
+}
