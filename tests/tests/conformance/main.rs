@@ -6,6 +6,7 @@ mod cutting;
 mod distance;
 mod dynamic_hull;
 mod faces;
+mod facet_walk;
 mod fixed_directions;
 mod hull;
 mod kernel;

@@ -78,6 +78,7 @@
 //! | [`line_fit`] | the kernel as a statistician knows it: the line of least absolute deviations | |
 //! | [`arrangement::slope_selection`] | the k-th leftmost vertex of a line arrangement | 4.1 and 5.1, \[5\] |
 //! | [`arrangement::dynamic_hull`] | one chain of a convex hull, under insertions and deletions | 5.2, Lemma 5.6 |
+//! | [`arrangement::facet_walk`] | the neighbours of a facet, by walking from facet to facet | 5.2, Lemma 5.6 |
 //! | `linear_program` | linear programs by engines in floating point (feature `linear-programming`) | under 4.2 and 4.3 |
 //! | [`arrangement::tiling`] | the tiling of Q by the facets of the upper hull, dual to the arrangement | 3, Figure 1 |
 //! | [`arrangement::separator`] | the k-th separator of that tiling | 5.1 |

@@ -6,6 +6,7 @@
 //! | [`separator`] | the chain with k tiles of the dual tiling on its left |
 //! | [`cutting`] | trapezoids that few lines cross, with the lines that cross each, and where a point is among them |
 //! | [`dynamic_hull`] | the envelopes of lines that come and go: what a walk over an arrangement needs |
+//! | [`facet_walk`] | the neighbours of a facet: of a vertex of the dual arrangement, one step after another |
 //! | [`tiling`] | the tiling that is dual to the arrangement of generators in space, with the isomorphism |
 //!
 //! [`DualArrangement`] is the arrangement that Section 3 attaches to the generators of a zonotope in space.
@@ -14,6 +15,7 @@ pub mod cutting;
 pub(crate) mod dual;
 pub mod dynamic_hull;
 mod exact_sort;
+pub mod facet_walk;
 pub(crate) mod fraction;
 mod line;
 pub(crate) mod lines;

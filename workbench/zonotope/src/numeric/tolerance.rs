@@ -163,3 +163,16 @@ pub const CELL_ROUNDING: f64 = 32.0 * UNIT;
 /// The angle by which a direction that was rounded from exact coordinates may be off, in terms of 1, with room for the
 /// signs that generators nearly orthogonal to it have for its neighbours: each coordinate is off by at most 2^-50.
 pub const EXACT_DIRECTION_ROUNDING: f64 = power_of_two(-44);
+
+/// By how much the product of a vector with a rounded normal, or with the tangent along which it turns, may be off, for
+/// coordinates below 2.
+///
+/// A cross product of two such vectors, rounded and divided by its largest coordinate, of at least 2^-4, is off by at
+/// most 2^-45 in each coordinate. Its cross product with a third one is off by at most 2^-42 when it is scaled to a
+/// largest coordinate of 1: its length is at least 1 as the factors are orthogonal. Six times that is below 2^-39, and
+/// half of the bound is left for the roundings of products and of what they are compared with.
+pub const PRODUCT_WITH_TURNED_NORMAL: f64 = power_of_two(-38);
+
+/// The largest coordinate of the cross product of vectors with coordinates below 2 that [`PRODUCT_WITH_TURNED_NORMAL`]
+/// takes for granted.
+pub const LARGEST_OF_ROUNDED_NORMAL: f64 = power_of_two(-4);

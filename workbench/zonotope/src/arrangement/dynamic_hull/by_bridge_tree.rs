@@ -24,7 +24,9 @@
 //! 4. An insertion goes up from the leaf. A bridge that the new site is outside of is replaced by the tangent from the
 //!    site to the other half; every other bridge stays. Where the site is inside of the bridge, it is a vertex of no
 //!    larger part, and the way up ends.
-//! 5. A deletion goes up likewise, and finds anew the bridges that end in the site.
+//! 5. A deletion goes up likewise, and finds anew the bridges that end in the site. Their ends are looked for where they
+//!    can be: between the neighbours of the site on the chain of its own part, and on this side of the old end in the
+//!    other part (`by_bridge_tree/search.rs`).
 //!
 //! # Complexity
 //! n sites: an update O(log² n), a query O(log n), the paper's bounds; construction O(n) after sorting. On average a
@@ -74,7 +76,7 @@ use super::interface::Towards;
 use super::sites::{Direction, Site};
 use crate::numeric::orientation::Turn;
 use search::{bridge, touching};
-use tree::{Node, VACANT};
+use tree::{EVERYWHERE, Node, Range, VACANT};
 
 impl BridgeTree {
     /// The root, if a site is present.
@@ -83,18 +85,23 @@ impl BridgeTree {
         is_occupied.then_some(1)
     }
 
-    /// Finds the bridge of a node anew; both of its parts are occupied.
-    fn renew<S: Site>(&mut self, sites: &PresentSites<S>, node: usize) {
+    /// Finds the bridge of a node anew, with its ends in ranges; both of its parts are occupied.
+    fn renew<S: Site>(&mut self, sites: &PresentSites<S>, node: usize, ranges: [Range; 2]) {
         let parts = [Self::left(node), Self::right(node)];
-        self.bridges[node] = bridge(self, sites, parts, self.boundary(node));
+        self.bridges[node] = bridge(self, sites, parts, self.boundary(node), ranges);
     }
 
-    /// Joins a location, new and on the chain of the part that it belongs to, with the other part of a node.
+    /// Joins a location, new and on the chain of the part that it belongs to, with the other part of a node. Where the
+    /// node had a bridge, its other end can only have moved away from the location.
     fn join<S: Site>(&mut self, sites: &PresentSites<S>, node: usize, location: u32, is_left: bool) {
+        let [p, q] = self.bridges[node];
+        let had_bridge = p != VACANT && q != VACANT;
         self.bridges[node] = if is_left {
-            [location, touching(self, sites, location, Self::right(node), false)]
+            let range = if had_bridge { q..=*EVERYWHERE.end() } else { EVERYWHERE };
+            [location, touching(self, sites, location, Self::right(node), &range, false)]
         } else {
-            [touching(self, sites, location, Self::left(node), true), location]
+            let range = if had_bridge { *EVERYWHERE.start()..=p } else { EVERYWHERE };
+            [touching(self, sites, location, Self::left(node), &range, true), location]
         };
     }
 }
@@ -131,7 +138,7 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
         }
         for node in (1..tree.leaves).rev() {
             if !tree.bridges[node].contains(&VACANT) {
-                tree.renew(sites, node);
+                tree.renew(sites, node, [EVERYWHERE; 2]);
             }
         }
         tree
@@ -161,6 +168,8 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
     fn vacate(&mut self, sites: &PresentSites<S>, location: u32) {
         let mut node = self.leaves + location as usize;
         let mut is_vacant = true;
+        // the neighbours of the location on the chain of the part that was looked at last
+        let mut neighbours = EVERYWHERE;
         while node > 1 {
             let is_left = node.is_multiple_of(2);
             node /= 2;
@@ -169,10 +178,20 @@ impl<S: Site> ChainMethod<S> for BridgeTree {
             if is_vacant {
                 self.bridges[node][usize::from(!is_left)] = VACANT;
                 is_vacant = other == VACANT;
+                if !is_vacant {
+                    neighbours = if is_left { *EVERYWHERE.start()..=other } else { other..=*EVERYWHERE.end() };
+                }
             } else if other == VACANT {
                 continue;
             } else if own == location {
-                self.renew(sites, node);
+                let (first, last) = neighbours.into_inner();
+                if is_left {
+                    self.renew(sites, node, [first..=last, *EVERYWHERE.start()..=other]);
+                    neighbours = first..=other;
+                } else {
+                    self.renew(sites, node, [other..=*EVERYWHERE.end(), first..=last]);
+                    neighbours = other..=last;
+                }
             } else if is_left == (location > own) {
                 break;
             }

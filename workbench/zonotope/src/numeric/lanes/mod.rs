@@ -6,6 +6,7 @@
 //! | [`bit_places`] | the places of the bits that are set in a word |
 //! | `bounded_sum` | the same in space, with a bound on its error from the same pass |
 //! | `extreme_sum` | an extreme vertex of a centred zonotope |
+//! | `first_orthogonal` | the vectors that may be the first to be orthogonal to a direction that turns |
 //! | `extents` | the sums of magnitudes along the axes, which bound the errors of these passes |
 //! | [`level`] | the vector instructions of the machine, chosen when the program runs |
 //! | [`number`] | what the steps of a pass compute with: one number, or eight |
@@ -19,6 +20,7 @@ pub(crate) mod bit_places;
 mod bounded_sum;
 mod extents;
 mod extreme_sum;
+mod first_orthogonal;
 pub(crate) mod layout;
 pub(crate) mod level;
 pub(crate) mod number;
@@ -36,5 +38,6 @@ pub(crate) use bounded_sum::{bounded_sum, bounded_sum_near};
 pub use extents::Extents;
 pub use extreme_sum::extreme_sum;
 pub(crate) use extreme_sum::extreme_sum_of;
+pub(crate) use first_orthogonal::first_orthogonal;
 pub(crate) use row_products::{product_in_eights, product_in_fours, products_of_four_rows};
 pub(crate) use signed_factors::signed_factors;

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use robust::{Coord3D, orient3d};
 
 use crate::numeric::exact_linear::{cross, dot, exact};
+use crate::numeric::linear::sum_norm;
 use crate::numeric::scaling::{binary_exponent, power_of_two, scale_by_power_of_two};
 use crate::numeric::tolerance::{DETERMINANT_3X3, UNDERFLOW};
 use crate::tally::{Operation, Tally};
@@ -77,25 +78,61 @@ pub(crate) fn determinant_sign_counted(
     c: &Direction,
     tally: &mut impl Tally,
 ) -> Ordering {
-    let [x, y, z] = a.scaled;
-    let [d, e, f] = b.scaled;
-    let [g, h, i] = c.scaled;
-    let products = [e * i, f * h, f * g, d * i, d * h, e * g];
-    let determinant =
-        x * (products[0] - products[1]) + y * (products[2] - products[3]) + z * (products[4] - products[5]);
-    let [p, q, r, s, t, u] = products.map(f64::abs);
-    let magnitude = x.abs() * (p + q) + y.abs() * (r + s) + z.abs() * (t + u);
+    let [determinant, magnitude] = rounded_determinant(&a.scaled, &b.scaled, &c.scaled);
     if determinant.abs() > DETERMINANT_3X3 * magnitude + UNDERFLOW {
-        return if determinant > 0.0 { Ordering::Greater } else { Ordering::Less };
+        return sign_of(determinant);
     }
     tally.add(Operation::ExactFallback, 1);
     exact_sign(determinant, a, b, c)
 }
 
+/// The sign of det(a, b, c) for vectors of doubles as they are, exactly: where there are so many that scaled copies of
+/// them all take too much room. It is at its best where coordinates are of moderate sizes.
+///
+/// A product of coordinates that underflows is off by at most 2^-1075, in terms of the coordinate that it is multiplied
+/// with: far less in all than the smallest normal double for each of these.
+#[inline]
+pub(crate) fn determinant_sign_of_rows(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Ordering {
+    let [determinant, magnitude] = rounded_determinant(a, b, c);
+    let underflow = f64::MIN_POSITIVE * (1.0 + sum_norm(a));
+    if determinant.abs() > DETERMINANT_3X3 * magnitude + underflow {
+        return sign_of(determinant);
+    }
+    scaled_sign(a, b, c)
+}
+
+/// det(a, b, c) in doubles, and the sum of the magnitudes of its six products.
+#[inline(always)]
+fn rounded_determinant([x, y, z]: &[f64; 3], [d, e, f]: &[f64; 3], [g, h, i]: &[f64; 3]) -> [f64; 2] {
+    let products = [e * i, f * h, f * g, d * i, d * h, e * g];
+    let determinant =
+        x * (products[0] - products[1]) + y * (products[2] - products[3]) + z * (products[4] - products[5]);
+    let [p, q, r, s, t, u] = products.map(f64::abs);
+    [determinant, x.abs() * (p + q) + y.abs() * (r + s) + z.abs() * (t + u)]
+}
+
+/// The sign of a number that is not NaN.
+#[inline(always)]
+fn sign_of(value: f64) -> Ordering {
+    if value > 0.0 {
+        Ordering::Greater
+    } else if value < 0.0 {
+        Ordering::Less
+    } else {
+        Ordering::Equal
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn scaled_sign(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3]) -> Ordering {
+    let [a, b, c] = [a, b, c].map(|v| Direction::new(*v));
+    determinant_sign(&a, &b, &c)
+}
+
 #[cold]
 #[inline(never)]
 fn exact_sign(computed: f64, a: &Direction, b: &Direction, c: &Direction) -> Ordering {
-    let sign_of = |value: f64| value.partial_cmp(&0.0).expect("products of coordinates below 2 are finite");
     match a.precision.max(b.precision).max(c.precision) {
         Precision::Short => sign_of(computed),
         Precision::Narrow => {
@@ -156,6 +193,7 @@ mod tests {
             let minor = |k: usize, l: usize| &y[k] * &z[l] - &y[l] * &z[k];
             let determinant = &x[0] * minor(1, 2) + &x[1] * minor(2, 0) + &x[2] * minor(0, 1);
             let truth = determinant.cmp(&crate::numeric::Rational::ZERO);
+            prop_assert_eq!(determinant_sign_of_rows(&a, &b, &c), truth);
             let [a, b, c] = [a, b, c].map(Direction::new);
             prop_assert_eq!(determinant_sign(&a, &b, &c), truth);
             prop_assert_eq!(determinant_sign(&b.reversed(), &a, &c), truth);

@@ -1,5 +1,7 @@
 //! A complete binary tree over the locations, with a bridge at each node.
 
+use std::ops::RangeInclusive;
+
 /// No location: the part on that side has no site.
 pub(super) const VACANT: u32 = u32::MAX;
 
@@ -14,6 +16,12 @@ pub struct BridgeTree {
     /// end is [`VACANT`] and the other end any location.
     pub(super) bridges: Vec<[u32; 2]>,
 }
+
+/// The locations from the first to the last, both included, among which the answer of a search is known to be.
+pub(super) type Range = RangeInclusive<u32>;
+
+/// All locations.
+pub(super) const EVERYWHERE: Range = 0..=VACANT;
 
 /// What a search meets on its way down.
 pub(super) enum Node {
@@ -41,6 +49,18 @@ impl BridgeTree {
                 [_, VACANT] => *node = Self::left(*node),
                 [VACANT, _] => *node = Self::right(*node),
                 bridge => return Node::Bridge(bridge),
+            }
+        }
+    }
+
+    /// The node below which a search for a location in a range has something to decide, or the leaf of its answer.
+    #[inline]
+    pub(super) fn descend_within(&self, node: &mut usize, range: &Range) -> Node {
+        loop {
+            match self.descend(node) {
+                Node::Bridge([_, q]) if q <= *range.start() => *node = Self::right(*node),
+                Node::Bridge([p, _]) if p >= *range.end() => *node = Self::left(*node),
+                found => return found,
             }
         }
     }
