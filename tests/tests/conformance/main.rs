@@ -1,16 +1,13 @@
 //! Every fast method against the exact twin of its problem, on all instance families.
 
+mod arrangement;
 mod centered;
 mod collision;
-mod cutting;
 mod distance;
-mod dynamic_hull;
 mod faces;
-mod facet_walk;
 mod fixed_directions;
 mod hull;
 mod kernel;
 mod min_area;
 mod min_total_length;
 mod reduction;
-mod slope_selection;

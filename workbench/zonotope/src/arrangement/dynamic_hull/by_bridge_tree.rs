@@ -24,9 +24,9 @@
 //! 4. An insertion goes up from the leaf. A bridge that the new site is outside of is replaced by the tangent from the
 //!    site to the other half; every other bridge stays. Where the site is inside of the bridge, it is a vertex of no
 //!    larger part, and the way up ends.
-//! 5. A deletion goes up likewise, and finds anew the bridges that end in the site. Their ends are looked for where they
-//!    can be: between the neighbours of the site on the chain of its own part, and on this side of the old end in the
-//!    other part (`by_bridge_tree/search.rs`).
+//! 5. A deletion goes up likewise, and finds anew the bridges that end in the site. Their ends are looked for where
+//!    they can be: between the neighbours of the site on the chain of its own part, and on this side of the old end in
+//!    the other part (`by_bridge_tree/search.rs`).
 //!
 //! # Complexity
 //! n sites: an update O(log² n), a query O(log n), the paper's bounds; construction O(n) after sorting. On average a

@@ -18,7 +18,8 @@
 //! its two lines, to the right, the next vertex is with the line at which the left tangent touches the lower chain or
 //! with that at which the right tangent touches the upper chain: [`Site::turn`] tells which one comes first. A step
 //! deletes that line from its chain and inserts the one that is left behind. All lines are known from the start, so
-//! they are sorted once ([`SortedSites`], shared by both chains), and a site is named by its index in the input.
+//! they are sorted once ([`SortedSites`], shared by both chains), and a site is named by its index in the input. Past
+//! an unbounded edge what was above is below, so [`facet_walk`](super::facet_walk) keeps both chains of both sets.
 //!
 //! | method | update | query | what it is |
 //! |---|---|---|---|

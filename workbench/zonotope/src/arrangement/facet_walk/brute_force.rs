@@ -12,8 +12,8 @@
 //! # Method
 //! 1. Two generators that are not parallel span a plane, and the generators in it are along two facets. The others have
 //!    their signs along the normal.
-//! 2. The edges of a facet are its generators and their opposites, in the order of their angles. Along an edge the other
-//!    generators of the facet have their signs along the direction in the facet away from it.
+//! 2. The edges of a facet are its generators and their opposites, in the order of their angles. Along an edge the
+//!    other generators of the facet have their signs along the direction in the facet away from it.
 //! 3. Two facets are neighbours across an edge if the signs of that edge are the same.
 //! 4. A ray leaves through the facets at which it meets the plane of a facet first.
 //!

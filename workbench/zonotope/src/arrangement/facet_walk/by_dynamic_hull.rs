@@ -14,9 +14,9 @@
 //! # Method
 //! 1. At a facet with normal u the generators that are not along it have a sign along u. The lines of those with one
 //!    sign are above the dual vertex of the facet, those of the others below.
-//! 2. Across an edge the normal turns about the direction of the edge: the vertex moves along that line, to the right or
-//!    to the left. It comes to the first line at which a tangent from the point of the line touches the lower chain of
-//!    the lines above or the upper chain of those below.
+//! 2. Across an edge the normal turns about the direction of the edge: the vertex moves along that line, to the right
+//!    or to the left. It comes to the first line at which a tangent from the point of the line touches the lower chain
+//!    of the lines above or the upper chain of those below.
 //! 3. Where there is no such line on either side, the vertex leaves at one end of the line and comes back at the other,
 //!    at the antipodal facet of the one whose vertex it seems to be: lines above are below now. The tangents to the
 //!    other two chains give the next line.
@@ -25,8 +25,8 @@
 //!
 //! # Complexity
 //! n generators; a facet of k classes has 2 k edges: a step between facets of k and l classes O((k + l) log² n), so
-//! O(log² n) in general position, at worst and past the silhouette as well, the paper's bound; preprocessing O(n log n),
-//! space O(n). A neighbour costs as much as a step. `place_at` is O(n).
+//! O(log² n) in general position, at worst and past the silhouette as well, the paper's bound; preprocessing O(n log
+//! n), space O(n). A neighbour costs as much as a step. `place_at` is O(n).
 //!
 //! # Shapes
 //! `generators`: n × 3, any order, zero, parallel and coplanar ones allowed.
@@ -165,7 +165,8 @@ impl HullWalk {
     }
 
     /// The centre of the facet relative to that of the body, exactly: the sum of the generators with the signs of the
-    /// facet. O(n) when it is asked for first after [`place_at`](FacetWalk::place_at), then it goes along with the walk.
+    /// facet. O(n) when it is asked for first after [`place_at`](FacetWalk::place_at), then it goes along with the
+    /// walk.
     pub fn center(&mut self) -> [Dyadic; 3] {
         self.located().clone()
     }

@@ -9,11 +9,11 @@
 //! Lemma 5.6 asks for less than this takes; this is the plain way that it competes with.
 //!
 //! # Method
-//! 1. Across an edge of direction w the normal u turns about w, towards w × u. A generator v comes along the facet where
-//!    the normal is orthogonal to it.
+//! 1. Across an edge of direction w the normal u turns about w, towards w × u. A generator v comes along the facet
+//!    where the normal is orthogonal to it.
 //! 2. One pass in doubles finds the generators that may be the first.
-//! 3. Of these the first are chosen exactly: with a and b turned to have positive products with u, a comes before b just
-//!    if det(w, a, b) > 0, and with it if the determinant is 0.
+//! 3. Of these the first are chosen exactly: with a and b turned to have positive products with u, a comes before b
+//!    just if det(w, a, b) > 0, and with it if the determinant is 0.
 //!
 //! # Complexity
 //! n generators: a step or a neighbour O(n), in one vector pass and a few determinants; as many determinants as

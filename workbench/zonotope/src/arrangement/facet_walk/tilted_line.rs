@@ -14,8 +14,8 @@
 //! - b, a, c of one generator: whether it points up, the sheared b > 0;
 //! - −c_z, c_y, c_x: the order of the slopes, as c · (δ³, δ² − δ⁴, −1), the vertical direction of the sheared plane.
 //!
-//! Only parallel generators have one slope: no two of the lines are parallel, and none is vertical, not even the line at
-//! infinity. The products of doubles of which the terms with one power of δ consist are multiples of 2^-5370 below
+//! Only parallel generators have one slope: no two of the lines are parallel, and none is vertical, not even the line
+//! at infinity. The products of doubles of which the terms with one power of δ consist are multiples of 2^-5370 below
 //! 2^5130, so δ = 2^-16384 is small enough: there the lines are ordinary ones with exact coefficients.
 
 use std::cmp::Ordering;

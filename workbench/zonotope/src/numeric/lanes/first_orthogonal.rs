@@ -17,8 +17,8 @@ const LOWEST_SLOPE: f64 = -1e18;
 ///
 /// `normal` and `tangent` have coordinates of at most 2, which round those of exact vectors: the products with the
 /// vectors are off by less than [`ERROR`]. The direction turned by an angle φ is orthogonal to v where cot φ =
-/// −(v · tangent) / (v · normal), so the vectors with the largest such slope come first. The pass keeps a lower bound of
-/// the largest slope, and the octets that may exceed it: a quotient is taken for those alone.
+/// −(v · tangent) / (v · normal), so the vectors with the largest such slope come first. The pass keeps a lower bound
+/// of the largest slope, and the octets that may exceed it: a quotient is taken for those alone.
 pub(crate) fn first_orthogonal(blocks: &[Block], normal: &[f64; 3], tangent: &[f64; 3]) -> Vec<usize> {
     let mut octets = Vec::new();
     let lowest = dispatch!(level(), simd => candidate_octets(simd, blocks, [normal, tangent], &mut octets));

@@ -16,11 +16,11 @@
 //!
 //! Where a site is deleted that ended the bridge, two bounds on the new ends leave fewer decisions. Let p q be the old
 //! bridge of an upper chain, p in the left part and deleted. What is left of that part is below the line p q, so a
-//! tangent from it to the right part is at least as steep as p q, and ends in q or left of it. It ends in a neighbour of
-//! p on the chain of the left part or between them: beyond the right neighbour that chain is as it was, and less steep
-//! than p q; the chain before the left neighbour l is steeper than l p, and the new bridge less steep, as its end in the
-//! right part is below the line p q and so below the line l p. An insertion is a deletion looked at backwards: the other
-//! end moves away from the new site if it moves.
+//! tangent from it to the right part is at least as steep as p q, and ends in q or left of it. It ends in a neighbour
+//! of p on the chain of the left part or between them: beyond the right neighbour that chain is as it was, and less
+//! steep than p q; the chain before the left neighbour l is steeper than l p, and the new bridge less steep, as its end
+//! in the right part is below the line p q and so below the line l p. An insertion is a deletion looked at backwards:
+//! the other end moves away from the new site if it moves.
 //!
 //! Before and after are in the order of sites, by abscissa and then by ordinate, as if the plane were sheared by less
 //! than any angle that matters: so no edge is vertical and no two sites share an abscissa.
