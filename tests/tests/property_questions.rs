@@ -115,6 +115,7 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
         "combinatorics" => json!({"generators": vectors(n, dimension, count)}),
         "slope_selection" => json!({"generators": vectors(n, space, count), "k": [1]}),
         "separator" => json!({"generators": vectors(n, space, count), "k": 1}),
+        "walk" => json!({"generators": vectors(n, space, count), "facet": [0, 1, -1]}),
         "upper_hull" => json!({"generators": vectors(n, space, count), "p0": vector(n, planar)}),
         "min_area" => json!({"points": vectors(n, planar, count)}),
         "min_length_dirs" => {

@@ -46,6 +46,15 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> boo
         }
         "support" => Some(true).zip(farthest(input, &right["value"], changed)),
         "combinatorics" | "slope_selection" | "separator" | "upper_hull" => Some((true, right == changed)),
+        // the order of the neighbours is free
+        "walk" => {
+            let sorted = |result: &Value| {
+                let mut list = vectors(&result["neighbours"])?;
+                list.sort();
+                Some(list)
+            };
+            Some((true, sorted(right) == sorted(changed)))
+        }
         "min_area" => least_area(input, right, changed),
         "min_length_dirs" => {
             if right["status"] != changed["status"] {

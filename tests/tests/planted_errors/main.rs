@@ -104,6 +104,7 @@ proptest! {
         errors_are_noticed("slope_selection", &json!({"generators": generators, "k": [k]}))?;
         errors_are_noticed("separator", &json!({"generators": generators, "k": k}))?;
         errors_are_noticed("upper_hull", &json!({"generators": generators, "p0": p0}))?;
+        errors_are_noticed("walk", &json!({"generators": generators, "facet": [0, 1, 1]}))?;
     }
 
     #[test]

@@ -30,6 +30,7 @@
 //! | [`check_separator`] | a chain with k tiles on its left | none: the order of the lines along the chain |
 //! | [`check_tiling`] | the tiling of the upper hull | none: the arrangement of lines, piece by piece |
 //! | [`check_upper_hull`] | the height of the upper hull | none: the bounds of all vertices |
+//! | [`check_walk`] | the four neighbours of a facet | none: the signs of all generators in both facets |
 //! | [`check_convex_hull`] | the vertices of the convex hull, in order | none: every corner, and every point against the edges |
 //! | [`check_lad`] | a point where linear · x + Σ abs(v_i(x)) is least | coefficients δ_i in [−1, 1] with δ_i v_i = abs(v_i) at the point and linear + Σ δ_i normal_i = 0 |
 //! | | there is no minimum | a direction u with linear · u + Σ abs(normal_i · u) < 0 |
@@ -73,6 +74,7 @@ pub use arrangement::separator::{SeparatorProof, check_separator};
 pub use arrangement::slope_selection::{SlopeSelectionProof, check_slope_selection};
 pub use arrangement::tiling::{Tile, TilingAnswer, TilingEdge, TilingProof, check_tiling};
 pub use arrangement::upper_hull::check_upper_hull;
+pub use arrangement::walk::{FacetTriple, WalkProof, check_walk};
 pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics};
 pub use bodies::support::{SupportAnswer, SupportProof, check_support};
 pub use collision::displaced::{Body, Displaced, Pose};

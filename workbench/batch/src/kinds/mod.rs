@@ -16,6 +16,7 @@ mod separator;
 mod slope_selection;
 mod support;
 mod upper_hull;
+mod walk;
 
 use serde_json::Value;
 
@@ -56,6 +57,7 @@ pub static KINDS: &[Kind] = &[
     slope_selection::KIND,
     separator::KIND,
     upper_hull::KIND,
+    walk::KIND,
     min_area::KIND,
     min_length_dirs::KIND,
     min_length_all::KIND,

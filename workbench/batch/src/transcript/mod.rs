@@ -66,6 +66,7 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
         "slope_selection" => solids::slope_selection(input, result),
         "separator" => solids::separator(input, result),
         "upper_hull" => solids::upper_hull(input, result),
+        "walk" => solids::walk(input, result),
         "member_batch" => collision::member_batch(input, result),
         "distance" => collision::distance(input, result),
         "approx" => reduction::approx(input, result),

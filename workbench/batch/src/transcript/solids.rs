@@ -4,8 +4,8 @@ use super::Verdict;
 use super::reading::{boolean, exact_numbers, float, fractions, index, indices, member, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
-    CombinatoricsAnswer, Fraction, SupportAnswer, check_combinatorics, check_separator, check_slope_selection,
-    check_support, check_upper_hull,
+    CombinatoricsAnswer, FacetTriple, Fraction, SupportAnswer, check_combinatorics, check_separator,
+    check_slope_selection, check_support, check_upper_hull, check_walk,
 };
 
 pub(super) fn support(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -52,6 +52,20 @@ pub(super) fn separator(input: &Tree, result: &Tree) -> Result<Verdict, String> 
         chain.iter().map(point).collect::<Option<_>>().ok_or("`chain` holds something else than exact points")?;
     let k = index(input, "k")? as u64;
     Ok(check_separator(&generators, k, &chain).in_words())
+}
+
+pub(super) fn walk(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+    let generators = vectors(member(input, "generators")?, "generators")?;
+    let triple = |tree: &Tree| -> Option<FacetTriple> {
+        let [first, second, sign] = tree.list()? else { return None };
+        let sign = [-1, 1].into_iter().find(|candidate| Some(*candidate as f64) == sign.float())?;
+        Some((first.index()?, second.index()?, sign))
+    };
+    let facet = triple(member(input, "facet")?).ok_or("`facet` is no facet")?;
+    let list = member(result, "neighbours")?.list().ok_or("`neighbours` is not a list")?;
+    let neighbours: Vec<FacetTriple> =
+        list.iter().map(triple).collect::<Option<_>>().ok_or("a neighbour is no facet")?;
+    Ok(check_walk(&generators, facet, &neighbours).in_words())
 }
 
 pub(super) fn upper_hull(input: &Tree, result: &Tree) -> Result<Verdict, String> {

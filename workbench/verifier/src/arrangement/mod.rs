@@ -4,3 +4,4 @@ pub(crate) mod separator;
 pub(crate) mod slope_selection;
 pub(crate) mod tiling;
 pub(crate) mod upper_hull;
+pub(crate) mod walk;
