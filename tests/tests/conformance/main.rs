@@ -10,4 +10,5 @@ mod hull;
 mod kernel;
 mod min_area;
 mod min_total_length;
+mod prepared;
 mod reduction;

@@ -42,6 +42,7 @@ pub mod by_slope_selection;
 pub mod distance;
 mod method;
 mod nearest_basis;
+pub mod prepared;
 mod query;
 mod tightest_facet;
 mod to_doubles;

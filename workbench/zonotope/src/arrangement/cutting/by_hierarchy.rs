@@ -145,7 +145,7 @@ fn attempt<'a>(
     tally.add(Operation::ExactFallback, plane.exact_decisions());
     let search = Search::new(&nodes);
     let Leaves { trapezoids, crossing, starts } = leaves;
-    Cutting { plane, limit, trapezoids, crossing, starts, search }
+    Cutting { plane, limit, trapezoids, crossing, starts, search, tree: nodes }
 }
 
 /// The trapezoids that are done.

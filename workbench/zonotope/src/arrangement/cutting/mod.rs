@@ -17,6 +17,7 @@
 pub mod brute_force;
 pub mod by_hierarchy;
 mod cell;
+mod parts;
 mod plane;
 mod search;
 mod split_choice;
@@ -24,6 +25,7 @@ mod subdivision;
 mod trapezoid;
 
 pub use by_hierarchy::{cutting, cutting_counted};
+pub(crate) use parts::{Part, SearchStep};
 pub use subdivision::Cutting;
 pub use trapezoid::{Boundary, Trapezoid, TrapezoidIndex, Wall};
 

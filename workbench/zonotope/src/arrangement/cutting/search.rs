@@ -25,16 +25,17 @@ pub(super) enum Node {
 
 /// A condition on a point: on which side of a cut it lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Condition {
-    cut: Cut,
-    is_beyond: bool,
+pub(super) struct Condition {
+    pub(super) cut: Cut,
+    pub(super) is_beyond: bool,
 }
 
 /// A decision of the search.
 #[derive(Debug, Clone)]
-enum Step {
-    /// The point lies in the cell if it fulfils the conditions in a range of the list; then, or else, go on with these.
-    Test { conditions: Range<u32>, within: u32, outside: u32 },
+pub(super) enum Step {
+    /// The point, which lies in the cell of a node, lies in a cell within it if it fulfils the conditions in a range of
+    /// the list; then, or else, go on with these.
+    Test { node: u32, conditions: Range<u32>, within: u32, outside: u32 },
     /// The trapezoid with a number.
     Found(u32),
 }
@@ -42,8 +43,8 @@ enum Step {
 /// The search tree.
 #[derive(Debug)]
 pub(super) struct Search {
-    steps: Vec<Step>,
-    conditions: Vec<Condition>,
+    pub(super) steps: Vec<Step>,
+    pub(super) conditions: Vec<Condition>,
 }
 
 /// A part of the tree of cuts: the nodes below a root that were not cut off.
@@ -82,10 +83,11 @@ impl Search {
             search.conditions.extend(tree.binding_conditions(&path));
             let conditions = start..search.conditions.len() as u32;
             tree.cut_off(centroid, above);
-            let [within, outside] = [0, 1].map(|next| search.steps.len() + next);
+            let next = search.steps.len();
             search.steps.extend([Step::Found(0), Step::Found(0)]);
-            search.steps[step] = Step::Test { conditions, within: within as u32, outside: outside as u32 };
-            parts.extend([Part { root: centroid, step: within }, Part { root, step: outside }]);
+            let [within, outside] = [next, next + 1].map(|step| step as u32);
+            search.steps[step] = Step::Test { node: root, conditions, within, outside };
+            parts.extend([Part { root: centroid, step: next }, Part { root, step: next + 1 }]);
         }
         search
     }
@@ -96,7 +98,7 @@ impl Search {
         loop {
             match &self.steps[step] {
                 Step::Found(trapezoid) => return *trapezoid,
-                Step::Test { conditions, within, outside } => {
+                Step::Test { conditions, within, outside, .. } => {
                     let conditions = &self.conditions[conditions.start as usize..conditions.end as usize];
                     let is_within = conditions.iter().all(|condition| is_beyond(condition.cut) == condition.is_beyond);
                     step = if is_within { *within } else { *outside } as usize;

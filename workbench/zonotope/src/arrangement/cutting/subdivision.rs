@@ -1,7 +1,7 @@
 //! A cutting as it is handed out: its trapezoids, the lines that cross each, and the search among them.
 
 use super::plane::{Plane, Point};
-use super::search::{Cut, Search};
+use super::search::{Cut, Node, Search};
 use super::trapezoid::{Boundary, Trapezoid, TrapezoidIndex};
 use crate::arrangement::LineIndex;
 use crate::numeric::dyadic::Dyadic;
@@ -18,6 +18,8 @@ pub struct Cutting<'a> {
     /// Where the lines of each trapezoid begin in that list; one more than there are trapezoids.
     pub(super) starts: Vec<usize>,
     pub(super) search: Search,
+    /// The tree of cuts: the whole plane first, parts behind what they are parts of.
+    pub(super) tree: Vec<Node>,
 }
 
 impl Cutting<'_> {
@@ -76,11 +78,14 @@ impl Cutting<'_> {
     ///
     /// So a point of the tiling that is dual to the arrangement is located among the images of the trapezoids.
     pub fn locate_by(&self, mut is_beyond: impl FnMut(Boundary) -> bool) -> TrapezoidIndex {
-        TrapezoidIndex(self.search.find(|cut| {
-            is_beyond(match cut {
-                Cut::Wall(wall) => Boundary::Wall(self.plane.wall(wall)),
-                Cut::Line(place) => Boundary::Line(self.plane.lines.line_at(place)),
-            })
-        }))
+        TrapezoidIndex(self.search.find(|cut| is_beyond(self.boundary(cut))))
+    }
+
+    /// The boundary along which a cut was made.
+    pub(super) fn boundary(&self, cut: Cut) -> Boundary {
+        match cut {
+            Cut::Wall(wall) => Boundary::Wall(self.plane.wall(wall)),
+            Cut::Line(place) => Boundary::Line(self.plane.lines.line_at(place)),
+        }
     }
 }

@@ -14,7 +14,7 @@ pub(super) const EXACT_SOLVE_LIMIT: usize = 300;
 
 /// The optimum of min { h(u) : u · p = 1 } with its proof: Σ δ_i v_i = λ p, where δ = `signs` off the basis and in
 /// [−1, 1] on it, and λ = `reach` / `along`. The gauge is 1 / λ.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct ExactOptimum {
     /// A minimiser, scaled: u · p > 0.
     pub(crate) direction: ExactVector,
@@ -110,7 +110,7 @@ impl ExactOptimum {
         Self::with_sum(p, direction, signs, basis, sum)
     }
 
-    pub(super) fn with_sum(
+    pub(crate) fn with_sum(
         p: &ExactVector,
         direction: ExactVector,
         signs: Vec<i8>,

@@ -1,0 +1,3 @@
+//! Bodies that are prepared for many queries.
+
+mod by_cutting;

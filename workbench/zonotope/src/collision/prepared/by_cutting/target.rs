@@ -1,0 +1,54 @@
+//! The displacement that a query is about, or its opposite.
+
+use super::filtered::Vector;
+use crate::numeric::bounded::BoundedVector;
+use crate::numeric::double_double::BoundedDoubleDouble;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::{ExactVector, negated};
+use crate::zonotope::query::Query;
+
+/// A displacement that is not zero, relative to the generators of a body.
+#[derive(Debug)]
+pub(crate) struct Target<'q> {
+    pub(crate) query: Query<'q, 3>,
+    /// The displacement.
+    pub(crate) p: ExactVector,
+    /// The displacement, scaled such that its longest coordinate is about 1.
+    pub(crate) direction: ExactVector,
+    in_pairs: [BoundedDoubleDouble; 3],
+}
+
+impl Vector for Target<'_> {
+    fn rounded(&self) -> BoundedVector {
+        self.in_pairs.map(|c| c.rounded())
+    }
+
+    fn in_pairs(&self) -> [BoundedDoubleDouble; 3] {
+        self.in_pairs
+    }
+
+    fn exact(&self) -> ExactVector {
+        self.direction.clone()
+    }
+}
+
+impl<'q> Target<'q> {
+    /// The target of a query; `None` if its displacement is zero.
+    pub(crate) fn new(query: Query<'q, 3>) -> Option<Self> {
+        let p = query.exact();
+        let exponent = p.iter().filter_map(Dyadic::binary_exponent).max()?;
+        let direction = p.clone().map(|c| c.scaled(-exponent));
+        Some(Self::scaled(query, p, direction))
+    }
+
+    /// The opposite displacement, relative to the same generators; the body is the same seen from there.
+    pub(crate) fn opposite(self, generators: &'q [[f64; 3]]) -> Self {
+        let query = Query::of_finite(self.query.to(), self.query.from(), generators);
+        Self::scaled(query, negated(self.p), negated(self.direction))
+    }
+
+    fn scaled(query: Query<'q, 3>, p: ExactVector, direction: ExactVector) -> Self {
+        let in_pairs = direction.in_pairs();
+        Self { query, p, direction, in_pairs }
+    }
+}
