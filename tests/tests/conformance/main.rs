@@ -11,5 +11,6 @@ mod hull;
 mod kernel;
 mod min_area;
 mod min_total_length;
+mod prepared;
 mod reduction;
 mod slope_selection;

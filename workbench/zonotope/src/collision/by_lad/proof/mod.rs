@@ -34,7 +34,7 @@ use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
 
 /// Where the displacement of a query lies, with its proof, from the query's optimum.
-pub(super) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {
+pub(in crate::collision) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {
     match optimum {
         Optimum::Centre => of_center(query),
         Optimum::Separated(direction) => {

@@ -1,0 +1,3 @@
+//! Structures for repeated queries against the same queries without them.
+
+mod by_direction_tree;
