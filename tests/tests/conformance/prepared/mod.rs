@@ -1,3 +1,4 @@
-//! Bodies that are prepared for many queries.
+//! Structures for repeated queries against the same queries without them.
 
 mod by_cutting;
+mod by_direction_tree;

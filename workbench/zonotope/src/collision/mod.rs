@@ -24,6 +24,8 @@
 //! Answers of bodies go straight to a verifier; answers of a single method do so by
 //! [`Location::with_nearest_basis`].
 //!
+//! [`prepared`] has structures for a body that is asked again and again.
+//!
 //! [`distance`] is what more there is to say: how far apart bodies are, where they are nearest, how deep they overlap.
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of
 //! the plane. The crate `verifier` checks an answer exactly and shares nothing with the methods.

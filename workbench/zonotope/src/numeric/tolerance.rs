@@ -176,3 +176,35 @@ pub const PRODUCT_WITH_TURNED_NORMAL: f64 = power_of_two(-38);
 /// The largest coordinate of the cross product of vectors with coordinates below 2 that [`PRODUCT_WITH_TURNED_NORMAL`]
 /// takes for granted.
 pub const LARGEST_OF_ROUNDED_NORMAL: f64 = power_of_two(-4);
+
+/// Error of each coordinate of a sum over nodes of a tree of directions, beside Σ w of the generators' largest
+/// coordinates w.
+///
+/// A node's own sum is off by at most 2 u w. Sums over nodes keep what rounding leaves behind; six more additions join
+/// lanes and totals, and one the sum over the generators that were read.
+pub(crate) const NODE_SUM_ROUNDING: f64 = 16.0 * UNIT;
+
+/// Error of the sum of the chords that bound a body of nodes from outside, beside Σ w |u|_1 and the additions.
+///
+/// With c and r the middle and the half width of the range of x · u over the box of a node, and W and S the sums of w
+/// and w x, a chord is (W (r² − c²) + (S · u) c) / r. For |u|_1 = 1, c is off by 3 u, r by 8 u and S · u by 5 u W; the
+/// chord changes by at most 4 W times the errors of c and r and by that of S · u: 49 u W. Its own operations round by
+/// less than 24 u W.
+pub(crate) const CHORD_ROUNDING: f64 = 128.0 * UNIT;
+
+/// What the half sides of a slab of places on a face of the cube are made wider by.
+///
+/// A place is off by u; middles, slopes times distances and rests of places of magnitude at most 1 are off by less than
+/// 2 u each, and less than ten of them lead to a side.
+pub(crate) const SLAB_ROUNDING: f64 = 32.0 * UNIT;
+
+/// How far a combination of the rounded sums of nodes, and a displacement rounded twice that they make up, are off,
+/// beside Σ w: 6 u for the sums and 4 u for a displacement that is at most 3 Σ w long.
+pub(crate) const NODE_BODY_ROUNDING: f64 = 18.0 * UNIT;
+
+/// A point of which this multiple is in the body of the rounded sums of nodes is in the body of the generators, if the
+/// gauge of all roundings is below [`NODE_BODY_DOUBT`].
+pub(crate) const NODE_BODY_STRETCH: f64 = 1.0 + power_of_two(-30);
+
+/// The gauge of the roundings of a body of nodes for which [`NODE_BODY_STRETCH`] makes up: half of what it adds.
+pub(crate) const NODE_BODY_DOUBT: f64 = power_of_two(-31);

@@ -54,7 +54,7 @@
 //! assert_eq!(by_lad::gauge(&query).value, 2.0);
 //! ```
 
-mod early;
+pub(super) mod early;
 mod facet;
 pub(crate) mod proof;
 

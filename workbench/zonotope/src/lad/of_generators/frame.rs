@@ -97,6 +97,6 @@ impl Frame {
         // a row's magnitudes sum up to less than twice ‖M‖
         let error = 2.0 * self.size * (fixed.error + 4.0 * UNIT * largest) * FIVE_ROUNDINGS;
         let magnitude = self.norm * fixed.magnitude * (1.0 + 4.0 * UNIT);
-        FixedSum { sum: self.map().image(&fixed.sum), magnitude, error }
+        FixedSum { sum: self.map().image(&fixed.sum), magnitude, error, read: fixed.read }
     }
 }

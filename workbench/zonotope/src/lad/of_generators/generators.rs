@@ -5,10 +5,14 @@
 //! | `[[f64; 3]]` | rows of a body, or a sample of them |
 //! | [`Query`] | one or two bodies, in the rows that they are stored in or, if they were prepared, in blocks |
 //! | [`Posed`] | one or two bodies under poses, whose generators are never copied |
+//! | `collision::prepared::by_direction_tree` | one body whose generators of neighbouring directions are summed up |
 //!
 //! Every implementor consists of at most two parts, each a slice of rows with or without a matrix. A pass is written
 //! once, for a slice; where a part has a matrix, its [`Frame`] pulls the cell back before the pass and pushes the sum
 //! forward after it. Transforming the generators instead would cost memory and a rounding of each of them.
+//!
+//! An implementor that knows more than its rows tell has its own way to sums over a cell, support values, a first cell
+//! and exact sums; the rows are there all the same, for the rungs that read them one by one.
 
 use std::fmt;
 
@@ -20,6 +24,7 @@ use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
 use crate::numeric::signed_sum::signed_sum;
+use crate::tally::Tally;
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::query::Query;
@@ -59,6 +64,13 @@ pub(crate) trait Generators: fmt::Debug + Sync {
     /// How far a generator in doubles is off, in terms of its length; 0 where doubles hold the generators exactly.
     fn relative_error(&self) -> f64 {
         self.parts().iter().filter_map(|part| part.frame).map(Frame::relative_error).fold(0.0, f64::max)
+    }
+
+    /// How many generators are likely to cross the cell of a sample of some √n: about n^(3/4) of them. Memory for more
+    /// than that is taken when they come.
+    fn expected_crossing(&self) -> usize {
+        let root = self.len().isqrt();
+        64 + 13 * root * root.isqrt() / 8
     }
 
     /// Σ |v · u| with a bound of its error. One pass.
@@ -113,6 +125,23 @@ pub(crate) trait KernelQuery: Generators {
 
     /// The query as it was put, if doubles hold its generators exactly.
     fn as_query(&self) -> Option<Query<'_, 3>>;
+
+    /// A cell that is likely to hold the optimum, where whoever holds the generators knows more of them than a sample
+    /// tells; its centre is a direction u with u · p = 1.
+    fn likely_cell(&self, _: &mut dyn Tally) -> Option<DirectionCone> {
+        None
+    }
+
+    /// Σ sign · v with the signs of the products with a direction, exactly, where it is known without reading all
+    /// generators; 0 is the sign of those that are orthogonal to it.
+    fn exact_sum_along(&self, _: &ExactVector) -> Option<ExactVector> {
+        None
+    }
+
+    /// s such that the gauge of any x is at most s |x|_1, if that is known beforehand.
+    fn known_gauge_bound(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl dyn KernelQuery + '_ {

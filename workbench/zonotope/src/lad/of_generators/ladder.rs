@@ -11,8 +11,8 @@
 //! | `AllInDoubles` | at most [`WHOLE_LIMIT`] generators | `FlatBody` |
 //! | `ParallelClasses` | more, of few directions as far as a sample shows | `CorrectedSample` |
 //! | `SeparatingGuess` | a sample has a smooth optimum, and the location is all that is asked | `SampledCell` |
-//! | `SampledCell` | a sample has a smooth optimum | `WiderCell` where the optimum seems near, else `CorrectedSample` |
-//! | `WiderCell` | once | `CorrectedSample` |
+//! | `SampledCell` | a sample has a smooth optimum, or the query a likely cell | `WiderCell` where the optimum seems near, else as below |
+//! | `WiderCell` | once | `CorrectedSample`; `ParallelClasses` where no sample was drawn |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
 //! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactVertex` |
 //! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none | `ExactInCells` |
@@ -82,11 +82,12 @@ pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) 
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are known to few digits, doubles have nothing to say of them
-    let mut rung = match MODERATE_SIZES.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT {
-        true if query.len() <= PAIRS_LIMIT => Rung::BestPair,
-        true if query.len() <= WHOLE_LIMIT => Rung::AllInDoubles,
-        true => Rung::ParallelClasses,
-        false => Rung::FlatBody,
+    let is_known = MODERATE_SIZES.contains(&size) && query.relative_error() < GENERATOR_ERROR_LIMIT;
+    let mut rung = match query.len() {
+        _ if !is_known => Rung::FlatBody,
+        n if n <= PAIRS_LIMIT => Rung::BestPair,
+        n if n <= WHOLE_LIMIT => Rung::AllInDoubles,
+        _ => climb.first_of_many(),
     };
     loop {
         let attempt = match rung {
@@ -197,6 +198,22 @@ enum Vertex {
 type Attempt = Result<Optimum, Rung>;
 
 impl Climb<'_, '_> {
+    /// The first rung of many generators: a cell that the query itself finds likely needs no sample.
+    fn first_of_many(&mut self) -> Rung {
+        match self.problem.query.likely_cell(self.tally) {
+            Some(cell) => {
+                self.guess = Some((self.problem.chart.guess_of(&cell), 1.0));
+                Rung::SampledCell
+            }
+            None => Rung::ParallelClasses,
+        }
+    }
+
+    /// The rung after cells that do not hold the optimum.
+    fn after_cells(&self) -> Rung {
+        if self.sample.is_some() { Rung::CorrectedSample } else { Rung::ParallelClasses }
+    }
+
     fn best_pair(&mut self) -> Attempt {
         best_pair(self.problem, self.tally).map_or(Err(Rung::AllInDoubles), |searched| self.decide(searched))
     }
@@ -256,7 +273,7 @@ impl Climb<'_, '_> {
             Err(Missed::Lost { crossing }) if crossing < WHOLE_LIMIT => {
                 self.guess = Some((guess, stretch * STRETCH_OF_EMPTY));
             }
-            Err(Missed::Lost { .. }) => return Err(Rung::CorrectedSample),
+            Err(Missed::Lost { .. }) => return Err(self.after_cells()),
         }
         Err(Rung::WiderCell)
     }
@@ -265,7 +282,7 @@ impl Climb<'_, '_> {
         let (guess, stretch) = self.guess();
         match search_cell(self.problem, &guess, stretch, CELL_LINES_LIMIT, self.tally) {
             Ok(searched) => self.decide(searched),
-            Err(_) => Err(Rung::CorrectedSample),
+            Err(_) => Err(self.after_cells()),
         }
     }
 

@@ -62,7 +62,7 @@ impl<'a> Combination<'a> {
 
     /// The proof with the coefficient ±`factor` off the basis, if it is one.
     fn scaled(&self, basis: &Basis, factor: f64) -> Option<Witness> {
-        let signs = &self.optimum.signs;
+        let signs = self.optimum.signs(self.query);
         // the optimum's sum includes the third generator of the basis
         let in_basis = basis.generators.iter().fold(None, |total: Option<ExactVector>, &b| match signs[b] {
             0 => total,

@@ -29,7 +29,7 @@ struct Walk<'a> {
 /// The proof with ±`factor`, a double near 1 / λ, for nearly all generators. Expected O(n), at most O(n log n) exact
 /// additions and O(n) pivots.
 pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
-    let signs = &combination.optimum.signs;
+    let signs = combination.optimum.signs(combination.query);
     let basis = combination.basis.clone();
     let group: Vec<usize> = (0..signs.len()).filter(|i| signs[*i] != 0 && !basis.generators.contains(i)).collect();
     let waiting = sum_of(combination, &group);
@@ -44,7 +44,8 @@ pub(crate) fn walk(combination: &Combination<'_>, factor: f64) -> Witness {
 }
 
 fn sum_of(combination: &Combination<'_>, group: &[usize]) -> ExactVector {
-    combination.query.signed_sum_of(&mut group.iter().map(|&i| (i, combination.optimum.signs[i])))
+    let signs = combination.optimum.signs(combination.query);
+    combination.query.signed_sum_of(&mut group.iter().map(|&i| (i, signs[i])))
 }
 
 impl Walk<'_> {
@@ -60,7 +61,8 @@ impl Walk<'_> {
         if self.numerators(&rest, &waiting).iter().all(|n| self.is_coefficient(n)) {
             (self.rest, self.waiting) = (rest, waiting);
             for &i in group {
-                self.coefficients[i] = self.factor * f64::from(self.combination.optimum.signs[i]);
+                self.coefficients[i] =
+                    self.factor * f64::from(self.combination.optimum.signs(self.combination.query)[i]);
             }
         } else if let &[generator] = group {
             self.pivot(generator, &rest, waiting);

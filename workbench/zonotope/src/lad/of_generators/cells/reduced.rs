@@ -47,7 +47,7 @@ impl Reduced {
 
     /// One pass over the query.
     pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone) -> Self {
-        let expected = expected_crossing(query.len());
+        let expected = query.expected_crossing();
         let (mut vectors, mut indices) = (Vec::with_capacity(expected), Places::with_capacity(expected));
         let fixed = query.split(&cell, &mut vectors, &mut indices);
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
@@ -102,11 +102,4 @@ impl Reduced {
         let [x, y, _] = chart.line(&self.fixed.sum);
         [x, y]
     }
-}
-
-/// How many generators are likely to cross the cell of a sample of some √n: about n^(3/4) of them. Memory for more than
-/// that is taken when they come.
-fn expected_crossing(count: usize) -> usize {
-    let root = count.isqrt();
-    64 + 13 * root * root.isqrt() / 8
 }

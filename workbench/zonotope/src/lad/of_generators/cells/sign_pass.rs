@@ -5,6 +5,9 @@
 //! of doubles and never branches on a sign: lanes that cross the cell keep the sum that they have, and a bit of a word
 //! for each generator tells in the end which these are.
 
+use std::ops::Range;
+use std::slice;
+
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 use smallvec::SmallVec;
 
@@ -36,6 +39,8 @@ pub(crate) struct FixedSum {
     pub(crate) magnitude: f64,
     /// A bound for the error of each coordinate of the sum.
     pub(crate) error: f64,
+    /// How many generators were read, or sums of generators in their place.
+    pub(crate) read: usize,
 }
 
 impl FixedSum {
@@ -47,11 +52,26 @@ impl FixedSum {
     pub(crate) fn plus(&self, other: &Self) -> Self {
         let sum = [0, 1, 2].map(|k| self.sum[k] + other.sum[k]);
         let magnitude = self.magnitude + other.magnitude;
-        Self { sum, magnitude, error: self.error + other.error + 4.0 * UNIT * magnitude }
+        let error = self.error + other.error + 4.0 * UNIT * magnitude;
+        Self { sum, magnitude, error, read: self.read + other.read }
     }
 }
 
 impl DirectionCone {
+    /// [`split`](Self::split) of the generators of some ranges alone, in their order; a range may begin and end
+    /// anywhere where a block of eight does.
+    pub(crate) fn split_ranges(
+        &self,
+        generators: Rows<'_>,
+        ranges: &[Range<usize>],
+        crossing: &mut Places,
+    ) -> FixedSum {
+        match self.axes {
+            None => WideCone::<0>::new(self, [], 1.0).split(generators, ranges, crossing),
+            Some(axes) => WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT).split(generators, ranges, crossing),
+        }
+    }
+
     /// Sums up, by one pass, the generators that are certainly orthogonal to no direction of the cell, and adds the
     /// places of the others to a list, in their order.
     ///
@@ -59,10 +79,7 @@ impl DirectionCone {
     /// √((v · axes_0)² + (v · axes_1)²). Each product with v is off by at most 3 u |v| times the length of the other
     /// factor and an underflow, which a wider ball covers.
     pub(crate) fn split(&self, generators: Rows<'_>, crossing: &mut Places) -> FixedSum {
-        match self.axes {
-            None => WideCone::<0>::new(self, [], 1.0).split(generators, crossing),
-            Some(axes) => WideCone::<2>::new(self, axes, 1.0 + 1.0 / SQUARE_SPLIT).split(generators, crossing),
-        }
+        self.split_ranges(generators, slice::from_ref(&(0..generators.len())), crossing)
     }
 }
 
@@ -86,8 +103,8 @@ impl<const AXES: usize> WideCone<AXES> {
         }
     }
 
-    fn split(&self, generators: Rows<'_>, crossing: &mut Places) -> FixedSum {
-        dispatch!(level(), simd => split_at(simd, self, generators, crossing))
+    fn split(&self, generators: Rows<'_>, ranges: &[Range<usize>], crossing: &mut Places) -> FixedSum {
+        dispatch!(level(), simd => split_at(simd, self, generators, ranges, crossing))
     }
 }
 
@@ -160,6 +177,7 @@ fn split_at<S: Simd, const AXES: usize>(
     simd: S,
     cone: &WideCone<AXES>,
     generators: Rows<'_>,
+    ranges: &[Range<usize>],
     crossing: &mut Places,
 ) -> FixedSum {
     let center = splat(simd, &cone.center);
@@ -170,33 +188,38 @@ fn split_at<S: Simd, const AXES: usize>(
     let wide = Splat { center, axes, square: f64x8::splat(simd, cone.square) };
     let mut sums = Sums::new(simd);
     let mut room = [0; WORD];
-    for (number, block) in generators.chunks(BLOCK).enumerate() {
-        for (place, word) in block.chunks(WORD).enumerate() {
-            let octets = word.octets();
-            let mut misses = 0;
-            for k in 0..octets.len() {
-                misses |= sums.read(simd, &wide, &octets.load(simd, k)) << (LANES * k);
+    let (mut count, mut blocks) = (0, 0);
+    for range in ranges {
+        for (number, block) in generators.part(range.clone()).chunks(BLOCK).enumerate() {
+            for (place, word) in block.chunks(WORD).enumerate() {
+                let octets = word.octets();
+                let mut misses = 0;
+                for k in 0..octets.len() {
+                    misses |= sums.read(simd, &wide, &octets.load(simd, k)) << (LANES * k);
+                }
+                let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
+                if crosses != 0 {
+                    let first = range.start + number * BLOCK + place * WORD;
+                    crossing.extend_from_slice(places_of(crosses, first as u32, &mut room));
+                }
             }
-            let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
-            if crosses != 0 {
-                let first = number * BLOCK + place * WORD;
-                crossing.extend_from_slice(places_of(crosses, first as u32, &mut room));
-            }
+            sums.end_block(simd);
+            blocks += 1;
         }
-        sums.end_block(simd);
+        count += range.len();
     }
     // three coordinates written out, as a closure may lose the instructions that this function is compiled for
     let sum = totals(&[sums.total[0] + sums.rest[0], sums.total[1] + sums.rest[1], sums.total[2] + sums.rest[2]]);
-    fixed(sum, total(sums.magnitude), generators.len())
+    fixed(sum, total(sums.magnitude), count, blocks)
 }
 
 /// The sum with a bound of its error.
-fn fixed(sum: [f64; 3], magnitude: f64, count: usize) -> FixedSum {
+fn fixed(sum: [f64; 3], magnitude: f64, count: usize, blocks: usize) -> FixedSum {
     // lengths whose squares underflow
     let magnitude = magnitude + count as f64 * SQUARABLE_SIZES.start;
     // a term goes through one addition for each eight generators of its block; ten more join lanes and totals
     let additions = (count.min(BLOCK).div_ceil(LANES) + 10) as f64;
-    let blocks = count.div_ceil(BLOCK) as f64;
+    let blocks = blocks as f64;
     let slack = 1.0 + (blocks + BLOCK as f64) * 4.0 * UNIT;
-    FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (additions * magnitude) * slack }
+    FixedSum { sum, magnitude: magnitude * slack, error: UNIT * (additions * magnitude) * slack, read: count }
 }

@@ -14,6 +14,9 @@ const LANES: usize = 8;
 
 /// s such that the gauge of any x is at most s |x|_1, from one generator in `share`; infinite if none is found.
 pub(crate) fn unit_gauge_bound(query: &dyn KernelQuery, share: usize) -> f64 {
+    if let Some(known) = query.known_gauge_bound() {
+        return known;
+    }
     let [mut xx, mut xy, mut xz, mut yy, mut yz, mut zz] = [0.0; 6];
     let mut count = 0;
     for source in query.parts() {

@@ -1,6 +1,9 @@
 //! The exact optimum: where the ray along p leaves Z, as a supporting direction and the face of Z on it.
 
+use std::sync::OnceLock;
+
 use crate::lad::by_pruning;
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
@@ -18,8 +21,11 @@ pub(super) const EXACT_SOLVE_LIMIT: usize = 300;
 pub(crate) struct ExactOptimum {
     /// A minimiser, scaled: u · p > 0.
     pub(crate) direction: ExactVector,
-    /// 1 or −1 for each generator; 0 for the basis and for the zero vector.
-    pub(crate) signs: Vec<i8>,
+    /// 1 or −1 for each generator; 0 for the basis and for the zero vector. Listed when they are asked for, where the
+    /// sum was known without them.
+    signs: OnceLock<Vec<i8>>,
+    /// The cells that fix the signs, where these are not listed.
+    cells: Option<Box<(NestedCells, DirectionCone)>>,
     /// At most two generators, linearly independent, orthogonal to u.
     pub(crate) basis: Vec<usize>,
     /// Σ sign · v.
@@ -119,7 +125,30 @@ impl ExactOptimum {
     ) -> Self {
         basis.sort_unstable();
         let (reach, along) = (dot(&sum, &direction), dot(p, &direction));
-        Self { direction, signs, basis, sum, reach, along }
+        Self { direction, signs: signs.into(), cells: None, basis, sum, reach, along }
+    }
+
+    /// The optimum at a vertex of which the sum of all other generators is known, but not the sign of each.
+    pub(super) fn with_cells(
+        p: &ExactVector,
+        direction: ExactVector,
+        cells: (NestedCells, DirectionCone),
+        basis: Vec<usize>,
+        sum: ExactVector,
+    ) -> Self {
+        Self {
+            signs: OnceLock::new(),
+            cells: Some(Box::new(cells)),
+            ..Self::with_sum(p, direction, vec![], basis, sum)
+        }
+    }
+
+    /// 1 or −1 for each generator; 0 for the basis and for the zero vector. O(n).
+    pub(crate) fn signs(&self, query: &dyn KernelQuery) -> &[i8] {
+        self.signs.get_or_init(|| {
+            let (cells, last) = self.cells.as_deref().expect("signs that are not listed are those of cells");
+            signs_in(query, cells, last, &self.basis)
+        })
     }
 
     /// The gauge `along` / `reach` with a bound for its error.
@@ -135,4 +164,14 @@ impl ExactOptimum {
             (f64::MAX, f64::INFINITY)
         }
     }
+}
+
+/// The signs of all generators at a vertex of which they are certain in doubles; 0 for the basis.
+pub(super) fn signs_in(query: &dyn KernelQuery, cells: &NestedCells, last: &DirectionCone, basis: &[usize]) -> Vec<i8> {
+    let signs = cells.coefficients(query, last, 1.0);
+    let mut signs: Vec<i8> = signs.into_iter().map(|sign| sign as i8).collect();
+    for &index in basis {
+        signs[index] = 0;
+    }
+    signs
 }

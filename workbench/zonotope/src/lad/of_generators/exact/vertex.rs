@@ -10,7 +10,7 @@ use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::exact::best_on_line::best_on_line;
 use crate::lad::of_generators::exact::bundle::Bundle;
 use crate::lad::of_generators::exact::pivot::Balance;
-use crate::lad::of_generators::exact::solve::ExactOptimum;
+use crate::lad::of_generators::exact::solve::{ExactOptimum, signs_in};
 use crate::lad::of_generators::exact::vertex_signs::ExactVertex;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::{ExactVector, cross};
@@ -30,12 +30,11 @@ impl ExactOptimum {
     ) -> Self {
         let [a, b] = vertex.basis.map(|index| query.exact_generator(index));
         let direction = if vertex.reversed { cross(&b, &a) } else { cross(&a, &b) };
-        let signs = cells.coefficients(query, &vertex.cell(), 1.0);
-        let mut signs: Vec<i8> = signs.into_iter().map(|sign| sign as i8).collect();
-        for index in vertex.basis {
-            signs[index] = 0;
+        let (last, basis) = (vertex.cell(), vertex.basis.to_vec());
+        match query.exact_sum_along(&direction) {
+            Some(sum) => Self::with_cells(p, direction, (cells.clone(), last), basis, sum),
+            None => Self::new(query, p, direction, signs_in(query, cells, &last, &basis), basis),
         }
-        Self::new(query, p, direction, signs, vertex.basis.to_vec())
     }
 
     /// The optimum, if a few pivots lead there from the best vertex on the line of the longest generator: where lengths

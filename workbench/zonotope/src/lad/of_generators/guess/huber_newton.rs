@@ -125,10 +125,9 @@ impl RoundedLines {
                 point = shorter;
                 continue;
             }
-            let step = Step { origin: point, vector: newton.map(|c| -c), slope: -dot(&gradient, &newton) };
+            let step = Step::new(point, newton, gradient);
             point = step.end();
-            // the mean square of the change of t / e in the band, each length taken for the harmonic mean
-            let change = -step.slope * moments.weight / (moments.count * moments.count);
+            let change = step.change(&moments);
             if change >= 1.0 {
                 best = best.or(Some((moments, band, step.origin)));
                 pending = Some(step);
@@ -183,20 +182,30 @@ impl RoundedLines {
 
 /// A Newton step, and the slope along it where it starts.
 #[derive(Debug, Clone, Copy)]
-struct Step {
+pub(crate) struct Step {
     origin: [f64; 2],
     vector: [f64; 2],
     slope: f64,
 }
 
 impl Step {
-    fn end(&self) -> [f64; 2] {
+    /// The step that `newton`, the inverse Hessian times the gradient, asks for.
+    pub(crate) fn new(origin: [f64; 2], newton: [f64; 2], gradient: [f64; 2]) -> Self {
+        Self { origin, vector: newton.map(|c| -c), slope: -dot(&gradient, &newton) }
+    }
+
+    /// The mean square of the change of t / e in the band of some moments, each length taken for the harmonic mean.
+    pub(crate) fn change(&self, moments: &Moments) -> f64 {
+        -self.slope * moments.weight / (moments.count * moments.count)
+    }
+
+    pub(crate) fn end(&self) -> [f64; 2] {
         [self.origin[0] + self.vector[0], self.origin[1] + self.vector[1]]
     }
 
     /// Where the slope may be zero, if it is positive at the end and not much less steep than it was negative at the
     /// start.
-    fn shortened(&self, gradient: [f64; 2]) -> Option<[f64; 2]> {
+    pub(crate) fn shortened(&self, gradient: [f64; 2]) -> Option<[f64; 2]> {
         let slope = dot(&gradient, &self.vector);
         let part = (self.slope / (self.slope - slope)).max(0.05);
         (slope > -0.3 * self.slope).then(|| [0, 1].map(|i| self.origin[i] + part * self.vector[i]))

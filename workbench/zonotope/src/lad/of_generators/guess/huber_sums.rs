@@ -7,27 +7,27 @@ use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::total;
 
 /// A symmetric matrix [[xx, xy], [xy, yy]].
-type Symmetric = [f64; 3];
+pub(crate) type Symmetric = [f64; 3];
 
 /// Sums over the lines at a point for one band.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Moments {
-    pub(super) gradient: [f64; 2],
-    pub(super) hessian: Symmetric,
+pub(crate) struct Moments {
+    pub(crate) gradient: [f64; 2],
+    pub(crate) hessian: Symmetric,
     /// Σ weight / band over the band.
-    pub(super) weight: f64,
-    pub(super) count: f64,
+    pub(crate) weight: f64,
+    pub(crate) count: f64,
 }
 
 /// What the sum of normal · normalᵀ is taken over, beside the lines of the band.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Others {
+pub(crate) struct Others {
     /// Only lines that pass between the point and this one, where there is one.
-    pub(super) before: Option<[f64; 2]>,
+    pub(crate) before: Option<[f64; 2]>,
     /// The part of normal · normalᵀ that is added for each.
-    pub(super) share: f64,
+    pub(crate) share: f64,
     /// Lines of longer generators are left out.
-    pub(super) longest: f64,
+    pub(crate) longest: f64,
 }
 
 impl RoundedLines {
@@ -40,11 +40,11 @@ impl RoundedLines {
     }
 
     /// Σ normal · normalᵀ over the lines of a band, plus a share of it over some of the others.
-    pub(super) fn spread(&self, point: [f64; 2], band: f64, others: Others) -> Symmetric {
+    pub(crate) fn spread(&self, point: [f64; 2], band: f64, others: Others) -> Symmetric {
         dispatch!(level(), simd => spread(simd, self.blocks(), point, band, others))
     }
 
-    pub(super) fn moments(&self, point: [f64; 2], band: f64) -> Moments {
+    pub(crate) fn moments(&self, point: [f64; 2], band: f64) -> Moments {
         dispatch!(level(), simd => moments(simd, self.blocks(), point, band))
     }
 }
@@ -121,13 +121,13 @@ fn moments<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], band: f64) 
     }
 }
 
-pub(super) fn solve([xx, xy, yy]: &Symmetric, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
+pub(crate) fn solve([xx, xy, yy]: &Symmetric, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
     let determinant = xx * yy - xy * xy;
     (determinant > 1e-14 * (xx * yy)).then(|| [(yy * x - xy * y) / determinant, (xx * y - xy * x) / determinant])
 }
 
 /// The columns of the lower triangular L with L Lᵀ = the matrix.
-pub(super) fn factor([xx, xy, yy]: &Symmetric) -> Option<[[f64; 2]; 2]> {
+pub(crate) fn factor([xx, xy, yy]: &Symmetric) -> Option<[[f64; 2]; 2]> {
     let first = xx.sqrt();
     let rest = yy - xy * xy / xx;
     (*xx > 0.0 && rest > 0.0).then(|| [[first, xy / first], [0.0, rest.sqrt()]])

@@ -63,7 +63,10 @@ impl ParallelClasses {
         let probes: Vec<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
         let is_repeated =
             |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < PARALLEL_SINE * PARALLEL_SINE);
-        if !probes.iter().enumerate().any(is_repeated) {
+        // in a list that is sorted by direction, those at a distance differ and neighbours are parallel
+        let neighbours = sample.iter().skip(1).step_by(step).take(PROBES).filter_map(unit);
+        let is_followed = |(a, b): (&[f64; 3], [f64; 3])| sine_square(a, &b) < PARALLEL_SINE * PARALLEL_SINE;
+        if !probes.iter().enumerate().any(is_repeated) && !probes.iter().zip(neighbours).any(is_followed) {
             return None;
         }
         Self::summed_up(sample.iter().copied(), part, chart)

@@ -8,7 +8,7 @@ use crate::lad::of_generators::plane::rounded_lines::{LineBlock, LineBlocks, Rou
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, Octet, total};
 use crate::numeric::lanes::octets::Octets;
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{dot, sum_norm};
 
 /// The least size of a cell, in terms of its centre.
 const LEAST_CELL_SIZE: f64 = 1e-11;
@@ -93,6 +93,15 @@ impl RoundedChart {
     /// The direction u of a point, u · p = 1.
     pub(crate) fn point(&self, point: [f64; 2]) -> [f64; 3] {
         self.direction(point, 1.0)
+    }
+
+    /// The guess whose ellipse is a cell, the centre u of which has u · p = 1.
+    pub(crate) fn guess_of(&self, cell: &DirectionCone) -> Guess {
+        let place = |u: &[f64; 3]| [u[self.axes[0]], u[self.axes[1]]];
+        let sides = cell.axes.map_or([[cell.ball, 0.0], [0.0, cell.ball]], |axes| axes.each_ref().map(place));
+        let length = sum_norm(&cell.center);
+        let band = sides.as_flattened().iter().fold(0.0f64, |m, c| m.max(c.abs())).min(length);
+        Guess { point: place(&cell.center), band, sides }
     }
 
     /// The ellipse of a guess, stretched; a ball around the ellipse where the ball is hardly larger.

@@ -105,6 +105,15 @@ impl RoundedLines {
         Self { len: LANES * blocks.len(), blocks, length: self.length / share as f64 }
     }
 
+    /// The lines with a width for each in the place of its generator's length: a line is in a band of 1 where its
+    /// product with a point is below its width.
+    pub(crate) fn with_widths(mut self, widths: &[f64]) -> Self {
+        for (row, width) in widths.iter().enumerate().take(self.len) {
+            self.blocks[row / LANES].0[3][slot(row) % LANES] = 1.0 / width;
+        }
+        self
+    }
+
     /// Where two lines meet.
     pub(crate) fn meet(&self, i: usize, j: usize) -> [f64; 2] {
         let ([a, b, c, _], [d, e, f, _]) = (self.line(i), self.line(j));

@@ -45,8 +45,8 @@ pub(crate) fn search_meetings(
             }
         }
         tally.add(Operation::SearchStep, 1);
-        tally.add(Operation::GeneratorRead, query.len() as u64);
         let reduced = Reduced::of_query(query, chart.cell(&meeting.guess, 1.0));
+        tally.add(Operation::GeneratorRead, reduced.fixed.read as u64);
         if !reduced.is_moderate() {
             return None;
         }

@@ -141,9 +141,9 @@ impl CorrectedSample<'_, '_> {
             let (reduced, len) = match self.levels.last() {
                 Some(level) => (level.split(cell), level.vectors.len()),
                 None => {
-                    let n = self.problem.query.len();
-                    self.tally.add(Operation::GeneratorRead, n as u64);
-                    (Reduced::of_query(self.problem.query, cell), n)
+                    let reduced = Reduced::of_query(self.problem.query, cell);
+                    self.tally.add(Operation::GeneratorRead, reduced.fixed.read as u64);
+                    (reduced, self.problem.query.len())
                 }
             };
             if !reduced.is_moderate() {

@@ -52,10 +52,9 @@ pub(crate) fn search_cell(
     most_lines: usize,
     tally: &mut dyn Tally,
 ) -> Result<Searched, Missed> {
-    let query = problem.query;
     tally.add(Operation::SearchStep, 1);
-    tally.add(Operation::GeneratorRead, query.len() as u64);
-    let reduced = Reduced::of_query(query, problem.chart.cell(guess, stretch));
+    let reduced = Reduced::of_query(problem.query, problem.chart.cell(guess, stretch));
+    tally.add(Operation::GeneratorRead, reduced.fixed.read as u64);
     if !reduced.is_moderate() {
         return Ok(Searched::Doubtful { cells: NestedCells::default(), vertex: None });
     }

@@ -21,6 +21,11 @@ impl Block {
         block
     }
 
+    /// The vectors of three columns.
+    pub(crate) const fn of_columns(columns: [[f64; LANES]; 3]) -> Self {
+        Self(columns)
+    }
+
     #[inline(always)]
     pub(crate) fn load<S: Simd>(&self, simd: S) -> Octet<S> {
         let Self([x, y, z]) = self;

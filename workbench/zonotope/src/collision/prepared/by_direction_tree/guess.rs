@@ -1,0 +1,163 @@
+//! A cell that is likely to hold the optimum, from the sums of the nodes.
+//!
+//! The generators of a node that the line u · v = 0 cuts are spread over its box. So its |·| is rounded off over the
+//! width of the box: Newton steps on the objective of nodes come nearer to the optimum than the nodes are wide. Then
+//! only the nodes that cross a cell around the point are opened, and so on down to the leaves.
+
+use super::DirectionTree;
+use super::walk::{Nodes, Visitor, walk};
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
+use crate::lad::of_generators::guess::aim::Guess;
+use crate::lad::of_generators::guess::huber_newton::Step;
+use crate::lad::of_generators::guess::huber_sums::{Moments, Others, factor, solve};
+use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::numeric::linear::dot;
+use crate::tally::{Operation, Tally};
+
+/// The most Newton steps for one level.
+const NEWTON_STEP_LIMIT: usize = 12;
+
+/// The mean square of the change of the nodes' distances, in terms of their widths, at which Newton steps end.
+const LAST_CHANGE: f64 = 1e-4;
+
+/// By how much the widths are made larger where the nodes within theirs are all parallel.
+const WIDENING_FACTOR: f64 = 8.0;
+
+/// How often the widths are made larger.
+const WIDENING_LIMIT: usize = 8;
+
+/// How many standard deviations of the gradient a cell allows for, if a node that is cut had all of its generators on
+/// one side.
+const DEVIATIONS: f64 = 0.65;
+
+/// A minimum that is farther from the one of larger nodes than this, in terms of the sides of the cell, is not
+/// believed: the signs of the nodes beside the cell are not those at the minimum.
+const BELIEVED_DISTANCE: f64 = 4.0;
+
+/// How many levels of the tree one search skips.
+const LEVELS_AT_ONCE: usize = 2;
+
+/// Nodes that cross a cell, and the sum of all others.
+struct Reduced {
+    sums: Vec<[f64; 3]>,
+    widths: Vec<[[f64; 3]; 2]>,
+    fixed: [f64; 3],
+}
+
+/// The sums and widths of the nodes that a walk crosses.
+struct Crossed<'t> {
+    tree: &'t DirectionTree,
+    sums: Vec<[f64; 3]>,
+    widths: Vec<[[f64; 3]; 2]>,
+}
+
+impl Visitor for Crossed<'_> {
+    #[inline(always)]
+    fn crossed(&mut self, Nodes { face, level, block, mut lanes }: Nodes) {
+        let block = &self.tree.faces[face].levels[level][block];
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            self.sums.push(block.sum.vector(lane));
+            self.widths.push(block.width(lane));
+            lanes &= lanes - 1;
+        }
+    }
+}
+
+impl DirectionTree {
+    /// A cell that is likely to hold the direction u with u · p = 1 at which Σ |v · u| is least; none where Newton
+    /// steps do not get there.
+    pub(super) fn cell_near_optimum(&self, p: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
+        let chart = RoundedChart::new(p);
+        let lines = chart.lines(&self.middle_front.sums);
+        let (start, _) = lines.least_squares()?;
+        tally.add(Operation::GeneratorRead, self.middle_front.sums.len() as u64);
+        let mut guess = minimum(lines, &self.middle_front.widths, [0.0; 2], &chart, start)?;
+        let mut level = self.middle_level;
+        while level > 0 {
+            level = level.saturating_sub(LEVELS_AT_ONCE);
+            let cell = chart.cell(&guess, 1.0);
+            let Reduced { sums, widths, fixed } = self.reduced(&cell, level, tally);
+            let [x, y, _] = chart.line(&fixed);
+            let next = minimum(chart.lines(&sums), &widths, [x, y], &chart, guess.point)?;
+            if !guess.is_near(next.point, BELIEVED_DISTANCE) {
+                return None;
+            }
+            guess = next;
+        }
+        Some(chart.cell(&guess, 1.0))
+    }
+
+    /// The nodes of a level that cross a cell.
+    fn reduced(&self, cell: &DirectionCone, level: usize, tally: &mut dyn Tally) -> Reduced {
+        let mut crossed = Crossed { tree: self, sums: Vec::with_capacity(1024), widths: Vec::with_capacity(1024) };
+        let walked = walk(&self.faces, cell, level, &mut crossed);
+        tally.add(Operation::GeneratorRead, walked.read as u64);
+        Reduced { sums: crossed.sums, widths: crossed.widths, fixed: walked.sum }
+    }
+}
+
+/// The minimum of the objective of nodes, each rounded off over its width, with the cell that it is likely to be in.
+fn minimum(
+    lines: RoundedLines,
+    widths: &[[[f64; 3]; 2]],
+    linear: [f64; 2],
+    chart: &RoundedChart,
+    point: [f64; 2],
+) -> Option<Guess> {
+    let u = chart.point(point);
+    // the standard deviation of a sum of even spreads is that of one whose width is the root of the squares' sum
+    let width = |[side, half]: &[[f64; 3]; 2]| {
+        let (along, [x, y, z]) = (dot(side, &u), [0, 1, 2].map(|k| half[k] * u[k]));
+        (along * along + x * x + y * y + z * z).sqrt().max(f64::MIN_POSITIVE)
+    };
+    let lines = lines.with_widths(&widths.iter().map(width).collect::<Vec<_>>());
+    let found = newton(&lines, linear, point).or_else(|| {
+        // where nodes of little width nearly meet, no step of Newton's is of use before the vertex is known
+        let vertex = lines.optimum(linear, point)?;
+        newton(&lines, linear, vertex).or_else(|| at_vertex(&lines, vertex))
+    });
+    let Smooth { point, band, moments } = found?;
+    let others = Others { before: None, share: 0.0, longest: f64::INFINITY };
+    let [first, second] = factor(&lines.spread(point, band, others))?;
+    let side = |v: [f64; 2]| solve(&moments.hessian, v.map(|c| c * DEVIATIONS));
+    let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
+    let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();
+    (finite(guess.point) && finite(guess.sides[0]) && finite(guess.sides[1])).then_some(guess)
+}
+
+/// A point with the moments of a band there.
+struct Smooth {
+    point: [f64; 2],
+    band: f64,
+    moments: Moments,
+}
+
+/// The minimum of the rounded-off objective, if a few steps lead there.
+fn newton(lines: &RoundedLines, linear: [f64; 2], mut point: [f64; 2]) -> Option<Smooth> {
+    let mut before: Option<Step> = None;
+    for _ in 0..NEWTON_STEP_LIMIT {
+        let moments = lines.moments(point, 1.0);
+        let gradient = [moments.gradient[0] + linear[0], moments.gradient[1] + linear[1]];
+        if let Some(shorter) = before.take().and_then(|step| step.shortened(gradient)) {
+            point = shorter;
+            continue;
+        }
+        let step = Step::new(point, solve(&moments.hessian, gradient)?, gradient);
+        point = step.end();
+        if step.change(&moments) < LAST_CHANGE {
+            return Some(Smooth { point, band: 1.0, moments });
+        }
+        before = Some(step);
+    }
+    None
+}
+
+/// A vertex, with a band that holds lines of several slopes.
+fn at_vertex(lines: &RoundedLines, point: [f64; 2]) -> Option<Smooth> {
+    let bands = (0..WIDENING_LIMIT).scan(1.0, |band, _| Some(std::mem::replace(band, *band * WIDENING_FACTOR)));
+    bands
+        .map(|band| Smooth { point, band, moments: lines.moments(point, band) })
+        .find(|found| solve(&found.moments.hessian, [0.0; 2]).is_some())
+}
