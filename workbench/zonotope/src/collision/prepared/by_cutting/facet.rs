@@ -70,7 +70,7 @@ impl<'b> Facet<'b> {
             let mut signs = DirectionSigns::new(&self.query, &optimum.direction).all(&optimum.direction);
             known.iter().for_each(|&(index, sign)| signs[index] = sign);
             optimum.basis.iter().for_each(|&index| signs[index] = 0);
-            Optimum::Exact(Box::new(ExactOptimum { signs, ..optimum.clone() }))
+            Optimum::Exact(Box::new(optimum.with_signs(signs)))
         });
         proof::location(&self.query, &optimum, &mut ())
     }

@@ -143,6 +143,11 @@ impl ExactOptimum {
         }
     }
 
+    /// The same optimum with listed signs of all generators.
+    pub(crate) fn with_signs(&self, signs: Vec<i8>) -> Self {
+        Self { signs: signs.into(), cells: None, ..self.clone() }
+    }
+
     /// 1 or −1 for each generator; 0 for the basis and for the zero vector. O(n).
     pub(crate) fn signs(&self, query: &dyn KernelQuery) -> &[i8] {
         self.signs.get_or_init(|| {
