@@ -130,6 +130,23 @@ fn input(kind: &str, dimension: usize, count: usize, numbers: &[f64]) -> Value {
     }
 }
 
+/// The structures for many points give the answers that are given without them, and these verify.
+fn structures_agree(count: usize, numbers: &[f64]) -> Result<(), TestCaseError> {
+    let asked = |method: &str| {
+        let mut question = question("member_batch", &input("member_batch", 3, count, numbers));
+        question["method"] = method.into();
+        let answer = answered(question.to_string().as_bytes());
+        (check(&tree(&question), &tree(&answer)), answer)
+    };
+    let (_, plain) = asked("by_lad");
+    for method in ["by_direction_tree", "by_cutting"] {
+        let (verdict, answer) = asked(method);
+        prop_assert!(verdict.is_right() || answer.get("error").is_some(), "{method}: {verdict:?}: {answer}");
+        prop_assert_eq!(&answer["result"]["status"], &plain["result"]["status"], "{} {}", method, answer);
+    }
+    Ok(())
+}
+
 fn question(kind: &str, input: &Value) -> Value {
     json!({"id": "q", "kind": kind, "input": input})
 }
@@ -188,6 +205,7 @@ proptest! {
         numbers in prop::collection::vec(finite(), 1..24), dimension in 1usize..5, count in 0usize..6
     ) {
         answers_verify(dimension, count, &numbers)?;
+        structures_agree(count, &numbers)?;
     }
 
     #[test]

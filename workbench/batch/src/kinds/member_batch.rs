@@ -1,8 +1,11 @@
 //! `member_batch`: where many points lie relative to one zonotope.
 
 use serde_json::{Value, json};
-use zonotope::collision::{Gauge, Query, by_lad, by_lad_in_r4};
+use zonotope::collision::prepared::DirectionTree;
+use zonotope::collision::prepared::by_cutting::PreparedByCutting;
+use zonotope::collision::{Gauge, Query, Status, by_lad, by_lad_in_r4};
 use zonotope::tally::OperationCounts;
+use zonotope::zonotope::Zonotope;
 
 use super::{Kind, Solution};
 use crate::dimension::refused;
@@ -15,29 +18,56 @@ pub(super) const KIND: Kind = Kind {
     summary: "status and gauge of many points relative to one zonotope",
     fields: &["center", "generators", "points"],
     optional: &[],
-    methods: || vec![BY_LAD],
+    methods: || vec![BY_LAD, BY_DIRECTION_TREE, BY_CUTTING],
     solve,
 };
 
+/// Nothing is prepared: each point is a question of its own.
 const BY_LAD: &str = "by_lad";
 
-/// The most pairs of a point and a generator that are taken.
+/// Structures for bodies of space.
+const BY_DIRECTION_TREE: &str = "by_direction_tree";
+const BY_CUTTING: &str = "by_cutting";
+
+/// The most pairs of a point and a generator that are taken without a structure.
 const PAIR_LIMIT: usize = 1_000_000_000;
 
-fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
-    match fields.dimension("center")? {
-        1 => in_space::<1>(fields, |query, counts| by_lad::gauge_counted(query, counts)),
-        2 => in_space::<2>(fields, |query, counts| by_lad::gauge_counted(query, counts)),
-        3 => in_space::<3>(fields, |query, counts| by_lad::gauge_counted(query, counts)),
-        4 => in_space::<4>(fields, by_lad_in_r4::gauge_counted),
-        other => Err(refused("center", other, 4)),
-    }
+/// The most generators of which a cutting is made.
+const CUTTING_LIMIT: usize = 2_000;
+
+/// What is said of each point, and how many operations it took to prepare for the points and to answer.
+struct Answers {
+    found: Vec<(Status, f64)>,
+    build: u64,
+    query: u64,
+}
+
+fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
+    let dimension = fields.dimension("center")?;
+    let method = method.unwrap_or(BY_LAD);
+    let answers = match dimension {
+        3 if method == BY_DIRECTION_TREE => by_direction_tree(fields)?,
+        3 if method == BY_CUTTING => by_cutting(fields, seed)?,
+        1..=4 if method != BY_LAD => {
+            let message = format!("`{method}` does not answer in {dimension} dimensions; {BY_LAD} would");
+            return Err(Refusal::new(Code::UnknownMethod, message));
+        }
+        1 => in_space::<1>(fields, |query, counts| by_lad::gauge_counted(query, counts))?,
+        2 => in_space::<2>(fields, |query, counts| by_lad::gauge_counted(query, counts))?,
+        3 => in_space::<3>(fields, |query, counts| by_lad::gauge_counted(query, counts))?,
+        4 => in_space::<4>(fields, by_lad_in_r4::gauge_counted)?,
+        other => return Err(refused("center", other, 4)),
+    };
+    let statuses: Value = answers.found.iter().map(|(status, _)| status.name()).collect();
+    let gauges: Value = answers.found.iter().map(|(_, gauge)| to_json(*gauge)).collect();
+    let result = json!({"status": statuses, "gauge": gauges, "build": answers.build, "query": answers.query});
+    Ok(Solution { method, result })
 }
 
 fn in_space<const D: usize>(
     fields: &Fields<'_>,
     gauge: impl Fn(&Query<'_, D>, &mut OperationCounts) -> Gauge<D>,
-) -> Result<Solution, Refusal> {
+) -> Result<Answers, Refusal> {
     let body = fields.zonotope::<D>()?;
     let points = fields.vectors::<D>("points")?;
     let generators = body.generators().len();
@@ -49,14 +79,49 @@ fn in_space<const D: usize>(
         return Err(Refusal::new(Code::TooLarge, message));
     }
     let mut counts = OperationCounts::default();
-    let (mut statuses, mut gauges): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
-    for point in points {
+    let found = points.into_iter().map(|point| {
         let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
-        let found = gauge(&question, &mut counts);
-        statuses.push(found.location.status().name().into());
-        gauges.push(to_json(found.value));
+        let gauge = gauge(&question, &mut counts);
+        (gauge.location.status(), gauge.value)
+    });
+    Ok(Answers { found: found.collect(), build: 0, query: total(&counts) })
+}
+
+/// A tree reads each generator a few times when it is built, which counts as one operation.
+fn by_direction_tree(fields: &Fields<'_>) -> Result<Answers, Refusal> {
+    let (body, points) = space(fields)?;
+    let tree = DirectionTree::new(&body);
+    let mut counts = OperationCounts::default();
+    let found = points.into_iter().map(|point| {
+        let measured = tree.gauge_counted(point, &mut counts).expect("the numbers of a question are finite");
+        (measured.location.status(), measured.value)
+    });
+    Ok(Answers { found: found.collect(), build: body.generators().len() as u64, query: total(&counts) })
+}
+
+/// With n generators, in a space of about n √n.
+fn by_cutting(fields: &Fields<'_>, seed: u64) -> Result<Answers, Refusal> {
+    let (body, points) = space(fields)?;
+    let generators = body.generators().len();
+    if generators > CUTTING_LIMIT {
+        let message = format!("{generators} generators, at most {CUTTING_LIMIT} are taken by `{BY_CUTTING}`");
+        return Err(Refusal::new(Code::TooLarge, message));
     }
-    let query: u64 = counts.iter().map(|(_, count)| count).sum();
-    // Nothing is prepared: each point is a question of its own.
-    Ok(Solution { method: BY_LAD, result: json!({"status": statuses, "gauge": gauges, "build": 0, "query": query}) })
+    let (mut build, mut counts) = (OperationCounts::default(), OperationCounts::default());
+    let space = generators * generators.isqrt();
+    let prepared = PreparedByCutting::new_counted(body, space as u64, seed, &mut build)
+        .expect("the space is between the number of generators and its square");
+    let found = points.into_iter().map(|point| {
+        let facet = prepared.facet_counted(point, &mut counts).expect("the numbers of a question are finite");
+        (facet.status(), facet.value().0)
+    });
+    Ok(Answers { found: found.collect(), build: total(&build), query: total(&counts) })
+}
+
+fn space(fields: &Fields<'_>) -> Result<(Zonotope<3>, Vec<[f64; 3]>), Refusal> {
+    Ok((fields.zonotope()?, fields.vectors("points")?))
+}
+
+fn total(counts: &OperationCounts) -> u64 {
+    counts.iter().map(|(_, count)| count).sum()
 }
