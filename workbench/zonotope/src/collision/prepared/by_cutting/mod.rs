@@ -47,8 +47,9 @@
 //!
 //! Operations of a query, random bodies, n = 4,096, r = 1, 16, 64, 1,024: 44, 627, 742 and 967 to find the trapezoid,
 //! 12,706, 784, 164 and 8 in it. The latter fall with the exponent −0.99 in m; their sum with −0.66 up to m = n^1.5 and
-//! −0.35 up to r = 1,024, as from there on log² n is what is left. In time, on these bodies, a query is behind one of
-//! the static method up to n = 4,096 at least: that one passes over all generators, but eight at a time.
+//! −0.35 up to r = 1,024, as from there on log² n is what is left; for n = 16,384 with −0.87 up to r = 64. In time, on
+//! these bodies, a query is behind one of the static method up to n = 4,096 at least: that one passes over all
+//! generators, but eight at a time.
 //!
 //! # Shapes
 //! `body`: n generators in any order, duplicates allowed; `space`: m, from n to n²; `point`: any point.
