@@ -1,4 +1,5 @@
-//! `intersect`, `distance`, `reduce` and `inspect`: answers with their proofs, pictures, and files that are no zonotopes.
+//! `intersect`, `distance`, `reduce` and `inspect`: answers with their proofs, pictures, and files that are no
+//! zonotopes.
 
 use std::fs;
 

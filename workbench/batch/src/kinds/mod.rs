@@ -1,29 +1,19 @@
 //! The kinds of question that are answered: one row of a table each.
 
+mod arrangement;
+mod bodies;
 mod collision;
-mod combinatorics;
-mod distance;
-mod gauge;
-mod hausdorff;
-mod intersect;
-mod member;
-mod member_batch;
-mod min_area;
-mod min_length_all;
-mod min_length_dirs;
-mod reduce;
-mod separator;
-mod slope_selection;
-mod support;
-mod upper_hull;
-mod walk;
+mod enclosing;
 
 use serde_json::Value;
 
-pub use min_area::result as min_area_result;
+pub use enclosing::min_area::result as min_area_result;
 
 use super::fields::Fields;
 use super::refusal::Refusal;
+
+/// The fields of a zonotope.
+const BODY: [&str; 2] = ["center", "generators"];
 
 /// A kind of question.
 #[derive(Debug)]
@@ -44,23 +34,23 @@ pub struct Kind {
 
 /// Every kind that is answered.
 pub static KINDS: &[Kind] = &[
-    member::KIND,
-    intersect::KIND,
-    gauge::KIND,
-    distance::KIND,
-    reduce::APPROX,
-    reduce::REDUCE,
-    hausdorff::KIND,
-    member_batch::KIND,
-    support::KIND,
-    combinatorics::KIND,
-    slope_selection::KIND,
-    separator::KIND,
-    upper_hull::KIND,
-    walk::KIND,
-    min_area::KIND,
-    min_length_dirs::KIND,
-    min_length_all::KIND,
+    collision::member::KIND,
+    collision::intersect::KIND,
+    collision::gauge::KIND,
+    collision::distance::KIND,
+    bodies::reduce::APPROX,
+    bodies::reduce::REDUCE,
+    bodies::hausdorff::KIND,
+    collision::member_batch::KIND,
+    bodies::support::KIND,
+    bodies::combinatorics::KIND,
+    arrangement::slope_selection::KIND,
+    arrangement::separator::KIND,
+    arrangement::upper_hull::KIND,
+    arrangement::walk::KIND,
+    enclosing::min_area::KIND,
+    enclosing::min_length_dirs::KIND,
+    enclosing::min_length_all::KIND,
 ];
 
 /// An answer's content.

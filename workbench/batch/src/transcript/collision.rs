@@ -1,7 +1,7 @@
 //! Points and zonotopes relative to zonotopes.
 
 use super::Verdict;
-use super::reading::{boolean, direction, exact_numbers, float, index, indices, member, text, vector, vectors};
+use super::reading::{boolean, direction, exact_numbers, float, index, indices, member, point, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
     Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, PenetrationAnswer, Pose, ProximityAnswer,
@@ -36,7 +36,7 @@ pub(super) fn distance(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let answer = ProximityAnswer {
         distance: float(result, "distance")?,
         location: location(result)?,
-        nearest: [vector(member(nearest, "a")?, "a")?, vector(member(nearest, "b")?, "b")?],
+        nearest: [point(member(nearest, "a")?, "a")?, point(member(nearest, "b")?, "b")?],
         features: [text(features, "a")?.to_owned(), text(features, "b")?.to_owned()],
         parts,
     };

@@ -14,6 +14,13 @@ pub(super) fn float(object: &Tree, name: &str) -> Result<f64, String> {
     member(object, name)?.float().ok_or_else(|| format!("`{name}` is not a number"))
 }
 
+/// A point of an answer: coordinates that may be infinite, where the exact ones are beyond the range of doubles.
+pub(super) fn point(value: &Tree, name: &str) -> Result<Vec<f64>, String> {
+    let coordinates = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    let coordinates = coordinates.iter().map(|x| x.float().filter(|x| !x.is_nan()));
+    coordinates.collect::<Option<_>>().ok_or_else(|| format!("`{name}` holds something else than numbers"))
+}
+
 pub(super) fn vector(value: &Tree, name: &str) -> Result<Vec<f64>, String> {
     let components = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     components

@@ -1,7 +1,7 @@
 //! Zonotopes as bodies of their own: how far they reach, how many faces they have.
 
 use super::Verdict;
-use super::reading::{boolean, exact_numbers, float, fractions, index, indices, member, text, vector, vectors};
+use super::reading::{boolean, exact_numbers, float, fractions, index, indices, member, point, text, vector, vectors};
 use crate::json::Tree;
 use verifier::{
     CombinatoricsAnswer, FacetTriple, Fraction, SupportAnswer, check_combinatorics, check_separator,
@@ -13,9 +13,7 @@ pub(super) fn support(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     let center = vector(member(input, "center")?, "center")?;
     let generators = vectors(member(input, "generators")?, "generators")?;
     // A coordinate beyond the range of doubles is an infinity.
-    let point = member(result, "point")?.list().ok_or("`point` is not a list")?;
-    let point: Option<Vec<f64>> = point.iter().map(|x| x.float().filter(|x| !x.is_nan())).collect();
-    let point = point.ok_or("`point` holds something else than numbers")?;
+    let point = point(member(result, "point")?, "point")?;
     let answer = SupportAnswer { value: float(result, "value")?, point };
     Ok(check_support(&direction, &center, &generators, &answer).in_words())
 }

@@ -76,8 +76,8 @@ pub(crate) fn one_outside(
     Ok(None)
 }
 
-/// Whether the zonotope of the outer generators contains that of the inner ones, unless there are too many facets: along
-/// each facet normal u of the outer one, Σ |u · inner| is at most Σ |u · outer|.
+/// Whether the zonotope of the outer generators contains that of the inner ones, unless there are too many facets:
+/// along each facet normal u of the outer one, Σ |u · inner| is at most Σ |u · outer|.
 pub(crate) fn contains_body(dimension: usize, outer: &[Vector], inner: &[Vector]) -> Result<bool, TooMany> {
     let span = Echelon::spanned(dimension, outer);
     if inner.iter().any(|vector| !span.contains(vector)) {

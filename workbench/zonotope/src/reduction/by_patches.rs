@@ -92,7 +92,8 @@ pub fn patches<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, R
     projected(problem.body(), &vectors, &finest)
 }
 
-/// The reduction to a precision, relative to the diameter.
+/// The reduction to a precision, relative to the diameter; the body itself where the patches would have no fewer
+/// generators.
 ///
 /// # Errors
 /// [`ReductionError::BadEpsilon`] if ε is not in (0, 1), [`ReductionError::TooManyPatches`] if it needs too fine a
@@ -104,7 +105,9 @@ pub fn patches_within<const D: usize>(body: &Zonotope<D>, epsilon: f64) -> Resul
         return Err(ReductionError::TooManyPatches(side));
     }
     let vectors = scaled(body.generators());
-    projected(body, &vectors, &cells(&vectors, side as u32))
+    let reduced = projected(body, &vectors, &cells(&vectors, side as u32))?;
+    let is_smaller = reduced.body.generators().len() < body.generators().len();
+    Ok(if is_smaller { reduced } else { Reduced::unreduced(body) })
 }
 
 /// The number of patches that the precision takes in a dimension, those without generators included.

@@ -29,7 +29,7 @@ pub struct Options {
     #[arg(long, value_name = "K")]
     count: u64,
     /// The rule: the best of all, or one of them.
-    #[arg(long, default_value = Method::Clusters.id(), value_parser = PossibleValuesParser::new(Method::ALL.map(Method::id)))]
+    #[arg(long, default_value = Method::Clusters.id(), value_parser = rules())]
     rule: String,
     /// The format, where the extension does not tell it.
     #[arg(long)]
@@ -46,6 +46,10 @@ pub struct Options {
     /// Replace files that exist.
     #[arg(long)]
     force: bool,
+}
+
+fn rules() -> PossibleValuesParser {
+    PossibleValuesParser::new(Method::ALL.map(Method::id))
 }
 
 /// Reads, reduces, checks, and prints a summary.

@@ -5,8 +5,8 @@
 //! in B differ by p − Σ δ_i v_i − Σ ε_j w_j. Membership is the same problem, where B has no generators.
 //!
 //! The answer is a [`Proximity`]: disjoint with a [`Gap`], touching, or overlapping; decided exactly. A gap comes with
-//! coefficients that prove it, a point of each body, and the faces on which these points lie. Where bodies meet instead,
-//! [`contact`] has a common point and the faces that touch.
+//! coefficients that prove it, a point of each body, and the faces on which these points lie. Where bodies meet
+//! instead, [`contact`] has a common point and the faces that touch.
 //!
 //! | method | dimensions | cost for n generators | what it is |
 //! |---|---|---|---|

@@ -5,11 +5,11 @@ use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::slope_selection::Method;
 
 use super::separator::refuse_many_lines;
-use super::{Kind, Solution};
 use crate::fields::Fields;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "slope_selection",
     summary: "the exact abscissas of the k-th leftmost vertices of the arrangement that is dual to generators in space",
     fields: &["generators", "k"],

@@ -3,13 +3,13 @@
 use serde_json::{Value, json};
 use zonotope::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome};
 
-use super::{Kind, Solution};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "min_length_all",
     summary: "the zonotope of least total length that contains points, within a proven ratio",
     fields: &["points", "epsilon"],

@@ -1,4 +1,10 @@
-//! What the kinds about a body and a displacement share: the choice of a method, proofs in the answer.
+//! Kinds about a body and a displacement, and what they share: the choice of a method, proofs in the answer.
+
+pub(super) mod distance;
+pub(super) mod gauge;
+pub(super) mod intersect;
+pub(super) mod member;
+pub(super) mod member_batch;
 
 use serde_json::{Value, json};
 use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation};
@@ -6,13 +12,12 @@ use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation};
 use crate::json::vector_to_json;
 use crate::refusal::{Code, Refusal};
 
-/// The fields of a zonotope, and those that it may have.
-pub(super) const BODY: [&str; 2] = ["center", "generators"];
-pub(super) const PLACED: [&str; 1] = ["pose"];
+/// The fields that a zonotope may have.
+const PLACED: [&str; 1] = ["pose"];
 
 /// What a kind asks of its methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Task {
+enum Task {
     /// A location with its proof.
     Locate,
     /// The gauge as well.
@@ -30,16 +35,12 @@ impl Task {
     }
 
     /// The names of the methods that do it.
-    pub(super) fn method_names(self) -> Vec<&'static str> {
+    fn method_names(self) -> Vec<&'static str> {
         self.methods().map(Method::id).collect()
     }
 
     /// The method that was asked for, or the best one of the dimension.
-    pub(super) fn method<const D: usize>(
-        self,
-        asked: Option<&'static str>,
-        generators: usize,
-    ) -> Result<Method, Refusal> {
+    fn method<const D: usize>(self, asked: Option<&'static str>, generators: usize) -> Result<Method, Refusal> {
         let working = || self.methods().filter(|method| method.dimensions().contains(&D));
         let chosen = match asked {
             Some(name) => self.methods().find(|method| method.id() == name),
@@ -80,7 +81,7 @@ fn refuse_many<const D: usize>(method: Method, generators: usize) -> Result<(), 
 
 /// Where a displacement lies, with a proof that a verifier takes, and the method that proved it: what a linear program
 /// leaves open is decided by the kernel, or by brute force in dimensions that the kernel does not reach.
-pub(super) fn locate<const D: usize>(
+fn locate<const D: usize>(
     method: Method,
     question: &Query<'_, D>,
     seed: u64,
@@ -100,14 +101,14 @@ pub(super) fn locate<const D: usize>(
 }
 
 /// The gauge by a method that was chosen for it, with a proof that a verifier takes.
-pub(super) fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
+fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
     let gauge = method.gauge(question, &mut ());
     let gauge = gauge.expect("the dimension and the number of generators were checked when the method was chosen");
     gauge.with_nearest_basis(question)
 }
 
 /// The method of questions about bodies under poses, unless another one was asked for.
-pub(super) fn posed_method(asked: Option<&'static str>) -> Result<&'static str, Refusal> {
+fn posed_method(asked: Option<&'static str>) -> Result<&'static str, Refusal> {
     let kernel = Method::ByLad.id();
     match asked.filter(|name| *name != kernel) {
         Some(other) => {
@@ -119,7 +120,7 @@ pub(super) fn posed_method(asked: Option<&'static str>) -> Result<&'static str, 
 }
 
 /// The proof of a location.
-pub(super) fn certificate<const D: usize>(location: &Location<D>) -> Value {
+fn certificate<const D: usize>(location: &Location<D>) -> Value {
     match location {
         Location::Inside(witness) | Location::Boundary(witness) => {
             json!({"coefficients": vector_to_json(&witness.coefficients), "basis": witness.basis})

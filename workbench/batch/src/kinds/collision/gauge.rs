@@ -4,14 +4,14 @@ use serde_json::{Value, json};
 use zonotope::Zonotope;
 use zonotope::collision::{Gauge, Query};
 
-use super::collision::{Task, certificate, gauge, posed_method};
-use super::{Kind, Solution};
+use super::{Task, certificate, gauge, posed_method};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::to_json;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "gauge",
     summary: "how many times a zonotope around the origin must be taken to hold the way from p to q",
     fields: &["p", "q", "generators"],

@@ -3,13 +3,13 @@
 use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
-use super::collision::{BODY, PLACED, Task, certificate, locate, posed_method};
-use super::{Kind, Solution};
+use super::{PLACED, Task, certificate, locate, posed_method};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
+use crate::kinds::{BODY, Kind, Solution};
 use crate::refusal::Refusal;
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "intersect",
     summary: "whether two zonotopes overlap, only touch or are disjoint",
     fields: &["a", "b"],

@@ -3,11 +3,11 @@
 use serde_json::json;
 use zonotope::collision::upper_hull::{Height, Method};
 
-use super::{Kind, Solution};
 use crate::fields::Fields;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "upper_hull",
     summary: "the exact height of the upper hull of a zonotope in space over a point of the plane",
     fields: &["generators", "p0"],

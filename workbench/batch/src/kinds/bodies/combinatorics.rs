@@ -3,12 +3,12 @@
 use serde_json::{Map, Value, json};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
-use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "combinatorics",
     summary: "how many vertices, edges and facets a zonotope has, and its exact volume",
     fields: &["generators"],

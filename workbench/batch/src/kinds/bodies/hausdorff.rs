@@ -4,14 +4,14 @@ use serde_json::{Value, json};
 use zonotope::reduction::contains;
 use zonotope::reduction::hausdorff::hausdorff;
 
-use super::collision::BODY;
-use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::BODY;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "hausdorff",
     summary: "the Hausdorff distance of two zonotopes between two bounds, and whether the second contains the first",
     fields: &["a", "b"],

@@ -3,11 +3,11 @@
 use serde_json::{Value, json};
 use zonotope::arrangement::facet_walk::{FacetName, GeneralPositionError, Method, NormalSense, adjacent_facets};
 
-use super::{Kind, Solution};
 use crate::fields::Fields;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "walk",
     summary: "the four facets that have an edge in common with a facet of generators in general position",
     fields: &["generators", "facet"],

@@ -4,12 +4,12 @@ use serde_json::{Value, json};
 use zonotope::enclosing::min_area_zonogon::{Method, MinAreaError, MinAreaZonogon};
 use zonotope::hull::HullError;
 
-use super::{Kind, Solution};
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "min_area",
     summary: "the zonogon of least area that contains points of the plane",
     fields: &["points"],

@@ -6,13 +6,13 @@ use zonotope::reduction::hausdorff::excess;
 use zonotope::reduction::{Containment, Method, Problem, Reduced, ReductionError, Share, Shares};
 use zonotope::zonotope::Zonotope;
 
-use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const REDUCE: Kind = Kind {
+pub(in crate::kinds) const REDUCE: Kind = Kind {
     name: "reduce",
     summary: "a zonotope of at most so many generators around a zonotope, by a rule",
     fields: &["center", "generators", "count", "rule"],
@@ -21,7 +21,7 @@ pub(super) const REDUCE: Kind = Kind {
     solve: reduce,
 };
 
-pub(super) const APPROX: Kind = Kind {
+pub(in crate::kinds) const APPROX: Kind = Kind {
     name: "approx",
     summary: "a zonotope around one at the origin, within a part epsilon of its diameter (Lemma 5.5)",
     fields: &["generators", "epsilon"],

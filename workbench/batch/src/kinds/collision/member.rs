@@ -3,13 +3,13 @@
 use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
-use super::collision::{Task, certificate, locate, posed_method};
-use super::{Kind, Solution};
+use super::{Task, certificate, locate, posed_method};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "member",
     summary: "whether a point lies inside a zonotope, on its boundary or outside",
     fields: &["point", "center", "generators"],

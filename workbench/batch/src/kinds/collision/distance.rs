@@ -6,14 +6,14 @@ use zonotope::collision::distance::penetration::{self, by_branch_and_bound::pene
 use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact, contact_posed};
 use zonotope::collision::{Location, PosedQuery, Query, Status, Witness, by_lad};
 
-use super::collision::{BODY, PLACED, certificate};
-use super::{Kind, Solution};
+use super::{PLACED, certificate};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::{BODY, Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "distance",
     summary: "how far apart two zonotopes are, their nearest points, or how deep they overlap",
     fields: &["a", "b"],

@@ -7,13 +7,13 @@ use zonotope::collision::{Gauge, Query, Status, by_lad, by_lad_in_r4};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
-use super::{Kind, Solution};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::to_json;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "member_batch",
     summary: "status and gauge of many points relative to one zonotope",
     fields: &["center", "generators", "points"],

@@ -4,13 +4,13 @@ use serde_json::{Value, json};
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, FixedDirectionsError, Method};
 use zonotope::numeric::Rational;
 
-use super::{Kind, Solution};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "min_length_dirs",
     summary: "the smallest zonotope along given directions that contains points",
     fields: &["points", "directions", "weights"],

@@ -4,11 +4,11 @@ use serde_json::{Value, json};
 use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::{Method, SeparatorError};
 
-use super::{Kind, Solution};
 use crate::fields::Fields;
+use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "separator",
     summary: "the chain from the top to the bottom of the projected upper hull with k tiles on its left, exactly",
     fields: &["generators", "k"],

@@ -2,13 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::{Kind, Solution};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
+use crate::kinds::{Kind, Solution};
 use crate::refusal::Refusal;
 
-pub(super) const KIND: Kind = Kind {
+pub(in crate::kinds) const KIND: Kind = Kind {
     name: "support",
     summary: "how far a zonotope reaches in a direction, and a point where it does",
     fields: &["direction", "center", "generators"],
