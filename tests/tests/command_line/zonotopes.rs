@@ -92,7 +92,7 @@ fn how_far_apart_and_how_deep() {
 fn a_body_of_few_generators_around_one_of_many() {
     let folder = folder();
     let rows: Vec<String> = (1..40).map(|i| format!("{},{},{}", i % 7 - 3, i % 11 - 5, i % 5 + 1)).collect();
-    written(&folder, "many.csv", &format!("x,y,z\n{}\n", rows.join("\n")));
+    written(&folder, "many.csv", format!("x,y,z\n{}\n", rows.join("\n")));
     let words = ["--json", "r.json", "--question", "q.json", "--svg", "p.svg", "--force"];
     for rule in ["cluster", "girard", "best"] {
         let text = output(zonobench(&folder).args(["reduce", "many.csv", "--count", "8", "--rule", rule]).args(words));

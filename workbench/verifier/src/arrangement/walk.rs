@@ -1,9 +1,9 @@
 //! Answers to "which facets have an edge in common with this one", of generators in general position.
 //!
 //! A facet [i, j, s] has the outward normal u = s · (v_i × v_j), and every other generator v_k counts in it with the
-//! sign of u · v_k. Its edges along v_i are those where j has a sign, too, and so for j. A facet [i, l, s'] has such an edge if
-//! its signs are those of the first facet for all generators but i, j and l: then the sign that it has for j tells
-//! which of the two edges it is.
+//! sign of u · v_k. Its edges along v_i are those where j has a sign, too, and so for j. A facet [i, l, s'] has such an
+//! edge if its signs are those of the first facet for all generators but i, j and l: then the sign that it has for j
+//! tells which of the two edges it is.
 
 use std::fmt::{self, Display};
 

@@ -5,8 +5,8 @@
 //! Input: a zonotope Z of space. Output: a [`DirectionTree`] that answers for any point where it lies relative to Z
 //! ([`locate`](DirectionTree::locate)), how many times Z must be taken to hold it ([`gauge`](DirectionTree::gauge)),
 //! and how far Z reaches in a direction ([`support`](DirectionTree::support)). Z is closed: touching is
-//! [`Status::Boundary`], and so is every member of a flat Z. Zero, parallel and coplanar generators and none at all are
-//! ordinary input.
+//! [`Status::Boundary`](crate::collision::Status::Boundary), and so is every member of a flat Z. Zero, parallel and
+//! coplanar generators and none at all are ordinary input.
 //!
 //! # Source
 //! Corollary 5.4 for m = n. The paper's structure of Lemma 5.3 needs O(n log² n) for a query with so little space, more
