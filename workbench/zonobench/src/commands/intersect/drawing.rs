@@ -42,7 +42,8 @@ fn drawn(name: &str, meeting: &Meeting, points: Option<&[Vec<f64>; 2]>) -> Strin
         Proof::Gap(_) => None,
     };
     let world = WorldBox::around(polygons.iter().flatten().chain(&point)).grown(0.02);
-    let mut page = Page::new(world, 1, &title, &description);
+    let has_segment = points.is_some() && point.is_none();
+    let mut page = Page::new(world, if has_segment { 2 } else { 1 }, &title, &description);
     let window = page.window();
     let mut panel = page.panel();
 
@@ -84,7 +85,7 @@ fn drawn(name: &str, meeting: &Meeting, points: Option<&[Vec<f64>; 2]>) -> Strin
         proof,
         LegendEntry::new(Sample::Point(Marker::new(Shape::Diamond, 5.0, INK)), "centres"),
     ];
-    if points.is_some() && point.is_none() {
+    if has_segment {
         legend.push(LegendEntry::new(Sample::Line(between), "from nearest point to nearest point"));
     }
     page.finish(&legend)
