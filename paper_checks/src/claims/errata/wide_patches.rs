@@ -50,7 +50,7 @@ fn check(_context: &CheckContext) -> Verdict {
         return Verdict::Holds("the counterexample is none".to_owned());
     }
     Verdict::Refuted(format!(
-        "of (10,0,1) and (-10,0,1) the projections on (1,0,0) cancel: the body holds {lost}, the sum of projections and \
-         box does not; the library's patches of less than 90 degrees contain the body"
+        "of (10,0,1) and (-10,0,1) the projections on (1,0,0) cancel: the body holds {lost}, the sum of projections \
+         and box does not; the library's patches of less than 90 degrees contain the body"
     ))
 }
