@@ -51,6 +51,14 @@ impl Asked {
     }
 }
 
+/// The command that checks an answer which was written to a file, or how to write one.
+pub(super) fn how_to_verify(question: Option<&PathBuf>, answer: Option<&PathBuf>) -> String {
+    match (question, answer) {
+        (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
+        _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
+    }
+}
+
 /// A number of an answer.
 pub(super) fn float(value: &Value) -> f64 {
     let spelled = || value.as_str().and_then(NonFinite::spelled).map(NonFinite::value);

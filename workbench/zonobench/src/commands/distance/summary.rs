@@ -1,7 +1,7 @@
 //! What a person reads of a distance.
 
 use super::Options;
-use crate::commands::asked::{Asked, float, floats};
+use crate::commands::asked::{Asked, float, floats, how_to_verify};
 use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
 use batch::Verdict;
@@ -50,12 +50,6 @@ pub(super) fn summary(options: &Options, bodies: &[Body; 2], asked: &Asked, verd
         },
     );
     table.row("method", asked.answer["method"].as_str().unwrap_or_default().to_owned());
-    table.row(
-        "verify",
-        match (&options.question, &options.json) {
-            (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
-            _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
-        },
-    );
+    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
     table.text()
 }

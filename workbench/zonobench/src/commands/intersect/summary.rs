@@ -2,6 +2,7 @@
 
 use super::Options;
 use super::meeting::{Meeting, Proof};
+use crate::commands::asked::how_to_verify;
 use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
 use crate::input::Body;
 use batch::Verdict;
@@ -58,13 +59,7 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
         },
     );
     table.row("method", meeting.asked.answer["method"].as_str().unwrap_or_default().to_owned());
-    table.row(
-        "verify",
-        match (&options.question, &options.json) {
-            (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
-            _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
-        },
-    );
+    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
     table.text()
 }
 

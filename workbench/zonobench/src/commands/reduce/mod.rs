@@ -10,7 +10,7 @@ use clap::builder::PossibleValuesParser;
 use serde_json::{Value, json};
 
 use super::Ending;
-use super::asked::{Asked, float, floats};
+use super::asked::{Asked, float, floats, how_to_verify};
 use super::table::{ROUNDED, Table, counted, figure, tuple};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format};
@@ -103,12 +103,6 @@ fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, 
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
-    table.row(
-        "verify",
-        match (&options.question, &options.json) {
-            (Some(question), Some(answer)) => format!("zonobench verify {} {}", question.display(), answer.display()),
-            _ => "--question Q --json A write question and answer; zonobench verify Q A checks them".to_owned(),
-        },
-    );
+    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
     table.text()
 }

@@ -39,11 +39,12 @@ pub struct Touching<const D: usize> {
 /// Where the bodies of a query meet, of which the proximity is known; none for disjoint ones. O(n), and the exact
 /// optimum of the kernel for bodies that touch.
 pub fn contact<const D: usize>(query: &Query<'_, D>, proximity: &Proximity<D>) -> Option<Contact<D>> {
+    let witness = witness(proximity)?;
     let generators: Vec<[Dyadic; D]> = query.generators().map(|v| exact(*v)).collect();
     let count = query.runs()[0].len();
     let (from, to) = (exact(query.from()), exact(query.to()));
     let p = array::from_fn(|k| &to[k] - &from[k]);
-    let point = point(&from, &p, witness(proximity)?, &generators, count);
+    let point = point(&from, &p, witness, &generators, count);
     let touching = is_touching(proximity).then(|| {
         let normal = || match query.in_dimension::<3>() {
             Some(query) => facet_normal(&query),
@@ -56,10 +57,11 @@ pub fn contact<const D: usize>(query: &Query<'_, D>, proximity: &Proximity<D>) -
 
 /// The same for bodies under poses.
 pub fn contact_posed(query: &PosedQuery<'_>, proximity: &Proximity<3>) -> Option<Contact<3>> {
+    let witness = witness(proximity)?;
     let posed = Posed::new(query);
     let generators: Vec<ExactVector> = (0..posed.len()).map(|index| posed.exact_generator(index)).collect();
     let (count, [from, _]) = (query.rows()[0].len(), query.ends());
-    let point = point(&from, query.displacement(), witness(proximity)?, &generators, count);
+    let point = point(&from, query.displacement(), witness, &generators, count);
     let touching = is_touching(proximity).then(|| touching(&generators, count, || facet_normal(&posed)));
     Some(Contact { point, touching })
 }
