@@ -13,6 +13,18 @@ pub(crate) fn level() -> Level {
     Level::new()
 }
 
+/// The level for passes over so few generators that the widest instructions cost more than they spare: 256 bits where
+/// the machine has them.
+#[inline(always)]
+pub(crate) fn level_for_few() -> Level {
+    let widest = level();
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    if let Some(narrower) = widest.as_avx2() {
+        return Level::Avx2(narrower);
+    }
+    widest
+}
+
 #[cfg(test)]
 pub(crate) use tests::{at_each_level, level, levels};
 

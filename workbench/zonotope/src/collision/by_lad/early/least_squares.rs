@@ -16,7 +16,7 @@ use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::body_sums::squares_at;
-use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::level::{level, level_for_few};
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
 use crate::numeric::linear::dot;
@@ -24,6 +24,9 @@ use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
 /// The number of eights of generators from which it is seen that coefficients will be too large.
 const SAMPLE: usize = 4;
+
+/// Above this number of generators the widest instructions are quicker.
+const NARROW_LIMIT: usize = 4 * LANES;
 
 /// What is known of a point that one solve does not tell.
 pub(crate) struct Open {
@@ -180,11 +183,15 @@ pub(crate) fn tell<const OWN: bool>(query: &impl EarlyQuery, p: &BoundedVector) 
     dispatch!(level_for(query.count()), simd => tell_at::<_, OWN>(simd, query, p))
 }
 
-/// The vector instructions for all passes of a question at once: for a few generators those that every machine has, as
-/// calling a function for wider ones costs more than they spare there.
+/// The vector instructions for all passes of a question at once: for less than eight generators those that every
+/// machine has, as calling a function for wider ones costs more than they spare there.
 #[inline(always)]
 fn level_for(count: usize) -> Level {
-    if count < LANES { Level::baseline() } else { level() }
+    match count {
+        0..LANES => Level::baseline(),
+        LANES..=NARROW_LIMIT => level_for_few(),
+        _ => level(),
+    }
 }
 
 #[inline(always)]
