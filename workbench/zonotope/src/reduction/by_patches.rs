@@ -23,8 +23,9 @@
 //!    axes are at most k.
 //!
 //! # Complexity
-//! O(n D) exact operations and O(n log n) comparisons for a grid, of which a count takes O(log n); O(n) space. For ε
-//! there are at most D ⌈√(D − 1) / (c_D ε)⌉^(D−1) patches, 24 / ε² in space: the lemma's bound.
+//! O(n D) exact operations for a grid of k patches, and O(k log k) to sort them, so O(n) for ε and n generators; a
+//! count takes O(log n) grids; O(n) space. For ε there are at most D ⌈√(D − 1) / (c_D ε)⌉^(D−1) patches, 24 / ε² in
+//! space: the lemma's bound.
 //!
 //! # Shapes
 //! `generators`: n × D, half-segments, any order.

@@ -1,5 +1,7 @@
 //! Generators by the cells of a grid on the faces of a cube through which their rays leave it.
 
+use std::collections::HashMap;
+
 use crate::numeric::scaling::largest_magnitude;
 
 /// The finest grid: indices of cells along a side fit in 32 bits.
@@ -15,28 +17,31 @@ pub(super) struct Cell<const D: usize> {
     pub(super) members: Vec<usize>,
 }
 
-/// The cells that hold generators, in the order of their places.
+/// The cells that hold generators, in the order of their places. O(n), and O(k log k) to sort k cells.
 pub(super) fn cells<const D: usize>(vectors: &[[f64; D]], side: u32) -> Vec<Cell<D>> {
-    let mut placed: Vec<(usize, Place<D>, usize)> = (0..vectors.len())
-        .filter_map(|index| {
-            let v = &vectors[index];
-            let largest = largest_magnitude(v);
-            let axis = v.iter().position(|c| c.abs() == largest)?;
-            let part = |c: f64| (((c / v[axis] + 1.0) * 0.5 * f64::from(side)) as u32).min(side - 1);
-            let place = std::array::from_fn(|k| if k == axis { 0 } else { part(v[k]) });
-            (largest > 0.0).then_some((axis, place, index))
-        })
-        .collect();
-    placed.sort_unstable();
-    let middle = |axis: usize, place: &Place<D>| {
+    let mut numbers: HashMap<(usize, Place<D>), usize> = HashMap::new();
+    let mut found: Vec<((usize, Place<D>), Vec<usize>)> = Vec::new();
+    for (index, vector) in vectors.iter().enumerate() {
+        let Some(place) = place(vector, side) else { continue };
+        let number = *numbers.entry(place).or_insert(found.len());
+        if number == found.len() {
+            found.push((place, Vec::new()));
+        }
+        found[number].1.push(index);
+    }
+    found.sort_unstable_by_key(|(place, _)| *place);
+    let middle = |(axis, place): (usize, Place<D>)| {
         let along = |k: usize| (2.0 * f64::from(place[k]) + 1.0) / f64::from(side) - 1.0;
         std::array::from_fn(|k| if k == axis { 1.0 } else { along(k) })
     };
-    placed
-        .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
-        .map(|cell| Cell {
-            middle: middle(cell[0].0, &cell[0].1),
-            members: cell.iter().map(|(_, _, index)| *index).collect(),
-        })
-        .collect()
+    found.into_iter().map(|(place, members)| Cell { middle: middle(place), members }).collect()
+}
+
+/// The face's axis and the cell through which a ray leaves the cube; none for the vector zero.
+fn place<const D: usize>(vector: &[f64; D], side: u32) -> Option<(usize, Place<D>)> {
+    let largest = largest_magnitude(vector);
+    let axis = vector.iter().position(|c| c.abs() == largest)?;
+    let part = |c: f64| (((c / vector[axis] + 1.0) * 0.5 * f64::from(side)) as u32).min(side - 1);
+    let place = std::array::from_fn(|k| if k == axis { 0 } else { part(vector[k]) });
+    (largest > 0.0).then_some((axis, place))
 }

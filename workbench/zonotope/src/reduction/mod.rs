@@ -8,7 +8,7 @@
 //! | method | cost for n generators | error, in space |
 //! |---|---|---|
 //! | [`by_clusters`] | O(n k) for each of some dozen rounds, C(k, D − 1) passes to prove containment | the least; the default |
-//! | [`by_patches`] | O(n log n) | Lemma 5.5: O(1 / √k) |
+//! | [`by_patches`] | O(n) for a precision, O(n log n) for a count | Lemma 5.5: O(1 / √k) |
 //! | [`keeping`], five rules in use | O(n log n), one O(n (n − k)) | does not fall until k nears n |
 //!
 //! [`contains`] decides whether a zonotope contains another one; [`brute_force`] does in rationals: the truth that all
