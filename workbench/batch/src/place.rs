@@ -62,23 +62,3 @@ impl fmt::Display for Place {
         f.write_str(&words.join(", "))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_read_as_words() {
-        let root = Place::default();
-        assert_eq!(root.field("points").element(3).element(1).to_string(), "point 4, coordinate 2");
-        assert_eq!(root.field("center").element(0).to_string(), "center, coordinate 1");
-        assert_eq!(root.field("weights").element(2).to_string(), "weight 3");
-        assert_eq!(root.field("k").element(0).to_string(), "k, entry 1");
-        assert_eq!(root.field("epsilon").to_string(), "epsilon");
-        let matrix = root.field("b").field("pose").field("matrix");
-        assert_eq!(matrix.element(1).to_string(), "b, pose, matrix, row 2");
-        assert_eq!(matrix.element(1).element(2).to_string(), "b, pose, matrix, row 2, entry 3");
-        let nested = root.field("a").field("generators").element(0).element(2);
-        assert_eq!(nested.to_string(), "a, generator 1, coordinate 3");
-    }
-}
