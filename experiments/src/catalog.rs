@@ -4,7 +4,8 @@ use crate::definition::Experiment;
 use crate::definitions::{
     area_ratio, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate, gap_curve,
     gauge_passes, hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree, min_area_scaling, min_area_stages,
-    points_scaling, pruning_passes, rung_shares, scan_race, slope_selection_scaling, wrong_answers,
+    points_scaling, pruning_passes, query_trade_off, reduction_error, rung_shares, scan_race, slope_selection_scaling,
+    tree_queries, walk_steps, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -30,6 +31,10 @@ pub static EXPERIMENTS: &[Experiment] = &[
     rung_shares::EXPERIMENT,
     faces_scaling::EXPERIMENT,
     wrong_answers::EXPERIMENT,
+    query_trade_off::EXPERIMENT,
+    tree_queries::EXPERIMENT,
+    reduction_error::EXPERIMENT,
+    walk_steps::EXPERIMENT,
 ];
 
 /// The experiment called `id`, if there is one.

@@ -283,6 +283,17 @@ pub struct Measurement {
 }
 
 impl Verdict {
+    /// The verdict on two answers: the worse one, the first of two that are as bad.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        let badness = |verdict: &Self| match verdict {
+            Self::Correct(_) => 0,
+            Self::Unchecked(_) => 1,
+            Self::Wrong(_) => 2,
+        };
+        if badness(&other) > badness(&self) { other } else { self }
+    }
+
     /// The outcome of the check called `check`: right, or wrong with the defect that it found.
     pub fn of_check(check: &str, result: Result<(), impl fmt::Display>) -> Self {
         match result {

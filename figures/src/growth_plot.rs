@@ -108,6 +108,7 @@ impl GrowthPlot {
             [n, value(n) / self.y_unit]
         });
         let law = match consistent {
+            Some(best) if best.model == GrowthModel::Constant => three_digits(best.constant / self.y_unit),
             Some(best) => format!("{} {}", three_digits(best.constant / self.y_unit), self.model_name(best.model)),
             None => format!("power law, {}", place_among_models(growth, |model| self.model_name(model))),
         };

@@ -12,11 +12,16 @@ pub(crate) fn sample(n: usize, counts: &OperationCounts) -> (f64, f64) {
 
 /// A sentence on how the operations of `what` grow beside a model; an error when they grow faster.
 pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
+    evidence_on(&format!("operations of {what}"), samples, model)
+}
+
+/// A sentence on how a quantity grows beside a model; an error when it grows faster.
+pub(crate) fn evidence_on(quantity: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
     let growth = fit_growth(samples, &[model]).map_err(|error| error.to_string())?;
     let fit = growth.model(model).ok_or("the model was not fitted")?;
     let excess = fit.excess_exponent;
     let sentence = format!(
-        "operations of {what}, over {model}, grow with exponent {:.2} in [{:.2}, {:.2}]",
+        "{quantity}, over {model}, grow with exponent {:.2} in [{:.2}, {:.2}]",
         excess.value, excess.low, excess.high
     );
     if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }

@@ -9,7 +9,7 @@ use proptest::test_runner::{Config, TestCaseError, TestRunner};
 pub const CASES_VARIABLE: &str = "ZONOTOPE_CASES";
 
 /// An ordinary run draws one in so many of the instances that a long run draws.
-const ORDINARY_SHARE: u32 = 8;
+const ORDINARY_SHARE: u32 = 12;
 
 /// An ordinary run draws at least so many instances, if a long run does.
 const ORDINARY_MINIMUM: u32 = 8;

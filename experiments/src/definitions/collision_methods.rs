@@ -71,20 +71,25 @@ pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut
     }
 }
 
+/// The status of an answer against the truth of the question, its proof against the independent check.
+pub(super) fn checked(question: &Question, location: &Location<3>) -> Verdict {
+    let status = location.status().name();
+    if status != question.status {
+        return Verdict::Wrong(format!("{status}, but by its construction the point is {}", question.status));
+    }
+    Verdict::of_verifier(PROVED, check_location(&question.displacement(), location))
+}
+
 impl Reply {
-    /// The status against the truth of the question, the proof against the independent check.
+    /// The status and the gauge against the truth of the question, the proof against the independent check.
     pub fn verdict(&self, question: &Question) -> Verdict {
-        let status = self.location.status().name();
-        if status != question.status {
-            return Verdict::Wrong(format!("{status}, but by its construction the point is {}", question.status));
-        }
         let excess = self.gauge.map_or(0.0, |gauge| gauge - 1.0);
         let [low, high] = question.excess;
         let slack = self.error + 1e-14 * (1.0 + high.abs());
         if self.gauge.is_some() && !(low - slack..=high + slack).contains(&excess) {
             return Verdict::Wrong(format!("a gauge of 1 + {excess:e}, certified to lie in 1 + [{low:e}, {high:e}]"));
         }
-        Verdict::of_verifier(PROVED, check_location(&question.displacement(), &self.location))
+        checked(question, &self.location)
     }
 
     /// A hash of the status, the gauge and a rounded direction or the coefficients.

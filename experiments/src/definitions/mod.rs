@@ -20,9 +20,14 @@ pub mod min_area_scaling;
 pub mod min_area_stages;
 pub mod points_scaling;
 pub mod pruning_passes;
+pub mod query_trade_off;
+pub mod reduction_error;
+mod repeated_queries;
 pub mod rung_shares;
 pub mod scan_race;
 pub mod slope_selection_scaling;
+pub mod tree_queries;
+pub mod walk_steps;
 pub mod wrong_answers;
 
 use crate::definition::PerProfile;

@@ -23,6 +23,14 @@ pub enum GrowthModel {
     ThreeHalves,
     /// n^3.
     Cubic,
+    /// log^2 n.
+    LogSquared,
+    /// n^(-1/2).
+    InverseSquareRoot,
+    /// 1 / n.
+    Inverse,
+    /// n^(-5/4).
+    InverseFiveQuarters,
 }
 
 impl GrowthModel {
@@ -33,6 +41,10 @@ impl GrowthModel {
     /// Powers of n alone, for sizes of what is built rather than for running times.
     pub const POWERS: &'static [Self] =
         &[Self::SquareRoot, Self::Linear, Self::ThreeHalves, Self::Quadratic, Self::Cubic];
+
+    /// What errors and times fall like when more is spent on them.
+    pub const FALLING: &'static [Self] =
+        &[Self::InverseFiveQuarters, Self::Inverse, Self::InverseSquareRoot, Self::Constant];
 
     /// The running-time models and the constant.
     pub const ALL: &'static [Self] =
@@ -50,6 +62,10 @@ impl GrowthModel {
             Self::SquareRoot => n.sqrt(),
             Self::ThreeHalves => n * n.sqrt(),
             Self::Cubic => n * n * n,
+            Self::LogSquared => log * log,
+            Self::InverseSquareRoot => 1.0 / n.sqrt(),
+            Self::Inverse => 1.0 / n,
+            Self::InverseFiveQuarters => 1.0 / (n * n.sqrt().sqrt()),
         }
     }
 
@@ -70,6 +86,10 @@ impl fmt::Display for GrowthModel {
             Self::SquareRoot => "n^(1/2)",
             Self::ThreeHalves => "n^(3/2)",
             Self::Cubic => "n^3",
+            Self::LogSquared => "log^2 n",
+            Self::InverseSquareRoot => "n^(-1/2)",
+            Self::Inverse => "1 / n",
+            Self::InverseFiveQuarters => "n^(-5/4)",
         })
     }
 }

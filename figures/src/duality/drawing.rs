@@ -36,8 +36,8 @@ pub(crate) struct Separator {
     pub(crate) named: bool,
 }
 
-/// Draws the lines with their crossings numbered from left to right and the vertical line L_k, in a window of the page.
-pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
+/// Where the plane of the lines lies in a window of the page.
+pub(crate) fn arrangement_frame(pair: &DualPair, window: PageBox, separator: Option<Separator>) -> Frame {
     let height = |x: f64, &[a, b, c]: &[f64; 3]| -(a * x + c) / b;
     let met = separator.iter().flat_map(|separator| {
         let x = pair.separator_x(separator.k);
@@ -45,7 +45,17 @@ pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPa
     });
     let places: Vec<[f64; 2]> = pair.crossings.iter().map(|crossing| crossing.place).chain(met).collect();
     // Equal scales, so that a line is seen at right angles to its generator's edges.
-    let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&places).grown(0.16), window));
+    Frame::fit(&WorldBox::around(&places).grown(0.16), window)
+}
+
+/// Where the tiling lies in a window of the page.
+pub(crate) fn tiling_frame(pair: &DualPair, window: PageBox) -> Frame {
+    Frame::fit(&WorldBox::around(&pair.outline()), window)
+}
+
+/// Draws the lines with their crossings numbered from left to right and the vertical line L_k, in a window of the page.
+pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
+    let mut panel = Panel::new(scene, arrangement_frame(pair, window, separator));
     for (index, &[a, b, c]) in pair.generators.iter().enumerate() {
         let color = GENERATORS[index];
         let ends = panel.line([0.0, -c / b], [b, -a], &window, &generator_stroke(index));
@@ -75,9 +85,14 @@ pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPa
 
 /// Draws the tiles with the numbers of their crossings and the chain L'_k.
 pub(crate) fn draw_tiling(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
+    draw_tiles(scene, window, pair, separator);
+    number_tiles(scene, window, pair);
+}
+
+/// Draws the tiles and the chain L'_k.
+pub(crate) fn draw_tiles(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
     let left = separator.map_or(0, |separator| separator.k);
-    let outline = pair.outline();
-    let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&outline), window));
+    let mut panel = Panel::new(scene, tiling_frame(pair, window));
     for (index, crossing) in pair.crossings.iter().enumerate() {
         panel.polygon(&pair.tile(crossing), if index < left { &LEFT_TILE } else { &RIGHT_TILE });
     }
@@ -99,9 +114,13 @@ pub(crate) fn draw_tiling(scene: &mut Scene, window: PageBox, pair: &DualPair, s
             panel.segment(corner(side), corner(side + 1), &generator_stroke(generator));
         }
     }
+}
+
+/// Writes the numbers of the crossings on the tiles.
+pub(crate) fn number_tiles(scene: &mut Scene, window: PageBox, pair: &DualPair) {
+    let frame = tiling_frame(pair, window);
     for (index, crossing) in pair.crossings.iter().enumerate() {
-        let place = panel.place(crossing.middle);
-        write_number(panel.scene(), place, index, 1.0);
+        write_number(scene, frame.place(crossing.middle), index, 1.0);
     }
 }
 

@@ -3,5 +3,8 @@
 mod drawing;
 mod dual_pair;
 
-pub(crate) use drawing::{GENERATORS, Separator, draw_arrangement, draw_tiling, generator_stroke};
+pub(crate) use drawing::{
+    GENERATORS, Separator, arrangement_frame, draw_arrangement, draw_tiles, draw_tiling, generator_stroke,
+    number_tiles, tiling_frame,
+};
 pub(crate) use dual_pair::DualPair;

@@ -4,6 +4,8 @@
 //! |---|---|
 //! | [`polygons`] | convex polygons and points of the plane |
 //! | [`bodies`] | zonotopes of R^3 |
+//! | `sphere` | unit vectors, spread evenly |
 
 pub mod bodies;
 pub mod polygons;
+pub(crate) mod sphere;

@@ -127,6 +127,8 @@ pub mod line_fit;
 #[cfg(feature = "linear-programming")]
 pub mod linear_program;
 pub mod numeric;
+#[cfg(test)]
+mod property_cases;
 pub mod reduction;
 pub mod seed;
 pub mod tally;

@@ -109,7 +109,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]
         fn the_order_is_that_of_the_rationals(a in fraction(), b in fraction()) {

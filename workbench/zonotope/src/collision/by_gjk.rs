@@ -128,7 +128,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]
         fn far_from_touching_it_is_right(

@@ -286,7 +286,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(200))]
+        #![proptest_config(crate::property_cases::config(200))]
 
         #[test]
         fn answers_of_bodies_go_straight_to_the_verifier(

@@ -87,7 +87,7 @@ fn enlarged(points: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]
     fn methods_agree_and_verify(points in point_sets()) {
@@ -103,7 +103,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(crate::property_cases::config(200))]
 
     #[test]
     fn methods_agree_on_many_points(points in point_sets(), count in 500_usize..4000) {

@@ -233,7 +233,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(500))]
+        #![proptest_config(crate::property_cases::config(500))]
 
         #[test]
         fn no_line_is_better(points in points()) {

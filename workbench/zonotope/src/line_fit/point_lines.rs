@@ -142,7 +142,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(1000))]
+        #![proptest_config(crate::property_cases::config(1000))]
 
         #[test]
         fn rounded_lines_and_quick_signs_are_those_of_the_exact_lines(points in points(), sign in -1i8..2) {

@@ -89,7 +89,7 @@ fn what_is_not_a_program_is_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(crate::property_cases::config(300))]
 
     /// The origin is feasible and the box bounds everything, so both engines find an optimum, and duality ties primal
     /// to dual.

@@ -131,7 +131,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(300))]
+        #![proptest_config(crate::property_cases::config(300))]
 
         #[test]
         fn sums_are_exact(values in proptest::collection::vec((value(), -1i8..2), 0..600)) {

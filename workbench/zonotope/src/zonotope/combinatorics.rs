@@ -124,7 +124,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(400))]
+        #![proptest_config(crate::property_cases::config(400))]
 
         #[test]
         fn counts_are_those_of_the_twin_in_1_to_3(a in vectors::<1>(5), b in vectors::<2>(7), c in vectors::<3>(7)) {
@@ -135,7 +135,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(60))]
+        #![proptest_config(crate::property_cases::config(60))]
 
         #[test]
         fn counts_are_those_of_the_twin_in_4_and_5(a in vectors::<4>(7), b in vectors::<5>(7)) {

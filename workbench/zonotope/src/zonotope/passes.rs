@@ -33,7 +33,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(3000))]
+        #![proptest_config(crate::property_cases::config(3000))]
 
         #[test]
         fn an_estimate_keeps_its_bound((generators, direction) in vectors()) {

@@ -5,6 +5,7 @@ mod faces;
 mod intersection;
 mod kernel;
 mod min_area_zonogon;
+mod repeated_tests;
 mod total_length;
 
 use super::chapter::Chapter;
@@ -17,6 +18,7 @@ pub static CHAPTERS: &[&Chapter] = &[
     &faces::CHAPTER,
     &duality::CHAPTER,
     &intersection::CHAPTER,
+    &repeated_tests::CHAPTER,
 ];
 
 #[cfg(test)]

@@ -68,7 +68,7 @@ fn scale() -> impl Strategy<Value = f64> + Clone {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(crate::property_cases::config(60))]
 
     #[test]
     fn random_lines(rows in rows(-1.0..1.0f64), r in 1..20u32, seed in 0..4u64) {

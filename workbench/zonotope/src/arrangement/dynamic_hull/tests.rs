@@ -84,7 +84,7 @@ fn directions() -> impl Strategy<Value = Vec<Direction>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(crate::property_cases::config(300))]
 
     #[test]
     fn methods_agree_on_points(points in points(), steps in steps(), directions in directions()) {

@@ -43,7 +43,7 @@ fn special() -> impl Strategy<Value = Vec<[f64; 3]>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(crate::property_cases::config(150))]
 
     #[test]
     fn walks_are_those_of_the_twin(

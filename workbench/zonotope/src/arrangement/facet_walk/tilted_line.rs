@@ -167,7 +167,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(24))]
+        #![proptest_config(crate::property_cases::config(24))]
 
         #[test]
         fn chains_are_those_of_the_exact_coordinates(

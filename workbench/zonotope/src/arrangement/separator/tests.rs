@@ -65,7 +65,7 @@ fn lattice() -> impl Strategy<Value = f64> + Clone {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(crate::property_cases::config(400))]
 
     #[test]
     fn random_generators(generators in generators(-1.0..1.0f64)) {

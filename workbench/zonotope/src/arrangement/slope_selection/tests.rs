@@ -48,7 +48,7 @@ fn nudge(value: f64, steps: i64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(crate::property_cases::config(300))]
 
     #[test]
     fn random_lines(rows in rows(-1.0..1.0f64)) {

@@ -52,7 +52,7 @@ fn generators(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<V
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(crate::property_cases::config(300))]
 
     #[test]
     fn random_bodies(generators in generators(-1.0..1.0f64)) {

@@ -61,7 +61,7 @@ fn signs() -> impl Strategy<Value = Vec<bool>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(crate::property_cases::config(600))]
 
     #[test]
     fn random_bodies(g in several(coordinates(-1.0..1.0f64)), p in coordinates(-2.0..2.0f64)) {

@@ -56,7 +56,7 @@ fn lattice() -> impl Strategy<Value = f64> + Clone {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(crate::property_cases::config(600))]
 
     #[test]
     fn random_bodies(g in several(-1.0..1.0f64), signs in signs(), p0 in [-3.0..3.0f64, -3.0..3.0]) {

@@ -64,7 +64,7 @@ macro_rules! dimensions {
             use super::*;
 
             proptest! {
-                #![proptest_config(ProptestConfig::with_cases(150))]
+                #![proptest_config(crate::property_cases::config(150))]
 
                 #[test]
                 fn real_points_and_directions(points in real::<$d>(1..12), directions in real::<$d>($least..$most)) {

@@ -54,7 +54,7 @@ fn scale() -> impl Strategy<Value = f64> + Clone {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(crate::property_cases::config(400))]
 
     #[test]
     fn random_points(points in proptest::collection::vec([-1.0..1.0f64, -1.0..1.0], 1..9)) {

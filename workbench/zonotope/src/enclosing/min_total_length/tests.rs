@@ -29,7 +29,7 @@ fn lattice<const D: usize>(count: std::ops::Range<usize>) -> impl Strategy<Value
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::property_cases::config(24))]
 
     #[test]
     fn in_the_plane_the_optimum_is_a_quarter_of_a_perimeter(points in real::<2>(1..12)) {

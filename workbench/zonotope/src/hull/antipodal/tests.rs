@@ -5,7 +5,7 @@ use crate::hull::convex_hull;
 use crate::hull::tests::point_sets;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]
     fn rotating_calipers_agree_with_brute_force(points in point_sets()) {

@@ -51,7 +51,7 @@ fn large_instances_agree_and_verify() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(crate::property_cases::config(150))]
 
     #[test]
     fn instances_with_duplicates_agree_at_every_scale(

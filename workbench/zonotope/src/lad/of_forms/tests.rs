@@ -42,7 +42,7 @@ fn linear() -> impl Strategy<Value = [f64; 3]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(250))]
+    #![proptest_config(crate::property_cases::config(250))]
 
     #[test]
     fn random_planes(planes in planes(-1.0..1.0f64, 9), linear in linear()) {

@@ -69,7 +69,7 @@ fn linear() -> impl Strategy<Value = [f64; 2]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]
     fn random_lines(lines in lines(-1.0..1.0f64), linear in linear()) {

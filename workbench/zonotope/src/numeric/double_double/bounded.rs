@@ -246,7 +246,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(4000))]
+        #![proptest_config(crate::property_cases::config(4000))]
 
         #[test]
         fn every_operation_keeps_its_bound(a in fraction(), b in fraction(), c in fraction()) {

@@ -88,7 +88,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]
         fn a_sign_that_is_told_is_that_of_the_exact_product(a in vector(), b in vector(), v in vector()) {

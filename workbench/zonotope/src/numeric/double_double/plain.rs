@@ -122,7 +122,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(crate::property_cases::config(2000))]
 
         #[test]
         fn operations_are_good_to_104_bits(a in number(), b in number()) {

@@ -74,7 +74,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(3000))]
+        #![proptest_config(crate::property_cases::config(3000))]
 
         #[test]
         fn sums_keep_their_bounds((generators, direction) in vectors()) {

@@ -88,7 +88,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(400))]
+        #![proptest_config(crate::property_cases::config(400))]
 
         #[test]
         fn none_that_comes_first_is_left_out(

@@ -167,7 +167,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #![proptest_config(crate::property_cases::config(20_000))]
 
         #[test]
         fn signs_are_exact(

@@ -81,7 +81,7 @@ fn nearly_collinear() -> impl Strategy<Value = [[f64; 2]; 4]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(crate::property_cases::config(2000))]
 
     #[test]
     fn agrees_on_any_finite_doubles(points in points_of(any_finite())) {

@@ -260,7 +260,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(400))]
+        #![proptest_config(crate::property_cases::config(400))]
 
         #[test]
         fn it_is_what_sorting_finds(

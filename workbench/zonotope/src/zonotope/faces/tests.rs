@@ -251,7 +251,7 @@ fn generators() -> impl Strategy<Value = Vec<[f64; 3]>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(crate::property_cases::config(1500))]
 
     #[test]
     fn faces_are_those_of_the_twin(
@@ -306,7 +306,7 @@ fn few_vectors<const D: usize>(most: usize) -> impl Strategy<Value = Vec<[f64; D
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(crate::property_cases::config(150))]
 
     #[test]
     fn recursion_is_right_in_every_dimension(

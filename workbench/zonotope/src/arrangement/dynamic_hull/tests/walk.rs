@@ -90,7 +90,7 @@ fn check(method: Method, rows: &[[f64; 3]], choices: &[(bool, bool)]) -> Result<
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(crate::property_cases::config(100))]
 
     #[test]
     fn a_walk_meets_every_vertex_in_order(

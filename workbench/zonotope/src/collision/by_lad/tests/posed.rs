@@ -146,7 +146,7 @@ fn pose() -> impl Strategy<Value = Pose> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(crate::property_cases::config(400))]
 
     #[test]
     fn posed_bodies_meet_as_exact_arithmetic_has_it(a in body(), b in body(), from in pose(), to in pose()) {

@@ -176,7 +176,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2000))]
+        #![proptest_config(crate::property_cases::config(2000))]
 
         /// Points of zonogons and segments of small integers, many of them on edges and corners, with zero, parallel
         /// and repeated generators.

@@ -39,7 +39,7 @@ fn inner_point<const D: usize>(generators: &[[f64; D]], coefficients: &[f64]) ->
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(crate::property_cases::config(300))]
 
     #[test]
     fn depths_are_those_of_the_twin(

@@ -104,7 +104,7 @@ fn agrees<const D: usize>(points: &[[f64; D]], directions: &[[f64; D]], weights:
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(crate::property_cases::config(60))]
 
     #[test]
     fn the_plane_agrees_with_the_papers_program(

@@ -53,7 +53,7 @@ fn lattice() -> impl Strategy<Value = f64> + Clone {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(crate::property_cases::config(600))]
 
     #[test]
     fn steps_halve_random_lines(

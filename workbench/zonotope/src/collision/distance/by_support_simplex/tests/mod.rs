@@ -96,7 +96,7 @@ fn check_points<const D: usize>(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(crate::property_cases::config(400))]
 
     #[test]
     fn answers_are_those_of_the_twin(

@@ -1,0 +1,85 @@
+//! What a query costs against the space of the structure of Lemma 5.3.
+
+use super::collision_methods::{PROVED, checked};
+use super::repeated_queries::questions;
+use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict};
+use crate::fit::GrowthModel;
+use crate::seed::Digest;
+use zonotope::collision::prepared::by_cutting::PreparedByCutting;
+use zonotope::tally::{Operation, OperationCounts};
+use zonotope::zonotope::Zonotope;
+
+/// Generators of each body.
+pub const GENERATORS: usize = 1024;
+
+const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_bodies"];
+
+/// What a query costs against the space of the structure of Lemma 5.3.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "query-trade-off",
+    title: "Repeated queries: time against space",
+    question: "n is the space m that Lemma 5.3 is given, from as many units as the body has generators (1,024) up. \
+               A query finds a trapezoid of the cutting, `to_find_it`, and looks at the generators that cross it, \
+               `in_trapezoid`: the latter falls like 1 / m. What it takes to find the trapezoid is bounded by log^2 n \
+               and hardly depends on m, so `operations`, the sum of both, fall more slowly once it prevails; they stay \
+               within the bound (n^2 / m) log^2 n, of which `share_of_bound` is the part that is used. `bytes_a_unit` \
+               of m rise from next to nothing at m = n, where there is one trapezoid, to a constant. Every answer \
+               agrees with the question's construction, and its proof is checked.",
+    claims: &["lemma-5.3", "corollary-5.4"],
+    families: FAMILIES,
+    real_inputs: &[],
+    sizes: PerProfile {
+        quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16],
+        full: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18, 1 << 19, 1 << 20],
+    },
+    instances: PerProfile { quick: 2, full: 4 },
+    variants: &[Variant {
+        id: "by_cutting",
+        title: "Cutting of the dual plane",
+        largest: PerProfile::both(usize::MAX),
+    }],
+    measure,
+    table: Tabulated::MedianAtLargest,
+    timing: None,
+    fits: &[falling("in_trapezoid", Some(GrowthModel::Inverse)), falling("operations", None)],
+};
+
+const fn falling(value: &'static str, bound: Option<GrowthModel>) -> FitPlan {
+    FitPlan {
+        quantity: Quantity::Value(value),
+        variant: "by_cutting",
+        families: FAMILIES,
+        models: GrowthModel::FALLING,
+        bound,
+    }
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let space = case.n as u64;
+    let generators = case.body_family()?.generate(GENERATORS, case.instance_seed);
+    let body = Zonotope::new([0.0; 3], generators.clone()).map_err(|error| error.to_string())?;
+    let prepared = PreparedByCutting::new(body, space, case.seed).map_err(|error| error.to_string())?;
+    let mut counts = OperationCounts::default();
+    let (mut digest, mut verdict, mut asked) = (Digest::default(), Verdict::Correct(PROVED.to_owned()), 0);
+    for question in questions(&generators, case.instance_seed) {
+        let facet = prepared.facet_counted(question.to, &mut counts).map_err(|error| error.to_string())?;
+        digest = digest.floats(&[facet.value().0]).bytes(facet.status().name().as_bytes());
+        asked += 1;
+        let location = prepared.locate(question.to).map_err(|error| error.to_string())?;
+        verdict = verdict.and(checked(&question, &location));
+    }
+    let mean = |operations: &[Operation]| {
+        operations.iter().map(|&operation| counts.get(operation)).sum::<u64>() as f64 / f64::from(asked.max(1))
+    };
+    let to_find_it = mean(&[Operation::SearchStep, Operation::Comparison, Operation::LineEvaluation]);
+    let in_trapezoid = mean(&[Operation::GeneratorRead, Operation::PartEvaluation]);
+    let n = GENERATORS as f64;
+    let bound = n * n / space as f64 * libm::log2(n) * libm::log2(n);
+    Ok(Measurement::new(&counts, digest.finish(), verdict)
+        .with_value("to_find_it", to_find_it)
+        .with_value("in_trapezoid", in_trapezoid)
+        .with_value("operations", to_find_it + in_trapezoid)
+        .with_value("share_of_bound", (to_find_it + in_trapezoid) / bound)
+        .with_value("bytes_a_unit", prepared.bytes() as f64 / space as f64)
+        .with_value("trapezoids", prepared.trapezoid_count() as f64))
+}
