@@ -6,6 +6,7 @@ mod collision;
 mod distance;
 mod faces;
 mod fixed_directions;
+mod hierarchy;
 mod hull;
 mod kernel;
 mod min_area;

@@ -72,6 +72,8 @@
 //! | [`enclosing::min_total_length`] | the zonotope of least total length around points of R^d | 4.3, Theorem 4.7 |
 //! | [`enclosing::centered_zonogon`] | the smallest zonogon with a given centre | 4.1, Z(O) |
 //! | [`collision`] | membership, intersection and gauge, with proofs | 5.1, Theorem 5.2 |
+//! | [`collision::hierarchy`] | whether bodies meet, by levels from coarse to fine | 5.2, hierarchical method |
+//! | [`collision::prepared`] | repeated queries about one body, by the structure that suits | 5.2, Lemma 5.3 |
 //! | [`collision::distance`] | Euclidean distance with nearest points and faces, and penetration depth | from 5.1, Lemma 5.1 |
 //! | [`lad`] | the kernel: weighted least absolute deviations in the plane | under 4.1 and 5.1 |
 //! | [`lad::of_forms`] | the kernel in three variables | under 5.1 in R^4 |

@@ -2,3 +2,4 @@
 
 mod by_cutting;
 mod by_direction_tree;
+mod choice;

@@ -24,7 +24,8 @@
 //! Answers of bodies go straight to a verifier; answers of a single method do so by
 //! [`Location::with_nearest_basis`].
 //!
-//! [`prepared`] has structures for a body that is asked again and again.
+//! [`prepared`] has structures for a body that is asked again and again. [`hierarchy`] has bodies around and within a
+//! body, from coarse to fine, which tell whether two bodies meet from few generators unless they nearly touch.
 //!
 //! [`distance`] is what more there is to say: how far apart bodies are, where they are nearest, how deep they overlap.
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of
@@ -42,6 +43,7 @@ pub mod by_lad_in_r4;
 pub mod by_linear_program;
 pub mod by_slope_selection;
 pub mod distance;
+pub mod hierarchy;
 mod method;
 mod nearest_basis;
 pub mod prepared;

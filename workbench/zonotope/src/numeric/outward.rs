@@ -79,6 +79,12 @@ pub(crate) fn above(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { value.next_up() }
 }
 
+/// The least double of so many leading bits that is not below a positive normal one; infinite above the largest.
+pub(crate) fn with_leading_bits_at_least(value: f64, bits: u32) -> f64 {
+    let rest = (1u64 << (f64::MANTISSA_DIGITS - bits)) - 1;
+    f64::from_bits((value.to_bits() + rest) & !rest)
+}
+
 /// The generators of a box of given half-lengths, one along each axis in which there is one.
 pub(crate) fn axis_generators<const D: usize>(half_lengths: [f64; D]) -> impl Iterator<Item = [f64; D]> {
     let along = |(axis, half): (usize, f64)| {
@@ -136,6 +142,14 @@ mod tests {
         let huge = (&largest + &largest).to_rational();
         assert_eq!((fraction_at_most(&huge), fraction_at_least(&huge)), (f64::MAX, f64::INFINITY));
         assert_eq!((above(0.0), above(1.0)), (0.0, 1.0 + f64::EPSILON));
+    }
+
+    #[test]
+    fn few_bits_are_rounded_up() {
+        let cases = [(1.0, 1.0), (1.25, 1.25), (1.25f64.next_up(), 1.5), (1.75f64.next_up(), 2.0)];
+        assert_eq!(cases.map(|(value, _)| with_leading_bits_at_least(value, 3)), cases.map(|(_, rounded)| rounded));
+        assert_eq!(with_leading_bits_at_least(f64::MAX, 32), f64::INFINITY);
+        assert_eq!(with_leading_bits_at_least(0.1, 53), 0.1);
     }
 
     #[test]

@@ -208,3 +208,12 @@ pub(crate) const NODE_BODY_STRETCH: f64 = 1.0 + power_of_two(-30);
 
 /// The gauge of the roundings of a body of nodes for which [`NODE_BODY_STRETCH`] makes up: half of what it adds.
 pub(crate) const NODE_BODY_DOUBT: f64 = power_of_two(-31);
+
+/// What the coefficients of the corners of a cell of directions leave of a vector in each coordinate, beside the
+/// vector's largest coordinate z.
+///
+/// The cell is found from quotients with z, which puts a vector off it by 3 u z at most. A place in the cell goes
+/// through a product and a difference of at most 2 z, 3 u z, and is cut off at the sides of the cell. Differences of
+/// places are off by u z; two of them enter the sum of the coefficients, one the coordinate along a side of at most 2:
+/// 4 u z. Together that is 10 u z.
+pub(crate) const CORNER_COEFFICIENTS: f64 = 16.0 * UNIT;

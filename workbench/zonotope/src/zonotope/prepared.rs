@@ -30,6 +30,11 @@ impl PreparedBody {
         &self.body
     }
 
+    /// The bytes that are held, the generators included.
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(self.body.generators()) + size_of_val(self.laid_out.blocks())
+    }
+
     /// Σ |g · direction| over the generators, in doubles: what
     /// [`absolute_sum`](super::passes::absolute_sum) computes from their rows. O(n).
     pub fn absolute_sum(&self, direction: &[f64; 3]) -> f64 {

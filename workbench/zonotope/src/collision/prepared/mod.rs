@@ -9,12 +9,18 @@
 //! | [`PreparedBody`](crate::zonotope::PreparedBody) | O(n) | O(n) | O(n) | the linear scan: passes over blocks |
 //! | [`by_direction_tree`] | O(n) | O(n log n) | about √n | sums of generators of neighbouring directions |
 //! | [`by_cutting`] | O(m), n ≤ m ≤ n² | O(m log n) and the cutting | O(n²/m + log² n) | Lemma 5.3 and Corollary 5.4 |
-//! | [`Explicit faces`](crate::collision::by_explicit_faces) | O(n²) | O(n² log n) | O(n²) | all facets written down |
+//! | [`by_facets`] | O(n²) | O(n³), exact numbers | O(n²) | all facets written down, for small n |
+//! | [`choice`] | within a budget | | | the one of these that costs least for so many queries |
 //!
 //! Every answer is exact, and so is its proof, which has constant size until it is [written
 //! out](by_direction_tree::Located::expand).
+//! [`Explicit faces`](crate::collision::by_explicit_faces) answer a single query from the face lattice.
 
 pub mod by_cutting;
 pub mod by_direction_tree;
+pub mod by_facets;
+pub mod choice;
 
 pub use by_direction_tree::DirectionTree;
+pub use by_facets::PreparedByFacets;
+pub use choice::QueryStructure;

@@ -68,7 +68,7 @@ mod clear;
 mod exact_sums;
 mod guess;
 mod nodes;
-mod order;
+pub(in crate::collision) mod order;
 mod query;
 mod slab;
 mod support;

@@ -63,7 +63,7 @@ impl Ordered {
 }
 
 /// The axis along which a vector is longest; none for the zero vector.
-fn face_of(v: &[f64; 3]) -> Option<usize> {
+pub(in crate::collision) fn face_of(v: &[f64; 3]) -> Option<usize> {
     let [x, y, z] = v.map(f64::abs);
     let face = if x >= y && x >= z {
         0
@@ -76,7 +76,7 @@ fn face_of(v: &[f64; 3]) -> Option<usize> {
 }
 
 /// The two coordinates on a face at which the line of a vector meets it, each off by half a unit in the last place.
-pub(super) fn place_on(face: usize, v: &[f64; 3]) -> [f64; 2] {
+pub(in crate::collision) fn place_on(face: usize, v: &[f64; 3]) -> [f64; 2] {
     [v[(face + 1) % 3] / v[face], v[(face + 2) % 3] / v[face]]
 }
 

@@ -1,0 +1,278 @@
+//! Whether two bodies meet, by descending from coarse levels of both to fine ones until one tells.
+//!
+//! # Statement
+//! Input: two bodies of space with their levels ([`Hierarchy`]), either as they stand or under poses. Output: how they
+//! meet, exactly, as the kernel says it of the bodies themselves, with a proof; and which levels told it, how many
+//! pairs of levels were looked at, and how many generators were read. Bodies are closed: those that touch meet. A point
+//! is a body without generators. Zero, parallel and coplanar generators and none at all are ordinary input.
+//!
+//! # Source
+//! Section 5.2, hierarchical method. Two departures. Levels within the bodies tell overlaps, where the paper's, all of
+//! which enclose, leave each overlap to the bodies themselves. At the bodies themselves the kernel answers in the place
+//! of Theorem 5.2.
+//!
+//! # Method
+//! 1. Begin with the coarsest level of each body.
+//! 2. If the outer bodies are disjoint, so are the bodies, and a direction that separates the first separates the
+//!    second.
+//! 3. If the interiors of the outer bodies meet, and those of the inner bodies, too, so do those of the bodies.
+//! 4. Otherwise go down by one level: with the body of which the outer one exceeds the body by more, in the mean over
+//!    all directions, and with the other one unless its excess is below a quarter of that. A coarse level of one body
+//!    spoils a fine one of the other. So bodies of one size descend together and cost one question a level, and the
+//!    larger one of bodies of different sizes goes first.
+//! 5. Where both are at their last level, the kernel answers.
+//!
+//! # Complexity
+//! Each question takes the kernel O(k) expected for k generators of the levels, and these grow geometrically. Let a
+//! level of k generators be within a part c / k of the body's size, as for bodies of even directions: then bodies apart
+//! by a part g of their size, or as deep in each other, are told by levels of O(1 / g) generators, whatever n is, and
+//! bodies that touch in O(n).
+//!
+//! # Shapes
+//! `first`, `second`: bodies with their levels; poses with any matrix, one that scales or flattens as well.
+//!
+//! # Numerics
+//! Every decision is exact: the levels contain and are contained exactly, and so are their images under a pose; the
+//! kernel decides each question exactly. Which body goes down is decided in doubles and changes no answer.
+//!
+//! # Errors
+//! None: the bodies and poses were validated when they were made.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`by_lad`] and [`brute_force`](crate::collision::brute_force) on all families, bodies that touch included; the crate
+//! `verifier` on every proof.
+//!
+//! # Example
+//! ```
+//! use zonotope::{Status, Zonotope, collision::hierarchy::Hierarchy};
+//! let generators = (1..200u32).map(|i| [1.0, f64::from(i * i % 83) / 41.0 - 1.0, f64::from(i % 13) / 6.0 - 1.0]);
+//! let body = Zonotope::new([0.0; 3], generators.collect()).unwrap();
+//! let moved = body.translated([1e4, 0.0, 0.0]).unwrap();
+//! let [first, second] = [body, moved].map(Hierarchy::new);
+//! let descent = first.intersection(&second);
+//! // far apart, which the coarsest levels tell
+//! assert_eq!((descent.status(), descent.levels(), descent.visited()), (Status::Outside, [0, 0], 1));
+//! assert!(first.intersection(&first).visited() <= first.level_count() as u32);
+//! ```
+
+use super::levels::Hierarchy;
+use crate::collision::{Location, PosedQuery, Query, Separation, Status, Witness, by_lad};
+use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::PreparedBody;
+use crate::zonotope::pose::Pose;
+
+/// A body goes down beside the other one unless its excess is less than this part of the other's: about the ratio of
+/// the excesses of one level and the next.
+const SHARE_OF_EXCESS: f64 = 0.25;
+
+/// A body with its levels where a pose puts it; a reference to the levels, nothing of them copied.
+#[derive(Debug, Clone, Copy)]
+pub struct PosedHierarchy<'h> {
+    hierarchy: &'h Hierarchy,
+    pose: Pose,
+}
+
+impl Hierarchy {
+    /// The body where a pose puts it. O(1).
+    pub fn at(&self, pose: &Pose) -> PosedHierarchy<'_> {
+        PosedHierarchy { hierarchy: self, pose: *pose }
+    }
+
+    /// How two bodies meet as they stand.
+    pub fn intersection<'h>(&'h self, other: &'h Self) -> Descent<'h> {
+        self.intersection_counted(other, &mut ())
+    }
+
+    /// [`intersection`](Self::intersection), counting its operations.
+    pub fn intersection_counted<'h>(&'h self, other: &'h Self, tally: &mut dyn Tally) -> Descent<'h> {
+        Pair { bodies: [self, other], poses: None }.descend(tally)
+    }
+}
+
+impl<'h> PosedHierarchy<'h> {
+    /// How two bodies meet where their poses put them.
+    pub fn intersection<'o>(&self, other: &PosedHierarchy<'o>) -> Descent<'o>
+    where
+        'h: 'o,
+    {
+        self.intersection_counted(other, &mut ())
+    }
+
+    /// [`intersection`](Self::intersection), counting its operations.
+    pub fn intersection_counted<'o>(&self, other: &PosedHierarchy<'o>, tally: &mut dyn Tally) -> Descent<'o>
+    where
+        'h: 'o,
+    {
+        Pair { bodies: [self.hierarchy, other.hierarchy], poses: Some([self.pose, other.pose]) }.descend(tally)
+    }
+}
+
+/// How two bodies meet, and how that was found out.
+#[derive(Debug)]
+pub struct Descent<'h> {
+    pair: Pair<'h>,
+    levels: [usize; 2],
+    visited: u32,
+    generators_read: u64,
+    found: Found,
+}
+
+/// What told how the bodies meet.
+#[derive(Debug)]
+enum Found {
+    /// A direction that separates outer bodies.
+    Apart(Separation<3>),
+    /// Coefficients of the generators of inner bodies.
+    Overlapping(Witness),
+    /// The bodies themselves.
+    Decided(Location<3>),
+}
+
+impl Descent<'_> {
+    /// Inside if the interiors have a point in common, boundary if the bodies only touch or their sum is flat, outside
+    /// if they are disjoint.
+    pub fn status(&self) -> Status {
+        match &self.found {
+            Found::Apart(_) => Status::Outside,
+            Found::Overlapping(_) => Status::Inside,
+            Found::Decided(location) => location.status(),
+        }
+    }
+
+    /// The level of each body that told the status, 0 the coarsest.
+    pub fn levels(&self) -> [usize; 2] {
+        self.levels
+    }
+
+    /// How many pairs of levels were looked at.
+    pub fn visited(&self) -> u32 {
+        self.visited
+    }
+
+    /// How many generators the kernel read for the status, each as often as it was read.
+    pub fn generators_read(&self) -> u64 {
+        self.generators_read
+    }
+
+    /// A direction that separates the bodies, if they are disjoint. O(1).
+    pub fn separation(&self) -> Option<&Separation<3>> {
+        match &self.found {
+            Found::Apart(separation) | Found::Decided(Location::Outside(separation)) => Some(separation),
+            Found::Overlapping(_) | Found::Decided(_) => None,
+        }
+    }
+
+    /// The witness of a common point, if the bodies meet: coefficients of the generators of the
+    /// [inner bodies](Hierarchy::inner) of the levels that told it, those of the first body first. O(1).
+    pub fn level_witness(&self) -> Option<&Witness> {
+        match &self.found {
+            Found::Overlapping(witness) | Found::Decided(Location::Inside(witness) | Location::Boundary(witness)) => {
+                Some(witness)
+            }
+            Found::Apart(_) | Found::Decided(Location::Outside(_)) => None,
+        }
+    }
+
+    /// The status with a proof about the bodies themselves, as [`Zonotope`](crate::Zonotope) gives it. O(1) for
+    /// disjoint bodies; else O(n), and where a coarse level told the status the kernel is asked for coefficients.
+    pub fn location(&self) -> Location<3> {
+        match &self.found {
+            Found::Apart(separation) => Location::Outside(separation.clone()),
+            Found::Overlapping(_) => self.pair.proved(self.pair.located(self.pair.bodies.map(finest), &mut ())),
+            Found::Decided(location) => self.pair.proved(location.clone()),
+        }
+    }
+}
+
+/// The body itself.
+fn finest(hierarchy: &Hierarchy) -> &PreparedBody {
+    hierarchy.outer(hierarchy.level_count() - 1)
+}
+
+/// Two bodies where they stand.
+#[derive(Debug, Clone, Copy)]
+struct Pair<'h> {
+    bodies: [&'h Hierarchy; 2],
+    /// None where both are as they stand.
+    poses: Option<[Pose; 2]>,
+}
+
+impl<'h> Pair<'h> {
+    fn descend(self, tally: &mut dyn Tally) -> Descent<'h> {
+        let mut reads = Reads { tally, generators: 0 };
+        let (mut levels, mut visited) = ([0; 2], 0);
+        loop {
+            visited += 1;
+            let outer = self.located([0, 1].map(|i| self.bodies[i].outer(levels[i])), &mut reads);
+            let next = self.below(levels);
+            let found = match outer {
+                outer if next == levels => Some(Found::Decided(outer)),
+                Location::Outside(separation) => Some(Found::Apart(separation)),
+                Location::Boundary(_) => None,
+                Location::Inside(_) => self.overlap(levels, &mut reads).map(Found::Overlapping),
+            };
+            if let Some(found) = found {
+                return Descent { pair: self, levels, visited, generators_read: reads.generators, found };
+            }
+            levels = next;
+        }
+    }
+
+    /// The witness of a point common to the interiors of the inner bodies, if there is one.
+    fn overlap(&self, [first, second]: [usize; 2], tally: &mut dyn Tally) -> Option<Witness> {
+        let [a, b] = self.bodies;
+        match self.located([a.inner(first)?, b.inner(second)?], tally) {
+            Location::Inside(witness) => Some(witness),
+            Location::Boundary(_) | Location::Outside(_) => None,
+        }
+    }
+
+    /// The next levels; the same if both are the last.
+    fn below(&self, levels: [usize; 2]) -> [usize; 2] {
+        let is_last = [0, 1].map(|i| levels[i] + 1 == self.bodies[i].level_count());
+        let excess = [0, 1].map(|i| self.bodies[i].excess(levels[i]));
+        [0, 1].map(|i| {
+            let goes_down = is_last[1 - i] || excess[i] >= SHARE_OF_EXCESS * excess[1 - i];
+            levels[i] + usize::from(goes_down && !is_last[i])
+        })
+    }
+
+    /// How bodies in the places of the two meet.
+    fn located(&self, [first, second]: [&PreparedBody; 2], tally: &mut dyn Tally) -> Location<3> {
+        match &self.poses {
+            None => by_lad::locate_counted(&Query::between_bodies(first, second), tally),
+            Some([from, to]) => by_lad::locate_posed_counted(&PosedQuery::between((first, from), (second, to)), tally),
+        }
+    }
+
+    /// A location of the bodies themselves with the coefficients that a verifier takes.
+    fn proved(&self, location: Location<3>) -> Location<3> {
+        let [first, second] = self.bodies.map(finest);
+        match &self.poses {
+            None => location.with_nearest_basis(&Query::between_bodies(first, second)),
+            Some([from, to]) => location.with_nearest_basis(&PosedQuery::between((first, from), (second, to))),
+        }
+    }
+}
+
+/// A tally that keeps the number of generators read.
+struct Reads<'t> {
+    tally: &'t mut dyn Tally,
+    generators: u64,
+}
+
+impl Tally for Reads<'_> {
+    fn add(&mut self, operation: Operation, count: u64) {
+        if operation == Operation::GeneratorRead {
+            self.generators += count;
+        }
+        self.tally.add(operation, count);
+    }
+
+    fn answered_by(&mut self, rung: Rung) {
+        self.tally.answered_by(rung);
+    }
+}
