@@ -12,14 +12,14 @@ use zonotope::reduction::contains;
 use zonotope::{Location, Status, Zonotope};
 
 /// The numbers of generators of both bodies together, and how many pairs a long run asks of each family: with eleven
-/// placements for each of the eleven families some 12,000 questions in all.
-const SIZES: [(usize, u32); 5] = [(20, 24), (150, 24), (700, 24), (2000, 16), (4000, 16)];
+/// placements for each of the eleven families some 11,000 questions in all.
+const SIZES: [(usize, u32); 5] = [(20, 24), (60, 24), (300, 24), (1000, 16), (2000, 8)];
 
 /// The questions of a long run for each of the thirteen families that reach the ends of the doubles.
 const CASES: u32 = 200;
 
 /// Bodies of at most so many generators are compared with their levels by all facet normals.
-const CONTAINED_GENERATORS: usize = 150;
+const CONTAINED_GENERATORS: usize = 60;
 
 /// The status and its proof are right.
 fn answers(bodies: &[Zonotope<3>; 2], status: &str, name: &str) {

@@ -28,12 +28,25 @@
 //! by a part g of their size, or as deep in each other, are told by levels of O(1 / g) generators, whatever n is, and
 //! bodies that touch in O(n).
 //!
+//! Measured, two bodies of 10^5 random generators each, the second one's centre moved to 1 + g times the distance at
+//! which they touch, means over 16 directions; the kernel alone reads all generators 1.0 to 1.9 times:
+//!
+//! | g | 1 | 0.1 | 10^-2 | 10^-3 | 10^-4 | 10^-5 | 0 | −10^-4 | −10^-3 | −10^-2 | −0.1 | −0.5 |
+//! |---|---|---|---|---|---|---|---|---|---|---|---|---|
+//! | pairs of levels, of 8 | 1 | 1.9 | 3.8 | 5.4 | 7.4 | 8 | 8 | 7 | 5.1 | 3.8 | 1.9 | 1 |
+//! | times that all are read | 0.00004 | 0.0004 | 0.005 | 0.05 | 1.07 | 1.80 | 1.80 | 0.65 | 0.05 | 0.01 | 0.0007 | 0.0001 |
+//! | time, the kernel's as 1 | 0.002 | 0.02 | 0.05 | 0.11 | 1.0 | 1.9 | 1.1 | 0.46 | 0.07 | 0.03 | 0.006 | 0.003 |
+//!
+//! So bodies that nearly touch cost up to twice the kernel's time. Where lengths are from 2^-200 to 2^200 it is up to
+//! thirty times that, as coarse levels are near contact then as well, and in exact arithmetic.
+//!
 //! # Shapes
 //! `first`, `second`: bodies with their levels; poses with any matrix, one that scales or flattens as well.
 //!
 //! # Numerics
 //! Every decision is exact: the levels contain and are contained exactly, and so are their images under a pose; the
-//! kernel decides each question exactly. Which body goes down is decided in doubles and changes no answer.
+//! kernel decides each question exactly. Which body goes down is decided in doubles, without the poses, and changes no
+//! answer.
 //!
 //! # Errors
 //! None: the bodies and poses were validated when they were made.

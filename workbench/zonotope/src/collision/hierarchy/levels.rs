@@ -4,14 +4,19 @@
 //! Input: a zonotope Z of space with n generators. Output: levels from coarse to fine, the last of which is Z. Each of
 //! the others has an outer body, which contains that of the next level exactly, and an inner one, which is exactly
 //! within Z, where there is one; all have the centre of Z. A level has at most a third of the generators of the next
-//! one, and the coarsest few. Zero, parallel and coplanar generators and none at all are ordinary input. Where the
-//! longest generator is shorter than 2^-800 or longer than 2^900, or n is small, there is no level but Z itself.
+//! one, and the coarsest a handful. Zero, parallel and coplanar generators and none at all are ordinary input. Where
+//! the largest coordinate is below 2^-800 or above 2^900, or n is small (below 48 for generators of even directions),
+//! there is no level but Z itself.
 //!
 //! # Source
 //! Section 5.2, hierarchical method. The paper's outer bodies are those of Lemma 5.5: the generators of a patch of
 //! directions are projected on one direction of the patch, and a box takes the rest; k patches leave an error of O(1 /
 //! √k). Here the generators of a patch are written in terms of its corners instead (`corner_sums`), which leaves O(1 /
 //! k), and corners are shared. The inner bodies (`cell_sums`) are not in the paper: they tell overlaps early.
+//!
+//! Of 10^5 random generators, levels of 13, 49, 193, 769, 3,073 and 12,289 generators reach farther than the body by
+//! 14 %, 4.1 %, 1.1 %, 0.24 %, 0.061 % and 0.016 %, the most among 200 directions; bodies of as many generators by the
+//! lemma by 74 %, 31 %, 14 %, 6.7 %, 3.4 % and 1.8 %. The inner bodies reach less far by 7 % to 0.007 %.
 //!
 //! # Method
 //! 1. Sort the generators by the cells of a grid of directions through which they leave a cube (`grid`). Take the
@@ -24,7 +29,9 @@
 //!
 //! # Complexity
 //! n generators: O(n log n) time for the sorting, O(n) else. Space O(n): a level of k generators takes 48 bytes for
-//! each of its outer body and as many of its inner one, and the levels together at most half as many generators as Z.
+//! each of its outer body and as many of its inner one, and the levels together have at most half as many outer
+//! generators as Z. Measured on random generators, n = 10^4 and 10^5: the time of 500 to 850 passes of a prepared body,
+//! and 58 to 64 bytes a generator, 48 of them for the prepared body itself.
 //!
 //! # Shapes
 //! `body`: any order, duplicates allowed.

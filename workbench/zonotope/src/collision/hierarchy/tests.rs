@@ -79,7 +79,7 @@ fn check(first: &Hierarchy, second: &Hierarchy) -> u32 {
         };
         assert_eq!(check_location(&query, &location).proof().map(drop), Ok(()));
     }
-    assert!(descent.generators_read() > 0 || query.len() == 0);
+    assert!(descent.generators_read() > 0 || query.is_empty());
     let levels = [first, second].map(|body| body.level_count() as u32);
     assert!(descent.visited() < levels[0] + levels[1]);
     descent.visited()
