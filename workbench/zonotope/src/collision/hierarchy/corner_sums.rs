@@ -113,6 +113,8 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
+        #![proptest_config(crate::property_cases::config(256))]
+
         #[test]
         fn coefficients_leave_less_than_their_bound(
             v in proptest::array::uniform3(prop_oneof![-1.0..1.0f64, (-4..=4i32).prop_map(|c| f64::from(c) / 4.0)]),

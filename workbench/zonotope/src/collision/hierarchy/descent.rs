@@ -35,10 +35,12 @@
 //! |---|---|---|---|---|---|---|---|---|---|---|---|---|
 //! | pairs of levels, of 8 | 1 | 1.9 | 3.8 | 5.4 | 7.4 | 8 | 8 | 7 | 5.1 | 3.8 | 1.9 | 1 |
 //! | times that all are read | 0.00004 | 0.0004 | 0.005 | 0.05 | 1.07 | 1.80 | 1.80 | 0.65 | 0.05 | 0.01 | 0.0007 | 0.0001 |
-//! | time, the kernel's as 1 | 0.002 | 0.02 | 0.05 | 0.11 | 1.0 | 1.9 | 1.1 | 0.46 | 0.07 | 0.03 | 0.006 | 0.003 |
+//! | time, the kernel's as 1 | 0.002 | 0.02 | 0.05 | 0.11 | 1.0 | 2.0 | 1.2 | 0.44 | 0.07 | 0.03 | 0.007 | 0.003 |
 //!
-//! So bodies that nearly touch cost up to twice the kernel's time. Where lengths are from 2^-200 to 2^200 it is up to
-//! thirty times that, as coarse levels are near contact then as well, and in exact arithmetic.
+//! So bodies that nearly touch cost twice the kernel's time, and of 10^3 generators, where a coarse level is not much
+//! smaller than the body, three times it; there the levels gain only from g = 0.1 on. Where lengths are from 2^-200 to
+//! 2^200 it is up to thirty times the kernel's time, as coarse levels are near contact then as well, and decided in
+//! exact arithmetic.
 //!
 //! # Shapes
 //! `first`, `second`: bodies with their levels; poses with any matrix, one that scales or flattens as well.

@@ -170,6 +170,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(crate::property_cases::config(256))]
+
         #[test]
         fn answers_are_the_truth(
             rows in proptest::collection::vec(proptest::array::uniform3(number()), 0..7),
