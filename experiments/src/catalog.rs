@@ -2,10 +2,10 @@
 
 use crate::definition::Experiment;
 use crate::definitions::{
-    area_ratio, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate, gap_curve,
-    gauge_passes, hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree, min_area_scaling, min_area_stages,
-    points_scaling, pruning_passes, query_trade_off, reduction_error, rung_shares, scan_race, slope_selection_scaling,
-    tree_queries, walk_steps, wrong_answers,
+    area_ratio, coherence, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate,
+    gap_curve, gauge_passes, hierarchy_levels, hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree,
+    min_area_scaling, min_area_stages, points_scaling, pruning_passes, query_trade_off, reduction_error, rung_shares,
+    scan_race, slope_selection_scaling, tree_queries, walk_steps, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -34,7 +34,9 @@ pub static EXPERIMENTS: &[Experiment] = &[
     query_trade_off::EXPERIMENT,
     tree_queries::EXPERIMENT,
     reduction_error::EXPERIMENT,
+    hierarchy_levels::EXPERIMENT,
     walk_steps::EXPERIMENT,
+    coherence::EXPERIMENT,
 ];
 
 /// The experiment called `id`, if there is one.

@@ -1,6 +1,7 @@
 //! The experiments, one a file, and the families and sizes that several of them share.
 
 pub mod area_ratio;
+pub mod coherence;
 mod collision_methods;
 pub mod collision_scaling;
 pub mod directions_scaling;
@@ -10,6 +11,7 @@ pub mod fallback_rate;
 mod fixed_directions_methods;
 pub mod gap_curve;
 pub mod gauge_passes;
+pub mod hierarchy_levels;
 pub mod hull_scaling;
 mod kernel_methods;
 pub mod lad_race;

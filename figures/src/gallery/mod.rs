@@ -12,6 +12,7 @@ pub mod gap_curve;
 pub mod length_ratio;
 pub mod mesh_in_zonohedra;
 pub mod named_zonohedra;
+pub mod nested_hierarchy;
 pub mod paper_figure_1;
 pub mod paper_figure_2;
 pub mod polygon_and_reflection;

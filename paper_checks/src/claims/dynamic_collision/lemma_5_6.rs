@@ -1,8 +1,8 @@
 //! Lemma 5.6: walking from facet to facet.
 
-use std::cell::Cell;
 use std::cmp::Ordering;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use experiments::fit::GrowthModel;
 use rand::RngExt;
@@ -68,11 +68,11 @@ fn step_evidence(context: &CheckContext) -> Result<String, String> {
 
 /// A point that counts the tests that it is asked for.
 #[derive(Debug, Clone, Copy)]
-struct Counted<'a>(PlanarPoint, &'a Cell<u64>);
+struct Counted<'a>(PlanarPoint, &'a AtomicU64);
 
 impl Counted<'_> {
     fn count(&self) {
-        self.1.set(self.1.get() + 1);
+        self.1.fetch_add(1, Relaxed);
     }
 }
 
@@ -129,7 +129,7 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
 
 /// The mean number of tests for deleting and inserting a point and for two tangents, half of the points being vertices.
 fn tests_of_step(points: &[[f64; 2]], mut draw: impl FnMut(u32) -> u32) -> Result<f64, String> {
-    let tests = Cell::new(0);
+    let tests = AtomicU64::new(0);
     let planar = PlanarPoint::list(points).map_err(|error| error.to_string())?;
     let sites: Vec<Counted> = planar.into_iter().map(|point| Counted(point, &tests)).collect();
     let sorted = Arc::new(SortedSites::new(&sites).map_err(|error| error.to_string())?);
@@ -137,7 +137,7 @@ fn tests_of_step(points: &[[f64; 2]], mut draw: impl FnMut(u32) -> u32) -> Resul
     let mut chain =
         DynamicChain::new(sorted, Side::Lower, (0..count).map(SiteIndex)).map_err(|error| error.to_string())?;
     let vertices = chain.vertices();
-    tests.set(0);
+    tests.store(0, Relaxed);
     let rounds = 500;
     for round in 0..rounds {
         let site = match round % 2 {
@@ -150,5 +150,5 @@ fn tests_of_step(points: &[[f64; 2]], mut draw: impl FnMut(u32) -> u32) -> Resul
         }
         chain.insert(site).map_err(|error| error.to_string())?;
     }
-    Ok(tests.get() as f64 / f64::from(rounds))
+    Ok(tests.load(Relaxed) as f64 / f64::from(rounds))
 }

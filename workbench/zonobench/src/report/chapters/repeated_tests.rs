@@ -15,14 +15,17 @@ pub(super) static CHAPTER: Chapter = Chapter {
          generators adds up neighbours whose signs agree.",
         "Coarser bodies: generators of similar directions are added up, and what is lost comes back as a box \
          (Lemma 5.5). Fitted sums of clusters are nearer with fewer generators; both contain the body exactly, and \
-         the Hausdorff distance is bounded from both sides.",
+         the Hausdorff distance is bounded from both sides. Nested levels tell bodies that are far apart, or deep in \
+         each other, from a handful of generators; the nearer they are to touching, the finer the levels that tell.",
         "Walking: the facets next to a facet are the next crossings along its dual lines. Convex hulls of the lines \
-         above and below, which change by a line a step, find them (Lemma 5.6).",
+         above and below, which change by a line a step, find them (Lemma 5.6). The closest features of moving bodies \
+         are followed so, or the optimum of the last frame is where the kernel begins in the next.",
     ],
     bound: "The paper: O((n²/m) log² n) a query with O(m) space; O(1/ε²) generators for a distance of ε diameters; \
         O(log² n) a step. Here: O(n²/m + log² n); about ε^(−4/5) generators for bodies like balls, measured; \
         O(log² n).",
     claims: &[
+        "summary-repeated-tests",
         "translation-by-point-location",
         "lemma-5.3",
         "erratum-5.2-lemma-5.3",
@@ -38,7 +41,14 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "lemma-5.6",
         "erratum-5.2-lemma-5.6",
     ],
-    experiments: &["query-trade-off", "direction-tree-queries", "reduction-error", "walk-steps"],
+    experiments: &[
+        "query-trade-off",
+        "direction-tree-queries",
+        "reduction-error",
+        "hierarchy-levels",
+        "walk-steps",
+        "coherence",
+    ],
     commands: &[(
         "cargo run --release -- solve tests/goldens/questions.jsonl",
         "answers questions of every kind, those of member_batch, approx, reduce, hausdorff and walk among them",

@@ -1,0 +1,190 @@
+//! What a frame of a motion costs, against its speed.
+
+use super::collision_methods::PROVED;
+use crate::definition::{
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+};
+use crate::fit::GrowthModel;
+use crate::runner::stopwatch::Stopwatch;
+use crate::seed::{self, Digest};
+use std::f64::consts::TAU;
+use zonotope::Pose;
+use zonotope::collision::tracking::{WalkingTracker, WarmTracker};
+use zonotope::collision::{Location, PosedQuery, Query, Status, by_lad};
+use zonotope::interop::verifier::check_location;
+use zonotope::tally::{Operation, OperationCounts, Tally};
+use zonotope::zonotope::{PreparedBody, Zonotope};
+
+/// Generators of each of the two bodies.
+const GENERATORS: usize = 1024;
+
+/// Frames of each motion.
+const FRAMES: usize = 100;
+
+/// By how much the gauge is above 1, and then below it, while one body goes around the other.
+const GAP: f64 = 1e-3;
+
+/// Of one in so many frames the proof is checked.
+const PROVED_FRAMES: usize = 10;
+
+const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies"];
+
+const SIZES: PerProfile<&[usize]> = PerProfile {
+    quick: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 13, 1 << 15],
+    full: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 13, 1 << 15, 1 << 17, 1 << 19],
+};
+
+/// What a frame of a motion costs, against its speed.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "coherence",
+    title: "Tracking: a frame against the speed of motion",
+    question: "A body of 1,024 generators goes around another one, apart from it by a thousandth of the distance of \
+               touching and then as deep in it; n is the number of frames that a whole turn would take, so that \
+               larger n is slower motion, and each run has 100 frames. `reads` a frame: a fresh query reads all generators whatever the speed, the kernel that \
+               begins with the last frame's optimum fewer the slower the motion is. `steps` a frame: walking crosses \
+               as many edges as the motion passes over, fewer than one when it is slow. All frames have the status of \
+               the construction; of each tenth the proof is checked.",
+    claims: &["local-walk", "summary-repeated-tests"],
+    families: FAMILIES,
+    real_inputs: &[],
+    sizes: SIZES,
+    instances: PerProfile { quick: 1, full: 2 },
+    variants: &[
+        Variant { id: "warm", title: "Kernel with the last frame's optimum", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "fresh", title: "Fresh query", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "walking", title: "Walk to the closest feature", largest: PerProfile::both(usize::MAX) },
+    ],
+    measure,
+    table: Tabulated::MedianAtLargest,
+    timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
+    fits: &[
+        FitPlan {
+            quantity: Quantity::Value("reads"),
+            variant: "warm",
+            families: FAMILIES,
+            models: GrowthModel::FALLING,
+            bound: None,
+        },
+        FitPlan {
+            quantity: Quantity::Value("steps"),
+            variant: "walking",
+            families: FAMILIES,
+            models: GrowthModel::FALLING,
+            bound: None,
+        },
+    ],
+};
+
+/// Two bodies, and where the second one's centre is in each frame: first apart from the other body, then in it.
+struct Motion {
+    bodies: [PreparedBody; 2],
+    places: Vec<[f64; 3]>,
+}
+
+/// What a frame says: its status, and the proof when it is asked for.
+struct Frame {
+    status: Status,
+    location: Option<Location<3>>,
+    steps: u64,
+}
+
+impl Motion {
+    fn of(case: &Case) -> Result<Self, String> {
+        let body = |part: &str| {
+            let generators = case.body_family()?.generate(GENERATORS, seed::seed_of(case.instance_seed, part));
+            Zonotope::new([0.0; 3], generators).map_err(|error| error.to_string())
+        };
+        let (fixed, moving) = (body("fixed")?, body("moving")?);
+        let sum = fixed.minkowski_sum_with_reflection(&moving).map_err(|error| error.to_string())?;
+        let place = |frame: usize| {
+            let (sine, cosine) = libm::sincos(TAU * frame as f64 / case.n as f64);
+            let direction = [cosine, sine, 0.3];
+            let gauge = sum.gauge(direction).map_err(|error| error.to_string())?.value;
+            let factor = if Self::is_apart(frame) { 1.0 + GAP } else { 1.0 - GAP };
+            Ok(direction.map(|c| c / gauge * factor))
+        };
+        let places = (0..FRAMES).map(place).collect::<Result<_, String>>()?;
+        Ok(Self { bodies: [fixed, moving].map(PreparedBody::new), places })
+    }
+
+    fn is_apart(frame: usize) -> bool {
+        frame < FRAMES / 2
+    }
+
+    /// Follows the motion by a variant; of one frame in `proved` the proof is asked for.
+    fn follow(&self, variant: &str, proved: usize, tally: &mut dyn Tally) -> Result<Vec<Frame>, String> {
+        let [fixed, moving] = &self.bodies;
+        let still = Pose::IDENTITY;
+        let pose = |place: &[f64; 3]| Pose::from_translation(*place).map_err(|error| error.to_string());
+        let mut frames = Vec::with_capacity(self.places.len());
+        let mut warm = WarmTracker::new(fixed, moving);
+        let mut walking = match variant {
+            "walking" => Some(WalkingTracker::new(fixed.body(), moving.body()).map_err(|error| error.to_string())?),
+            _ => None,
+        };
+        for (frame, place) in self.places.iter().enumerate() {
+            let is_proved = frame % proved == 0;
+            frames.push(match (&mut walking, variant) {
+                (Some(tracker), _) => {
+                    let walked = tracker.frame([0.0; 3], *place).map_err(|error| error.to_string())?;
+                    let location = is_proved.then(|| walked.location());
+                    Frame { status: walked.status(), location, steps: walked.steps() }
+                }
+                (None, "warm") => {
+                    let tracked = warm.frame_counted(&still, &pose(place)?, tally);
+                    let location = is_proved.then(|| tracked.location());
+                    Frame { status: tracked.status(), location, steps: 0 }
+                }
+                (None, _) => {
+                    let query = PosedQuery::between((fixed, &still), (moving, &pose(place)?));
+                    let location = by_lad::locate_posed_counted(&query, tally);
+                    Frame { status: location.status(), location: is_proved.then_some(location), steps: 0 }
+                }
+            });
+        }
+        Ok(frames)
+    }
+
+    /// Whether a frame has the status of the construction, and its proof holds if there is one.
+    fn verdict(&self, index: usize, frame: &Frame) -> Result<Verdict, String> {
+        let expected = if Self::is_apart(index) { Status::Outside } else { Status::Inside };
+        if frame.status != expected {
+            return Ok(Verdict::Wrong(format!("frame {index} is {}", frame.status)));
+        }
+        let Some(location) = &frame.location else { return Ok(Verdict::Correct(PROVED.to_owned())) };
+        let [fixed, moving] = self.bodies.each_ref().map(PreparedBody::body);
+        let moved = moving.translated(self.places[index]).map_err(|error| error.to_string())?;
+        Ok(Verdict::of_verifier(PROVED, check_location(&Query::of_bodies(fixed, &moved), location)))
+    }
+}
+
+fn digest(frames: &[Frame]) -> u64 {
+    frames.iter().fold(Digest::default(), |digest, frame| digest.bytes(frame.status.name().as_bytes())).finish()
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let motion = Motion::of(case)?;
+    let mut counts = OperationCounts::default();
+    let frames = motion.follow(case.variant, PROVED_FRAMES, &mut counts)?;
+    let mut verdict = Verdict::Correct(PROVED.to_owned());
+    for (index, frame) in frames.iter().enumerate() {
+        verdict = verdict.and(motion.verdict(index, frame)?);
+    }
+    let read = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
+    let reads: u64 = read.map(|operation| counts.get(operation)).iter().sum();
+    let steps: u64 = frames.iter().map(|frame| frame.steps).sum();
+    let measurement = Measurement::new(&counts, digest(&frames), verdict);
+    Ok(match case.variant {
+        "walking" => measurement.with_value("steps", steps as f64 / FRAMES as f64),
+        _ => measurement.with_value("reads", reads as f64 / FRAMES as f64),
+    })
+}
+
+fn prepare(case: &Case) -> Result<TimedWork, String> {
+    let motion = Motion::of(case)?;
+    let variant = case.variant;
+    Ok(Box::new(move |stopwatch: &mut Stopwatch| {
+        let frames = stopwatch.lap("frames", || motion.follow(variant, usize::MAX, &mut ()))?;
+        Ok(digest(&frames))
+    }))
+}
