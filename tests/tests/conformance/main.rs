@@ -13,3 +13,4 @@ mod min_area;
 mod min_total_length;
 mod prepared;
 mod reduction;
+mod tracking;

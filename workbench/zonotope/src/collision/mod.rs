@@ -26,6 +26,7 @@
 //!
 //! [`prepared`] has structures for a body that is asked again and again. [`hierarchy`] has bodies around and within a
 //! body, from coarse to fine, which tell whether two bodies meet from few generators unless they nearly touch.
+//! [`tracking`] follows two bodies that move.
 //!
 //! [`distance`] is what more there is to say: how far apart bodies are, where they are nearest, how deep they overlap.
 //! [`upper_hull`] is the part of membership that Section 5.1 begins with: how high the zonotope reaches over a point of
@@ -50,6 +51,7 @@ pub mod prepared;
 mod query;
 mod tightest_facet;
 mod to_doubles;
+pub mod tracking;
 pub mod upper_hull;
 
 pub use by_lad::{gauge, locate};

@@ -6,8 +6,9 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use super::dyadic::Dyadic;
 use super::exact_sum::exact_sum;
-use super::tolerance::{FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
+use super::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
 
 /// An exact value within `error` of `value`.
 #[derive(Debug, Clone, Copy)]
@@ -91,6 +92,14 @@ pub(crate) fn exact(v: [f64; 3]) -> BoundedVector {
     v.map(Bounded::exact)
 }
 
+/// A vector of exact numbers, as its leading doubles.
+pub(crate) fn leading(v: &[Dyadic; 3]) -> BoundedVector {
+    v.each_ref().map(|coordinate| {
+        let value = coordinate.to_f64();
+        Bounded { value, error: DIFFERENCE_OF_LEADING_DOUBLES * value.abs() + f64::MIN_POSITIVE }
+    })
+}
+
 /// A vector that is known but for a part of its length.
 pub(crate) fn approximate(v: [f64; 3], relative_error: f64) -> BoundedVector {
     if relative_error == 0.0 {
@@ -118,7 +127,6 @@ pub(crate) fn finite_or_infinity(bound: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::dyadic::Dyadic;
     use crate::numeric::exact_linear;
     use crate::numeric::linear::{cross, dot};
     use proptest::prelude::*;

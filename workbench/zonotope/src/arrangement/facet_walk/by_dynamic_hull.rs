@@ -71,7 +71,7 @@ use super::error::WalkError;
 use super::facet::{FacetEdge, FacetName, NormalSense};
 use super::interface::FacetWalk;
 use super::tilted_line::TiltedLine;
-use super::to_ray::{LocatedWalk, edge_start, facet_center, next_center, walk_to};
+use super::to_ray::{LocatedWalk, edge_start, facet_center, next_center, walk_along, walk_to};
 use crate::arrangement::dynamic_hull::{DynamicChain, HullChain, Side, Site, SiteIndex, Tangent, Towards};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::ExactVector;
@@ -180,6 +180,12 @@ impl HullWalk {
         let center = self.located().clone();
         let count = self.cycle.len();
         edge_start(&self.classes, &self.cycle, &center, edge).ok_or(WalkError::UnknownEdge { edge, count })
+    }
+
+    /// [`walk_to`](FacetWalk::walk_to) along the ray to an exact point relative to the centre; for the centre itself
+    /// the walk stays where it is.
+    pub(crate) fn walk_along(&mut self, point: &ExactVector) -> u64 {
+        walk_along(self, point).expect("the walk crosses edges of its own facet")
     }
 
     /// How many bytes are held, the digits of long numbers not.

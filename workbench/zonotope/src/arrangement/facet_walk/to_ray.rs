@@ -5,13 +5,12 @@ use super::edge_cycle::EdgeCycle;
 use super::error::WalkError;
 use super::interface::FacetWalk;
 use crate::numeric::bounded;
-use crate::numeric::bounded::Bounded;
+use crate::numeric::bounded::BoundedVector;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, exact, sum};
 use crate::numeric::linear::{cross, dot, max_norm};
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::signed_sum::signed_sum;
-use crate::numeric::tolerance::DIFFERENCE_OF_LEADING_DOUBLES;
 
 /// A walk that knows the edges of its facet and where the facet is.
 pub(super) trait LocatedWalk: FacetWalk {
@@ -54,8 +53,14 @@ pub(super) fn walk_to(walk: &mut impl LocatedWalk, direction: [f64; 3]) -> Resul
     if direction == [0.0; 3] {
         return Err(WalkError::NoDirection);
     }
+    walk_along(walk, &exact(direction))
+}
+
+/// [`walk_to`] along the ray to an exact point; a walk to the centre itself stays where it is.
+pub(super) fn walk_along(walk: &mut impl LocatedWalk, point: &ExactVector) -> Result<u64, WalkError> {
+    let rounded = bounded::leading(point);
     let mut steps = 0;
-    while let Some(edge) = best_edge(walk, direction) {
+    while let Some(edge) = best_edge(walk, point, &rounded) {
         walk.step(edge)?;
         steps += 1;
     }
@@ -63,14 +68,14 @@ pub(super) fn walk_to(walk: &mut impl LocatedWalk, direction: [f64; 3]) -> Resul
 }
 
 /// The edge across which the ray lies, of several the one across which (u · p) / h(u) grows fastest, as doubles say.
-fn best_edge(walk: &mut impl LocatedWalk, direction: [f64; 3]) -> Option<usize> {
+fn best_edge(walk: &mut impl LocatedWalk, point: &ExactVector, rounded: &BoundedVector) -> Option<usize> {
     let center = walk.located().clone();
     let (classes, cycle) = (walk.classes(), walk.cycle());
     let mut best: Option<(f64, usize)> = None;
     for edge in 0..cycle.len() {
         let along = cycle.edge(edge).ok()?.vector(classes);
         let middle = sum(&center, &cycle.to_edge(classes, edge));
-        if let Some(growth) = growth(along, &middle, direction)
+        if let Some(growth) = growth(along, &middle, point, rounded)
             && best.is_none_or(|(other, _)| growth > other)
         {
             best = Some((growth, edge));
@@ -80,15 +85,11 @@ fn best_edge(walk: &mut impl LocatedWalk, direction: [f64; 3]) -> Option<usize> 
 }
 
 /// det(w, x, p) / |w| in doubles if the exact determinant is positive.
-fn growth(along: [f64; 3], middle: &ExactVector, direction: [f64; 3]) -> Option<f64> {
-    let rounded = middle.each_ref().map(|coordinate| {
-        let value = coordinate.to_f64();
-        Bounded { value, error: DIFFERENCE_OF_LEADING_DOUBLES * value.abs() + f64::MIN_POSITIVE }
-    });
-    let of_rounded = dot(&bounded::exact(along), &cross(&rounded, &bounded::exact(direction)));
+fn growth(along: [f64; 3], middle: &ExactVector, point: &ExactVector, rounded: &BoundedVector) -> Option<f64> {
+    let of_rounded = dot(&bounded::exact(along), &cross(&bounded::leading(middle), rounded));
     let is_positive = match of_rounded.sign() {
         Some(sign) => sign > 0,
-        None => dot(&exact(along), &cross(middle, &exact(direction))).sign().is_gt(),
+        None => dot(&exact(along), &cross(middle, point)).sign().is_gt(),
     };
     let growth = of_rounded.value / max_norm(&along);
     is_positive.then_some(if growth.is_nan() { 0.0 } else { growth })

@@ -1,0 +1,311 @@
+//! Tracking two bodies under any motion, by the kernel, which in each frame begins with what the last one found.
+//!
+//! # Statement
+//! Input: two bodies of space, and frame by frame a pose for each. Output: for each frame how the bodies meet
+//! ([`Tracked`]): inside, touching or disjoint, the same as [`PosedZonotope::intersection`] says, with a proof on
+//! request. No frame must be near the one before: a jump costs as much as a first query, and the status does not depend
+//! on the frames before. Flat, empty, parallel and touching bodies are ordinary input, and so is any matrix.
+//!
+//! # Source
+//! Beyond the paper, whose Section 5.2 tracks closest features (Lemma 5.6). A feature of a zonotope of n generators is
+//! as small as 1 / n², and a motion passes over many of them in a frame; the kernel passes over all of them at once.
+//!
+//! # Method
+//! 1. The last proof is held against the new poses (`kept`): a direction that separated with room to spare, or a gauge
+//!    well below 1, still tells after a small motion, in O(1). Of bodies that only translate, a direction is asked
+//!    about again without any loss, and so is the facet through which the ray left (`exit_facet`).
+//! 2. Where the gap has become too narrow for that, the next optimum is predicted (`prediction`), and the sums of the
+//!    generators near the predicted direction are brought up to date, for each body in its own frame (`local_sums`).
+//!    The direction is tried as a separating one first.
+//! 3. Then the kernel searches a cell around it (`query`), a few times as wide as predictions were off lately. All its
+//!    rungs are behind that: where the optimum is not in the cell, it answers as it answers a query without a past.
+//! 4. Where frames have nothing in common, attempts to use the last one become rare (`pace`), and the frames between
+//!    are fresh queries.
+//!
+//! # Complexity
+//! n generators, of which k ≪ n cross the cell that the motion of a frame makes necessary: O(1) while the last proof
+//! holds, else O(k) and, with an optimum that turns by ω a frame, about 8 ω n reads for each of log_8 n cells. A frame
+//! with nothing to go by is a fresh query, O(n) expected, and the sums take another pass. At most 128 generators are
+//! searched all at once. Space O(n) beside the bodies.
+//!
+//! # Shapes
+//! `bodies`: prepared or not; generators in any order, duplicates allowed.
+//!
+//! # Numerics
+//! The status is exact for the poses as they are given. Sums are in doubles with a bound of their error, and what they
+//! leave open is decided by the kernel's exact rungs.
+//!
+//! # Errors
+//! None: poses and bodies were validated when they were made.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! [`brute_force`](super::brute_force) and fresh queries, on frames of all families of bodies that drift, slide, touch,
+//! jump and spin; the verifier, on their proofs.
+//!
+//! # Example
+//! ```
+//! use zonotope::collision::Status;
+//! use zonotope::collision::tracking::WarmTracker;
+//! use zonotope::zonotope::{PreparedBody, Zonotope};
+//! use zonotope::Pose;
+//! // the cube [−1, 1]³ passes over another one
+//! let axes = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let cube = PreparedBody::new(Zonotope::new([0.0; 3], axes).unwrap());
+//! let mut tracker = WarmTracker::new(&cube, &cube);
+//! for (x, status) in [(3.0, Status::Outside), (2.0, Status::Boundary), (1.0, Status::Inside)] {
+//!     let pose = Pose::from_translation([x, 0.0, 0.5]).unwrap();
+//!     assert_eq!(tracker.frame(&Pose::IDENTITY, &pose).status(), status);
+//! }
+//! ```
+//!
+//! [`PosedZonotope::intersection`]: crate::collision::PosedZonotope::intersection
+
+mod answer;
+mod exit_facet;
+mod extent;
+mod kept;
+mod local_sums;
+mod pace;
+mod prediction;
+mod query;
+
+#[cfg(test)]
+mod tests;
+
+pub use answer::Tracked;
+
+use self::answer::Found;
+use self::extent::Extent;
+use self::kept::{Kept, gauge_bound};
+use self::local_sums::{LocalSums, WIDEST_RADIUS};
+use self::pace::{COPY_CHARGE, Pace};
+use self::prediction::{Expected, Prediction};
+use self::query::WarmQuery;
+use crate::collision::by_lad::early::posed::PosedRows;
+use crate::collision::by_lad::early::{self, Clear};
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
+use crate::lad::of_generators::generators::{Generators, KernelQuery, Posed};
+use crate::lad::of_generators::goal::Goal;
+use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::solve;
+use crate::numeric::bounded;
+use crate::numeric::exact_linear::rounded_direction;
+use crate::numeric::linear::dot;
+use crate::tally::{Operation, Rung, Tally};
+use crate::zonotope::pose::Pose;
+use crate::zonotope::posed_query::PosedQuery;
+use crate::zonotope::prepared::BodyView;
+
+/// The search takes all generators at once if there are no more than these: no sums are kept of them.
+const WHOLE_LIMIT: usize = 128;
+
+/// The radius of the first cell of a search in terms of the drift of predictions.
+const CELL_DRIFTS: f64 = 4.0;
+
+/// Of evenly spread generators about twice so many cross the smallest cell of a search.
+const LEAST_CROSSING: f64 = 8.0;
+
+/// The radius of the smallest cell with sums in terms of that of the cell of a search, which is made wider by the
+/// coordinates of the plane of directions, by at most √3, and where the optimum is just beyond it.
+const ROOM_AROUND: f64 = 4.0;
+
+/// Two bodies whose motion is followed; references to them, and what the last frame leaves.
+#[derive(Debug)]
+pub struct WarmTracker<'b> {
+    bodies: [BodyView<'b>; 2],
+    extents: [Extent; 2],
+    sums: [LocalSums; 2],
+    kept: Option<Kept>,
+    prediction: Option<Prediction>,
+    pace: Pace,
+}
+
+impl<'b> WarmTracker<'b> {
+    /// A tracker of two bodies, prepared or not. O(n).
+    pub fn new(first: impl Into<BodyView<'b>>, second: impl Into<BodyView<'b>>) -> Self {
+        let bodies = [first.into(), second.into()];
+        Self {
+            bodies,
+            extents: bodies.map(|body| Extent::of(body.body().generators())),
+            sums: Default::default(),
+            kept: None,
+            prediction: None,
+            pace: Pace::default(),
+        }
+    }
+
+    /// How the bodies meet under the poses of a frame.
+    pub fn frame(&mut self, first: &Pose, second: &Pose) -> Tracked<'b> {
+        self.frame_counted(first, second, &mut ())
+    }
+
+    /// [`frame`](Self::frame), counting its operations.
+    pub fn frame_counted(&mut self, first: &Pose, second: &Pose, tally: &mut dyn Tally) -> Tracked<'b> {
+        let query = PosedQuery::between((self.bodies[0], first), (self.bodies[1], second));
+        if let Some(kept) = self.kept.as_ref().filter(|kept| kept.holds(&query, &self.extents)) {
+            self.pace.told();
+            return Tracked::new(
+                query,
+                match kept {
+                    Kept::Outside { direction, .. } => Found::Separated(*direction),
+                    Kept::Inside(_) => Found::Near,
+                },
+            );
+        }
+        if !self.pace.is_due() {
+            let found = self.fresh(&query, tally);
+            return Tracked::new(query, found);
+        }
+        let mut reads = Reads { tally, generators: 0 };
+        let posed = Posed::new(&query);
+        let expected = self.prediction.as_ref().filter(|_| query.len() > WHOLE_LIMIT).map(|p| p.expected(&posed));
+        let expected = expected.filter(|expected| ROOM_AROUND * CELL_DRIFTS * expected.drift <= WIDEST_RADIUS);
+        let (found, charge) = match expected {
+            Some(expected) => (self.warm(&query, posed, expected, &mut reads), COPY_CHARGE),
+            None => (self.cold(&query, posed, &mut reads), 1.0),
+        };
+        self.pace.attempted(charge * reads.generators as f64 / query.len().max(1) as f64);
+        Tracked::new(query, found)
+    }
+
+    /// A frame like a first query, in a pause: what can be learnt and kept of it without a pass is all but free.
+    fn fresh(&mut self, query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Found {
+        self.kept = None;
+        if let Some(clear) = told_early(query, tally) {
+            return Found::Located(clear.location());
+        }
+        let posed = Posed::new(query);
+        let optimum = solve(&posed, Goal::Location, tally);
+        self.learn(&posed, &optimum);
+        self.kept = Kept::of_optimum(query, &optimum, &self.extents);
+        Found::of_optimum(query, optimum)
+    }
+
+    /// A frame that has a prediction to go by.
+    fn warm(&mut self, query: &PosedQuery<'_>, posed: Posed<'_>, expected: Expected, tally: &mut dyn Tally) -> Found {
+        let Expected { direction, drift } = expected;
+        let radius = (CELL_DRIFTS * drift).max(LEAST_CROSSING / query.len() as f64);
+        let mut sums = std::mem::take(&mut self.sums);
+        for (part, sums) in posed.parts().iter().zip(&mut sums) {
+            let own = part.frame.map_or(direction, |frame| frame.map().pulled(&direction));
+            let read = sums.centre_on(part.rows, own, ROOM_AROUND * radius);
+            tally.add(Operation::GeneratorRead, read as u64);
+        }
+        let p = posed.rounded_displacement();
+        let along = dot(&direction, &p.map(|c| c.value));
+        let cell = DirectionCone { center: direction.map(|c| c / along), axes: None, ball: radius / along };
+        let cell = Some(cell).filter(|cell| along > 0.0 && cell.is_finite());
+        let warm = WarmQuery { posed, sums, cell, gauge_bound: gauge_bound(query, &self.extents) };
+        let was_outside = matches!(self.kept, Some(Kept::Outside { .. }));
+        let support = warm.local_support(&direction).filter(|_| was_outside);
+        let separating = support.filter(|&support| (dot(&p, &bounded::exact(direction)) - support).is_positive());
+        let found = if let Some(support) = separating {
+            tally.answered_by(Rung::RoundedDirection);
+            self.kept = Some(Kept::outside(query, direction, support));
+            self.prediction.iter_mut().for_each(Prediction::confirm);
+            Found::Separated(direction)
+        } else {
+            let optimum = solve(&warm, Goal::Location, tally);
+            self.learn(&warm, &optimum);
+            if matches!(optimum, Optimum::Separated(_)) {
+                // the cell was missed by far
+                self.prediction = None;
+            }
+            self.kept = self.proof_of(&optimum, query, &warm.posed, tally);
+            Found::of_optimum(query, optimum)
+        };
+        self.sums = warm.sums;
+        found
+    }
+
+    /// A frame like a first query, of which more is kept than the answer.
+    ///
+    /// A direction that tells what is clear is kept as it is. Where the last one did not hold for long, the optimum,
+    /// which leaves more room, is worth a search.
+    fn cold(&mut self, query: &PosedQuery<'_>, posed: Posed<'_>, tally: &mut dyn Tally) -> Found {
+        let clear = told_early(query, tally);
+        let has_failed = matches!(self.kept.take(), Some(Kept::Outside { .. })) && query.len() > WHOLE_LIMIT;
+        match clear {
+            Some(Clear::Outside(direction)) if !has_failed => {
+                self.kept = Some(Self::separating(query, &posed, direction, tally));
+                return Found::Separated(direction);
+            }
+            Some(flat @ Clear::Flat(_)) => return Found::Located(flat.location()),
+            _ => {}
+        }
+        // who asks for the location alone may be given any direction that separates
+        let goal = if has_failed { Goal::Gauge } else { Goal::Location };
+        let optimum = solve(&posed, goal, tally);
+        self.learn(&posed, &optimum);
+        self.kept = self.proof_of(&optimum, query, &posed, tally);
+        match clear {
+            Some(clear) => Found::Located(clear.location()),
+            None => Found::of_optimum(query, optimum),
+        }
+    }
+
+    /// What is kept of an optimum. O(1), but for a direction that was found without an optimum.
+    fn proof_of(
+        &self,
+        optimum: &Optimum,
+        query: &PosedQuery<'_>,
+        posed: &Posed<'_>,
+        tally: &mut dyn Tally,
+    ) -> Option<Kept> {
+        match optimum {
+            Optimum::Separated(direction) => Some(Self::separating(query, posed, *direction, tally)),
+            _ => Kept::of_optimum(query, optimum, &self.extents),
+        }
+    }
+
+    /// A direction that separates, with its support value. One pass.
+    fn separating(query: &PosedQuery<'_>, posed: &Posed<'_>, direction: [f64; 3], tally: &mut dyn Tally) -> Kept {
+        tally.add(Operation::GeneratorRead, query.len() as u64);
+        Kept::outside(query, direction, posed.support(&direction))
+    }
+
+    /// Takes note of an optimum, for predictions.
+    fn learn(&mut self, generators: &dyn Generators, optimum: &Optimum) {
+        let Some((direction, basis)) = vertex_of(optimum) else { return };
+        match &mut self.prediction {
+            Some(prediction) => prediction.learn(generators, direction, basis),
+            None => self.prediction = Prediction::new(direction, basis),
+        }
+    }
+}
+
+/// The direction of an optimum with its two generators, if it has any.
+fn vertex_of(optimum: &Optimum) -> Option<([f64; 3], Option<[usize; 2]>)> {
+    match optimum {
+        Optimum::Rounded(decided) => Some((decided.optimum.direction.map(|c| c.value), Some(decided.optimum.basis))),
+        Optimum::Exact(exact) => Some((rounded_direction(&exact.direction), exact.basis[..].try_into().ok())),
+        Optimum::Centre | Optimum::Separated(_) | Optimum::Flat(_) => None,
+    }
+}
+
+/// What passes over a sample tell without a search.
+fn told_early(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Option<Clear> {
+    PosedRows::new(query).and_then(|rows| early::locate(&rows, tally))
+}
+
+/// A tally that counts the generators read in this frame as well.
+struct Reads<'t> {
+    tally: &'t mut dyn Tally,
+    generators: u64,
+}
+
+impl Tally for Reads<'_> {
+    fn add(&mut self, operation: Operation, count: u64) {
+        if operation == Operation::GeneratorRead {
+            self.generators += count;
+        }
+        self.tally.add(operation, count);
+    }
+
+    fn answered_by(&mut self, rung: Rung) {
+        self.tally.answered_by(rung);
+    }
+}
