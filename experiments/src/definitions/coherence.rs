@@ -24,6 +24,9 @@ const FRAMES: usize = 100;
 /// By how much the gauge is above 1, and then below it, while one body goes around the other.
 const GAP: f64 = 1e-3;
 
+/// What counts as a read.
+const READ: [Operation; 3] = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
+
 /// Of one in so many frames the proof is checked.
 const PROVED_FRAMES: usize = 10;
 
@@ -40,10 +43,10 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Tracking: a frame against the speed of motion",
     question: "A body of 1,024 generators goes around another one, apart from it by a thousandth of the distance of \
                touching and then as deep in it; n is the number of frames that a whole turn would take, so that \
-               larger n is slower motion, and each run has 100 frames. `reads` a frame: a fresh query reads all generators whatever the speed, the kernel that \
-               begins with the last frame's optimum fewer the slower the motion is. `steps` a frame: walking crosses \
-               as many edges as the motion passes over, fewer than one when it is slow. All frames have the status of \
-               the construction; of each tenth the proof is checked.",
+               larger n is slower motion, and each run has 100 frames. `reads` a frame: a fresh query reads all \
+               generators whatever the speed, the kernel that begins with the last frame's optimum fewer the slower \
+               the motion is. `steps` a frame: walking crosses as many edges as the motion passes over. All frames \
+               have the status of the construction; of each tenth the proof is checked.",
     claims: &["local-walk", "summary-repeated-tests"],
     families: FAMILIES,
     real_inputs: &[],
@@ -86,6 +89,7 @@ struct Frame {
     status: Status,
     location: Option<Location<3>>,
     steps: u64,
+    counts: OperationCounts,
 }
 
 impl Motion {
@@ -112,7 +116,7 @@ impl Motion {
     }
 
     /// Follows the motion by a variant; of one frame in `proved` the proof is asked for.
-    fn follow(&self, variant: &str, proved: usize, tally: &mut dyn Tally) -> Result<Vec<Frame>, String> {
+    fn follow(&self, variant: &str, proved: usize, is_counted: bool) -> Result<Vec<Frame>, String> {
         let [fixed, moving] = &self.bodies;
         let still = Pose::IDENTITY;
         let pose = |place: &[f64; 3]| Pose::from_translation(*place).map_err(|error| error.to_string());
@@ -124,23 +128,26 @@ impl Motion {
         };
         for (frame, place) in self.places.iter().enumerate() {
             let is_proved = frame % proved == 0;
-            frames.push(match (&mut walking, variant) {
+            let mut counts = OperationCounts::default();
+            let tally: &mut dyn Tally = if is_counted { &mut counts } else { &mut () };
+            let (status, location, steps) = match (&mut walking, variant) {
                 (Some(tracker), _) => {
                     let walked = tracker.frame([0.0; 3], *place).map_err(|error| error.to_string())?;
                     let location = is_proved.then(|| walked.location());
-                    Frame { status: walked.status(), location, steps: walked.steps() }
+                    (walked.status(), location, walked.steps())
                 }
                 (None, "warm") => {
                     let tracked = warm.frame_counted(&still, &pose(place)?, tally);
                     let location = is_proved.then(|| tracked.location());
-                    Frame { status: tracked.status(), location, steps: 0 }
+                    (tracked.status(), location, 0)
                 }
                 (None, _) => {
                     let query = PosedQuery::between((fixed, &still), (moving, &pose(place)?));
                     let location = by_lad::locate_posed_counted(&query, tally);
-                    Frame { status: location.status(), location: is_proved.then_some(location), steps: 0 }
+                    (location.status(), is_proved.then_some(location), 0)
                 }
-            });
+            };
+            frames.push(Frame { status, location, steps, counts });
         }
         Ok(frames)
     }
@@ -154,7 +161,7 @@ impl Motion {
         let Some(location) = &frame.location else { return Ok(Verdict::Correct(PROVED.to_owned())) };
         let [fixed, moving] = self.bodies.each_ref().map(PreparedBody::body);
         let moved = moving.translated(self.places[index]).map_err(|error| error.to_string())?;
-        Ok(Verdict::of_verifier(PROVED, check_location(&Query::of_bodies(fixed, &moved), location)))
+        Ok(Verdict::of_verifier(PROVED, check_location(&Query::between(fixed, &moved), location)))
     }
 }
 
@@ -164,27 +171,31 @@ fn digest(frames: &[Frame]) -> u64 {
 
 fn measure(case: &Case) -> Result<Measurement, String> {
     let motion = Motion::of(case)?;
-    let mut counts = OperationCounts::default();
-    let frames = motion.follow(case.variant, PROVED_FRAMES, &mut counts)?;
+    let frames = motion.follow(case.variant, PROVED_FRAMES, true)?;
     let mut verdict = Verdict::Correct(PROVED.to_owned());
     for (index, frame) in frames.iter().enumerate() {
         verdict = verdict.and(motion.verdict(index, frame)?);
     }
-    let read = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
-    let reads: u64 = read.map(|operation| counts.get(operation)).iter().sum();
-    let steps: u64 = frames.iter().map(|frame| frame.steps).sum();
-    let measurement = Measurement::new(&counts, digest(&frames), verdict);
-    Ok(match case.variant {
-        "walking" => measurement.with_value("steps", steps as f64 / FRAMES as f64),
-        _ => measurement.with_value("reads", reads as f64 / FRAMES as f64),
-    })
+    let mut counts = OperationCounts::default();
+    for (operation, count) in frames.iter().flat_map(|frame| frame.counts.iter()) {
+        counts.add(operation, count);
+    }
+    // the first frame of either half has none before it
+    let followed = frames.iter().enumerate().filter(|(index, _)| index % (FRAMES / 2) != 0).map(|(_, frame)| frame);
+    let reads = |frame: &Frame| READ.map(|operation| frame.counts.get(operation)).iter().sum::<u64>();
+    let (name, work): (&str, Vec<u64>) = match case.variant {
+        "walking" => ("steps", followed.map(|frame| frame.steps).collect()),
+        _ => ("reads", followed.map(reads).collect()),
+    };
+    let mean = work.iter().sum::<u64>() as f64 / work.len() as f64;
+    Ok(Measurement::new(&counts, digest(&frames), verdict).with_value(name, mean))
 }
 
 fn prepare(case: &Case) -> Result<TimedWork, String> {
     let motion = Motion::of(case)?;
     let variant = case.variant;
     Ok(Box::new(move |stopwatch: &mut Stopwatch| {
-        let frames = stopwatch.lap("frames", || motion.follow(variant, usize::MAX, &mut ()))?;
+        let frames = stopwatch.lap("frames", || motion.follow(variant, usize::MAX, false))?;
         Ok(digest(&frames))
     }))
 }

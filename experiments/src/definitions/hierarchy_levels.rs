@@ -89,9 +89,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         let moved = moving.translated(translation).map_err(|error| error.to_string())?;
         let is_right = descent.status() == if is_apart { Status::Outside } else { Status::Inside };
         verdict = verdict.and(match is_right {
-            true => {
-                Verdict::of_verifier(PROVED, check_location(&Query::of_bodies(&fixed, &moved), &descent.location()))
-            }
+            true => Verdict::of_verifier(PROVED, check_location(&Query::between(&fixed, &moved), &descent.location())),
             false => Verdict::Wrong(format!("{}, moved by {translation:?}", descent.status().name())),
         });
     }

@@ -2,6 +2,7 @@
 
 pub mod arrangement_and_level_sets;
 pub mod certificates_of_intersection;
+pub mod coherence;
 pub mod country_outlines;
 pub mod cutting_and_image;
 pub mod directions_needed;

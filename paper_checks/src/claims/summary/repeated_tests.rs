@@ -20,7 +20,7 @@ pub static CLAIM: Claim = Claim {
     statement: "Bounding volume hierarchies and closest-feature tracking can be run for repeated tests on the \
         generator lists alone",
     code: &["zonotope::collision::hierarchy", "zonotope::collision::tracking"],
-    figures: &["nested-hierarchy"],
+    figures: &["nested-hierarchy", "coherence"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

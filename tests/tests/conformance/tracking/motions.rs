@@ -97,7 +97,7 @@ fn touch(bodies: &[Zonotope<3>; 2], source: &mut RandomSource, count: usize) -> 
         _ => c,
     };
     let frame = |i: usize| {
-        let to = if i % 2 == 0 { to } else { to.map(|c| step(c, source.below(4))) };
+        let to = if i.is_multiple_of(2) { to } else { to.map(|c| step(c, source.below(4))) };
         [translation(from), translation(to)]
     };
     (0..count).map(frame).collect()
