@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "5.2", label: "hierarchical method, quoted from [1]" },
     kind: ClaimKind::Statement,
     statement: "The unit ball of R^3 is within Hausdorff distance eps of a zonotope with O(1/eps) generators",
+    code: &["zonotope::zonotope::faces", "zonotope::reduction"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

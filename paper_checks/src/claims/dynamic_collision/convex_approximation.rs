@@ -13,6 +13,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "Every convex body of R^3 is within eps of its diameter, in Hausdorff distance, of a convex body with \
         O(1/eps) vertices",
+    code: &["zonotope::reduction"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

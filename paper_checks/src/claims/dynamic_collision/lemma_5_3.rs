@@ -23,7 +23,7 @@ pub static CLAIM: Claim = Claim {
     statement: "For n <= m <= n^2, a structure of O(m) space answers membership in a zonotope of n generators in \
         O((n^2/m) log^2 n) time",
     code: &["zonotope::collision::prepared::by_cutting", "zonotope::arrangement::cutting"],
-    figures: &["query-trade-off"],
+    figures: &["cutting-and-image", "query-trade-off"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "The approximation B of the proof contains A",
     code: &["zonotope::reduction::by_patches"],
+    figures: &["reductions"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -28,7 +28,7 @@ pub static CLAIM: Claim = Claim {
     statement: "After O(n log n) preprocessing with O(n) space, a face-to-face walk on a zonotope of n generators \
         takes O(log^2 n) time a step",
     code: &["zonotope::arrangement::facet_walk", "zonotope::arrangement::dynamic_hull"],
-    figures: &["walk-steps"],
+    figures: &["facet-walk", "walk-steps"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

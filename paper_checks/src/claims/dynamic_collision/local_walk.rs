@@ -15,7 +15,8 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Statement,
     statement: "Tracking the closest pair of features needs only the neighbours of a feature, which can be found from \
         the generators on the fly",
-    code: &["zonotope::arrangement::facet_walk"],
+    code: &["zonotope::arrangement::facet_walk", "zonotope::collision::tracking"],
+    figures: &["facet-walk", "coherence"],
     check: Check::Run(check),
     ..Claim::LISTED
 };

@@ -23,6 +23,7 @@ pub static CLAIM: Claim = Claim {
             lines; or decide of every query whether its optimum is on a cut, and answer it there",
     ),
     code: &["zonotope::arrangement::cutting", "zonotope::collision::prepared::by_cutting"],
+    figures: &["cutting-and-image"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
