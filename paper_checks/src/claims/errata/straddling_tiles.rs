@@ -25,7 +25,6 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement::cutting", "zonotope::collision::prepared::by_cutting"],
     figures: &["cutting-and-image"],
     check: Check::Run(check),
-    ..Claim::LISTED
 };
 
 /// Looks for a trapezoid along a line ℓ_i, and a vertex of ℓ_i with a line that crosses the trapezoid: the half of the
