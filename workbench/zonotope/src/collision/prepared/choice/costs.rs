@@ -54,12 +54,12 @@ impl Plan {
 const GENERATOR_BYTES: u64 = 24;
 
 /// A query that reads all generators: of few, so much for each and beside that; of many, the same.
-const FEW_ROWS: [f64; 2] = [160.0, 1_500.0];
-const MANY_ROWS: [f64; 2] = [15.0, 23_000.0];
+const ROWS_QUERY_OF_SMALL_BODIES: [f64; 2] = [160.0, 1_500.0];
+const ROWS_QUERY_OF_LARGE_BODIES: [f64; 2] = [15.0, 23_000.0];
 
 /// The same from blocks.
-const FEW_BLOCKS: [f64; 2] = [145.0, 1_400.0];
-const MANY_BLOCKS: [f64; 2] = [14.0, 21_000.0];
+const BLOCKS_QUERY_OF_SMALL_BODIES: [f64; 2] = [145.0, 1_400.0];
+const BLOCKS_QUERY_OF_LARGE_BODIES: [f64; 2] = [14.0, 21_000.0];
 
 /// Laying out blocks: for each generator, and beside that.
 const BLOCKS_BUILD: [f64; 2] = [20.0, 25_000.0];
@@ -101,20 +101,30 @@ pub fn plans(n: u64, budget: u64, queries: u64) -> Vec<Plan> {
 /// The body alone.
 pub(super) fn rows(n: u64) -> Plan {
     let bytes = times(n, GENERATOR_BYTES).saturating_add(size_of::<Zonotope<3>>() as u64);
-    Plan { kind: Kind::Rows, bytes, build: 0.0, query: at(FEW_ROWS, n as f64).min(at(MANY_ROWS, n as f64)) }
+    Plan {
+        kind: Kind::Rows,
+        bytes,
+        build: 0.0,
+        query: at(ROWS_QUERY_OF_SMALL_BODIES, n as f64).min(at(ROWS_QUERY_OF_LARGE_BODIES, n as f64)),
+    }
 }
 
 fn blocks(n: u64) -> Plan {
     let bytes = times(n.div_ceil(8).saturating_mul(8), 2 * GENERATOR_BYTES);
     let bytes = bytes.saturating_add(size_of::<PreparedBody>() as u64);
     let n = n as f64;
-    Plan { kind: Kind::Blocks, bytes, build: at(BLOCKS_BUILD, n), query: at(FEW_BLOCKS, n).min(at(MANY_BLOCKS, n)) }
+    Plan {
+        kind: Kind::Blocks,
+        bytes,
+        build: at(BLOCKS_BUILD, n),
+        query: at(BLOCKS_QUERY_OF_SMALL_BODIES, n).min(at(BLOCKS_QUERY_OF_LARGE_BODIES, n)),
+    }
 }
 
 fn direction_tree(n: u64) -> Plan {
     let bytes = times(n, TREE_BYTES).saturating_add(TREE_OWN_BYTES);
     let n = n as f64;
-    let query = at(FEW_ROWS, n).min(at(TREE_QUERY, n.sqrt()));
+    let query = at(ROWS_QUERY_OF_SMALL_BODIES, n).min(at(TREE_QUERY, n.sqrt()));
     Plan { kind: Kind::DirectionTree, bytes, build: at(TREE_BUILD, n), query }
 }
 

@@ -1,0 +1,6 @@
+//! The interface as its callers see it: what is read, what is refused, what is answered and what is proved.
+
+mod json;
+mod places;
+mod transcript;
+mod verdicts;
