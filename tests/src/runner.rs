@@ -12,7 +12,7 @@ pub const CASES_VARIABLE: &str = "ZONOTOPE_CASES";
 const ORDINARY_SHARE: u32 = 12;
 
 /// An ordinary run draws at least so many instances, if a long run does.
-const ORDINARY_MINIMUM: u32 = 8;
+const ORDINARY_MINIMUM: u32 = 4;
 
 /// How many instances a property sees whose long run has `long_run` of them.
 ///
