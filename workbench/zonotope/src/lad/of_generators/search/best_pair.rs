@@ -14,7 +14,7 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::search::Searched;
-use crate::numeric::lanes::level::level_for_few;
+use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, product};
 use crate::numeric::lanes::octet::{LANES, Octet, splat};
 use crate::tally::{Operation, Tally};
@@ -54,9 +54,9 @@ fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> Found {
         }
     }
     if vectors.len() > LANES {
-        return dispatch!(level_for_few(), simd => along_lines(simd, vectors, &columns, p));
+        return dispatch!(level(), simd => along_lines(simd, vectors, &columns, p));
     }
-    let Best { lane, code, .. } = dispatch!(level_for_few(), simd => among_all(simd, vectors, &columns, p));
+    let Best { lane, code, .. } = dispatch!(level(), simd => among_all(simd, vectors, &columns, p));
     let pair = [lane % vectors.len(), (lane + code) % vectors.len()];
     Found { pair, octets: vectors.len() / 2 }
 }
