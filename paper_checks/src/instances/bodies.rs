@@ -127,3 +127,31 @@ pub fn random_member(random: &mut Pcg64Mcg, body: &Body) -> Vector {
         point.plus(&coefficient, generator)
     })
 }
+
+/// The words for where a point lies relative to a body.
+pub(crate) const PLACES: [&str; 3] = ["inside", "boundary", "outside"];
+
+/// A point with where it lies relative to a body, by the definition.
+pub(crate) struct LocatedPoint {
+    /// The point, in doubles.
+    pub(crate) point: [f64; 3],
+    /// The vector to it from the centre of the body.
+    pub(crate) target: Vector,
+    /// The index of its place in [`PLACES`].
+    pub(crate) place: usize,
+}
+
+/// A random member of a body, moved away by nothing, by a little or by more as `trial` counts up, in doubles.
+pub(crate) fn located_point(random: &mut Pcg64Mcg, body: &Body, trial: usize) -> LocatedPoint {
+    let member = random_member(random, body);
+    let shift = fraction([0, 1, 8][trial % 3], 8);
+    let point = member.plus(&shift, &Vector::at(random_vector(random, 3))).0.each_ref().map(|c| c.to_f64_fast());
+    let target = body.center.to(&Vector::exactly(point));
+    let about_origin = Body { center: Vector::at([0; 3]), generators: body.generators.clone() };
+    let place = match (about_origin.holds_inside(&target), about_origin.holds(&target)) {
+        (true, _) => 0,
+        (false, true) => 1,
+        (false, false) => 2,
+    };
+    LocatedPoint { point, target, place }
+}

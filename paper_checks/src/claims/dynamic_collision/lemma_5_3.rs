@@ -8,10 +8,8 @@ use zonotope::tally::{Operation, OperationCounts};
 use zonotope::zonotope::Zonotope;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::definitions::ratio::fraction;
-use crate::definitions::space::{Body, Vector};
 use crate::growth;
-use crate::instances::bodies::{bodies, bodies_in_general_position, random_member, random_vector};
+use crate::instances::bodies::{LocatedPoint, PLACES, bodies, bodies_in_general_position, located_point};
 use crate::instances::polygons::generator;
 use crate::proofs::locations::proof_of;
 
@@ -44,7 +42,6 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
     let mut counts = [0; 3];
     for instance in &instances {
         let (body, zonotope) = (instance.body(), instance.in_doubles());
-        let about_origin = Body { center: Vector::at([0; 3]), generators: body.generators.clone() };
         let n = body.generators.len() as u64;
         let prepared = |space| PreparedByCutting::new(zonotope.clone(), space, context.seed);
         let prepared: Vec<PreparedByCutting> = [n, n * n.isqrt(), n * n]
@@ -53,20 +50,11 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
             .collect::<Result<_, _>>()
             .map_err(|error| format!("{}: {error}", instance.name))?;
         for trial in 0..9 {
-            let member = random_member(&mut random, &body);
-            let shift = fraction([0, 1, 8][trial % 3], 8);
-            let point = member.plus(&shift, &Vector::at(random_vector(&mut random, 3)));
-            let rounded = point.0.each_ref().map(|c| c.to_f64_fast());
-            let target = body.center.to(&Vector::exactly(rounded));
-            let truth = match (about_origin.holds_inside(&target), about_origin.holds(&target)) {
-                (true, _) => 0,
-                (false, true) => 1,
-                (false, false) => 2,
-            };
+            let LocatedPoint { point, target, place: truth } = located_point(&mut random, &body, trial);
             for prepared in &prepared {
-                let answer = prepared.locate(rounded).map_err(|error| error.to_string())?;
+                let answer = prepared.locate(point).map_err(|error| error.to_string())?;
                 let place = || format!("{}, r = {}: {target}", instance.name, prepared.r());
-                if answer.status().name() != ["inside", "boundary", "outside"][truth] {
+                if answer.status().name() != PLACES[truth] {
                     return Err(format!("{} is {}", place(), answer.status()));
                 }
                 proof_of(&answer, &target, &body.generators).map_err(|reason| format!("{}: {reason}", place()))?;

@@ -7,10 +7,8 @@ use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
-use crate::definitions::ratio::fraction;
-use crate::definitions::space::{Body, Vector};
 use crate::growth;
-use crate::instances::bodies::{bodies, bodies_in_general_position, random_member, random_vector};
+use crate::instances::bodies::{LocatedPoint, PLACES, bodies, bodies_in_general_position, located_point};
 use crate::instances::polygons::generator;
 use crate::proofs::locations::proof_of;
 
@@ -44,21 +42,11 @@ fn decision_evidence(context: &CheckContext) -> Result<String, String> {
     let mut counts = [0; 3];
     for instance in &instances {
         let (body, zonotope) = (instance.body(), instance.in_doubles());
-        let about_origin = Body { center: Vector::at([0; 3]), generators: body.generators.clone() };
         for trial in 0..9 {
-            let member = random_member(&mut random, &body);
-            let shift = fraction([0, 1, 8][trial % 3], 8);
-            let point = member.plus(&shift, &Vector::at(random_vector(&mut random, 3)));
-            let rounded = point.0.each_ref().map(|c| c.to_f64_fast());
-            let target = body.center.to(&Vector::exactly(rounded));
-            let truth = match (about_origin.holds_inside(&target), about_origin.holds(&target)) {
-                (true, _) => 0,
-                (false, true) => 1,
-                (false, false) => 2,
-            };
-            let question = Query::of_point(rounded, &zonotope).map_err(|error| error.to_string())?;
+            let LocatedPoint { point, target, place: truth } = located_point(&mut random, &body, trial);
+            let question = Query::of_point(point, &zonotope).map_err(|error| error.to_string())?;
             for answer in [by_slope_selection::locate(&question, context.seed), by_lad::locate(&question)] {
-                if answer.status().name() != ["inside", "boundary", "outside"][truth] {
+                if answer.status().name() != PLACES[truth] {
                     return Err(format!("{}: {target} is {}", instance.name, answer.status()));
                 }
                 proof_of(&answer, &target, &body.generators)

@@ -4,10 +4,12 @@
 //! [`OperationCounts`] keeps a number for each [`Operation`] and for each [`Rung`]. Growth claims are fitted on these
 //! numbers, never on times.
 
+mod reads;
 mod rung;
 
 use std::fmt;
 
+pub(crate) use reads::Reads;
 pub use rung::{Rung, Stage};
 
 /// What is counted.

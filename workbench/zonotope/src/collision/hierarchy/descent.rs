@@ -75,7 +75,7 @@
 
 use super::levels::Hierarchy;
 use crate::collision::{Location, PosedQuery, Query, Separation, Status, Witness, by_lad};
-use crate::tally::{Operation, Rung, Tally};
+use crate::tally::{Reads, Tally};
 use crate::zonotope::PreparedBody;
 use crate::zonotope::pose::Pose;
 
@@ -270,24 +270,5 @@ impl<'h> Pair<'h> {
             None => location.with_nearest_basis(&Query::between_bodies(first, second)),
             Some([from, to]) => location.with_nearest_basis(&PosedQuery::between((first, from), (second, to))),
         }
-    }
-}
-
-/// A tally that keeps the number of generators read.
-struct Reads<'t> {
-    tally: &'t mut dyn Tally,
-    generators: u64,
-}
-
-impl Tally for Reads<'_> {
-    fn add(&mut self, operation: Operation, count: u64) {
-        if operation == Operation::GeneratorRead {
-            self.generators += count;
-        }
-        self.tally.add(operation, count);
-    }
-
-    fn answered_by(&mut self, rung: Rung) {
-        self.tally.answered_by(rung);
     }
 }

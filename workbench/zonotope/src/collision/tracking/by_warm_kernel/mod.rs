@@ -94,7 +94,7 @@ use crate::lad::of_generators::solve;
 use crate::numeric::bounded;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::linear::dot;
-use crate::tally::{Operation, Rung, Tally};
+use crate::tally::{Operation, Reads, Rung, Tally};
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::prepared::BodyView;
@@ -289,23 +289,4 @@ fn vertex_of(optimum: &Optimum) -> Option<([f64; 3], Option<[usize; 2]>)> {
 /// What passes over a sample tell without a search.
 fn told_early(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Option<Clear> {
     PosedRows::new(query).and_then(|rows| early::locate(&rows, tally))
-}
-
-/// A tally that counts the generators read in this frame as well.
-struct Reads<'t> {
-    tally: &'t mut dyn Tally,
-    generators: u64,
-}
-
-impl Tally for Reads<'_> {
-    fn add(&mut self, operation: Operation, count: u64) {
-        if operation == Operation::GeneratorRead {
-            self.generators += count;
-        }
-        self.tally.add(operation, count);
-    }
-
-    fn answered_by(&mut self, rung: Rung) {
-        self.tally.answered_by(rung);
-    }
 }
