@@ -48,9 +48,9 @@ const OWN_LENGTHS_LIMIT: usize = 16;
 pub(crate) const INSIDE_GAUGE: f64 = 0.9;
 const OUTSIDE_GAUGE: f64 = 1.0;
 
-/// Of a body of at most [`OWN_LENGTHS_LIMIT`] generators, a point whose gauge is known to be above this is left to the
-/// search at once. Its gauge is likely to be above [`INSIDE_GAUGE`], too, and the steps that would show this take a
-/// third of the time of the search.
+/// Of a body of at most [`OWN_LENGTHS_LIMIT`] generators of even lengths, a point whose gauge is known to be above this
+/// is left to the search at once. Its gauge is likely to be above [`INSIDE_GAUGE`], too, and the steps that would show
+/// this take a third of the time of the search. Generators of uneven lengths tell less of the gauge.
 const INSIDE_GAUGE_OF_SMALL_BODIES: f64 = 0.6;
 
 /// Standard errors by which the sampled gauge must exceed 1 for a direction to be tried.
@@ -122,9 +122,12 @@ fn locate_flat(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally
 /// The proof of a point inside whose least coefficients are too large.
 fn locate_by_steps(query: &impl EarlyQuery, p: &BoundedVector, open: &Open, tally: &mut dyn Tally) -> Option<Clear> {
     let is_small = query.count() <= OWN_LENGTHS_LIMIT;
-    // false for NaN as well
-    let is_likely = open.gauge < if is_small && open.is_thick { INSIDE_GAUGE_OF_SMALL_BODIES } else { INSIDE_GAUGE };
-    if !is_likely {
+    let is_below = |limit: f64| open.gauge < limit; // false for NaN as well
+    if !is_below(INSIDE_GAUGE) {
+        return None;
+    }
+    let is_even = || Lengths::of(query) != Lengths::Own;
+    if is_small && open.is_thick && !is_below(INSIDE_GAUGE_OF_SMALL_BODIES) && is_even() {
         return None;
     }
     if !open.is_thick {
