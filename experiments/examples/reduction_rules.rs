@@ -9,7 +9,7 @@
 use std::env;
 use std::time::Instant;
 
-use experiments::families::bodies::{BODY_FAMILIES, BodyFamily, SPACE_TIME_FAMILIES};
+use experiments::families::bodies::{BODY_FAMILIES, NEAR_BALLS, SPACE_TIME_FAMILIES};
 use experiments::families::source::RandomSource;
 use experiments::fit::fit_growth;
 use zonotope::Zonotope;
@@ -25,26 +25,6 @@ const WIDTH_ABOVE: f64 = 0.1;
 const PRECISION: f64 = 0.05;
 
 const COUNTS: [usize; 11] = [16, 23, 32, 45, 64, 91, 128, 181, 256, 362, 512];
-
-/// Generators of length 1 in uniform directions: the body is nearly a ball.
-const BALL: BodyFamily<3> = BodyFamily {
-    id: "ball",
-    title: "Near balls",
-    description: "generators of length 1 in uniform directions",
-    is_random: true,
-    generate: unit_vectors,
-};
-
-fn unit_vectors(n: usize, seed: u64) -> Vec<[f64; 3]> {
-    let mut source = RandomSource::new(seed);
-    (0..n)
-        .map(|_| {
-            let z = source.signed_unit();
-            let ([x, y], radius) = (source.unit_vector(), (1.0 - z * z).sqrt());
-            [radius * x, radius * y, z]
-        })
-        .collect()
-}
 
 /// Generators of R^D with independent normal coordinates.
 fn normal_vectors<const D: usize>(n: usize, seed: u64) -> Vec<[f64; D]> {
@@ -63,7 +43,7 @@ fn main() {
         .into_iter()
         .filter(|method| *method != Method::Best && arguments.get(3).is_none_or(|id| id == method.id()))
         .collect();
-    for family in [BALL].iter().chain(BODY_FAMILIES).filter(|family| chosen(family.id)) {
+    for family in [NEAR_BALLS].into_iter().chain(BODY_FAMILIES).filter(|family| chosen(family.id)) {
         let body = Zonotope::new([0.0; 3], family.generate(n, 1)).expect("the family is finite");
         counts_for_precision(family.id, &body);
         rules(family.id, &body, largest, &methods);

@@ -7,8 +7,8 @@ use crate::gallery::{
     named_zonohedra, nested_hierarchy, paper_figure_1, paper_figure_2, polygon_and_reflection, query_trade_off,
     reduction_error, reductions, scaling_collision_operations, scaling_collision_times, scaling_face_counts,
     scaling_kernel_operations, scaling_kernel_times, scaling_min_area_operations, scaling_min_area_times,
-    scaling_program_rows, scaling_program_times, search_of_theorem_4_5, search_of_theorem_5_2, separators, walk_steps,
-    zonogons_along_directions,
+    scaling_program_rows, scaling_program_times, search_of_theorem_4_5, search_of_theorem_5_2, separators,
+    tracked_features, walk_steps, zonogons_along_directions,
 };
 
 /// Every figure, in the order of reports.
@@ -45,6 +45,7 @@ pub static FIGURES: &[Figure] = &[
     reduction_error::FIGURE,
     nested_hierarchy::FIGURE,
     facet_walk::FIGURE,
+    tracked_features::FIGURE,
     walk_steps::FIGURE,
     coherence::FIGURE,
 ];

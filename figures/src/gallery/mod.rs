@@ -32,5 +32,6 @@ pub mod scaling_program_times;
 pub mod search_of_theorem_4_5;
 pub mod search_of_theorem_5_2;
 pub mod separators;
+pub mod tracked_features;
 pub mod walk_steps;
 pub mod zonogons_along_directions;

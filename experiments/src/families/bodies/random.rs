@@ -30,6 +30,18 @@ pub const RANDOM_BODIES_4: BodyFamily<4> = BodyFamily {
     generate: normal_vectors,
 };
 
+/// Unit generators in space.
+pub const NEAR_BALLS: BodyFamily<3> = BodyFamily {
+    id: "near_balls",
+    title: "Near balls",
+    description: "generators of length 1 in uniform directions",
+    is_random: true,
+    generate: |n, seed| {
+        let mut source = RandomSource::new(seed);
+        (0..n).map(|_| unit_vector(&mut source)).collect()
+    },
+};
+
 fn normal_vectors<const D: usize>(n: usize, seed: u64) -> Vec<[f64; D]> {
     let mut source = RandomSource::new(seed);
     (0..n).map(|_| normal_vector(&mut source)).collect()

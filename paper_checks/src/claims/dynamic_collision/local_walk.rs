@@ -16,7 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "Tracking the closest pair of features needs only the neighbours of a feature, which can be found from \
         the generators on the fly",
     code: &["zonotope::arrangement::facet_walk", "zonotope::collision::tracking"],
-    figures: &["facet-walk", "coherence"],
+    figures: &["facet-walk", "tracked-features", "coherence"],
     check: Check::Run(check),
     ..Claim::LISTED
 };
