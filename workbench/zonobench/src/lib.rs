@@ -49,7 +49,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Ok(Ending::Bad) => ExitCode::FAILURE,
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("zonobench: {error:#}");
+            eprintln!("zonobench: {}", told_once(&error));
             if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }
@@ -69,6 +69,19 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
     }
 }
 
+/// An error with its causes, each told once: many errors tell their cause themselves.
+fn told_once(error: &anyhow::Error) -> String {
+    error.chain().map(ToString::to_string).fold(String::new(), |told, cause| {
+        if told.contains(&cause) {
+            told
+        } else if cause.contains(&told) {
+            cause
+        } else {
+            format!("{told}: {cause}")
+        }
+    })
+}
+
 /// Whether the reader of standard output went away, as `head` does.
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
@@ -76,4 +89,23 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
         let through_json = cause.downcast_ref::<serde_json::Error>().and_then(serde_json::Error::io_error_kind);
         direct.or(through_json) == Some(io::ErrorKind::BrokenPipe)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use anyhow::{Context, anyhow};
+
+    #[test]
+    fn causes_are_told_once() {
+        let missing = || io::Error::new(io::ErrorKind::NotFound, "no such file");
+        let file = "a.json".into();
+        let repeating = anyhow::Error::new(output::OutputError::Unwritable { file, source: missing() });
+        assert_eq!(format!("{repeating:#}").matches("no such file").count(), 2, "it tells its cause itself");
+        assert_eq!(told_once(&repeating), "a.json: cannot be written: no such file");
+        let silent = anyhow::Error::new(missing()).context("p.csv: cannot be read");
+        assert_eq!(told_once(&silent), "p.csv: cannot be read: no such file");
+        let named_twice = Err::<(), _>(anyhow!("p.csv: is empty")).context("p.csv").expect_err("an error");
+        assert_eq!(told_once(&named_twice), "p.csv: is empty");
+    }
 }

@@ -1,4 +1,4 @@
-//! Files that appear whole or not at all.
+//! Files that appear whole or not at all, and results that take standard output in place of a file.
 
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -20,9 +20,6 @@ pub enum OutputError {
     /// Two results would be written to the file.
     #[error("{}: two results cannot be written to one file", .0.display())]
     Twice(PathBuf),
-    /// A result would be written to standard output, where the summary is.
-    #[error("-: a result needs a file; standard output has the summary")]
-    StandardOutput,
     /// The file cannot be written.
     #[error("{}: cannot be written: {source}", .file.display())]
     Unwritable {
@@ -49,31 +46,65 @@ impl Existing {
     }
 }
 
-/// Refuses early, before the work is done, what [`write_whole`] would refuse after it, and files that are named twice
-/// or are read as well.
-pub fn check_outputs<'a>(
-    outputs: impl IntoIterator<Item = &'a PathBuf>,
-    inputs: &[&Path],
+/// Where the results of a command go: to files, and one of them to standard output if it is named `-`.
+#[derive(Debug, Clone, Copy)]
+pub struct Outputs {
     existing: Existing,
-) -> Result<(), OutputError> {
-    let place = |file: &Path| file.canonicalize().or_else(|_| absolute(file)).unwrap_or_else(|_| file.to_path_buf());
-    let inputs: Vec<PathBuf> = inputs.iter().map(|input| place(input)).collect();
-    let mut taken = Vec::new();
-    for output in outputs {
-        if output == Path::new("-") {
-            return Err(OutputError::StandardOutput);
+    /// Whether a result has standard output to itself.
+    has_piped_result: bool,
+}
+
+impl Outputs {
+    /// Refuses early, before the work is done, what [`write_whole`] would refuse after it, and files that are named
+    /// twice or are read as well.
+    pub fn checked<'a>(
+        outputs: impl IntoIterator<Item = &'a PathBuf>,
+        inputs: &[&Path],
+        existing: Existing,
+    ) -> Result<Self, OutputError> {
+        let place =
+            |file: &Path| file.canonicalize().or_else(|_| absolute(file)).unwrap_or_else(|_| file.to_path_buf());
+        let inputs: Vec<PathBuf> = inputs.iter().filter(|file| !is_piped(file)).map(|input| place(input)).collect();
+        let mut taken = Vec::new();
+        for output in outputs {
+            let place = if is_piped(output) {
+                output.clone()
+            } else {
+                check_free(output, existing)?;
+                place(output)
+            };
+            if inputs.contains(&place) {
+                return Err(OutputError::Input(output.clone()));
+            }
+            if taken.contains(&place) {
+                return Err(OutputError::Twice(output.clone()));
+            }
+            taken.push(place);
         }
-        check_free(output, existing)?;
-        let place = place(output);
-        if inputs.contains(&place) {
-            return Err(OutputError::Input(output.clone()));
-        }
-        if taken.contains(&place) {
-            return Err(OutputError::Twice(output.clone()));
-        }
-        taken.push(place);
+        Ok(Self { existing, has_piped_result: taken.iter().any(|place| is_piped(place)) })
     }
-    Ok(())
+
+    /// Writes a result to its file, or to standard output.
+    pub fn write(&self, file: &Path, content: &[u8]) -> Result<(), OutputError> {
+        if !is_piped(file) {
+            return write_whole(file, content, self.existing);
+        }
+        let mut output = io::stdout().lock();
+        output.write_all(content).and_then(|()| output.flush()).map_err(unwritable(file))
+    }
+
+    /// Tells a person what was found: on standard output, or on standard error where a result has that to itself.
+    pub fn tell(&self, summary: &str) -> io::Result<()> {
+        if self.has_piped_result {
+            io::stderr().lock().write_all(summary.as_bytes())
+        } else {
+            io::stdout().lock().write_all(summary.as_bytes())
+        }
+    }
+}
+
+fn is_piped(file: &Path) -> bool {
+    file.as_os_str() == "-"
 }
 
 fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
@@ -156,18 +187,18 @@ mod tests {
         let [input, free] = ["input", "free"].map(|name| folder.path().join(name));
         fs::write(&input, "1").expect("writable");
         let check = |outputs: &[&PathBuf], existing| {
-            let checked = check_outputs(outputs.iter().copied(), &[&input], existing);
-            checked.map_err(|error| error.to_string().rsplit(": ").next().unwrap_or_default().to_owned())
+            let checked = Outputs::checked(outputs.iter().copied(), &[&input], existing);
+            checked
+                .map(|outputs| outputs.has_piped_result)
+                .map_err(|error| error.to_string().rsplit(": ").next().unwrap_or_default().to_owned())
         };
-        assert_eq!(check(&[&free], Existing::Keep), Ok(()));
+        assert_eq!(check(&[&free], Existing::Keep), Ok(false));
         let complaint = |text: &str| Err(text.to_owned());
         assert_eq!(check(&[&input], Existing::Replace), complaint("is read, so it is not written over"));
         assert_eq!(check(&[&free, &free], Existing::Keep), complaint("two results cannot be written to one file"));
         let dash = PathBuf::from("-");
-        assert_eq!(
-            check(&[&dash], Existing::Keep),
-            complaint("a result needs a file; standard output has the summary")
-        );
+        assert_eq!(check(&[&free, &dash], Existing::Keep), Ok(true));
+        assert_eq!(check(&[&dash, &dash], Existing::Keep), complaint("two results cannot be written to one file"));
     }
 
     #[test]

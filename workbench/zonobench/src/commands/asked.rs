@@ -7,7 +7,7 @@ use batch::json::NonFinite;
 use batch::{Line, Verdict};
 use serde_json::Value;
 
-use crate::output::{Existing, write_whole};
+use crate::output::Outputs;
 
 /// A question with its answer.
 pub(super) struct Asked {
@@ -40,11 +40,11 @@ impl Asked {
         &self,
         question: Option<&PathBuf>,
         answer: Option<&PathBuf>,
-        existing: Existing,
+        outputs: Outputs,
     ) -> anyhow::Result<()> {
         for (file, content) in [(question, &self.question), (answer, &self.answer)] {
             if let Some(file) = file {
-                write_whole(file, format!("{content}\n").as_bytes(), existing)?;
+                outputs.write(file, format!("{content}\n").as_bytes())?;
             }
         }
         Ok(())

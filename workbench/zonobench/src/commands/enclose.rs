@@ -5,7 +5,6 @@ mod drawing;
 mod solid;
 mod summary;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::{anyhow, bail};
@@ -14,11 +13,12 @@ use serde_json::json;
 use zonotope::enclosing::min_area_zonogon::Method;
 
 use super::Ending;
-use super::asking::{Asking, Objective, Usage};
+use super::asking::{Asking, Objective};
+use super::usage::{Usage, check_inputs};
 use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
 use crate::input::{Points, Reading};
-use crate::output::{Existing, check_outputs, write_whole};
+use crate::output::{Existing, Outputs};
 use crate::progress::Progress;
 
 /// Options of `enclose`.
@@ -40,9 +40,9 @@ pub struct Options {
     /// Also give the optimum of least area in exact rational numbers.
     #[arg(long)]
     exact: bool,
-    /// Seed of the method's random numbers: it decides the time, never the area.
-    #[arg(long, default_value_t = 0)]
-    seed: u64,
+    /// Seed of the random numbers for the least area, 0 if absent: it decides the time, never the area.
+    #[arg(long)]
+    seed: Option<u64>,
     /// Replace files that exist.
     #[arg(long)]
     force: bool,
@@ -50,18 +50,19 @@ pub struct Options {
 
 /// Reads, solves, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let existing = Existing::from_force(options.force);
     if let Some(objective) = options.asking.stated_objective(&options.file)? {
         check_usage(options, objective)?;
     }
+    let inputs = options.asking.inputs(&options.file);
+    check_inputs(&inputs)?;
     let outputs = [&options.svg, &options.json, &options.obj].into_iter().flatten();
-    check_outputs(outputs, &[&options.file], existing)?;
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let progress = Progress::of(3, "reading");
     let (reading, objective) = options.asking.read(&options.file)?;
     check_usage(options, objective)?;
     match objective {
-        Objective::Area => by_area(options, &reading, progress, existing),
-        Objective::Length => by_length::run(options, &reading, progress, existing),
+        Objective::Area => by_area(options, &reading, progress, outputs),
+        Objective::Length => by_length::run(options, &reading, progress, outputs),
     }
 }
 
@@ -69,21 +70,24 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
 fn check_usage(options: &Options, objective: Objective) -> Result<(), Usage> {
     match objective {
         Objective::Area if options.obj.is_some() => {
-            Err(Usage("--obj: only a zonotope of space is written as a mesh".to_owned()))
+            Err(Usage::not_applicable("--obj", "only a zonotope of space is written as a mesh"))
         }
         Objective::Length if options.exact => {
-            Err(Usage("--exact: only the least area is computed in exact numbers".to_owned()))
+            Err(Usage::not_applicable("--exact", "only the least area is computed in exact numbers"))
+        }
+        Objective::Length if options.seed.is_some() => {
+            Err(Usage::not_applicable("--seed", "the least length is found without random numbers"))
         }
         _ => Ok(()),
     }
 }
 
-fn by_area(options: &Options, reading: &Reading, progress: Progress, existing: Existing) -> anyhow::Result<Ending> {
+fn by_area(options: &Options, reading: &Reading, progress: Progress, outputs: Outputs) -> anyhow::Result<Ending> {
     let Points::Plane(points) = &reading.points else {
         bail!("{}: the least area is that of points with two coordinates", options.file.display());
     };
     progress.next("solving");
-    let enclosure = Enclosure::of(points, Method::default(), options.seed)
+    let enclosure = Enclosure::of(points, Method::default(), options.seed.unwrap_or(0))
         .map_err(|error| anyhow!("{}: {error}", options.file.display()))?;
     progress.next("checking");
     let proof = enclosure.check(points).proof();
@@ -92,7 +96,7 @@ fn by_area(options: &Options, reading: &Reading, progress: Progress, existing: E
     let exact = options.exact.then(|| enclosure.exact());
     if let Some(file) = &options.svg {
         let svg = drawing::draw(&options.file, points, &enclosure);
-        write_whole(file, svg.as_bytes(), existing)?;
+        outputs.write(file, svg.as_bytes())?;
     }
     if let Some(file) = &options.json {
         let mut result = enclosure.result();
@@ -106,9 +110,8 @@ fn by_area(options: &Options, reading: &Reading, progress: Progress, existing: E
             "request": options.asking.record(reading, Objective::Area)?,
             "result": result,
         });
-        write_whole(file, format!("{answer}\n").as_bytes(), existing)?;
+        outputs.write(file, format!("{answer}\n").as_bytes())?;
     }
-    let text = summary::summary(options, reading, &enclosure, proof.as_ref(), exact.as_ref());
-    io::stdout().lock().write_all(text.as_bytes())?;
+    outputs.tell(&summary::summary(options, reading, &enclosure, proof.as_ref(), exact.as_ref()))?;
     Ok(if proof.is_ok() { Ending::Good } else { Ending::Bad })
 }

@@ -12,6 +12,7 @@ pub mod reduce;
 pub mod reproduce;
 pub mod solve;
 mod table;
+mod usage;
 pub mod verify;
 mod view;
 
@@ -21,7 +22,7 @@ use std::path::Path;
 
 use anyhow::Context;
 
-pub use asking::Usage;
+pub use usage::Usage;
 
 /// How a command ended that ran to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

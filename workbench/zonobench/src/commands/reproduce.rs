@@ -1,10 +1,10 @@
 //! `zonobench reproduce`: every experiment, figure and claim, and the report of them.
 
-use std::fs;
+mod folder;
+
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, bail};
 use clap::{Args, ValueEnum};
 use experiments::catalog::EXPERIMENTS;
 use experiments::definition::{Experiment, Profile};
@@ -12,15 +12,11 @@ use experiments::runner::{self, Records, RunOptions};
 use figures::catalog::FIGURES;
 use figures::figure::FigureInput;
 
+use self::folder::{Folder, MANIFEST};
 use super::Ending;
 use crate::output::{Existing, write_whole};
 use crate::progress::{Progress, RunProgress};
 use crate::report::{self, Evidence, Manifest, OutputFile};
-
-/// Stands in the folder while a run is not finished.
-const UNFINISHED: &str = "reproduce.unfinished";
-const MANIFEST: &str = "manifest.json";
-const RECORDS: &str = "records";
 
 /// Options of `reproduce`.
 #[derive(Debug, Args)]
@@ -127,7 +123,7 @@ fn run_experiments(options: &Options, profile: Profile, folder: &Folder) -> anyh
         profile,
         seed: options.seed,
         threads: options.threads.map_or(0, usize::from),
-        directory: Some(folder.path.join(RECORDS)),
+        directory: Some(folder.records()),
         times: true,
     };
     Ok(runner::run(&experiments, &run, &RunProgress::default())?)
@@ -149,47 +145,4 @@ fn draw_figures(records: &Records) -> Vec<report::DrawnFigure> {
 fn check_claims(context: &paper_checks::CheckContext) -> Vec<paper_checks::ClaimResult> {
     let progress = Progress::of(paper_checks::catalog::CLAIMS.len() as u64, "claims");
     paper_checks::run(context, |_| progress.step())
-}
-
-/// The folder of a run.
-struct Folder {
-    path: PathBuf,
-}
-
-impl Folder {
-    /// Takes the folder for this run: a new or empty one, one that an interrupted run has left behind, or any one by
-    /// force.
-    fn claim(path: &Path, force: bool) -> anyhow::Result<Self> {
-        let named = || format!("{}: cannot be used", path.display());
-        fs::create_dir_all(path).with_context(named)?;
-        let empty = fs::read_dir(path).with_context(named)?.next().is_none();
-        let unfinished = path.join(UNFINISHED);
-        if !force && !empty && !unfinished.exists() {
-            bail!("{}: is not empty; --force writes into it, --out names another folder", path.display());
-        }
-        // A folder that has a manifest is complete: from here on it is not.
-        match fs::remove_file(path.join(MANIFEST)) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error).with_context(named),
-            _ => {}
-        }
-        fs::write(unfinished, b"").with_context(named)?;
-        Ok(Self { path: path.to_path_buf() })
-    }
-
-    /// The files that the runner wrote.
-    fn record_files(&self) -> anyhow::Result<Vec<OutputFile>> {
-        [("counts.jsonl", true), ("times.jsonl", false), ("environment.json", false)]
-            .into_iter()
-            .map(|(name, deterministic)| {
-                let path = format!("{RECORDS}/{name}");
-                let content = fs::read(self.path.join(&path)).with_context(|| format!("{path}: cannot be read"))?;
-                Ok(OutputFile::new(path, &content, deterministic))
-            })
-            .collect()
-    }
-
-    /// The run is complete.
-    fn release(self) -> anyhow::Result<()> {
-        fs::remove_file(self.path.join(UNFINISHED)).with_context(|| format!("{}: cannot be used", self.path.display()))
-    }
 }

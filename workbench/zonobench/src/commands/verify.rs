@@ -9,6 +9,7 @@ use anyhow::Context;
 use clap::Args;
 
 use super::asking::Asking;
+use super::usage::{Usage, check_inputs};
 use super::{Ending, open};
 use crate::input::on_one_line;
 use crate::lines::Lines;
@@ -32,8 +33,12 @@ pub struct Options {
 
 /// Checks every answer: a line each on standard output.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    check_inputs(&[&options.questions, &options.answers])?;
     let answers = lines(&options.answers)?;
     let Some(about_data) = data::question(options, answers.first().and_then(Option::as_ref))? else {
+        if !options.asking.is_empty() {
+            return Err(Usage::OptionsForQuestions(options.questions.clone()).into());
+        }
         return of_questions(options, &answers);
     };
     let mut output = BufWriter::new(io::stdout().lock());

@@ -74,7 +74,7 @@ pub enum Problem {
     #[error("holds no zonotope")]
     NoBody,
     /// The extension says nothing about the format.
-    #[error("the format cannot be told from the name; say --format csv, geojson, json, obj, ply, stl or off")]
+    #[error("the format cannot be told from the name; say --format csv, geojson, json, npy, obj, ply, stl or off")]
     UnknownFormat,
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
@@ -107,6 +107,9 @@ pub enum Problem {
     /// Points of the plane are wanted, but the columns are those of points of space.
     #[error("has the columns x, y and z, so its points are in space; choose two columns with --columns")]
     ThirdCoordinate,
+    /// The first line may be a header or data: the chosen cells are numbers, another one is text above a number.
+    #[error("may be a header or data; --skip 1 leaves the line out, --skip 0 reads it as data")]
+    HeaderOrData,
     /// A numbered column does not exist.
     #[error("there is no column {number}; the row has {cells} cells")]
     NoColumnNumber {
@@ -143,6 +146,12 @@ pub enum Problem {
         /// What its reader says.
         complaint: String,
     },
+    /// The file is no array, or none that is read.
+    #[error("is not npy: {0}")]
+    Array(String),
+    /// A whole number has more digits than a double holds.
+    #[error("{0} is not a double: reading it would round it")]
+    NotADouble(String),
     /// The table cannot be parsed.
     #[error("cannot be parsed as a table: {0}")]
     Table(String),

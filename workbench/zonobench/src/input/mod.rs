@@ -1,5 +1,5 @@
-//! Points from data files (CSV, GeoJSON, JSON) and meshes (OBJ, PLY, STL, OFF), zonotopes of any dimension (CSV and
-//! JSON).
+//! Points from data files (CSV, GeoJSON, JSON, NPY) and meshes (OBJ, PLY, STL, OFF), zonotopes of any dimension (CSV,
+//! JSON and NPY).
 //!
 //! A file is read into at most [`MAX_FILE_BYTES`] of memory and yields at most [`MAX_POINTS`] points; both limits are
 //! checked before the memory is taken. Every complaint is one line that names the file and the place
@@ -12,6 +12,7 @@ mod document;
 mod error;
 mod geojson;
 mod mesh;
+mod npy;
 mod points;
 mod reading;
 mod table;
@@ -42,6 +43,8 @@ pub enum Format {
     Geojson,
     /// A JSON list of rows `[x, y, …]` or `{"x": …, "y": …}`, or an object that holds such a list under `points`.
     Json,
+    /// An array of NumPy with a row for each point: floats or whole numbers in two dimensions.
+    Npy,
     /// A mesh, Wavefront OBJ: the vertices that faces, lines or points use.
     Obj,
     /// A mesh or a cloud of points, PLY in text or binary.
@@ -59,12 +62,18 @@ impl Format {
             "csv" | "tsv" | "txt" => Some(Self::Csv),
             "geojson" => Some(Self::Geojson),
             "json" => Some(Self::Json),
+            "npy" => Some(Self::Npy),
             "obj" => Some(Self::Obj),
             "ply" => Some(Self::Ply),
             "stl" => Some(Self::Stl),
             "off" => Some(Self::Off),
             _ => None,
         }
+    }
+
+    /// Whether files of this format have columns of which some are chosen.
+    pub fn has_columns(self) -> bool {
+        matches!(self, Self::Csv | Self::Json | Self::Npy)
     }
 
     /// Whether files of this format hold meshes: points of space.
@@ -79,6 +88,7 @@ impl fmt::Display for Format {
             Self::Csv => "csv",
             Self::Geojson => "geojson",
             Self::Json => "json",
+            Self::Npy => "npy",
             Self::Obj => "obj",
             Self::Ply => "ply",
             Self::Stl => "stl",
@@ -96,6 +106,8 @@ pub struct PointSource {
     pub format: Option<Format>,
     /// The columns that hold the coordinates; guessed if absent.
     pub columns: Option<Columns>,
+    /// How many lines of a table are left out at its start; none, and a header is told from its cells, if absent.
+    pub skip: Option<u64>,
 }
 
 impl PointSource {
@@ -111,9 +123,10 @@ impl PointSource {
         let content = bytes::read_limited(file)?;
         let text = bytes::text(&content);
         let mut reading = match format {
-            Format::Csv => table::points(file, text, self.columns.as_ref(), wanted)?,
+            Format::Csv => table::points(file, text, self.columns.as_ref(), self.skip, wanted)?,
             Format::Geojson => geojson::points(file, text)?,
             Format::Json => document::points(file, text, self.columns.as_ref(), wanted)?,
+            Format::Npy => npy::points(file, &content, self.columns.as_ref(), wanted)?,
             mesh => Reading::without_columns(Points::Space(mesh::vertices(file, text, mesh)?), Vec::new()),
         };
         if reading.points.is_empty() {

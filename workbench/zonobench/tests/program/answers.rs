@@ -67,6 +67,45 @@ fn what_is_left_out_is_said() {
 }
 
 #[test]
+fn arrays_are_points_and_generators() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (4, 3), }";
+    let numbers: [f32; 12] = [0.0, 0.0, 1.0, 3.0, 1.0, 0.0, 1.0, 2.0, 5.0, -1.0, 0.5, 2.0];
+    let numbers: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
+    let array = [b"\x93NUMPY\x01\x00\x40\x00", format!("{header:<63}\n").as_bytes(), &numbers].concat();
+    fs::write(folder.join("p.npy"), &array).expect("written");
+    let summary = enclosed(folder, "p.npy", &[]);
+    assert_eq!(row(&summary, "points"), "4 in p.npy, with 3 coordinates");
+    assert_eq!(row(&summary, "columns"), "1, 2, 3");
+    assert_eq!(verified(folder, "p.npy", &[]).1[1], "right");
+    let summary = enclosed(folder, "p.npy", &["--columns", "3,1"]);
+    assert_eq!(row(&summary, "columns"), "3, 1; left out: column 2");
+    assert_eq!(verified(folder, "p.npy", &[]).1[..2], ["min_area", "right"]);
+    let inspected = run(folder, &["inspect", "p.npy"]);
+    assert!(row(&inspected.stdout, "body").starts_with("4 generators"), "{}{}", inspected.stdout, inspected.stderr);
+    fs::write(folder.join("p.npy"), &array[..array.len() - 1]).expect("written");
+    let refused = run(folder, &["enclose", "p.npy"]);
+    assert_eq!(refused.status, 1);
+    assert!(refused.stderr.starts_with("zonobench: p.npy: is not npy: 47 bytes follow"), "{}", refused.stderr);
+}
+
+#[test]
+fn skipped_lines_are_recorded() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), "3,2,north,south\n# rows\n0,0,0,\n2,0,1,\n0,2,1,\n").expect("written");
+    let refused = run(folder, &["enclose", "p.csv", "--columns", "1,2"]);
+    assert!(refused.stderr.contains("line 1: may be a header or data; --skip 1"), "{}", refused.stderr);
+    let summary = enclosed(folder, "p.csv", &["--columns", "1,2", "--skip", "1"]);
+    assert_eq!(row(&summary, "columns"), "1, 2; left out: column 3, the first line, 1 line that begins with #");
+    assert_eq!(verified(folder, "p.csv", &[]).1[1], "right");
+    let (status, [_, verdict, _]) = verified(folder, "p.csv", &["--skip", "2"]);
+    assert_eq!((status, verdict.as_str()), (0, "right"), "the second line is a comment");
+    assert_eq!(verified(folder, "p.csv", &["--skip", "3"]).1[1], "unchecked");
+}
+
+#[test]
 fn verify_needs_no_option() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();

@@ -59,7 +59,7 @@ fn documents() {
 #[test]
 fn files() {
     let unknown =
-        "p.dat: the format cannot be told from the name; say --format csv, geojson, json, obj, ply, stl or off";
+        "p.dat: the format cannot be told from the name; say --format csv, geojson, json, npy, obj, ply, stl or off";
     refused("p.dat", "1,2\n", &[], unknown);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let outcome = run(folder.path(), &["enclose", "absent.csv"]);

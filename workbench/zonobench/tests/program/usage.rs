@@ -7,7 +7,7 @@ use crate::run;
 
 #[test]
 fn usage_errors_have_status_2() {
-    let wrong: [&[&str]; 16] = [
+    let wrong: [&[&str]; 25] = [
         &[],
         &["frobnicate"],
         &["enclose"],
@@ -17,11 +17,20 @@ fn usage_errors_have_status_2() {
         &["reproduce", "--profile", "huge"],
         &["reproduce", "--threads", "0"],
         &["verify", "q.jsonl"],
+        &["verify", "-", "-"],
+        &["intersect", "-", "-", "--format", "csv"],
+        &["distance", "-", "-", "--format", "json"],
+        &["enclose", "-", "--format", "csv", "--directions", "-"],
         &["enclose", "p.csv", "--objective", "volume"],
         &["enclose", "p.csv", "--directions", "net:0"],
         &["enclose", "p.csv", "--epsilon", "1"],
         &["enclose", "p.csv", "--epsilon", "0.1", "--directions", "axes"],
         &["enclose", "p.obj", "--objective", "area"],
+        &["enclose", "p.obj", "--columns", "1,2"],
+        &["enclose", "p.geojson", "--columns", "lon,lat"],
+        &["enclose", "p.json", "--skip", "1"],
+        &["enclose", "p.npy", "--skip", "0"],
+        &["enclose", "p.csv", "--epsilon", "0.1", "--seed", "1"],
         &["enclose", "p.csv", "--objective", "area", "--epsilon", "0.1"],
         &["enclose", "p.csv", "--objective", "length", "--exact"],
     ];
@@ -59,4 +68,44 @@ fn reproduce_keeps_its_hands_off_a_folder_that_is_in_use() {
     let outcome = run(folder.path(), &["reproduce", "--out", "."]);
     assert_eq!(outcome.stderr, "zonobench: .: is not empty; --force writes into it, --out names another folder\n");
     assert_eq!((outcome.status, fs::read_dir(folder.path()).expect("listed").count()), (1, 1));
+}
+
+#[test]
+fn two_runs_do_not_write_into_one_folder() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mark = fs::File::create(folder.path().join("reproduce.unfinished")).expect("created");
+    mark.lock().expect("the mark of a run that is not finished is locked");
+    for words in [&["reproduce", "--out", "."][..], &["reproduce", "--out", ".", "--force"]] {
+        let outcome = run(folder.path(), words);
+        assert!(outcome.stderr.starts_with("zonobench: .: another run writes into it; "), "{}", outcome.stderr);
+        assert!(outcome.stderr.contains("--out") && outcome.stderr.contains("a run that died"), "{}", outcome.stderr);
+        assert_eq!((outcome.status, fs::read_dir(folder.path()).expect("listed").count()), (1, 1));
+    }
+}
+
+#[test]
+fn standard_input_is_read_once() {
+    let outcome = run(Path::new("."), &["intersect", "-", "-", "--format", "csv"]);
+    let complaint = "-: two inputs cannot both be read from standard input; give the name of a file for one of them";
+    assert_eq!(outcome.stderr, format!("zonobench: {complaint}\n"));
+}
+
+#[test]
+fn questions_take_no_options() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let question = r#"{"id":"q","kind":"min_area","input":{"points":[[0,0]]}}"#;
+    fs::write(folder.path().join("q.jsonl"), question).expect("written");
+    let outcome = run(folder.path(), &["verify", "q.jsonl", "q.jsonl", "--epsilon", "0.1"]);
+    assert!(outcome.stderr.starts_with("zonobench: q.jsonl: read as questions"), "{}", outcome.stderr);
+    assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""));
+}
+
+#[test]
+fn a_cause_is_told_once() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("p.csv"), "0,0\n2,0\n0,2\n").expect("written");
+    let outcome = run(folder.path(), &["enclose", "p.csv", "--json", "p.csv/a.json"]);
+    assert_eq!(outcome.status, 1);
+    assert!(outcome.stderr.starts_with("zonobench: p.csv/a.json: cannot be written: "), "{}", outcome.stderr);
+    assert_eq!(outcome.stderr.matches("os error").count(), 1, "{}", outcome.stderr);
 }

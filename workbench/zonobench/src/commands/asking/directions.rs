@@ -1,6 +1,6 @@
 //! Directions by name: the axes, the corners of a net of cells, or the rows of a file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use anyhow::{Context, bail};
@@ -42,6 +42,11 @@ impl FromStr for Directions {
 }
 
 impl Directions {
+    /// The file of the directions, if they come from one.
+    pub(super) fn file(&self) -> Option<&Path> {
+        if let Self::File(file) = self { Some(file) } else { None }
+    }
+
     /// The directions for points with so many coordinates.
     pub(super) fn vectors(&self, dimension: usize) -> anyhow::Result<Vec<Vec<f64>>> {
         match self {
@@ -52,7 +57,7 @@ impl Directions {
                 None => Ok(vectors.clone()),
             },
             Self::File(file) => {
-                let source = PointSource { file: file.clone(), format: None, columns: None };
+                let source = PointSource { file: file.clone(), format: None, columns: None, skip: None };
                 let directions = source.read(Wanted::Any).context("--directions")?.points;
                 let found = directions.dimension();
                 if found != dimension {

@@ -7,17 +7,12 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
-use thiserror::Error;
 
 use self::directions::{Directions, length};
 pub(super) use self::request::Recorded;
+use super::usage::Usage;
 use crate::input::{Columns, Format, PointSource, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
-
-/// A command line that parses but makes no sense.
-#[derive(Debug, Error)]
-#[error("{0}")]
-pub struct Usage(pub String);
 
 /// How to read the points, and what zonotope around them is wanted.
 #[derive(Debug, Clone, Default, Args)]
@@ -28,6 +23,10 @@ pub struct Asking {
     /// The format, where the extension does not tell it.
     #[arg(long)]
     pub format: Option<Format>,
+    /// How many lines of a table to leave out at its start: 1 where the first line holds other things, 0 where a first
+    /// line of data might be taken for such a line.
+    #[arg(long, value_name = "N")]
+    skip: Option<u64>,
     /// What is to be least: the area (in the plane) or the total length of the generators. Without it, the area of
     /// points of the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or
     /// four columns, directions or a precision are given.
@@ -62,13 +61,19 @@ fn precision(text: &str) -> Result<f64, String> {
 impl Asking {
     /// Where the points are.
     pub(super) fn source(&self, file: &Path) -> PointSource {
-        PointSource { file: file.to_path_buf(), format: self.format, columns: self.columns.clone() }
+        PointSource { file: file.to_path_buf(), format: self.format, columns: self.columns.clone(), skip: self.skip }
+    }
+
+    /// The files that are read: the points, and perhaps directions.
+    pub(super) fn inputs<'a>(&'a self, file: &'a Path) -> Vec<&'a Path> {
+        let directions = self.directions.as_ref().and_then(Directions::file);
+        [Some(file), directions].into_iter().flatten().collect()
     }
 
     /// Whether no option is given.
     pub(super) fn is_empty(&self) -> bool {
-        let Self { columns, format, objective, directions, epsilon } = self;
-        let is_read_by_default = columns.is_none() && format.is_none();
+        let Self { columns, format, skip, objective, directions, epsilon } = self;
+        let is_read_by_default = columns.is_none() && format.is_none() && skip.is_none();
         is_read_by_default && objective.is_none() && directions.is_none() && epsilon.is_none()
     }
 
@@ -79,6 +84,7 @@ impl Asking {
         Self {
             columns: self.columns.clone().or_else(|| other.columns.clone()),
             format: self.format.or(other.format),
+            skip: self.skip.or(other.skip),
             objective: self.objective.or(other.objective),
             directions: goal.directions.clone(),
             epsilon: goal.epsilon,
@@ -87,7 +93,9 @@ impl Asking {
 
     /// What is to be least, if the options say it and agree about it.
     pub(super) fn stated_objective(&self, file: &Path) -> Result<Option<Objective>, Usage> {
-        let is_mesh = self.source(file).known_format().is_some_and(Format::is_mesh);
+        let format = self.source(file).known_format();
+        self.check_format(format)?;
+        let is_mesh = format.is_some_and(Format::is_mesh);
         let reason = if self.directions.is_some() {
             Some("--directions ask for the least length")
         } else if self.epsilon.is_some() {
@@ -100,11 +108,23 @@ impl Asking {
             None
         };
         match (self.objective, reason) {
-            (Some(Objective::Area), Some(reason)) => Err(Usage(format!("--objective area: {reason}"))),
+            (Some(Objective::Area), Some(reason)) => Err(Usage::not_applicable("--objective area", reason)),
             (Some(objective), _) => Ok(Some(objective)),
             (None, Some(_)) => Ok(Some(Objective::Length)),
             (None, None) => Ok(None),
         }
+    }
+
+    /// Refuses options that do not apply to files of a format.
+    fn check_format(&self, format: Option<Format>) -> Result<(), Usage> {
+        let Some(format) = format else { return Ok(()) };
+        if self.columns.is_some() && !format.has_columns() {
+            return Err(Usage::not_applicable("--columns", "meshes and GeoJSON have no columns to choose"));
+        }
+        if self.skip.is_some() && format != Format::Csv {
+            return Err(Usage::not_applicable("--skip", "only tables have lines that are left out"));
+        }
+        Ok(())
     }
 
     /// The points, and what is to be least around them: where the options leave it open, the area of points of the
@@ -176,7 +196,7 @@ mod tests {
     #[test]
     fn the_options_decide_before_the_data_do() {
         let file = Path::new("p.csv");
-        let stated = |asking: &Asking| asking.stated_objective(file).map_err(|Usage(message)| message);
+        let stated = |asking: &Asking| asking.stated_objective(file).map_err(|error| error.to_string());
         assert_eq!(stated(&Asking::default()), Ok(None));
         let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
         assert_eq!(stated(&along_axes), Ok(Some(Objective::Length)));

@@ -39,6 +39,9 @@ impl Asking {
             };
             request.insert("columns".to_owned(), reading.columns.iter().map(column).collect());
         }
+        if let Some(skip) = self.skip {
+            request.insert("skip".to_owned(), skip.into());
+        }
         if objective == Objective::Length {
             match &self.directions {
                 Some(directions) => {
@@ -70,6 +73,7 @@ fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
     let asking = Asking {
         columns: field(request, "columns", columns)?,
         format: field(request, "format", |value| Format::from_str(value.text()?, false).ok())?,
+        skip: field(request, "skip", |value| value.index().and_then(|lines| u64::try_from(lines).ok()))?,
         objective: field(request, "objective", |value| Objective::from_str(value.text()?, false).ok())?,
         directions: field(request, "directions", directions)?,
         epsilon: field(request, "epsilon", |value| value.float().filter(|&epsilon| 0.0 < epsilon && epsilon < 1.0))?,
@@ -112,9 +116,12 @@ mod tests {
         let expected = r#"{"command":"enclose","objective":"area","format":"csv","columns":["y",3],"sha256":"ab"}"#;
         assert_eq!(area, expected);
         let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
-        for (asking, fields) in
-            [(along_axes, "\"directions\":[[1.0,0.0],[0.0,1.0]]"), (Asking::default(), "\"epsilon\":0.001")]
-        {
+        let without_first = Asking { skip: Some(1), ..Asking::default() };
+        for (asking, fields) in [
+            (along_axes, "\"directions\":[[1.0,0.0],[0.0,1.0]]"),
+            (Asking::default(), "\"epsilon\":0.001"),
+            (without_first, "\"skip\":1"),
+        ] {
             let text = record(&asking, Objective::Length);
             assert!(text.contains(fields), "{text}");
             let request = read(text.as_bytes(), MAX_VALUES).expect("JSON");
@@ -133,6 +140,7 @@ mod tests {
             ("columns", "[0]"),
             ("columns", "7"),
             ("format", "\"x\""),
+            ("skip", "-1"),
             ("objective", "1"),
             ("directions", "[1]"),
             ("epsilon", "2"),

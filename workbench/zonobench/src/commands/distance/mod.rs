@@ -2,7 +2,6 @@
 
 mod summary;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,9 +11,10 @@ use super::Ending;
 use super::asked::{Asked, floats};
 use super::intersect::drawing::draw_with_points;
 use super::intersect::meeting::{Gap, Meeting, Proof};
+use super::usage::check_inputs;
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
-use crate::output::{Existing, check_outputs, write_whole};
+use crate::output::{Existing, Outputs};
 use batch::Verdict;
 use batch::json::{rows_to_json, vector_to_json};
 
@@ -45,9 +45,9 @@ pub struct Options {
 
 /// Reads, solves, checks, and prints the distance with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let existing = Existing::from_force(options.force);
+    check_inputs(&[&options.a, &options.b])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
-    check_outputs(outputs, &[&options.a, &options.b], existing)?;
+    let outputs = Outputs::checked(outputs, &[&options.a, &options.b], Existing::from_force(options.force))?;
     let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read();
     let bodies = [read(&options.a)?, read(&options.b)?];
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
@@ -67,9 +67,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
                 meeting.proof = Proof::Gap(Gap::of(&bodies, &between)?);
             }
         }
-        write_whole(file, draw_with_points(&name, &meeting, &points).as_bytes(), existing)?;
+        outputs.write(file, draw_with_points(&name, &meeting, &points).as_bytes())?;
     }
-    asked.write(options.question.as_ref(), options.json.as_ref(), existing)?;
-    io::stdout().lock().write_all(summary::summary(options, &bodies, &asked, &verdict).as_bytes())?;
+    asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
+    outputs.tell(&summary::summary(options, &bodies, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }

@@ -1,7 +1,5 @@
 //! The zonotope of least total length, along given directions or along any.
 
-use std::io::{self, Write};
-
 use anyhow::bail;
 use serde_json::Value;
 
@@ -13,7 +11,7 @@ use crate::commands::inspect::export;
 use crate::commands::table::{Table, counted, figure, tuple};
 use crate::commands::verify::question_name;
 use crate::input::{Body, Reading, body_of_answer};
-use crate::output::{Existing, write_whole};
+use crate::output::Outputs;
 use crate::progress::Progress;
 use batch::Line;
 use batch::json::{self, MAX_VALUES, Tree};
@@ -24,7 +22,7 @@ pub(super) fn run(
     options: &Options,
     reading: &Reading,
     progress: Progress,
-    existing: Existing,
+    outputs: Outputs,
 ) -> anyhow::Result<Ending> {
     let file = &options.file;
     let name = question_name(file);
@@ -34,7 +32,7 @@ pub(super) fn run(
     }
     let question = options.asking.question_of_length(&name, points)?;
     progress.next("solving");
-    let mut answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), options.seed).content;
+    let mut answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0).content;
     if let Some(message) = answer["error"]["message"].as_str() {
         bail!("{}: {message}", file.display());
     }
@@ -56,13 +54,12 @@ pub(super) fn run(
     let picture = body.as_ref().and_then(drawn);
     let mesh = body.as_ref().map(meshed).transpose()?.flatten();
     for (file, content) in picture.iter().chain(&mesh) {
-        write_whole(file, content.as_bytes(), existing)?;
+        outputs.write(file, content.as_bytes())?;
     }
     if let Some(file) = &options.json {
-        write_whole(file, format!("{answer}\n").as_bytes(), existing)?;
+        outputs.write(file, format!("{answer}\n").as_bytes())?;
     }
-    let text = summary(options, reading, &question, &answer, body.as_ref(), &verdict);
-    io::stdout().lock().write_all(text.as_bytes())?;
+    outputs.tell(&summary(options, reading, &question, &answer, body.as_ref(), &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 

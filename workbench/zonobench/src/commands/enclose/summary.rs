@@ -1,5 +1,7 @@
 //! What a person reads of an answer.
 
+use std::path::PathBuf;
+
 use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 
 use super::Options;
@@ -76,7 +78,9 @@ pub(super) fn summary(
 
 /// The command that checks the written answer, or how to get one.
 pub(super) fn verification(options: &Options) -> String {
-    match &options.json {
+    // Standard input can be read once, so that the points and the answer cannot both come from there.
+    let is_checkable = |answer: &&PathBuf| **answer != options.file || answer.as_os_str() != "-";
+    match options.json.as_ref().filter(is_checkable) {
         None => "--json FILE writes the answer; zonobench verify checks it against the points".to_owned(),
         Some(answer) => {
             // A name tells the format again and the answer records the rest; standard input has no name.

@@ -5,7 +5,6 @@ pub(super) mod export;
 mod measures;
 mod summary;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use anyhow::bail;
@@ -17,7 +16,7 @@ use self::measures::Measures;
 use super::Ending;
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
-use crate::output::{Existing, check_outputs, write_whole};
+use crate::output::{Existing, Outputs};
 use batch::Line;
 use batch::MAX_DIMENSION;
 use batch::Verdict;
@@ -57,10 +56,9 @@ pub struct Options {
 
 /// Reads, counts, measures, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let existing = Existing::from_force(options.force);
     let meshes = [&options.obj, &options.ply, &options.stl];
     let outputs = [&options.svg, &options.json, &options.question].into_iter().chain(meshes).flatten();
-    check_outputs(outputs, &[&options.file], existing)?;
+    let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
     let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
     let measures = match body.center.len() {
         1 => Measures::of::<1>(&body),
@@ -80,24 +78,23 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&body.generators)}});
     let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
     if let Some(file) = &options.svg {
-        write_whole(file, drawing::draw(&name, &body).as_bytes(), existing)?;
+        outputs.write(file, drawing::draw(&name, &body).as_bytes())?;
     }
     if let Some(lattice) = lattice {
         let formats: [fn(&FaceLattice) -> Vec<u8>; 3] =
             [|mesh| mesh.to_obj().into_bytes(), |mesh| mesh.to_ply().into_bytes(), FaceLattice::to_stl];
         for (file, content) in meshes.into_iter().zip(formats) {
             if let Some(file) = file {
-                write_whole(file, &content(&lattice), existing)?;
+                outputs.write(file, &content(&lattice))?;
             }
         }
     }
     for (file, content) in [(&options.question, &question), (&options.json, &answer.content)] {
         if let Some(file) = file {
-            write_whole(file, format!("{content}\n").as_bytes(), existing)?;
+            outputs.write(file, format!("{content}\n").as_bytes())?;
         }
     }
     let verdict = batch::verify(&question.to_string(), &answer.content.to_string());
-    let text = summary::summary(options, &body, &measures, &answer.content, &verdict);
-    io::stdout().lock().write_all(text.as_bytes())?;
+    outputs.tell(&summary::summary(options, &body, &measures, &answer.content, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }

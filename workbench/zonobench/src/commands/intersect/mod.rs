@@ -4,16 +4,16 @@ pub(super) mod drawing;
 pub(super) mod meeting;
 mod summary;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
 
 use self::meeting::Meeting;
 use super::Ending;
+use super::usage::check_inputs;
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
-use crate::output::{Existing, check_outputs, write_whole};
+use crate::output::{Existing, Outputs};
 use batch::Verdict;
 
 /// Options of `intersect`.
@@ -43,9 +43,9 @@ pub struct Options {
 
 /// Reads, solves, checks, and prints the answer with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let existing = Existing::from_force(options.force);
+    check_inputs(&[&options.a, &options.b])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
-    check_outputs(outputs, &[&options.a, &options.b], existing)?;
+    let outputs = Outputs::checked(outputs, &[&options.a, &options.b], Existing::from_force(options.force))?;
     let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read();
     let bodies = [read(&options.a)?, read(&options.b)?];
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
@@ -53,9 +53,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let verdict = meeting.asked.verdict();
 
     if let Some(file) = &options.svg {
-        write_whole(file, drawing::draw(&name, &meeting).as_bytes(), existing)?;
+        outputs.write(file, drawing::draw(&name, &meeting).as_bytes())?;
     }
-    meeting.asked.write(options.question.as_ref(), options.json.as_ref(), existing)?;
-    io::stdout().lock().write_all(summary::summary(options, &meeting, &verdict).as_bytes())?;
+    meeting.asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
+    outputs.tell(&summary::summary(options, &meeting, &verdict))?;
     Ok(if matches!(verdict, Verdict::Right(_)) { Ending::Good } else { Ending::Bad })
 }

@@ -2,7 +2,6 @@
 
 mod drawing;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -14,7 +13,7 @@ use super::asked::{Asked, float, floats, how_to_verify};
 use super::table::{ROUNDED, Table, counted, figure, tuple};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format};
-use crate::output::{Existing, check_outputs, write_whole};
+use crate::output::{Existing, Outputs};
 use batch::Verdict;
 use batch::json::{rows_to_json, vector_to_json};
 use zonotope::reduction::Method;
@@ -54,9 +53,8 @@ fn rules() -> PossibleValuesParser {
 
 /// Reads, reduces, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let existing = Existing::from_force(options.force);
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
-    check_outputs(outputs, &[&options.file], existing)?;
+    let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
     let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
     let name = question_name(&options.file);
     let input = json!({
@@ -70,11 +68,10 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let rows = asked.result()["generators"].as_array().into_iter().flatten();
     let reduced: Vec<Vec<f64>> = rows.map(floats).collect();
     if let Some(file) = &options.svg {
-        write_whole(file, drawing::draw(&name, &body, &reduced).as_bytes(), existing)?;
+        outputs.write(file, drawing::draw(&name, &body, &reduced).as_bytes())?;
     }
-    asked.write(options.question.as_ref(), options.json.as_ref(), existing)?;
-    let text = summary(options, &body, &reduced, &asked, &verdict);
-    io::stdout().lock().write_all(text.as_bytes())?;
+    asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
+    outputs.tell(&summary(options, &body, &reduced, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 

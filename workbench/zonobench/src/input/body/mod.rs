@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::bytes::{read_limited, text};
 use super::document::parse;
 use super::error::{InputError, Place, Problem};
-use super::{Format, table};
+use super::{Format, npy, table};
 
 pub use document::body_of_answer;
 
@@ -32,8 +32,8 @@ pub struct BodySource {
 }
 
 impl BodySource {
-    /// Reads the zonotope: rows of a table are generators; a document is a list of generators, an object with
-    /// `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
+    /// Reads the zonotope: rows of a table or of an array are generators; a document is a list of generators, an object
+    /// with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
     /// `c`, or an answer that holds a body.
     pub fn read(&self) -> Result<Body, InputError> {
         let file = &self.file;
@@ -44,9 +44,10 @@ impl BodySource {
         let content = read_limited(file)?;
         match format {
             Format::Csv => body(file, None, table::rows(file, text(&content))?),
+            Format::Npy => body(file, None, npy::rows(file, &content)?),
             Format::Json => document::body(file, &parse(file, text(&content))?),
             other => {
-                let problem = format!("the format {other} holds no zonotopes; csv and json do");
+                let problem = format!("the format {other} holds no zonotopes; csv, json and npy do");
                 Err(Problem::Shape(problem).at(file, Place::File))
             }
         }

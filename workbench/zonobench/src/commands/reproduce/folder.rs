@@ -1,0 +1,126 @@
+//! The folder that a run writes into: one run at a time has it, and a finished one is kept.
+
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use crate::report::OutputFile;
+
+/// Stands in the folder while a run is not finished; the run holds a lock on it.
+const UNFINISHED: &str = "reproduce.unfinished";
+const RECORDS: &str = "records";
+
+/// The list of what a finished run wrote.
+pub(super) const MANIFEST: &str = "manifest.json";
+
+/// Why a run does not get its folder.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum FolderError {
+    /// The folder holds something that no interrupted run has left behind.
+    #[error("{}: is not empty; --force writes into it, --out names another folder", .0.display())]
+    NotEmpty(PathBuf),
+    /// Another run writes into the folder.
+    #[error(
+        "{}: another run writes into it; wait until it ends, or name another folder by --out (a run that died no \
+         longer counts: the same command takes over its folder)",
+        .0.display()
+    )]
+    InUse(PathBuf),
+    /// The folder, or a file in it, cannot be made, read, locked or removed.
+    #[error("{}: cannot be used: {source}", .path.display())]
+    Unusable {
+        /// The folder or the file.
+        path: PathBuf,
+        /// The system's complaint.
+        source: io::Error,
+    },
+}
+
+/// The folder of a run.
+#[derive(Debug)]
+pub(super) struct Folder {
+    path: PathBuf,
+    /// The file that stands for the unfinished run. The system gives up its lock with the process, however that ends.
+    _lock: File,
+}
+
+impl Folder {
+    /// Takes the folder for this run: a new or empty one, one that an interrupted run has left behind, or any one by
+    /// force. One that another run writes into is refused in any case.
+    pub(super) fn claim(path: &Path, force: bool) -> Result<Self, FolderError> {
+        fs::create_dir_all(path).map_err(unusable(path))?;
+        let is_empty = fs::read_dir(path).map_err(unusable(path))?.next().is_none();
+        let unfinished = path.join(UNFINISHED);
+        if !force && !is_empty && !unfinished.exists() {
+            return Err(FolderError::NotEmpty(path.to_path_buf()));
+        }
+        let lock = File::options().create(true).append(true).open(&unfinished).map_err(unusable(path))?;
+        match lock.try_lock() {
+            // A run that ended just now has taken the file away: its folder is finished.
+            Ok(()) if unfinished.exists() => {}
+            Ok(()) | Err(TryLockError::WouldBlock) => return Err(FolderError::InUse(path.to_path_buf())),
+            Err(TryLockError::Error(error)) => return Err(unusable(&unfinished)(error)),
+        }
+        // A folder that has a manifest is complete: from here on it is not.
+        match fs::remove_file(path.join(MANIFEST)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(unusable(path)(error)),
+            _ => {}
+        }
+        Ok(Self { path: path.to_path_buf(), _lock: lock })
+    }
+
+    /// The folder of the raw records.
+    pub(super) fn records(&self) -> PathBuf {
+        self.path.join(RECORDS)
+    }
+
+    /// The files that the runner wrote.
+    pub(super) fn record_files(&self) -> Result<Vec<OutputFile>, FolderError> {
+        [("counts.jsonl", true), ("times.jsonl", false), ("environment.json", false)]
+            .into_iter()
+            .map(|(name, deterministic)| {
+                let path = format!("{RECORDS}/{name}");
+                let content = fs::read(self.path.join(&path)).map_err(unusable(Path::new(&path)))?;
+                Ok(OutputFile::new(path, &content, deterministic))
+            })
+            .collect()
+    }
+
+    /// The run is complete.
+    pub(super) fn release(self) -> Result<(), FolderError> {
+        fs::remove_file(self.path.join(UNFINISHED)).map_err(unusable(&self.path))
+    }
+}
+
+fn unusable(path: &Path) -> impl FnOnce(io::Error) -> FolderError {
+    let path = path.to_path_buf();
+    |source| FolderError::Unusable { path, source }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_has_one_run_at_a_time() {
+        let parent = tempfile::tempdir().expect("a temporary folder");
+        let path = parent.path().join("run");
+        let first = Folder::claim(&path, false).expect("a new folder");
+        for force in [false, true] {
+            let refused = Folder::claim(&path, force).expect_err("the first run has it");
+            assert!(matches!(refused, FolderError::InUse(folder) if folder == path), "with force: {force}");
+        }
+        drop(first);
+        assert!(path.join(UNFINISHED).exists(), "a run that dies leaves its mark");
+        let second = Folder::claim(&path, false).expect("the same command goes on");
+        fs::write(path.join(MANIFEST), "{}").expect("written");
+        second.release().expect("the run is complete");
+        assert!(!path.join(UNFINISHED).exists());
+        assert!(matches!(Folder::claim(&path, false), Err(FolderError::NotEmpty(_))));
+        drop(Folder::claim(&path, true).expect("by force"));
+        assert!(!path.join(MANIFEST).exists(), "a folder that is written into is not complete");
+    }
+}

@@ -1,0 +1,110 @@
+//! Arrays of every version, type and order, and files that are none.
+
+use super::*;
+
+/// A file of the given version, with the header that NumPy writes.
+fn file_of(version: u8, kind: &str, is_fortran: bool, shape: &str, data: &[u8]) -> Vec<u8> {
+    let order = if is_fortran { "True" } else { "False" };
+    let header = format!("{{'descr': '{kind}', 'fortran_order': {order}, 'shape': {shape}, }}");
+    file_with(version, &header, data)
+}
+
+fn file_with(version: u8, header: &str, data: &[u8]) -> Vec<u8> {
+    let begins = if version == 1 { 10 } else { 12 };
+    let padded = format!("{header:<width$}\n", width = (begins + header.len() + 1).next_multiple_of(64) - begins - 1);
+    let length = u32::try_from(padded.len()).expect("a short header").to_le_bytes();
+    let length = if version == 1 { &length[..2] } else { &length[..] };
+    [MAGIC, &[version, 0], length, padded.as_bytes(), data].concat()
+}
+
+fn bytes<const N: usize, T: Copy>(numbers: &[T], write: fn(T) -> [u8; N]) -> Vec<u8> {
+    numbers.iter().flat_map(|&number| write(number)).collect()
+}
+
+fn read(content: &[u8], columns: Option<&str>, wanted: Wanted) -> Result<Reading, String> {
+    let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
+    points(Path::new("p.npy"), content, columns.as_ref(), wanted).map_err(|error| error.to_string())
+}
+
+#[test]
+fn versions_types_and_orders() {
+    let whole = [1, -2, 3, 4, -5, 6];
+    let rows = vec![vec![1.0, -2.0, 3.0], vec![4.0, -5.0, 6.0]];
+    let floats = whole.map(f64::from);
+    let by_columns = [0, 3, 1, 4, 2, 5].map(|index| floats[index]);
+    let files = [
+        ("<f8", false, bytes(&floats, f64::to_le_bytes)),
+        (">f8", false, bytes(&floats, f64::to_be_bytes)),
+        ("<f8", true, bytes(&by_columns, f64::to_le_bytes)),
+        (">f8", true, bytes(&by_columns, f64::to_be_bytes)),
+        ("<f4", false, bytes(&floats.map(|x| x as f32), f32::to_le_bytes)),
+        (">f4", false, bytes(&floats.map(|x| x as f32), f32::to_be_bytes)),
+        ("<i8", false, bytes(&whole.map(i64::from), i64::to_le_bytes)),
+        (">i8", false, bytes(&whole.map(i64::from), i64::to_be_bytes)),
+        ("<i4", false, bytes(&whole, i32::to_le_bytes)),
+        (">i4", false, bytes(&whole, i32::to_be_bytes)),
+        ("<i2", false, bytes(&whole.map(|x| x as i16), i16::to_le_bytes)),
+        (">i2", false, bytes(&whole.map(|x| x as i16), i16::to_be_bytes)),
+        ("|i1", false, bytes(&whole.map(|x| x as i8), i8::to_le_bytes)),
+    ];
+    let space = Points::Space(vec![[1.0, -2.0, 3.0], [4.0, -5.0, 6.0]]);
+    for (kind, is_fortran, data) in files {
+        for version in 1..=3 {
+            let content = file_of(version, kind, is_fortran, "(2, 3)", &data);
+            assert_eq!(super::rows(Path::new("p.npy"), &content).expect("an array"), rows, "{version} {kind}");
+            let reading = read(&content, None, Wanted::PlaneOrSpace).expect("points of space");
+            assert_eq!(reading.points, space, "{version} {kind}");
+        }
+    }
+    let unsigned = file_of(1, "<u2", false, "(2, 1)", &bytes(&[1, 65_535], u16::to_le_bytes));
+    assert_eq!(super::rows(Path::new("p.npy"), &unsigned).expect("an array"), [[1.0], [65_535.0]]);
+    let old = file_with(1, "{\"shape\": (1L, 2L), 'fortran_order':False,'descr':\"|u1\"}", &[7, 255]);
+    assert_eq!(super::rows(Path::new("p.npy"), &old).expect("an array"), [[7.0, 255.0]]);
+    let wide = file_of(1, "|u1", false, "(1, 6)", &[1, 2, 3, 4, 5, 6]);
+    assert_eq!(super::rows(Path::new("p.npy"), &wide).expect("an array"), [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]);
+}
+
+#[test]
+fn columns_are_chosen_by_number() {
+    let content = file_of(1, "|u1", false, "(2, 3)", &[1, 2, 3, 4, 5, 6]);
+    let reading = read(&content, Some("3,1"), Wanted::Planar).expect("points of the plane");
+    assert_eq!(reading.points, Points::Plane(vec![[3.0, 1.0], [6.0, 4.0]]));
+    assert_eq!(reading.in_words().as_deref(), Some("3, 1; left out: column 2"));
+    let complaint = |columns: Option<&str>| read(&content, columns, Wanted::Planar).expect_err("a wrong choice");
+    assert_eq!(complaint(None), "p.npy: has 3 column(s); choose two with --columns");
+    assert_eq!(complaint(Some("1,4")), "p.npy: there is no column 4; the row has 3 cells");
+    assert_eq!(complaint(Some("x,y")), "p.npy: there is no column 'x'; the columns are numbered 1 to 3");
+}
+
+#[test]
+fn what_is_no_array_of_points_is_refused() {
+    let complaint = |content: &[u8]| {
+        let error = super::rows(Path::new("p.npy"), content).expect_err("no array").to_string();
+        error.strip_prefix("p.npy: ").expect("the file is named").to_owned()
+    };
+    let is_not = |reason: &str| format!("is not npy: {reason}");
+    assert_eq!(complaint(b"1,2\n"), is_not("it does not begin as arrays of NumPy do"));
+    assert_eq!(complaint(b"\x93NUMPY\x04\x00"), is_not("its version is not 1.0, 2.0 or 3.0"));
+    assert_eq!(complaint(b"\x93NUMPY\x02\x00\xff\xff\xff\xff{"), is_not("it ends within the header"));
+    let of_shape = |shape: &str| file_of(1, "|u1", false, shape, &[1, 2]);
+    assert_eq!(complaint(&of_shape("(2,)")), is_not("the array has 1 dimension(s), not 2: a row for each point"));
+    assert_eq!(complaint(&of_shape("()")), is_not("the array has 0 dimension(s), not 2: a row for each point"));
+    assert_eq!(complaint(&of_shape("(1, 3)")), is_not("2 bytes follow the header, not 1 × 3 numbers of 1 bytes"));
+    assert_eq!(complaint(&of_shape("(99999999, 1)")), "is too large: more than 10000000 points");
+    assert!(complaint(&of_shape("(2, 18446744073709551615)")).contains("2 bytes follow the header"));
+    let nested = format!("{{'descr': {}", "[".repeat(60_000));
+    for header in ["", "{}", "{'descr': '|u1'}", "{'descr': [('x', '<f8')], 'shape': (1, 2)}", nested.as_str()] {
+        assert_eq!(
+            complaint(&file_with(1, header, &[1])),
+            is_not("its header is not that of an array of plain numbers")
+        );
+    }
+    for kind in ["<f2", "<f16", "<c16", "|b1", "|O", "f8", "|f8", "<U3", ""] {
+        let expected = is_not(&format!("numbers of the type '{kind}' are not read"));
+        assert_eq!(complaint(&file_of(1, kind, false, "(1, 1)", &[1])), expected);
+    }
+    let infinite = file_of(1, "<f8", true, "(2, 1)", &bytes(&[1.0, f64::INFINITY], f64::to_le_bytes));
+    assert_eq!(complaint(&infinite), "[1][0]: 'inf' is not a finite number");
+    let long = file_of(1, "<u8", false, "(1, 2)", &bytes(&[1 << 53, (1 << 53) + 1], u64::to_le_bytes));
+    assert_eq!(complaint(&long), "[0][1]: 9007199254740993 is not a double: reading it would round it");
+}

@@ -1,0 +1,179 @@
+//! Tables with and without header, whole and broken.
+
+use super::*;
+
+fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
+    let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
+    let points = points(Path::new("points.csv"), content.as_bytes(), columns.as_ref(), None, Wanted::Planar);
+    match points.map_err(|error| error.to_string())?.points {
+        Points::Plane(points) => Ok(points),
+        other => panic!("{other:?} are not points of the plane"),
+    }
+}
+
+#[test]
+fn headers_are_recognised_and_may_be_absent() {
+    let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
+    assert_eq!(read("1,2\n3,4\n", None), expected);
+    assert_eq!(read("a,b\n1,2\n3,4", None), expected);
+    assert_eq!(read("y,w,x\n2,0,1\n4,0,3\n", None), expected);
+    assert_eq!(read("name,Lat,LON\np,2,1\nq,4,3\n", None), expected);
+    assert_eq!(
+        read("7,8\n2,1\n4,3\n", Some("8,7")),
+        Err("points.csv: line 1: there is no column 8; the row has 2 cells".into())
+    );
+    let twice = "points.csv: line 1: two columns are named 'x'; choose with --columns by number";
+    assert_eq!(read("x,y,x\n1,2,0\n3,4,0\n", None), Err(twice.into()));
+    assert_eq!(read("x,y,x\n1,2,0\n3,4,0\n", Some("x,y")), Err(twice.into()));
+    assert_eq!(read("x,y,x\n1,2,0\n3,4,0\n", Some("1,2")), expected);
+    let broken = "points.csv: line 1: there is no column 'x'; the columns are a\\nb, c";
+    assert_eq!(read("\"a\nb\",c\n1,2\n", Some("x,c")), Err(broken.into()));
+}
+
+#[test]
+fn line_endings_blank_lines_quotes_and_separators() {
+    let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
+    assert_eq!(read("x,y\r\n1,2\r\n\r\n3,4\r\n", None), expected);
+    assert_eq!(read("\n\n1,2\n   \n3,4\n\n\n", None), expected);
+    assert_eq!(read("\"1\",\"2\"\n\"3\", 4 \n", None), expected);
+    assert_eq!(read("1;2\n3;4\n", None), expected);
+    assert_eq!(read("1\t2\n3\t4\n", None), expected);
+}
+
+#[test]
+fn complaints_name_line_and_column() {
+    let complaint = |content, columns| read(content, columns).expect_err("the table is wrong");
+    assert_eq!(complaint("x,y\n1,2\n\n3,abc\n", None), "points.csv: line 4, column 2: 'abc' is not a number");
+    assert_eq!(
+        complaint("x,y\r\n1,2\r\n\r\n\r\nnan,2\r\n", None),
+        "points.csv: line 5, column 1: 'nan' is not a finite number"
+    );
+    assert_eq!(complaint("1,2\n1e999,2\n", None), "points.csv: line 2, column 1: '1e999' is not a finite number");
+    assert_eq!(complaint("1,2\n3\n", None), "points.csv: line 2, column 2: the row has 1 cells, not 2");
+    assert_eq!(complaint("1,2\n3,4,5\n", None), "points.csv: line 2, column 3: the row has 3 cells, not 2");
+    assert_eq!(complaint("1,2\n3,\n", None), "points.csv: line 2, column 2: the cell is empty");
+    assert_eq!(complaint("1,2,3\n3,4,5\n", None), "points.csv: has 3 column(s); choose two with --columns");
+    assert_eq!(
+        complaint("a,b\n1,2\n", Some("a,c")),
+        "points.csv: line 1: there is no column 'c'; the columns are a, b"
+    );
+    assert_eq!(complaint("x,y\n1,\"2\n3\"\n4,z\n", None), "points.csv: line 2, column 2: '2\\n3' is not a number");
+    assert_eq!(complaint("1\n2\n", None), "points.csv: has 1 column(s); choose two with --columns");
+}
+
+#[test]
+fn any_number_of_coordinates() {
+    let read = |content: &str, columns: Option<&str>| {
+        let columns = columns.map(|columns| columns.parse().expect("well formed"));
+        points(Path::new("p.csv"), content.as_bytes(), columns.as_ref(), None, Wanted::Any)
+            .map(|reading| reading.points)
+            .map_err(|error| error.to_string())
+    };
+    assert_eq!(read("z,x,y,w\n3,1,2,9\n", None), Ok(Points::Space(vec![[1.0, 2.0, 3.0]])));
+    assert_eq!(read("7\n8\n", None), Ok(Points::Line(vec![[7.0], [8.0]])));
+    assert_eq!(read("1,2,3,4\n", None), Ok(Points::Four(vec![[1.0, 2.0, 3.0, 4.0]])));
+    assert_eq!(read("id,lon,lat\na,1,2\n", None), Ok(Points::Plane(vec![[1.0, 2.0]])));
+    let iris = "150,4,setosa,versicolor,virginica\n5.1,3.5,1.4,0.2,0\n";
+    assert_eq!(read(iris, Some("1,2,3,4")), Ok(Points::Four(vec![[5.1, 3.5, 1.4, 0.2]])));
+    assert_eq!(read(iris, None), Err("p.csv: has 5 column(s); choose two to four with --columns".into()));
+}
+
+/// Three columns x, y, z are a point of space each: none of them is dropped unless the others are chosen.
+#[test]
+fn a_third_coordinate_is_not_dropped_in_silence() {
+    let read = |columns: Option<&str>, wanted: Wanted| {
+        let columns = columns.map(|columns| columns.parse().expect("well formed"));
+        let content = b"Name,X,y,Z\na,1,2,3\n";
+        points(Path::new("p.csv"), content, columns.as_ref(), None, wanted).map_err(|error| error.to_string())
+    };
+    for wanted in [Wanted::PlaneOrSpace, Wanted::Any] {
+        let reading = read(None, wanted).expect("points of space");
+        assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0]]));
+        assert_eq!(reading.in_words().as_deref(), Some("X, y, Z; left out: Name"));
+    }
+    let refused = "p.csv: line 1: has the columns x, y and z, so its points are in space; choose two columns with \
+                   --columns";
+    assert_eq!(read(None, Wanted::Planar), Err(refused.to_owned()));
+    let chosen = read(Some("x,y"), Wanted::Planar).expect("points of the plane");
+    assert_eq!(chosen.points, Points::Plane(vec![[1.0, 2.0]]));
+    assert_eq!(chosen.in_words().as_deref(), Some("X, y; left out: Name, Z"));
+}
+
+#[test]
+fn the_columns_told_are_columns_to_choose() {
+    for content in ["a,b,c\n1,2,x\n", "7;8;x\n9;9;y\n", "q,q,r\n1,2,3\n", "2,1,z\n5,6,y\n"] {
+        let columns: Columns = "2,1".parse().expect("well formed");
+        let read = |columns| points(Path::new("p.csv"), content.as_bytes(), Some(columns), None, Wanted::Planar);
+        let reading = read(&columns).expect("two columns of numbers");
+        let again = read(&Columns(reading.columns.clone())).expect("the same columns");
+        assert_eq!(reading, again, "{content}");
+    }
+}
+
+#[test]
+fn bytes_that_are_not_text_are_named() {
+    let error = points(Path::new("p.csv"), b"1,2\n3,\xff\n", None, None, Wanted::Planar).expect_err("not text");
+    assert_eq!(error.to_string(), "p.csv: line 2, column 2: is not UTF-8 text");
+}
+
+#[test]
+fn nothing_and_a_header_alone_have_no_points() {
+    assert_eq!(read("", None), Ok(vec![]));
+    assert_eq!(read("\n\r\n", None), Ok(vec![]));
+    assert_eq!(read("x,y\n", None), Ok(vec![]));
+}
+
+#[test]
+fn comments_blank_lines_and_trailing_separators_hold_nothing() {
+    let expected = Ok(vec![[1.0, 2.0], [3.0, 4.0]]);
+    for content in [
+        "# made by hand, \"roughly\nx,y\n1,2\n  # the last\n3,4\n#",
+        "x,y,\n1,2,\n\n3,4,\n",
+        "1;2;\n3;4\n",
+        "x;y\n1;2;\n3;4;\n",
+        "x\ty\t\n1\t2\n3\t4\t \n",
+        "# x y\n  1.0   2.0 \n\n 3e0 4\n",
+        "x y\n1 2\n3 4",
+        "x,y,\n1,2,7\n3,4,8\n",
+    ] {
+        assert_eq!(read(content, None), expected, "{content}");
+    }
+    let complaint = |content| read(content, None).expect_err("the table is wrong");
+    assert_eq!(complaint("# a\n1,2\n  #b\n\n3,z\n"), "points.csv: line 5, column 2: 'z' is not a number");
+    assert_eq!(complaint("1,\n3,4\n"), "points.csv: line 1, column 2: the cell is empty");
+    assert_eq!(complaint("1,2,\n3,,\n"), "points.csv: line 2, column 2: the cell is empty");
+    assert_eq!(complaint("1,2,\n3,4,,\n"), "points.csv: line 2, column 3: the row has 4 cells, not 2");
+    assert_eq!(complaint("1 2\n3 4\n5\n"), "points.csv: line 3, column 2: the row has 1 cells, not 2");
+}
+
+#[test]
+fn a_broken_number_is_no_header() {
+    let complaint = |content, columns| read(content, columns).expect_err("the table is wrong");
+    assert_eq!(complaint("1.2.3,4\n5,6\n", None), "points.csv: line 1, column 1: '1.2.3' is not a number");
+    assert_eq!(complaint("1,5e\n5,6\n", None), "points.csv: line 1, column 2: '5e' is not a number");
+    assert_eq!(complaint("1,5e;2\n5;6\n", None), "points.csv: line 1, column 2: '5e;2' is not a number");
+    assert_eq!(complaint("#\n1,5km\n5,6\n", None), "points.csv: line 2, column 2: '5km' is not a number");
+    assert_eq!(read("1st,2nd\n5,6\n", None), Ok(vec![[5.0, 6.0]]));
+}
+
+#[test]
+fn first_lines_are_skipped_when_they_are_told() {
+    let read = |content: &str, skip: Option<u64>| {
+        let columns: Columns = "1,2".parse().expect("well formed");
+        let reading = points(Path::new("p.csv"), content.as_bytes(), Some(&columns), skip, Wanted::Planar);
+        reading.map(|reading| (reading.points.clone(), reading.in_words())).map_err(|error| error.to_string())
+    };
+    let flowers = "150,4,setosa\n1,2,0\n3,4,0\n";
+    let unclear = "p.csv: line 1: may be a header or data; --skip 1 leaves the line out, --skip 0 reads it as data";
+    assert_eq!(read(flowers, None), Err(unclear.to_owned()));
+    let plane = |points: &[[f64; 2]]| Points::Plane(points.to_vec());
+    let told = Some("1, 2; left out: column 3, the first line".to_owned());
+    assert_eq!(read(flowers, Some(1)), Ok((plane(&[[1.0, 2.0], [3.0, 4.0]]), told)));
+    let (all, told) = read(flowers, Some(0)).expect("three points");
+    assert_eq!((all.len(), told.as_deref()), (3, Some("1, 2; left out: column 3")));
+    let (some, told) = read("a table,\n\nx,y\n# none\n1,2\n#\n", Some(2)).expect("one point");
+    assert_eq!(some, plane(&[[1.0, 2.0]]));
+    assert_eq!(told.as_deref(), Some("x, y; left out: the first 2 lines, 2 lines that begin with #"));
+    assert_eq!(read("7\n1,2\n3,z\n", Some(1)), Err("p.csv: line 3, column 2: 'z' is not a number".to_owned()));
+    assert_eq!(read(flowers, Some(9)), Ok((plane(&[]), Some("left out: the first 3 lines".to_owned()))));
+}

@@ -1,0 +1,88 @@
+//! Commands that hand their answers on: through files, and through standard output and standard input.
+
+use std::fs;
+use std::path::Path;
+
+use crate::{Outcome, run, run_with_input};
+
+fn good(outcome: Outcome, what: &str) -> Outcome {
+    assert_eq!(outcome.status, 0, "{what}: {}{}", outcome.stdout, outcome.stderr);
+    outcome
+}
+
+/// A tetrahedron as a mesh, moved along the first axis.
+fn mesh(by: i32) -> String {
+    let corner = |[x, y, z]: [i32; 3]| format!("v {} {y} {z}\n", x + by);
+    let corners: String = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 2]].map(corner).concat();
+    format!("{corners}f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+}
+
+#[test]
+fn commands_chain_without_further_options() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("a.obj"), mesh(0)).expect("written");
+    fs::write(folder.join("b.obj"), mesh(9)).expect("written");
+    let run = |words: &[&str]| good(run(folder, words), &words.join(" ")).stdout;
+    run(&["enclose", "a.obj", "--json", "a.json"]);
+    run(&["enclose", "b.obj", "--json", "b.json"]);
+    assert!(run(&["intersect", "a.json", "b.json"]).contains("disjoint"));
+    assert!(run(&["distance", "a.json", "b.json"]).contains("checked: "));
+    assert!(run(&["inspect", "a.json"]).contains("volume"));
+    for [mesh, answer] in [["a.obj", "a.json"], ["b.obj", "b.json"]] {
+        assert!(run(&["verify", mesh, answer]).contains("\tright\t"));
+    }
+    run(&["reduce", "a.json", "--count", "3", "--json", "r.json"]);
+    assert!(run(&["intersect", "r.json", "a.json"]).contains("overlap"));
+    assert!(run(&["inspect", "r.json"]).contains("3 generators"));
+}
+
+#[test]
+fn standard_output_takes_one_result_alone() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), "0,0\n2,0\n0,2\n").expect("written");
+    fs::write(folder.join("z.json"), r#"{"c":[1,1],"G":[[1,0,1],[0,1,1]]}"#).expect("written");
+    let commands: [&[&str]; 6] = [
+        &["enclose", "p.csv"],
+        &["enclose", "p.csv", "--directions", "axes"],
+        &["intersect", "z.json", "z.json"],
+        &["distance", "z.json", "z.json"],
+        &["reduce", "z.json", "--count", "2"],
+        &["inspect", "z.json"],
+    ];
+    for words in commands {
+        let name = words.join(" ");
+        let summary = good(run(folder, words), &name).stdout;
+        for (option, start) in [("--json", "{\"id\""), ("--svg", "<svg")] {
+            let piped = good(run(folder, &[words, &[option, "-"]].concat()), &name);
+            assert!(piped.stdout.starts_with(start), "{name} {option}: {}", piped.stdout);
+            let is_told = piped.stderr.lines().zip(summary.lines()).filter(|(piped, told)| piped == told).count();
+            assert!(is_told + 1 >= summary.lines().count(), "{name}: all but how to verify\n{}", piped.stderr);
+            fs::write(folder.join("same"), "").expect("written");
+            good(run(folder, &[words, &[option, "same", "--force"]].concat()), &name);
+            assert_eq!(fs::read_to_string(folder.join("same")).expect("written"), piped.stdout, "{name} {option}");
+        }
+        let both = run(folder, &[words, &["--json", "-", "--svg", "-"]].concat());
+        assert_eq!(both.stderr, "zonobench: -: two results cannot be written to one file\n");
+        assert_eq!((both.status, both.stdout.as_str()), (1, ""));
+    }
+    assert!(!Path::new(folder).join("-").exists());
+}
+
+#[test]
+fn an_answer_goes_from_command_to_command() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), "0,0\n2,0\n0,2\n").expect("written");
+    let piped = good(run(folder, &["enclose", "p.csv", "--json", "-"]), "enclose");
+    assert!(piped.stderr.contains("zonobench verify p.csv -\n"), "{}", piped.stderr);
+    let answer = piped.stdout.as_bytes();
+    let verified = good(run_with_input(folder, &["verify", "p.csv", "-"], answer), "verify");
+    assert!(verified.stdout.starts_with("p.csv\tmin_area\tright\t"), "{}", verified.stdout);
+    let inspected = good(run_with_input(folder, &["inspect", "-", "--format", "json"], answer), "inspect");
+    assert!(inspected.stdout.contains("dimension"), "{}", inspected.stdout);
+    let words = ["enclose", "-", "--format", "csv", "--json", "-"];
+    let both = good(run_with_input(folder, &words, b"0,0\n2,0\n0,2\n"), "enclose");
+    assert!(both.stderr.contains("--json FILE writes the answer"), "{}", both.stderr);
+}
