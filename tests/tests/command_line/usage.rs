@@ -27,7 +27,20 @@ fn a_command_line_that_makes_no_sense_ends_with_status_2() {
 fn help_and_version_are_results() {
     assert!(output(zonobench().arg("--help")).contains("reproduce"));
     assert!(output(zonobench().arg("--version")).starts_with("zonobench "));
-    for command in ["reproduce", "list", "enclose", "intersect", "distance", "reduce", "inspect", "solve", "verify"] {
+    let commands = [
+        "reproduce",
+        "figure",
+        "list",
+        "enclose",
+        "contains",
+        "intersect",
+        "distance",
+        "reduce",
+        "inspect",
+        "solve",
+        "verify",
+    ];
+    for command in commands {
         let help = output(zonobench().args([command, "--help"]));
         assert!(help.contains("Usage"), "{command}");
     }

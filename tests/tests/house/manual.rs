@@ -40,7 +40,20 @@ fn every_code_is_explained() {
 #[test]
 fn every_command_is_listed() {
     let manual = manual();
-    for command in ["enclose", "intersect", "inspect", "solve", "verify", "list", "reproduce"] {
+    let commands = [
+        "enclose",
+        "contains",
+        "intersect",
+        "distance",
+        "reduce",
+        "inspect",
+        "solve",
+        "verify",
+        "list",
+        "figure",
+        "reproduce",
+    ];
+    for command in commands {
         assert!(manual.contains(&format!("zonobench {command}")), "{command}");
     }
 }

@@ -2,7 +2,9 @@
 
 use clap::{Parser, Subcommand};
 
-use crate::commands::{distance, enclose, inspect, intersect, list, reduce, reproduce, solve, verify};
+use crate::commands::{
+    contains, distance, enclose, figure, inspect, intersect, list, reduce, reproduce, solve, verify,
+};
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
 #[derive(Debug, Parser)]
@@ -18,12 +20,16 @@ pub struct Cli {
 pub enum Command {
     /// Run every experiment, draw every figure, check every claim, and write the report.
     Reproduce(reproduce::Options),
+    /// Draw one figure of the report.
+    Figure(figure::Options),
     /// List experiments, figures, claims and methods.
     List(list::Options),
     /// Find the smallest zonotope around the points of a file, by area or by total length.
     Enclose(enclose::Options),
     /// Tell whether two zonotopes have a point in common, with the proof.
     Intersect(intersect::Options),
+    /// Tell for each point of a file whether a zonotope contains it.
+    Contains(contains::Options),
     /// Tell how far apart two zonotopes are, or how deep they overlap.
     Distance(distance::Options),
     /// Find a zonotope of few generators around a zonotope.

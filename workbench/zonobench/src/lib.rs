@@ -1,5 +1,5 @@
-//! The workbench on the command line: `reproduce`, `list`, `enclose`, `intersect`, `distance`, `reduce`,
-//! `inspect`, `solve`, `verify`.
+//! The workbench on the command line: `reproduce`, `figure`, `list`, `enclose`, `contains`, `intersect`, `distance`,
+//! `reduce`, `inspect`, `solve`, `verify`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
@@ -58,9 +58,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
     match &cli.command {
         Command::Reproduce(options) => commands::reproduce::run(options),
+        Command::Figure(options) => commands::figure::run(options),
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Intersect(options) => commands::intersect::run(options),
+        Command::Contains(options) => commands::contains::run(options),
         Command::Distance(options) => commands::distance::run(options),
         Command::Reduce(options) => commands::reduce::run(options),
         Command::Inspect(options) => commands::inspect::run(options),

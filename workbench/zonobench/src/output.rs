@@ -93,6 +93,11 @@ impl Outputs {
         output.write_all(content).and_then(|()| output.flush()).map_err(unwritable(file))
     }
 
+    /// Prints lines on standard output, unless a result has that to itself.
+    pub fn print(&self, lines: &str) -> io::Result<()> {
+        if self.has_piped_result { Ok(()) } else { io::stdout().lock().write_all(lines.as_bytes()) }
+    }
+
     /// Tells a person what was found: on standard output, or on standard error where a result has that to itself.
     pub fn tell(&self, summary: &str) -> io::Result<()> {
         if self.has_piped_result {

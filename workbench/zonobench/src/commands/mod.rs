@@ -2,8 +2,10 @@
 
 mod asked;
 mod asking;
+pub mod contains;
 pub mod distance;
 pub mod enclose;
+pub mod figure;
 pub mod inspect;
 pub mod intersect;
 pub mod list;

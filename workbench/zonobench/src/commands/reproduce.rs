@@ -1,18 +1,20 @@
 //! `zonobench reproduce`: every experiment, figure and claim, and the report of them.
 
 mod folder;
+mod selection;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use experiments::catalog::EXPERIMENTS;
 use experiments::definition::{Experiment, Profile};
 use experiments::runner::{self, Records, RunOptions};
-use figures::catalog::FIGURES;
-use figures::figure::FigureInput;
+use figures::figure::{Figure, FigureInput};
+use paper_checks::ClaimResult;
+use paper_checks::catalog::CLAIMS;
 
 use self::folder::{Folder, MANIFEST};
+use self::selection::Selection;
 use super::Ending;
 use crate::output::{Existing, write_whole};
 use crate::progress::{Progress, RunProgress};
@@ -33,6 +35,10 @@ pub struct Options {
     /// Threads for counting; all processors if absent. Times are taken on one.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Run these experiments alone, or those that these figures show, with their figures and the claims that rest on
+    /// nothing else; `list` names them.
+    #[arg(long, value_name = "ID", num_args = 1..)]
+    only: Vec<String>,
     /// Write into the folder although it holds something.
     #[arg(long)]
     force: bool,
@@ -55,13 +61,16 @@ impl From<Extent> for Profile {
 
 /// Runs everything and writes the folder; the manifest comes last, so a folder with a manifest is complete.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let selection = Selection::of(&options.only)?;
     let folder = Folder::claim(&options.out, options.force)?;
     let profile = Profile::from(options.profile);
-    let records = run_experiments(options, profile, &folder)?;
+    let records = run_experiments(options, profile, &selection.experiments, &folder)?;
     let fits = report::fits(&records);
-    let figures = draw_figures(&records);
-    let claims = check_claims(&report::check_context(options.seed, &fits));
-    let evidence = Evidence { profile, seed: options.seed, records, fits, figures, claims };
+    let figures = draw_figures(&selection.figures, &records);
+    let claims = check_claims(options, &selection, &report::check_context(options.seed, &fits));
+    let only = options.only.clone();
+    let experiments = selection.experiments;
+    let evidence = Evidence { profile, seed: options.seed, only, experiments, records, fits, figures, claims };
 
     let mut outputs = folder.record_files()?;
     let mut write = |path: &str, content: &str, deterministic: bool| -> anyhow::Result<()> {
@@ -74,7 +83,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
             write(&figure.path(), svg, figure.figure.deterministic)?;
         }
     }
-    write("CLAIMS.md", &paper_checks::markdown(&evidence.claims), true)?;
+    if options.only.is_empty() {
+        write("CLAIMS.md", &paper_checks::markdown(&evidence.claims), true)?;
+    }
     write("report.html", &report::report(&evidence), true)?;
     write("times.html", &report::times(&evidence), false)?;
 
@@ -83,7 +94,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         profile: profile.to_string(),
         seed: options.seed,
-        command: format!("zonobench reproduce --profile {profile} --seed {}", options.seed),
+        command: evidence.command(),
         environment: evidence.records.environment.clone(),
         outputs,
     };
@@ -104,6 +115,10 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
         let count = evidence.claims.iter().filter(|result| result.word() == word).count();
         writeln!(output, "{count} claims: {word}")?;
     }
+    let left_out = CLAIMS.len() - evidence.claims.len();
+    if left_out > 0 {
+        writeln!(output, "{left_out} claims: left out; they rest on other experiments or on none")?;
+    }
     let mut ending = Ending::Good;
     for (case, fault) in faults {
         ending = Ending::Bad;
@@ -117,8 +132,12 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
     Ok(ending)
 }
 
-fn run_experiments(options: &Options, profile: Profile, folder: &Folder) -> anyhow::Result<Records> {
-    let experiments: Vec<&'static Experiment> = EXPERIMENTS.iter().collect();
+fn run_experiments(
+    options: &Options,
+    profile: Profile,
+    experiments: &[&'static Experiment],
+    folder: &Folder,
+) -> anyhow::Result<Records> {
     let run = RunOptions {
         profile,
         seed: options.seed,
@@ -126,13 +145,13 @@ fn run_experiments(options: &Options, profile: Profile, folder: &Folder) -> anyh
         directory: Some(folder.records()),
         times: true,
     };
-    Ok(runner::run(&experiments, &run, &RunProgress::default())?)
+    Ok(runner::run(experiments, &run, &RunProgress::default())?)
 }
 
-fn draw_figures(records: &Records) -> Vec<report::DrawnFigure> {
+fn draw_figures(figures: &[&'static Figure], records: &Records) -> Vec<report::DrawnFigure> {
     let input = FigureInput { records: Some(records) };
-    let progress = Progress::of(FIGURES.len() as u64, "figures");
-    FIGURES
+    let progress = Progress::of(figures.len() as u64, "figures");
+    figures
         .iter()
         .map(|figure| {
             let drawn = report::DrawnFigure::draw(figure, &input);
@@ -142,7 +161,15 @@ fn draw_figures(records: &Records) -> Vec<report::DrawnFigure> {
         .collect()
 }
 
-fn check_claims(context: &paper_checks::CheckContext) -> Vec<paper_checks::ClaimResult> {
-    let progress = Progress::of(paper_checks::catalog::CLAIMS.len() as u64, "claims");
-    paper_checks::run(context, |_| progress.step())
+fn check_claims(options: &Options, selection: &Selection, context: &paper_checks::CheckContext) -> Vec<ClaimResult> {
+    let progress = Progress::of(selection.claims.len() as u64, "claims");
+    if options.only.is_empty() {
+        return paper_checks::run(context, |_| progress.step());
+    }
+    let checked = selection.claims.iter().map(|&claim| {
+        let verdict = paper_checks::verdict(claim, context);
+        progress.step();
+        ClaimResult { claim, verdict }
+    });
+    checked.collect()
 }

@@ -16,6 +16,9 @@ pub enum Usage {
         /// Why it does not apply.
         reason: &'static str,
     },
+    /// An id names nothing that there is.
+    #[error("'{0}': there is no experiment or figure of this name; `zonobench list` names those that there are")]
+    UnknownId(String),
     /// Options tell what was asked of a data file, but there is a file of questions.
     #[error(
         "{}: read as questions, which tell themselves what is asked; other options are for a data file, whose format \

@@ -126,9 +126,14 @@ pub enum Problem {
         /// How many there should be.
         wanted: &'static str,
     },
-    /// Points of the plane are needed.
-    #[error("holds points with {0} coordinates, not two")]
-    NotPlanar(usize),
+    /// Points of another dimension are needed.
+    #[error("holds points with {found} coordinates, not {wanted}")]
+    Dimension {
+        /// The coordinates of the points in the file.
+        found: usize,
+        /// The coordinates of the points that are needed.
+        wanted: usize,
+    },
     /// The bytes are not text.
     #[error("is not UTF-8 text")]
     NotText,

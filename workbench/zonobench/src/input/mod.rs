@@ -132,8 +132,8 @@ impl PointSource {
         if reading.points.is_empty() {
             return Err(Problem::Empty.at(file, Place::File));
         }
-        if wanted == Wanted::Planar && reading.points.dimension() != 2 {
-            return Err(Problem::NotPlanar(reading.points.dimension()).at(file, Place::File));
+        if wanted == Wanted::Planar {
+            reading.check_dimension(file, 2)?;
         }
         reading.format = Some(format);
         reading.sha256 = sha256(&content);

@@ -1,7 +1,10 @@
 //! What was read of a file: the points, and which part of the file they are.
 
+use std::path::Path;
+
 use super::Format;
 use super::columns::Column;
+use super::error::{InputError, Place, Problem};
 use super::points::Points;
 
 /// The points of a file, with the parts of the file that they come from and those that were left out.
@@ -29,6 +32,12 @@ impl Reading {
     /// Points of a file that has no columns.
     pub(super) fn without_columns(points: Points, left_out: Vec<String>) -> Self {
         Self::of(points, (Vec::new(), left_out))
+    }
+
+    /// Refuses points with another number of coordinates than is wanted.
+    pub fn check_dimension(&self, file: &Path, wanted: usize) -> Result<(), InputError> {
+        let found = self.points.dimension();
+        if found == wanted { Ok(()) } else { Err(Problem::Dimension { found, wanted }.at(file, Place::File)) }
     }
 
     /// The columns in words, with what they leave out: "x, y; left out: id"; `None` where nothing was chosen.

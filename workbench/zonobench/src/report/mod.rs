@@ -18,7 +18,7 @@ mod variant;
 
 use experiments::analysis::{self, FittedGrowth};
 use experiments::catalog::EXPERIMENTS;
-use experiments::definition::Profile;
+use experiments::definition::{Experiment, Profile};
 use experiments::runner::Records;
 use paper_checks::{CheckContext, ClaimResult};
 
@@ -33,6 +33,10 @@ pub struct Evidence {
     pub profile: Profile,
     /// The master seed.
     pub seed: u64,
+    /// The ids that the run was restricted to; empty if everything was run.
+    pub only: Vec<String>,
+    /// The experiments that were run.
+    pub experiments: Vec<&'static Experiment>,
     /// What the experiments recorded.
     pub records: Records,
     /// The growth laws found in the records, in the order of the catalog.
@@ -41,6 +45,14 @@ pub struct Evidence {
     pub figures: Vec<DrawnFigure>,
     /// The paper's claims with their verdicts.
     pub claims: Vec<ClaimResult>,
+}
+
+impl Evidence {
+    /// The command line that finds it again.
+    pub fn command(&self) -> String {
+        let only = if self.only.is_empty() { String::new() } else { format!(" --only {}", self.only.join(" ")) };
+        format!("zonobench reproduce --profile {} --seed {}{only}", self.profile, self.seed)
+    }
 }
 
 /// All growth laws of the records.

@@ -1,6 +1,5 @@
 //! The two pages.
 
-use experiments::catalog::EXPERIMENTS;
 use experiments::definition::{Experiment, Profile, Verdict as AnswerVerdict};
 use experiments::record::{CountOutcome, TimeOutcome};
 use paper_checks::{ClaimResult, Verdict};
@@ -19,10 +18,12 @@ const PAPER: &str = "L. J. Guibas, A. Nguyen and L. Zhang, <cite>Zonotopes as Bo
 pub fn report(evidence: &Evidence) -> String {
     let mut body = String::from("<main>\n");
     body.push_str(&opening(evidence));
-    for chapter in CHAPTERS {
+    for chapter in chapters(evidence) {
         body.push_str(&chapter_section(chapter, evidence));
     }
-    body.push_str(&peers::section());
+    if evidence.only.is_empty() {
+        body.push_str(&peers::section());
+    }
     body.push_str(&remaining_section(evidence));
     body.push_str(&ledger_section(evidence));
     body.push_str(&reading_section(evidence));
@@ -49,7 +50,7 @@ pub fn times(evidence: &Evidence) -> String {
     let rows: Vec<_> = facts.iter().map(|(name, value)| vec![(*name).to_owned(), Escaped(value).to_string()]).collect();
     body.push_str(&table("facts", &["what", "which"], &rows));
     body.push_str("</section>\n");
-    for experiment in EXPERIMENTS.iter().filter(|experiment| experiment.timing.is_some()) {
+    for experiment in evidence.experiments.iter().filter(|experiment| experiment.timing.is_some()) {
         let rows = evidence.records.times.iter().filter(|row| row.key.experiment == experiment.id);
         let void = rows.clone().filter(|row| !matches!(row.outcome, TimeOutcome::Valid { .. })).count();
         body.push_str(&format!(
@@ -98,8 +99,15 @@ fn opening(evidence: &Evidence) -> String {
     for (number, what) in tiles {
         text.push_str(&format!("<li><b>{}</b> {what}</li>\n", grouped(number)));
     }
-    text.push_str("</ul>\n<nav><h2>Contents</h2>\n<ol>\n");
-    for chapter in CHAPTERS {
+    text.push_str("</ul>\n");
+    if !evidence.only.is_empty() {
+        text.push_str(&format!(
+            "<p>Only a part was run: {}. Claims that rest on other experiments, or on none, were left out.</p>\n",
+            Escaped(&evidence.only.join(", "))
+        ));
+    }
+    text.push_str("<nav><h2>Contents</h2>\n<ol>\n");
+    for chapter in chapters(evidence) {
         text.push_str(&format!(
             "<li><a href=\"#{}\">{}</a> <small>{}</small></li>\n",
             chapter.id,
@@ -121,7 +129,7 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
         Escaped(chapter.title),
         prose(chapter.statement)
     );
-    let experiments: Vec<_> = EXPERIMENTS.iter().filter(|experiment| home(experiment) == Some(chapter.id)).collect();
+    let experiments: Vec<_> = experiments_of(chapter, evidence).collect();
     let results: Vec<_> = evidence.claims.iter().filter(|result| shares(&[result.claim.id])).collect();
     text.push_str(&verdict_line(&experiments, &results, evidence));
     for paragraph in chapter.method {
@@ -145,6 +153,20 @@ fn chapter_section(chapter: &Chapter, evidence: &Evidence) -> String {
     text.push_str(&claim_table(&format!("{}-claim", chapter.id), &results));
     text.push_str("</section>\n");
     text
+}
+
+/// The chapters that something was found for.
+fn chapters(evidence: &Evidence) -> impl Iterator<Item = &'static Chapter> {
+    let is_drawn = |chapter: &Chapter| evidence.figures.iter().any(|drawn| home_of_figure(drawn) == Some(chapter.id));
+    let is_shown = move |chapter: &&&Chapter| {
+        evidence.only.is_empty() || is_drawn(chapter) || experiments_of(chapter, evidence).next().is_some()
+    };
+    CHAPTERS.iter().filter(is_shown).copied()
+}
+
+/// The experiments of a chapter that were run.
+fn experiments_of(chapter: &Chapter, evidence: &Evidence) -> impl Iterator<Item = &'static Experiment> {
+    evidence.experiments.iter().copied().filter(|experiment| home(experiment) == Some(chapter.id))
 }
 
 /// The chapter of an experiment.
@@ -232,7 +254,8 @@ fn experiment_section(experiment: &'static Experiment, evidence: &Evidence) -> S
 fn remaining_section(evidence: &Evidence) -> String {
     let figures: Vec<&DrawnFigure> =
         evidence.figures.iter().filter(|drawn| drawn.figure.deterministic && home_of_figure(drawn).is_none()).collect();
-    let experiments: Vec<_> = EXPERIMENTS.iter().filter(|experiment| home(experiment).is_none()).collect();
+    let experiments = evidence.experiments.iter().filter(|experiment| home(experiment).is_none());
+    let experiments: Vec<&'static Experiment> = experiments.copied().collect();
     if figures.is_empty() && experiments.is_empty() {
         return String::new();
     }
@@ -317,7 +340,8 @@ fn reading_section(evidence: &Evidence) -> String {
          every file with its hash and says which ones must not change from run to run; \
          <code>records/counts.jsonl</code> holds the counts, <a href=\"times.html\"><code>times.html</code></a> what \
          the clock said.</p>\n\
-         <pre><code>zonobench reproduce --profile {profile} --seed {}</code></pre>\n</section>\n",
-        evidence.seed, evidence.seed
+         <pre><code>{}</code></pre>\n</section>\n",
+        evidence.seed,
+        Escaped(&evidence.command())
     )
 }

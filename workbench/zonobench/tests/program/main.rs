@@ -4,6 +4,7 @@ mod answers;
 mod pipes;
 mod readers;
 mod refusals;
+mod runs;
 mod usage;
 mod verification;
 

@@ -86,3 +86,31 @@ fn an_answer_goes_from_command_to_command() {
     let both = good(run_with_input(folder, &words, b"0,0\n2,0\n0,2\n"), "enclose");
     assert!(both.stderr.contains("--json FILE writes the answer"), "{}", both.stderr);
 }
+
+#[test]
+fn points_are_located_one_by_one() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("z.json"), r#"{"c":[1,1],"G":[[1,0],[0,1]]}"#).expect("written");
+    fs::write(folder.join("p.csv"), "id,x,y\na,1,1\nb,2,0.5\nc,2.5,1\nd,1.5,1.5\n").expect("written");
+    let words = ["contains", "z.json", "p.csv", "--json", "a.json", "--question", "q.json"];
+    let found = good(run(folder, &words), "contains");
+    assert_eq!(found.stdout, "1\tinside\t0.0\n2\tboundary\t1.0\n3\toutside\t1.5\n4\tinside\t0.5\n");
+    let rows = ["points        4 in p.csv", "columns       x, y; left out: id", "inside        2", "outside       1"];
+    assert!(rows.iter().all(|row| found.stderr.lines().any(|line| line == *row)), "{}", found.stderr);
+    assert!(good(run(folder, &["verify", "q.json", "a.json"]), "verify").stdout.contains("\tright\t"));
+    let answer = fs::read_to_string(folder.join("a.json")).expect("written");
+    let piped = good(run(folder, &["contains", "z.json", "p.csv", "--json", "-"]), "contains");
+    assert_eq!(piped.stdout, answer);
+
+    fs::write(folder.join("a.obj"), mesh(0)).expect("written");
+    good(run(folder, &["enclose", "a.obj", "--json", "around.json"]), "enclose");
+    let around = good(run(folder, &["contains", "around.json", "a.obj"]), "contains");
+    assert_eq!(around.stdout.lines().count(), 4);
+    assert!(!around.stdout.contains("outside"), "{}", around.stdout);
+
+    let refused = run(folder, &["contains", "z.json", "a.obj"]);
+    assert_eq!(refused.stderr, "zonobench: a.obj: holds points with 3 coordinates, not 2\n");
+    assert_eq!(run(folder, &["contains", "-", "-", "--format", "csv"]).status, 2);
+    assert_eq!(run(folder, &["contains", "z.json", "a.obj", "--skip", "1"]).status, 2);
+}

@@ -1,6 +1,7 @@
 //! What is asked of the points of a file: the objective of `enclose`, which `verify` reads from the answer's `request`.
 
 mod directions;
+mod points;
 mod request;
 
 use std::path::Path;
@@ -9,24 +10,18 @@ use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 
 use self::directions::{Directions, length};
+pub use self::points::PointOptions;
 pub(super) use self::request::Recorded;
 use super::usage::Usage;
-use crate::input::{Columns, Format, PointSource, Points, Reading, Wanted};
+use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
 
 /// How to read the points, and what zonotope around them is wanted.
 #[derive(Debug, Clone, Default, Args)]
 pub struct Asking {
-    /// The columns that hold the coordinates, two to four, by name or by number from 1.
-    #[arg(long, value_name = "X,Y,…")]
-    pub columns: Option<Columns>,
-    /// The format, where the extension does not tell it.
-    #[arg(long)]
-    pub format: Option<Format>,
-    /// How many lines of a table to leave out at its start: 1 where the first line holds other things, 0 where a first
-    /// line of data might be taken for such a line.
-    #[arg(long, value_name = "N")]
-    skip: Option<u64>,
+    /// How to read the points.
+    #[command(flatten)]
+    pub points: PointOptions,
     /// What is to be least: the area (in the plane) or the total length of the generators. Without it, the area of
     /// points of the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or
     /// four columns, directions or a precision are given.
@@ -59,11 +54,6 @@ fn precision(text: &str) -> Result<f64, String> {
 }
 
 impl Asking {
-    /// Where the points are.
-    pub(super) fn source(&self, file: &Path) -> PointSource {
-        PointSource { file: file.to_path_buf(), format: self.format, columns: self.columns.clone(), skip: self.skip }
-    }
-
     /// The files that are read: the points, and perhaps directions.
     pub(super) fn inputs<'a>(&'a self, file: &'a Path) -> Vec<&'a Path> {
         let directions = self.directions.as_ref().and_then(Directions::file);
@@ -72,9 +62,8 @@ impl Asking {
 
     /// Whether no option is given.
     pub(super) fn is_empty(&self) -> bool {
-        let Self { columns, format, skip, objective, directions, epsilon } = self;
-        let is_read_by_default = columns.is_none() && format.is_none() && skip.is_none();
-        is_read_by_default && objective.is_none() && directions.is_none() && epsilon.is_none()
+        let Self { points, objective, directions, epsilon } = self;
+        *points == PointOptions::default() && objective.is_none() && directions.is_none() && epsilon.is_none()
     }
 
     /// These options, and for what they leave open those of `other`. A precision takes the place of directions, and
@@ -82,9 +71,7 @@ impl Asking {
     pub(super) fn or(&self, other: &Self) -> Self {
         let goal = if self.directions.is_some() || self.epsilon.is_some() { self } else { other };
         Self {
-            columns: self.columns.clone().or_else(|| other.columns.clone()),
-            format: self.format.or(other.format),
-            skip: self.skip.or(other.skip),
+            points: self.points.or(&other.points),
             objective: self.objective.or(other.objective),
             directions: goal.directions.clone(),
             epsilon: goal.epsilon,
@@ -93,16 +80,14 @@ impl Asking {
 
     /// What is to be least, if the options say it and agree about it.
     pub(super) fn stated_objective(&self, file: &Path) -> Result<Option<Objective>, Usage> {
-        let format = self.source(file).known_format();
-        self.check_format(format)?;
-        let is_mesh = format.is_some_and(Format::is_mesh);
+        let is_mesh = self.points.source(file)?.known_format().is_some_and(Format::is_mesh);
         let reason = if self.directions.is_some() {
             Some("--directions ask for the least length")
         } else if self.epsilon.is_some() {
             Some("--epsilon asks for the least length")
         } else if is_mesh {
             Some("a mesh is not in the plane")
-        } else if self.columns.as_ref().is_some_and(|columns| columns.0.len() != 2) {
+        } else if self.points.columns.as_ref().is_some_and(|columns| columns.0.len() != 2) {
             Some("the area is that of points with two coordinates")
         } else {
             None
@@ -115,18 +100,6 @@ impl Asking {
         }
     }
 
-    /// Refuses options that do not apply to files of a format.
-    fn check_format(&self, format: Option<Format>) -> Result<(), Usage> {
-        let Some(format) = format else { return Ok(()) };
-        if self.columns.is_some() && !format.has_columns() {
-            return Err(Usage::not_applicable("--columns", "meshes and GeoJSON have no columns to choose"));
-        }
-        if self.skip.is_some() && format != Format::Csv {
-            return Err(Usage::not_applicable("--skip", "only tables have lines that are left out"));
-        }
-        Ok(())
-    }
-
     /// The points, and what is to be least around them: where the options leave it open, the area of points of the
     /// plane and the length of points of space.
     pub(super) fn read(&self, file: &Path) -> anyhow::Result<(Reading, Objective)> {
@@ -136,7 +109,7 @@ impl Asking {
             Some(Objective::Length) => Wanted::Any,
             None => Wanted::PlaneOrSpace,
         };
-        let reading = self.source(file).read(wanted)?;
+        let reading = self.points.source(file)?.read(wanted)?;
         let told = if reading.points.dimension() == 2 { Objective::Area } else { Objective::Length };
         Ok((reading, stated.unwrap_or(told)))
     }
@@ -185,9 +158,10 @@ mod tests {
     #[test]
     fn options_take_the_place_of_recorded_ones() {
         let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
-        let precise = Asking { epsilon: Some(0.5), format: Some(Format::Csv), ..Asking::default() };
+        let points = PointOptions { format: Some(Format::Csv), ..PointOptions::default() };
+        let precise = Asking { epsilon: Some(0.5), points, ..Asking::default() };
         let both = precise.or(&along_axes);
-        assert_eq!((both.directions, both.epsilon, both.format), (None, Some(0.5), Some(Format::Csv)));
+        assert_eq!((both.directions, both.epsilon, both.points.format), (None, Some(0.5), Some(Format::Csv)));
         let both = Asking::default().or(&along_axes);
         assert_eq!((both.directions, both.epsilon), (Some(Directions::Axes), None));
         assert!(Asking::default().is_empty() && !precise.is_empty());

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use serde_json::{Map, Value};
 use thiserror::Error;
 
-use super::{Asking, Directions, EPSILON, Objective};
+use super::{Asking, Directions, EPSILON, Objective, PointOptions};
 use crate::input::{Column, Columns, Format, Reading};
 use batch::json::{Tree, to_json, vector_to_json};
 
@@ -39,7 +39,7 @@ impl Asking {
             };
             request.insert("columns".to_owned(), reading.columns.iter().map(column).collect());
         }
-        if let Some(skip) = self.skip {
+        if let Some(skip) = self.points.skip {
             request.insert("skip".to_owned(), skip.into());
         }
         if objective == Objective::Length {
@@ -70,10 +70,13 @@ fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
     fn field<T>(request: &Tree, name: &'static str, read: fn(&Tree) -> Option<T>) -> Result<Option<T>, RecordError> {
         request.field(name).map(|value| read(value).ok_or(RecordError(name))).transpose()
     }
-    let asking = Asking {
+    let points = PointOptions {
         columns: field(request, "columns", columns)?,
         format: field(request, "format", |value| Format::from_str(value.text()?, false).ok())?,
         skip: field(request, "skip", |value| value.index().and_then(|lines| u64::try_from(lines).ok()))?,
+    };
+    let asking = Asking {
+        points,
         objective: field(request, "objective", |value| Objective::from_str(value.text()?, false).ok())?,
         directions: field(request, "directions", directions)?,
         epsilon: field(request, "epsilon", |value| value.float().filter(|&epsilon| 0.0 < epsilon && epsilon < 1.0))?,
@@ -116,7 +119,8 @@ mod tests {
         let expected = r#"{"command":"enclose","objective":"area","format":"csv","columns":["y",3],"sha256":"ab"}"#;
         assert_eq!(area, expected);
         let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
-        let without_first = Asking { skip: Some(1), ..Asking::default() };
+        let without_first =
+            Asking { points: PointOptions { skip: Some(1), ..PointOptions::default() }, ..Asking::default() };
         for (asking, fields) in [
             (along_axes, "\"directions\":[[1.0,0.0],[0.0,1.0]]"),
             (Asking::default(), "\"epsilon\":0.001"),

@@ -85,7 +85,7 @@ pub(super) fn verification(options: &Options) -> String {
         Some(answer) => {
             // A name tells the format again and the answer records the rest; standard input has no name.
             let is_nameless = options.file.as_os_str() == "-";
-            let format = options.asking.format.filter(|_| is_nameless);
+            let format = options.asking.points.format.filter(|_| is_nameless);
             let words = format.map_or(String::new(), |format| format!(" --format {format}"));
             format!("zonobench verify {} {}{words}", options.file.display(), answer.display())
         }

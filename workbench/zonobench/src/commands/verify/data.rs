@@ -32,12 +32,12 @@ pub(super) struct AboutData {
 pub(super) fn question(options: &Options, answer: Option<&Tree>) -> anyhow::Result<Option<AboutData>> {
     let (file, asking) = (&options.questions, &options.asking);
     let recorded = answer.and_then(Recorded::of);
-    let recorded_format = recorded.as_ref().and_then(|recorded| recorded.as_ref().ok()?.asking.format);
+    let recorded_format = recorded.as_ref().and_then(|recorded| recorded.as_ref().ok()?.asking.points.format);
     let is_standard_input = file.as_os_str() == "-";
-    let format = asking.source(file).known_format().or(recorded_format.filter(|_| !is_standard_input));
+    let format = asking.points.source(file)?.known_format().or(recorded_format.filter(|_| !is_standard_input));
     // What the name does not tell, the content does.
     let is_named = Format::of_extension(file).is_some_and(|format| format != Format::Json);
-    if format.is_none() || (asking.format.is_none() && !is_named && holds_questions(file)?) {
+    if format.is_none() || (asking.points.format.is_none() && !is_named && holds_questions(file)?) {
         return Ok(None);
     }
     // Options that contradict each other are a mistake of the command line, whatever the answer says.

@@ -1,0 +1,52 @@
+//! How the points of a file are read: the options that every command with points has.
+
+use std::path::Path;
+
+use clap::Args;
+
+use crate::commands::usage::Usage;
+use crate::input::{Columns, Format, PointSource};
+
+/// How to read the points of a file.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Args)]
+pub struct PointOptions {
+    /// The columns that hold the coordinates, two to four, by name or by number from 1.
+    #[arg(long, value_name = "X,Y,…")]
+    pub columns: Option<Columns>,
+    /// The format, where the extension does not tell it.
+    #[arg(long)]
+    pub format: Option<Format>,
+    /// How many lines of a table to leave out at its start: 1 where the first line holds other things, 0 where a first
+    /// line of data might be taken for such a line.
+    #[arg(long, value_name = "N")]
+    pub skip: Option<u64>,
+}
+
+impl PointOptions {
+    /// The points of a file, unless an option does not apply to its format.
+    pub(in crate::commands) fn source(&self, file: &Path) -> Result<PointSource, Usage> {
+        let source = PointSource {
+            file: file.to_path_buf(),
+            format: self.format,
+            columns: self.columns.clone(),
+            skip: self.skip,
+        };
+        let Some(format) = source.known_format() else { return Ok(source) };
+        if self.columns.is_some() && !format.has_columns() {
+            return Err(Usage::not_applicable("--columns", "meshes and GeoJSON have no columns to choose"));
+        }
+        if self.skip.is_some() && format != Format::Csv {
+            return Err(Usage::not_applicable("--skip", "only tables have lines that are left out"));
+        }
+        Ok(source)
+    }
+
+    /// These options, and for what they leave open those of `other`.
+    pub(super) fn or(&self, other: &Self) -> Self {
+        Self {
+            columns: self.columns.clone().or_else(|| other.columns.clone()),
+            format: self.format.or(other.format),
+            skip: self.skip.or(other.skip),
+        }
+    }
+}

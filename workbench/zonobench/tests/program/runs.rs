@@ -1,0 +1,53 @@
+//! Parts of `reproduce`, and figures drawn alone.
+
+use std::fs;
+use std::path::Path;
+
+use crate::run;
+
+#[test]
+fn one_experiment_is_run_alone() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let outcome = run(folder.path(), &["reproduce", "--out", "r", "--only", "hull-scaling"]);
+    assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
+    let left_out = outcome.stdout.lines().find(|line| line.contains("claims: left out; they rest on other exp"));
+    assert!(left_out.is_some(), "{}", outcome.stdout);
+    let text = |name: &str| fs::read_to_string(folder.path().join("r").join(name)).expect("a file of the run");
+    let counts = text("records/counts.jsonl");
+    assert!(counts.lines().count() > 10 && counts.lines().all(|line| line.contains("\"hull-scaling\"")));
+    let report = text("report.html");
+    assert!(report.contains("id=\"experiment-hull-scaling\""));
+    assert_eq!(report.matches("id=\"experiment-").count(), 1);
+    assert!(report.contains("Only a part was run: hull-scaling."));
+    assert!(text("manifest.json").contains("--only hull-scaling"));
+    assert!(!folder.path().join("r/CLAIMS.md").exists(), "a part of the claims is no ledger");
+    let again = run(folder.path(), &["reproduce", "--out", "r", "--only", "hull-scaling"]);
+    assert_eq!((again.status, again.stderr.contains("is not empty")), (1, true));
+}
+
+#[test]
+fn what_does_not_exist_is_not_run() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for words in [&["reproduce", "--only", "hull-scaling", "no-such-id"][..], &["figure", "no-such-id", "--svg", "-"]] {
+        let outcome = run(folder.path(), words);
+        assert!(outcome.stderr.starts_with("zonobench: 'no-such-id': there is no "), "{}", outcome.stderr);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""));
+    }
+    assert_eq!(fs::read_dir(folder.path()).expect("listed").count(), 0);
+}
+
+#[test]
+fn a_figure_is_drawn_alone() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let gallery = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../figures/gallery");
+    for id in ["paper-figure-1", "country-outlines"] {
+        let committed = fs::read_to_string(gallery.join(format!("{id}.svg"))).expect("a committed figure");
+        let piped = run(folder.path(), &["figure", id, "--svg", "-"]);
+        assert_eq!(piped.status, 0, "{}", piped.stderr);
+        assert_eq!(piped.stdout, committed, "{id}");
+        assert!(piped.stderr.lines().count() >= 2, "title and caption: {}", piped.stderr);
+        let written = run(folder.path(), &["figure", id, "--svg", "figure.svg", "--force"]);
+        assert_eq!((written.status, written.stdout), (0, piped.stderr));
+        assert_eq!(fs::read_to_string(folder.path().join("figure.svg")).expect("written"), committed, "{id}");
+    }
+}
