@@ -39,6 +39,9 @@ fn help_and_version_are_results() {
         "inspect",
         "solve",
         "verify",
+        "records",
+        "completions",
+        "man",
     ];
     for command in commands {
         let help = output(zonobench().args([command, "--help"]));

@@ -51,7 +51,10 @@ fn every_command_is_listed() {
         "verify",
         "list",
         "figure",
+        "records",
         "reproduce",
+        "completions",
+        "man",
     ];
     for command in commands {
         assert!(manual.contains(&format!("zonobench {command}")), "{command}");

@@ -3,7 +3,7 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    contains, distance, enclose, figure, inspect, intersect, list, reduce, reproduce, solve, verify,
+    contains, distance, enclose, figure, inspect, intersect, list, records, reduce, reproduce, shell, solve, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -22,6 +22,8 @@ pub enum Command {
     Reproduce(reproduce::Options),
     /// Draw one figure of the report.
     Figure(figure::Options),
+    /// Hand on what a run of `reproduce` recorded.
+    Records(records::Options),
     /// List experiments, figures, claims and methods.
     List(list::Options),
     /// Find the smallest zonotope around the points of a file, by area or by total length.
@@ -40,4 +42,8 @@ pub enum Command {
     Solve(solve::Options),
     /// Check answers against their questions, exactly.
     Verify(verify::Options),
+    /// Print the completions of the command line for a shell.
+    Completions(shell::CompletionOptions),
+    /// Print a page of the manual in the format of `man`.
+    Man(shell::ManOptions),
 }

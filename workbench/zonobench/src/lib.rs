@@ -1,5 +1,5 @@
-//! The workbench on the command line: `reproduce`, `figure`, `list`, `enclose`, `contains`, `intersect`, `distance`,
-//! `reduce`, `inspect`, `solve`, `verify`.
+//! The workbench on the command line: `reproduce`, `figure`, `records`, `list`, `enclose`, `contains`, `intersect`,
+//! `distance`, `reduce`, `inspect`, `solve`, `verify`, `completions`, `man`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
@@ -28,7 +28,7 @@ use std::ffi::OsString;
 use std::io;
 use std::process::ExitCode;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 
 use cli::{Cli, Command};
 use commands::{Ending, Usage};
@@ -59,6 +59,7 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
     match &cli.command {
         Command::Reproduce(options) => commands::reproduce::run(options),
         Command::Figure(options) => commands::figure::run(options),
+        Command::Records(options) => commands::records::run(options),
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Intersect(options) => commands::intersect::run(options),
@@ -68,6 +69,8 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Inspect(options) => commands::inspect::run(options),
         Command::Solve(options) => commands::solve::run(options),
         Command::Verify(options) => commands::verify::run(options),
+        Command::Completions(options) => commands::shell::completions(options, Cli::command()),
+        Command::Man(options) => commands::shell::man(options, Cli::command()),
     }
 }
 

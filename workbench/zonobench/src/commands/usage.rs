@@ -19,6 +19,9 @@ pub enum Usage {
     /// An id names nothing that there is.
     #[error("'{0}': there is no experiment or figure of this name; `zonobench list` names those that there are")]
     UnknownId(String),
+    /// There is no command of the name.
+    #[error("'{0}': there is no command of this name; `zonobench help` names those that there are")]
+    UnknownCommand(String),
     /// Options tell what was asked of a data file, but there is a file of questions.
     #[error(
         "{}: read as questions, which tell themselves what is asked; other options are for a data file, whose format \

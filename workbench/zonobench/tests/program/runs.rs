@@ -21,6 +21,18 @@ fn one_experiment_is_run_alone() {
     assert!(report.contains("Only a part was run: hull-scaling."));
     assert!(text("manifest.json").contains("--only hull-scaling"));
     assert!(!folder.path().join("r/CLAIMS.md").exists(), "a part of the claims is no ledger");
+
+    let exported = run(folder.path(), &["records", "export", "r", "--csv", "-"]);
+    assert_eq!(exported.status, 0, "{}", exported.stderr);
+    assert!(exported.stdout.starts_with("sort,experiment,input,method,n,instance,repetition,quantity,number,"));
+    let of = |sort: &str| exported.stdout.lines().filter(|line| line.starts_with(sort)).count();
+    assert!(of("count,hull-scaling,") >= counts.lines().count());
+    assert_eq!(of("time,hull-scaling,"), text("records/times.jsonl").lines().count());
+    fs::write(folder.path().join("r/records/times.jsonl"), "\n").expect("written");
+    let broken = run(folder.path(), &["records", "export", "r", "--csv", "r.csv"]);
+    assert!(broken.stderr.starts_with("zonobench: r/records/times.jsonl: line 1: is no record: "), "{}", broken.stderr);
+    assert_eq!((broken.status, folder.path().join("r.csv").exists()), (1, false));
+
     let again = run(folder.path(), &["reproduce", "--out", "r", "--only", "hull-scaling"]);
     assert_eq!((again.status, again.stderr.contains("is not empty")), (1, true));
 }
@@ -50,4 +62,24 @@ fn a_figure_is_drawn_alone() {
         assert_eq!((written.status, written.stdout), (0, piped.stderr));
         assert_eq!(fs::read_to_string(folder.path().join("figure.svg")).expect("written"), committed, "{id}");
     }
+}
+
+#[test]
+fn the_shell_is_told_of_every_command() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let print = |words: &[&str]| {
+        let outcome = run(folder.path(), words);
+        assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""), "{words:?}");
+        outcome.stdout
+    };
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = print(&["completions", shell]);
+        assert!(["enclose", "contains", "epsilon"].iter().all(|word| script.contains(word)), "{shell}");
+    }
+    let page = print(&["man"]);
+    assert!(page.contains(".TH zonobench 1") && page.contains("reproduce"), "{page}");
+    let page = print(&["man", "enclose"]);
+    assert!(page.contains(".TH zonobench-enclose 1") && page.contains("\\-\\-epsilon"), "{page}");
+    assert_eq!(run(folder.path(), &["man", "no-such-command"]).status, 2);
+    assert_eq!(run(folder.path(), &["completions", "no-such-shell"]).status, 2);
 }
