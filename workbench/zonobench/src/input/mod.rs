@@ -127,7 +127,11 @@ impl PointSource {
             Format::Geojson => geojson::points(file, text)?,
             Format::Json => document::points(file, text, self.columns.as_ref(), wanted)?,
             Format::Npy => npy::points(file, &content, self.columns.as_ref(), wanted)?,
-            mesh => Reading::without_columns(Points::Space(mesh::vertices(file, text, mesh)?), Vec::new()),
+            mesh => {
+                let vertices = mesh::vertices(file, text, mesh)?;
+                let left_out = mesh::left_out(text, &vertices, mesh);
+                Reading::without_columns(Points::Space(vertices), left_out)
+            }
         };
         if reading.points.is_empty() {
             return Err(Problem::Empty.at(file, Place::File));

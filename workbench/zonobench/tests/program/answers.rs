@@ -64,6 +64,9 @@ fn what_is_left_out_is_said() {
     fs::write(folder.join("map.geojson"), r#"{"type":"MultiPoint","coordinates":[[0,0,9],[6,0],[0,6,1]]}"#)
         .expect("written");
     assert_eq!(row(&enclosed(folder, "map.geojson", &[]), "columns"), "left out: the altitudes of 2 positions");
+    fs::write(folder.join("mesh.obj"), "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 8 8 8 1\nf 2 3 4\nl 5 3\n")
+        .expect("written");
+    assert_eq!(row(&enclosed(folder, "mesh.obj", &[]), "columns"), "left out: 2 vertices that nothing uses");
 }
 
 #[test]

@@ -21,6 +21,16 @@ pub(super) fn vertices(file: &Path, content: &[u8], format: Format) -> Result<Ve
     read(content).map_err(|(problem, place)| problem.at(file, place))
 }
 
+/// What the vertices that were read leave out, in words.
+pub(super) fn left_out(content: &[u8], vertices: &[[f64; 3]], format: Format) -> Vec<String> {
+    let unused = if format == Format::Obj { obj::unused_vertices(content, vertices) } else { 0 };
+    match unused {
+        0 => Vec::new(),
+        1 => vec!["1 vertex that nothing uses".to_owned()],
+        count => vec![format!("{count} vertices that nothing uses")],
+    }
+}
+
 /// What is wrong, and where in the file.
 type Misplaced = (Problem, Place);
 

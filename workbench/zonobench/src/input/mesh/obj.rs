@@ -1,5 +1,6 @@
 //! Wavefront OBJ, by the crate `tobj`: the vertices that faces, lines or points use, part by part.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use tobj::{LoadError, LoadOptions, MTLLoadResult};
@@ -21,6 +22,21 @@ pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
         }
     }
     Ok(vertices)
+}
+
+/// How many vertices of the file have coordinates that are not among those of the vertices which were read: no face,
+/// line or point uses them.
+pub(super) fn unused_vertices(content: &[u8], read: &[[f64; 3]]) -> usize {
+    let bits = |vertex: [f64; 3]| vertex.map(f64::to_bits);
+    let read: BTreeSet<[u64; 3]> = read.iter().map(|&vertex| bits(vertex)).collect();
+    let vertex = |line: &[u8]| -> Option<[f64; 3]> {
+        let text = std::str::from_utf8(line).ok()?;
+        let mut words = text.split_whitespace();
+        let coordinates = (words.next() == Some("v")).then_some(words)?.take(3).map(str::parse::<f64>);
+        coordinates.collect::<Result<Vec<_>, _>>().ok()?.try_into().ok()
+    };
+    let vertices = content.split(|&byte| byte == b'\n').filter_map(vertex);
+    vertices.filter(|&vertex| !read.contains(&bits(vertex))).count()
 }
 
 /// Indices are looked up at the end of a part, which says nothing about the line.
