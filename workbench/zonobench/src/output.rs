@@ -17,6 +17,9 @@ pub enum OutputError {
     /// The file is read as well.
     #[error("{}: is read, so it is not written over", .0.display())]
     Input(PathBuf),
+    /// The file is a link, which would be replaced.
+    #[error("{}: is a link; name the file that it leads to, or - for standard output", .0.display())]
+    Link(PathBuf),
     /// Two results would be written to the file.
     #[error("{}: two results cannot be written to one file", .0.display())]
     Twice(PathBuf),
@@ -116,6 +119,10 @@ fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
     if existing == Existing::Keep && file.symlink_metadata().is_ok() {
         return Err(OutputError::Exists(file.to_path_buf()));
     }
+    // A file takes the place of a link, not of what the link leads to; `/dev/stdout` is one.
+    if file.is_symlink() {
+        return Err(OutputError::Link(file.to_path_buf()));
+    }
     if file.is_dir() {
         return Err(unwritable(file)(io::Error::from(io::ErrorKind::IsADirectory)));
     }
@@ -204,6 +211,19 @@ mod tests {
         let dash = PathBuf::from("-");
         assert_eq!(check(&[&free, &dash], Existing::Keep), Ok(true));
         assert_eq!(check(&[&dash, &dash], Existing::Keep), complaint("two results cannot be written to one file"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_not_replaced() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let [file, link] = ["file", "link"].map(|name| folder.path().join(name));
+        fs::write(&file, "mine").expect("writable");
+        std::os::unix::fs::symlink(&file, &link).expect("a link");
+        let refused = Outputs::checked([&link], &[], Existing::Replace).expect_err("a link").to_string();
+        assert!(refused.ends_with("link: is a link; name the file that it leads to, or - for standard output"));
+        assert!(write_whole(&link, b"", Existing::Replace).is_err());
+        assert!(link.is_symlink() && fs::read(&file).expect("readable") == b"mine");
     }
 
     #[test]

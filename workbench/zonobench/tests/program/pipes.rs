@@ -26,9 +26,10 @@ fn commands_chain_without_further_options() {
     let run = |words: &[&str]| good(run(folder, words), &words.join(" ")).stdout;
     run(&["enclose", "a.obj", "--json", "a.json"]);
     run(&["enclose", "b.obj", "--json", "b.json"]);
-    assert!(run(&["intersect", "a.json", "b.json"]).contains("disjoint"));
+    assert!(run(&["intersect", "a.json", "b.json", "--svg", "meeting.svg"]).contains("disjoint"));
     assert!(run(&["distance", "a.json", "b.json"]).contains("checked: "));
-    assert!(run(&["inspect", "a.json"]).contains("volume"));
+    assert!(run(&["inspect", "a.json", "--svg", "a.svg"]).contains("volume"));
+    assert_eq!(run(&["contains", "a.json", "b.obj"]).matches("outside").count(), 4);
     for [mesh, answer] in [["a.obj", "a.json"], ["b.obj", "b.json"]] {
         assert!(run(&["verify", mesh, answer]).contains("\tright\t"));
     }
