@@ -215,10 +215,10 @@ impl<'a> Part<'a> {
             None => cell.split(self.rows, indices),
             Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(self.rows, indices)),
         };
-        let places = indices[first..].iter();
-        match self.frame {
-            None => crossing.extend(places.map(|&place| self.rows.row(place as usize))),
-            Some(frame) => crossing.extend(places.map(|&place| frame.map().image(&self.rows.row(place as usize)))),
+        let old = crossing.len();
+        self.rows.copy_some(&indices[first..], crossing);
+        if let Some(frame) = self.frame {
+            crossing[old..].iter_mut().for_each(|v| *v = frame.map().image(v));
         }
         if offset > 0 {
             indices[first..].iter_mut().for_each(|index| *index += offset as u32);

@@ -85,6 +85,11 @@ impl Reduced {
         chart.lines(&self.vectors)
     }
 
+    /// Writes the lines in the place of others.
+    pub(crate) fn write_lines(&self, chart: &RoundedChart, lines: &mut RoundedLines) {
+        chart.write_lines(&self.vectors, lines);
+    }
+
     /// The gradient of the whole objective at a point of the cell.
     pub(crate) fn gradient(&self, chart: &RoundedChart, [x, y]: [f64; 2]) -> [f64; 2] {
         let mut sum = self.fixed.sum;

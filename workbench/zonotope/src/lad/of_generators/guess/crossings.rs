@@ -21,11 +21,12 @@ pub(crate) struct CrossingList {
 
 impl CrossingList {
     pub(crate) fn with_capacity(capacity: usize) -> Self {
-        Self {
-            places: PerLine::with_capacity(capacity),
-            weights: PerLine::with_capacity(capacity),
-            lines: PerLine::with_capacity(capacity),
-        }
+        // an empty list is not copied on its way, one with a capacity is
+        let (mut places, mut weights, mut lines) = (PerLine::new(), PerLine::new(), PerLine::new());
+        places.reserve(capacity);
+        weights.reserve(capacity);
+        lines.reserve(capacity);
+        Self { places, weights, lines }
     }
 
     pub(crate) fn clear(&mut self) {

@@ -106,10 +106,9 @@ struct Crossings {
 
 impl Crossings {
     fn of(len: usize) -> Self {
-        Self {
-            places: PerLine::with_capacity(len.next_multiple_of(LANES)),
-            ahead: CrossingList::with_capacity(len.min(HORIZON_SAMPLE)),
-        }
+        let mut places = PerLine::new();
+        places.reserve(len.next_multiple_of(LANES));
+        Self { places, ahead: CrossingList::with_capacity(len.min(HORIZON_SAMPLE)) }
     }
 
     /// Gathers the crossings ahead that are no farther than `farthest`, and returns their total weight: half of what

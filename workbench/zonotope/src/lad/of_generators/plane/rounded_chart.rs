@@ -49,9 +49,14 @@ impl RoundedChart {
 
     /// The lines of some vectors.
     pub(crate) fn lines(&self, vectors: &[[f64; 3]]) -> RoundedLines {
-        let mut blocks = LineBlocks::with_capacity(vectors.len().div_ceil(LANES));
-        let length = dispatch!(level(), simd => self.read_lines(simd, vectors, &mut blocks));
-        RoundedLines::new(blocks, vectors.len(), length)
+        let mut lines = RoundedLines::default();
+        self.write_lines(vectors, &mut lines);
+        lines
+    }
+
+    /// The lines of some vectors, in the place of others: a search writes one list after the other where it stands.
+    pub(crate) fn write_lines(&self, vectors: &[[f64; 3]], lines: &mut RoundedLines) {
+        lines.rewrite(vectors.len(), |blocks| dispatch!(level(), simd => self.read_lines(simd, vectors, blocks)));
     }
 
     /// The lines of vectors, eight by eight; returns the sum of the lengths.

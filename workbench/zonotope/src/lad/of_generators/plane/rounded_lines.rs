@@ -34,15 +34,19 @@ pub(crate) struct RoundedLines {
 }
 
 impl RoundedLines {
-    /// From blocks of which only the first lines count: the others are overwritten.
-    pub(crate) fn new(mut blocks: LineBlocks, len: usize, length: f64) -> Self {
-        for row in len..LANES * blocks.len() {
-            let LineBlock(columns) = &mut blocks[row / LANES];
+    /// Lets someone write blocks of which only the first lines count, and return the sum of their lengths; the lines
+    /// that fill up the last block are overwritten.
+    pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut LineBlocks) -> f64) {
+        self.blocks.clear();
+        self.blocks.reserve(len.div_ceil(LANES));
+        self.length = write(&mut self.blocks);
+        self.len = len;
+        for row in len..LANES * self.blocks.len() {
+            let LineBlock(columns) = &mut self.blocks[row / LANES];
             for (column, c) in columns.iter_mut().zip(NO_LINE) {
                 column[slot(row) % LANES] = c;
             }
         }
-        Self { blocks, len, length }
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -171,7 +175,11 @@ mod tests {
                 column[slot(row)] = *c;
             }
         }
-        let lines = RoundedLines::new(LineBlocks::from_slice(&[block]), 3, 4.0);
+        let mut lines = RoundedLines::default();
+        lines.rewrite(3, |blocks| {
+            blocks.push(block);
+            4.0
+        });
         assert_eq!((lines.len(), lines.blocks().len(), lines.length), (3, 1, 4.0));
         assert_eq!(lines.iter().collect::<Vec<_>>(), columns);
         assert_eq!([0, 1, 2].map(|i| lines.line(i)), columns);

@@ -83,7 +83,7 @@ pub(crate) fn narrow(
         if 4 * smaller.vectors.len() > 3 * last.vectors.len() {
             break;
         }
-        lines = smaller.lines(chart);
+        smaller.write_lines(chart, &mut lines);
         levels.push(smaller);
     }
     let least_squares = |lines: &RoundedLines| lines.least_squares().map_or([0.0; 2], |(point, _)| point);
@@ -117,6 +117,6 @@ pub(crate) fn narrow(
             });
         }
         levels.pop();
-        lines = levels[levels.len() - 1].lines(chart);
+        levels[levels.len() - 1].write_lines(chart, &mut lines);
     }
 }

@@ -106,6 +106,17 @@ impl<'a> Rows<'a> {
         }
     }
 
+    /// Adds some of the rows to the end of a list, as [`row`](Self::row) gives them.
+    pub(crate) fn copy_some(self, places: &[u32], list: &mut Vec<[f64; 3]>) {
+        // which of both they come from is asked once
+        if self.blocks.is_empty() {
+            list.extend(places.iter().map(|&place| self.list[place as usize]));
+        } else {
+            let in_blocks = |place: usize| self.blocks[place / LANES].vector(slot(place) % LANES);
+            list.extend(places.iter().map(|&place| in_blocks(place as usize)));
+        }
+    }
+
     /// Some of the rows, from a place on that begins a block.
     #[inline(always)]
     pub(crate) fn part(self, range: Range<usize>) -> Self {
