@@ -9,6 +9,7 @@ use crate::runner::stopwatch::Stopwatch;
 use crate::seed::{self, Digest};
 use std::f64::consts::TAU;
 use zonotope::Pose;
+use zonotope::collision::prepared::DirectionTree;
 use zonotope::collision::tracking::{WalkingTracker, WarmTracker};
 use zonotope::collision::{Location, PosedQuery, Query, Status, by_lad};
 use zonotope::interop::verifier::check_location;
@@ -44,8 +45,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     question: "A body of 1,024 generators goes around another one, apart from it by a thousandth of the distance of \
                touching and then as deep in it; n is the number of frames that a whole turn would take, so that \
                larger n is slower motion, and each run has 100 frames. `reads` a frame: a fresh query reads all \
-               generators whatever the speed, the kernel that begins with the last frame's optimum fewer the slower \
-               the motion is. `steps` a frame: walking crosses as many edges as the motion passes over. All frames \
+               generators whatever the speed, one to trees over directions, built once, a part of them, the kernel \
+               that begins with the last frame's optimum fewer the slower the motion is. `steps` a frame: walking crosses as many edges as the motion passes over. All frames \
                have the status of the construction; of each tenth the proof is checked.",
     claims: &["local-walk", "summary-repeated-tests"],
     families: FAMILIES,
@@ -55,6 +56,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     variants: &[
         Variant { id: "warm", title: "Kernel with the last frame's optimum", largest: PerProfile::both(usize::MAX) },
         Variant { id: "fresh", title: "Fresh query", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "trees", title: "Fresh query to trees over directions", largest: PerProfile::both(usize::MAX) },
         Variant { id: "walking", title: "Walk to the closest feature", largest: PerProfile::both(usize::MAX) },
     ],
     measure,
@@ -81,6 +83,8 @@ pub const EXPERIMENT: Experiment = Experiment {
 /// Two bodies, and where the second one's centre is in each frame: first apart from the other body, then in it.
 struct Motion {
     bodies: [PreparedBody; 2],
+    /// For the variant that asks trees.
+    trees: Option<[DirectionTree; 2]>,
     places: Vec<[f64; 3]>,
 }
 
@@ -108,7 +112,8 @@ impl Motion {
             Ok(direction.map(|c| c / gauge * factor))
         };
         let places = (0..FRAMES).map(place).collect::<Result<_, String>>()?;
-        Ok(Self { bodies: [fixed, moving].map(PreparedBody::new), places })
+        let trees = (case.variant == "trees").then(|| [&fixed, &moving].map(DirectionTree::new));
+        Ok(Self { bodies: [fixed, moving].map(PreparedBody::new), trees, places })
     }
 
     fn is_apart(frame: usize) -> bool {
@@ -130,18 +135,22 @@ impl Motion {
             let is_proved = frame % proved == 0;
             let mut counts = OperationCounts::default();
             let tally: &mut dyn Tally = if is_counted { &mut counts } else { &mut () };
-            let (status, location, steps) = match (&mut walking, variant) {
+            let (status, location, steps) = match (&mut walking, &self.trees) {
                 (Some(tracker), _) => {
                     let walked = tracker.frame([0.0; 3], *place).map_err(|error| error.to_string())?;
                     let location = is_proved.then(|| walked.location());
                     (walked.status(), location, walked.steps())
                 }
-                (None, "warm") => {
+                (None, Some([fixed, moving])) => {
+                    let located = fixed.at(&still).intersection_counted(&moving.at(&pose(place)?), tally);
+                    (located.status(), is_proved.then(|| located.expand()), 0)
+                }
+                (None, None) if variant == "warm" => {
                     let tracked = warm.frame_counted(&still, &pose(place)?, tally);
                     let location = is_proved.then(|| tracked.location());
                     (tracked.status(), location, 0)
                 }
-                (None, _) => {
+                (None, None) => {
                     let query = PosedQuery::between((fixed, &still), (moving, &pose(place)?));
                     let location = by_lad::locate_posed_counted(&query, tally);
                     (location.status(), is_proved.then_some(location), 0)

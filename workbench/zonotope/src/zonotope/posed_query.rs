@@ -49,6 +49,11 @@ impl<'a> PosedQuery<'a> {
         Self::new([a, b], [*from, *to], [own, others])
     }
 
+    /// A query about generators in two runs, each with the point that stands for its body; all finite. O(1).
+    pub(crate) fn of_runs(points: [[f64; 3]; 2], poses: [Pose; 2], runs: [&'a [[f64; 3]]; 2]) -> Self {
+        Self::new(points, poses, runs.map(Rows::new))
+    }
+
     fn new(points: [[f64; 3]; 2], poses: [Pose; 2], generators: [Rows<'a>; 2]) -> Self {
         Self { points, poses, generators, displacement: OnceLock::new() }
     }

@@ -61,7 +61,7 @@ pub(crate) mod proof;
 pub use facet::Facet;
 
 #[cfg(test)]
-mod tests;
+pub(in crate::collision) mod tests;
 
 use self::early::posed::PosedRows;
 use super::{Gauge, Location, Query, by_lad_in_r4};

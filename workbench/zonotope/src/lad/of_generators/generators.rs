@@ -5,7 +5,7 @@
 //! | `[[f64; 3]]` | rows of a body, or a sample of them |
 //! | [`Query`] | one or two bodies, in the rows that they are stored in or, if they were prepared, in blocks |
 //! | [`Posed`] | one or two bodies under poses, whose generators are never copied |
-//! | `collision::prepared::by_direction_tree` | one body whose generators of neighbouring directions are summed up |
+//! | `collision::prepared::by_direction_tree` | one body, or two under poses, with sums of neighbouring generators |
 //!
 //! Every implementor consists of at most two parts, each a slice of rows with or without a matrix. A pass is written
 //! once, for a slice; where a part has a matrix, its [`Frame`] pulls the cell back before the pass and pushes the sum
@@ -203,7 +203,9 @@ impl<'a> Part<'a> {
         self.frame.map_or_else(|| u.clone(), |frame| frame.exact_pulled(u))
     }
 
-    fn split(
+    /// The sum of the generators whose sign is fixed in a cell; the others are added to a list, and their places, from
+    /// an offset on, to a second one. One pass.
+    pub(crate) fn split(
         &self,
         cell: &DirectionCone,
         offset: usize,
@@ -215,6 +217,13 @@ impl<'a> Part<'a> {
             None => cell.split(self.rows, indices),
             Some(frame) => frame.pushed_sum(&frame.pulled_cell(cell).split(self.rows, indices)),
         };
+        self.gather(first, offset, crossing, indices);
+        fixed
+    }
+
+    /// Adds the generators whose places are the last ones of a list to another list, and moves these places by an
+    /// offset.
+    pub(crate) fn gather(&self, first: usize, offset: usize, crossing: &mut Vec<[f64; 3]>, indices: &mut Places) {
         let old = crossing.len();
         self.rows.copy_some(&indices[first..], crossing);
         if let Some(frame) = self.frame {
@@ -223,10 +232,10 @@ impl<'a> Part<'a> {
         if offset > 0 {
             indices[first..].iter_mut().for_each(|index| *index += offset as u32);
         }
-        fixed
     }
 
-    fn support(&self, u: &[f64; 3]) -> Bounded {
+    /// Σ |v · u| with a bound of its error. One pass.
+    pub(crate) fn support(&self, u: &[f64; 3]) -> Bounded {
         match self.frame {
             None => bounded_sum(self.rows, u),
             Some(frame) => {

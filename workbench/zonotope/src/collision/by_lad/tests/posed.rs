@@ -50,7 +50,7 @@ fn truth(images: &[ExactVector], p: &ExactVector) -> Option<&'static str> {
 }
 
 /// Whether the proof holds, in exact rationals.
-pub(super) fn check_proof(query: &PosedQuery<'_>, location: &Location<3>) {
+pub(in crate::collision) fn check_proof(query: &PosedQuery<'_>, location: &Location<3>) {
     let (images, p) = (images(query), query.displacement());
     match location {
         Location::Outside(separation) => {

@@ -113,16 +113,16 @@ impl Located<'_> {
         match &self.found {
             Found::Told(Told::Outside(u)) => Location::Outside(Separation::Rounded(*u)),
             Found::Told(Told::Inside(parts)) => match self.written(parts) {
-                Some(witness) => tree.in_order_of_body(Location::Inside(witness)),
+                Some(witness) => in_order_of_bodies(Location::Inside(witness), &[tree]),
                 None => self.expanded_facet(&solve(&self.query, Goal::Location, &mut ())),
             },
-            Found::Told(Told::Written(location)) => tree.in_order_of_body(location.clone()),
+            Found::Told(Told::Written(location)) => in_order_of_bodies(location.clone(), &[tree]),
             Found::Facet(optimum) => self.expanded_facet(optimum),
         }
     }
 
     fn expanded_facet(&self, optimum: &Optimum) -> Location<3> {
-        self.query.tree.in_order_of_body(proof::location(&self.query, optimum, &mut ()))
+        in_order_of_bodies(proof::location(&self.query, optimum, &mut ()), &[self.query.tree])
     }
 
     /// The coefficients of nodes for each generator, with three generators that make up for the rounding of sums.
@@ -142,7 +142,7 @@ impl Located<'_> {
 }
 
 /// Whether the gauge is below 1; none where it is above.
-fn is_strict(optimum: &Optimum) -> Option<bool> {
+pub(super) fn is_strict(optimum: &Optimum) -> Option<bool> {
     match optimum {
         Optimum::Centre => Some(true),
         Optimum::Separated(_) => None,
@@ -156,23 +156,30 @@ fn is_strict(optimum: &Optimum) -> Option<bool> {
     }
 }
 
-impl DirectionTree {
-    /// A location with a coefficient for each row, for each generator of the body.
-    fn in_order_of_body(&self, location: Location<3>) -> Location<3> {
-        match location {
-            Location::Inside(witness) => Location::Inside(self.witness_of_body(&witness)),
-            Location::Boundary(witness) => Location::Boundary(self.witness_of_body(&witness)),
-            Location::Outside(separation) => Location::Outside(separation),
-        }
+/// A location with a coefficient for each row of some trees, tree by tree, for each generator of their bodies.
+pub(super) fn in_order_of_bodies(location: Location<3>, trees: &[&DirectionTree]) -> Location<3> {
+    match location {
+        Location::Inside(witness) => Location::Inside(witness_of_bodies(&witness, trees)),
+        Location::Boundary(witness) => Location::Boundary(witness_of_bodies(&witness, trees)),
+        Location::Outside(separation) => Location::Outside(separation),
     }
+}
 
-    fn witness_of_body(&self, witness: &Witness) -> Witness {
-        let mut coefficients = vec![0.0; witness.coefficients.len()];
-        for ((&c, &place), &is_turned) in witness.coefficients.iter().zip(&self.places).zip(&self.is_turned) {
-            coefficients[place as usize] = if is_turned { -c } else { c };
+fn witness_of_bodies(witness: &Witness, trees: &[&DirectionTree]) -> Witness {
+    let mut coefficients = vec![0.0; witness.coefficients.len()];
+    let mut basis = Vec::with_capacity(witness.basis.len());
+    let mut offset = 0;
+    for tree in trees {
+        let own = offset..offset + tree.len();
+        for ((&c, &place), &is_turned) in
+            witness.coefficients[own.clone()].iter().zip(&tree.places).zip(&tree.is_turned)
+        {
+            coefficients[offset + place as usize] = if is_turned { -c } else { c };
         }
-        let mut basis: Vec<usize> = witness.basis.iter().map(|&b| self.places[b] as usize).collect();
-        basis.sort_unstable();
-        Witness { coefficients, basis }
+        let in_tree = witness.basis.iter().filter(|b| own.contains(b));
+        basis.extend(in_tree.map(|&b| offset + tree.places[b - offset] as usize));
+        offset = own.end;
     }
+    basis.sort_unstable();
+    Witness { coefficients, basis }
 }

@@ -76,7 +76,7 @@ impl DirectionTree {
     }
 
     /// At least Σ |v · u|, less its error.
-    fn support_from_outside(&self, front: &Front, u: &[f64; 3]) -> Bounded {
+    pub(super) fn support_from_outside(&self, front: &Front, u: &[f64; 3]) -> Bounded {
         let value = dispatch!(level(), simd => chords(simd, &front.blocks, u));
         let additions = (front.blocks.len() + CHILDREN) as f64;
         let error = UNIT * additions * value + CHORD_ROUNDING * self.weight * sum_norm(u);

@@ -4,9 +4,15 @@
 //! width of the box: Newton steps on the objective of nodes come nearer to the optimum than the nodes are wide. Then
 //! only the nodes that cross a cell around the point are opened, and so on down to the leaves.
 
+use std::borrow::Cow;
+
+use smallvec::SmallVec;
+
 use super::DirectionTree;
+use super::part::TreePart;
 use super::walk::{Nodes, Visitor, walk};
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
+use crate::lad::of_generators::frame::Frame;
 use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::guess::huber_newton::Step;
 use crate::lad::of_generators::guess::huber_sums::{Moments, Others, factor, solve};
@@ -35,24 +41,35 @@ const DEVIATIONS: f64 = 0.65;
 /// believed: the signs of the nodes beside the cell are not those at the minimum.
 const BELIEVED_DISTANCE: f64 = 4.0;
 
+/// Memory for so many nodes is taken for those of a level that cross a cell; few cells are crossed by more.
+const LIKELY_NODES: usize = 1024;
+
 /// How many levels of the tree one search skips.
 const LEVELS_AT_ONCE: usize = 2;
 
 /// Nodes that cross a cell, and the sum of all others.
-struct Reduced {
-    sums: Vec<[f64; 3]>,
-    widths: Vec<[[f64; 3]; 2]>,
+struct Reduced<'t> {
+    /// The sums of the nodes under the matrices of their trees, tree by tree.
+    sums: Cow<'t, [[f64; 3]]>,
+    /// How wide the nodes of each tree are, before any matrix.
+    widths: SmallVec<[Widths<'t>; 2]>,
     fixed: [f64; 3],
 }
 
+/// How wide some nodes of a tree are.
+struct Widths<'t> {
+    frame: Option<&'t Frame>,
+    of_nodes: Cow<'t, [[[f64; 3]; 2]]>,
+}
+
 /// The sums and widths of the nodes that a walk crosses.
-struct Crossed<'t> {
+struct Crossed<'t, 's> {
     tree: &'t DirectionTree,
-    sums: Vec<[f64; 3]>,
+    sums: &'s mut Vec<[f64; 3]>,
     widths: Vec<[[f64; 3]; 2]>,
 }
 
-impl Visitor for Crossed<'_> {
+impl Visitor for Crossed<'_, '_> {
     #[inline(always)]
     fn crossed(&mut self, Nodes { face, level, block, mut lanes }: Nodes) {
         let block = &self.tree.faces[face].levels[level][block];
@@ -65,54 +82,76 @@ impl Visitor for Crossed<'_> {
     }
 }
 
-impl DirectionTree {
-    /// A cell that is likely to hold the direction u with u · p = 1 at which Σ |v · u| is least; none where Newton
-    /// steps do not get there.
-    pub(super) fn cell_near_optimum(&self, p: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
-        let chart = RoundedChart::new(p);
-        let lines = chart.lines(&self.middle_front.sums);
-        let (start, _) = lines.least_squares()?;
-        tally.add(Operation::GeneratorRead, self.middle_front.sums.len() as u64);
-        let mut guess = minimum(lines, &self.middle_front.widths, [0.0; 2], &chart, start)?;
-        let mut level = self.middle_level;
-        while level > 0 {
-            level = level.saturating_sub(LEVELS_AT_ONCE);
-            let cell = chart.cell(&guess, 1.0);
-            let Reduced { sums, widths, fixed } = self.reduced(&cell, level, tally);
-            let [x, y, _] = chart.line(&fixed);
-            let next = minimum(chart.lines(&sums), &widths, [x, y], &chart, guess.point)?;
-            if !guess.is_near(next.point, BELIEVED_DISTANCE) {
-                return None;
-            }
-            guess = next;
+/// A cell that is likely to hold the direction u with u · p = 1 at which Σ |v · u| is least, over the generators of
+/// one or two trees; none where Newton steps do not get there, or sums of nodes are of no use.
+pub(super) fn cell_near_optimum(parts: &[TreePart<'_>], p: [f64; 3], tally: &mut dyn Tally) -> Option<DirectionCone> {
+    if !parts.iter().all(|part| part.tree.is_moderate) {
+        return None;
+    }
+    let chart = RoundedChart::new(p);
+    let middle = of_middle_fronts(parts);
+    let lines = chart.lines(&middle.sums);
+    let (start, _) = lines.least_squares()?;
+    tally.add(Operation::GeneratorRead, middle.sums.len() as u64);
+    let mut guess = minimum(&middle, lines, &chart, start)?;
+    let mut levels: SmallVec<[usize; 2]> = parts.iter().map(|part| part.tree.middle_level).collect();
+    while levels.iter().any(|&level| level > 0) {
+        levels.iter_mut().for_each(|level| *level = level.saturating_sub(LEVELS_AT_ONCE));
+        let cell = chart.cell(&guess, 1.0);
+        let nodes = reduced(parts, &levels, &cell, tally);
+        let next = minimum(&nodes, chart.lines(&nodes.sums), &chart, guess.point)?;
+        if !guess.is_near(next.point, BELIEVED_DISTANCE) {
+            return None;
         }
-        Some(chart.cell(&guess, 1.0))
+        guess = next;
     }
+    Some(chart.cell(&guess, 1.0))
+}
 
-    /// The nodes of a level that cross a cell.
-    fn reduced(&self, cell: &DirectionCone, level: usize, tally: &mut dyn Tally) -> Reduced {
-        let mut crossed = Crossed { tree: self, sums: Vec::with_capacity(1024), widths: Vec::with_capacity(1024) };
-        let walked = walk(&self.faces, cell, level, &mut crossed);
+/// The nodes of the middle fronts; those of one tree without a matrix are read where they are.
+fn of_middle_fronts<'t>(parts: &[TreePart<'t>]) -> Reduced<'t> {
+    let widths =
+        |part: &TreePart<'t>| Widths { frame: part.frame, of_nodes: Cow::Borrowed(&part.tree.middle_front.widths) };
+    let sums = match parts {
+        [TreePart { tree, frame: None }] => Cow::Borrowed(&tree.middle_front.sums[..]),
+        _ => parts.iter().flat_map(|part| part.tree.middle_front.sums.iter().map(|v| part.image(v))).collect(),
+    };
+    Reduced { sums, widths: parts.iter().map(widths).collect(), fixed: [0.0; 3] }
+}
+
+/// The nodes that cross a cell, of a level of each tree.
+fn reduced<'t>(parts: &[TreePart<'t>], levels: &[usize], cell: &DirectionCone, tally: &mut dyn Tally) -> Reduced<'t> {
+    let mut sums = Vec::with_capacity(LIKELY_NODES * parts.len());
+    let mut widths = SmallVec::new();
+    let mut fixed = [0.0; 3];
+    for (part, &level) in parts.iter().zip(levels) {
+        let TreePart { tree, frame } = *part;
+        let first = sums.len();
+        let mut crossed = Crossed { tree, sums: &mut sums, widths: Vec::with_capacity(LIKELY_NODES) };
+        let pulled = frame.map_or(*cell, |frame| frame.pulled_cell(cell));
+        let walked = walk(&tree.faces, &pulled, level, &mut crossed);
         tally.add(Operation::GeneratorRead, walked.read as u64);
-        Reduced { sums: crossed.sums, widths: crossed.widths, fixed: walked.sum }
+        widths.push(Widths { frame, of_nodes: crossed.widths.into() });
+        let own = part.image(&walked.sum);
+        fixed = [0, 1, 2].map(|k| fixed[k] + own[k]);
+        if frame.is_some() {
+            sums[first..].iter_mut().for_each(|v| *v = part.image(v));
+        }
     }
+    Reduced { sums: sums.into(), widths, fixed }
 }
 
 /// The minimum of the objective of nodes, each rounded off over its width, with the cell that it is likely to be in.
-fn minimum(
-    lines: RoundedLines,
-    widths: &[[[f64; 3]; 2]],
-    linear: [f64; 2],
-    chart: &RoundedChart,
-    point: [f64; 2],
-) -> Option<Guess> {
+fn minimum(nodes: &Reduced<'_>, lines: RoundedLines, chart: &RoundedChart, point: [f64; 2]) -> Option<Guess> {
     let u = chart.point(point);
-    // the standard deviation of a sum of even spreads is that of one whose width is the root of the squares' sum
-    let width = |[side, half]: &[[f64; 3]; 2]| {
-        let (along, [x, y, z]) = (dot(side, &u), [0, 1, 2].map(|k| half[k] * u[k]));
-        (along * along + x * x + y * y + z * z).sqrt().max(f64::MIN_POSITIVE)
-    };
-    let lines = lines.with_widths(&widths.iter().map(width).collect::<Vec<_>>());
+    let [x, y, _] = chart.line(&nodes.fixed);
+    let linear = [x, y];
+    let mut widths = Vec::with_capacity(nodes.sums.len());
+    for Widths { frame, of_nodes } in &nodes.widths {
+        let u = frame.map_or(u, |frame| frame.map().pulled(&u));
+        widths.extend(of_nodes.iter().map(|node| width(node, &u)));
+    }
+    let lines = lines.with_widths(&widths);
     let found = newton(&lines, linear, point).or_else(|| {
         // where nodes of little width nearly meet, no step of Newton's is of use before the vertex is known
         let vertex = lines.optimum(linear, point)?;
@@ -125,6 +164,13 @@ fn minimum(
     let guess = Guess { point, band, sides: [side(first)?, side(second)?] };
     let finite = |v: [f64; 2]| v[0].is_finite() && v[1].is_finite();
     (finite(guess.point) && finite(guess.sides[0]) && finite(guess.sides[1])).then_some(guess)
+}
+
+/// The standard deviation of v · u over a box: that of a sum of even spreads is that of one whose width is the root of
+/// the squares' sum.
+fn width([side, half]: &[[f64; 3]; 2], u: &[f64; 3]) -> f64 {
+    let (along, [x, y, z]) = (dot(side, u), [0, 1, 2].map(|k| half[k] * u[k]));
+    (along * along + x * x + y * y + z * z).sqrt().max(f64::MIN_POSITIVE)
 }
 
 /// A point with the moments of a band there.

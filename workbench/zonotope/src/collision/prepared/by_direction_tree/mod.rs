@@ -4,7 +4,8 @@
 //! # Statement
 //! Input: a zonotope Z of space. Output: a [`DirectionTree`] that answers for any point where it lies relative to Z
 //! ([`locate`](DirectionTree::locate)), how many times Z must be taken to hold it ([`gauge`](DirectionTree::gauge)),
-//! and how far Z reaches in a direction ([`support`](DirectionTree::support)). Z is closed: touching is
+//! and how far Z reaches in a direction ([`support`](DirectionTree::support)); of Z under a pose, where a point lies and
+//! how two such bodies meet ([`at`](DirectionTree::at), [`PosedTree`]). Z is closed: touching is
 //! [`Status::Boundary`](crate::collision::Status::Boundary), and so is every member of a flat Z. Zero, parallel and
 //! coplanar generators and none at all are ordinary input.
 //!
@@ -25,7 +26,9 @@
 //! 4. For other points the nodes give a cell that probably holds the optimum, level by level (`guess`); the kernel sums
 //!    up what misses it, searches the few generators that cross it, and certifies what it finds. Where the point is too
 //!    near to the boundary for doubles, sums of nodes without rounding decide (`exact_sums`).
-//! 5. The answer keeps the form in which it was proved; the coefficients of all generators are written when they are
+//! 5. A body under a pose, or two, are asked without touching a tree: cells and directions are pulled back into the
+//!    frame of the tree, sums are pushed forward (`posed`).
+//! 6. The answer keeps the form in which it was proved; the coefficients of all generators are written when they are
 //!    asked for (`answer`).
 //!
 //! # Complexity
@@ -69,6 +72,8 @@ mod exact_sums;
 mod guess;
 mod nodes;
 pub(in crate::collision) mod order;
+mod part;
+mod posed;
 mod query;
 mod slab;
 mod support;
@@ -78,6 +83,7 @@ mod walk;
 mod tests;
 
 pub use answer::{Certificate, Located, Measured};
+pub use posed::{PosedLocated, PosedMeasured, PosedTree};
 
 use self::answer::Found;
 use self::exact_sums::ExactSums;

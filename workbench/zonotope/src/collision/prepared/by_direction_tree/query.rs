@@ -7,7 +7,9 @@
 use std::ops::Range;
 
 use super::DirectionTree;
+use super::guess::cell_near_optimum;
 use super::nodes::Face;
+use super::part::TreePart;
 use super::walk::{Nodes, Visitor, walk};
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
@@ -24,7 +26,7 @@ use crate::tally::Tally;
 use crate::zonotope::query::Query;
 
 /// Memory for so many generators is taken for those that cross a cell; few cells are crossed by more.
-const LIKELY_CROSSING: usize = 1024;
+pub(super) const LIKELY_CROSSING: usize = 1024;
 
 /// A displacement relative to the generators of a tree, in the order of the tree.
 #[derive(Debug, Clone, Copy)]
@@ -88,6 +90,12 @@ impl DirectionTree {
     }
 }
 
+impl<'t> TreeQuery<'t> {
+    fn part(&self) -> TreePart<'t> {
+        TreePart { tree: self.tree, frame: None }
+    }
+}
+
 impl Generators for TreeQuery<'_> {
     fn parts(&self) -> [Part<'_>; 2] {
         self.query.parts()
@@ -98,16 +106,11 @@ impl Generators for TreeQuery<'_> {
     }
 
     fn support(&self, u: &[f64; 3]) -> Bounded {
-        if self.tree.is_moderate { self.tree.centred_support(u) } else { self.query.support(u) }
+        self.part().support(u)
     }
 
     fn split(&self, cell: &DirectionCone, crossing: &mut Vec<[f64; 3]>, indices: &mut Places) -> FixedSum {
-        if !self.tree.is_moderate {
-            return self.query.split(cell, crossing, indices);
-        }
-        let fixed = self.tree.split(cell, indices);
-        crossing.extend(indices.iter().map(|&place| self.tree.rows[place as usize]));
-        fixed
+        self.part().split(cell, 0, crossing, indices)
     }
 }
 
@@ -126,11 +129,11 @@ impl KernelQuery for TreeQuery<'_> {
 
     fn likely_cell(&self, tally: &mut dyn Tally) -> Option<DirectionCone> {
         let p = self.query.rounded_displacement().map(|c| c.value);
-        if self.tree.is_moderate { self.tree.cell_near_optimum(p, tally) } else { None }
+        cell_near_optimum(&[self.part()], p, tally)
     }
 
     fn exact_sum_along(&self, direction: &ExactVector) -> Option<ExactVector> {
-        self.tree.exact_sum_along(direction).map(|(sum, _)| sum)
+        self.part().exact_sum_along(direction)
     }
 
     fn known_gauge_bound(&self) -> Option<f64> {

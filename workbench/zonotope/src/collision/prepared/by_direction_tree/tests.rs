@@ -9,11 +9,11 @@ use crate::numeric::linear;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-const KINDS: usize = 8;
+pub(super) const KINDS: usize = 8;
 
 /// Generators of eight kinds: even; few directions; whole numbers; nearly in a plane; on a cone; in a plane; of lengths
 /// far apart; at the ends of the range of doubles.
-fn body(kind: usize, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
+pub(super) fn body(kind: usize, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
     (0..n)
         .map(|i| {
             let [x, y, z] = [0; 3].map(|_| random.random_range(-1.0..1.0f64));

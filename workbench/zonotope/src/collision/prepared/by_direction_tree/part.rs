@@ -1,0 +1,73 @@
+//! A tree under a matrix: what the nodes tell of a cell or a direction of space.
+
+use super::DirectionTree;
+use crate::lad::of_generators::cells::direction_cone::DirectionCone;
+use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
+use crate::lad::of_generators::frame::Frame;
+use crate::lad::of_generators::generators::Part;
+use crate::numeric::bounded::Bounded;
+use crate::numeric::exact_linear::ExactVector;
+use crate::numeric::lanes::rows::Rows;
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
+
+/// A tree with the matrix that its generators are to be taken under.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TreePart<'t> {
+    pub(super) tree: &'t DirectionTree,
+    pub(super) frame: Option<&'t Frame>,
+}
+
+impl TreePart<'_> {
+    /// The image of a vector of the tree's frame.
+    pub(super) fn image(&self, v: &[f64; 3]) -> [f64; 3] {
+        self.frame.map_or(*v, |frame| frame.map().image(v))
+    }
+
+    /// The sum of the generators whose sign is fixed in a cell; the others and their places are added to lists.
+    pub(super) fn split(
+        &self,
+        cell: &DirectionCone,
+        offset: usize,
+        crossing: &mut Vec<[f64; 3]>,
+        indices: &mut Places,
+    ) -> FixedSum {
+        let Self { tree, frame } = *self;
+        let part = Part { rows: Rows::new(&tree.rows), frame };
+        if !tree.is_moderate {
+            return part.split(cell, offset, crossing, indices);
+        }
+        let first = indices.len();
+        let fixed = match frame {
+            None => tree.split(cell, indices),
+            Some(frame) => frame.pushed_sum(&tree.split(&frame.pulled_cell(cell), indices)),
+        };
+        part.gather(first, offset, crossing, indices);
+        fixed
+    }
+
+    /// Σ |v · u| with a bound of its error.
+    pub(super) fn support(&self, u: &[f64; 3]) -> Bounded {
+        let Self { tree, frame } = *self;
+        if !tree.is_moderate {
+            return Part { rows: Rows::new(&tree.rows), frame }.support(u);
+        }
+        self.in_frame(u, |u| tree.centred_support(u))
+    }
+
+    /// What a function makes of Mᵀ u in the place of Σ |v · u|, with what the rounding of Mᵀ u may take off that sum.
+    pub(super) fn in_frame(&self, u: &[f64; 3], of: impl FnOnce(&[f64; 3]) -> Bounded) -> Bounded {
+        let Some(frame) = self.frame else { return of(u) };
+        let map = frame.map();
+        let Bounded { value, error } = of(&map.pulled(u));
+        // |v|_1 is at most three times the largest coordinate
+        let off = 3.0 * self.tree.weight * 4.0 * UNIT * map.pulled_size(u);
+        Bounded { value, error: (error + off) * FIVE_ROUNDINGS }
+    }
+
+    /// [`DirectionTree::exact_sum_along`] of the images of the generators.
+    pub(super) fn exact_sum_along(&self, direction: &ExactVector) -> Option<ExactVector> {
+        let Some(frame) = self.frame else { return Some(self.tree.exact_sum_along(direction)?.0) };
+        let (sum, _) = self.tree.exact_sum_along(&frame.exact_pulled(direction))?;
+        Some(frame.exact_image(&sum))
+    }
+}
