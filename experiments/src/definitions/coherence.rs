@@ -46,8 +46,9 @@ pub const EXPERIMENT: Experiment = Experiment {
                touching and then as deep in it; n is the number of frames that a whole turn would take, so that \
                larger n is slower motion, and each run has 100 frames. `reads` a frame: a fresh query reads all \
                generators whatever the speed, one to trees over directions, built once, a part of them, the kernel \
-               that begins with the last frame's optimum fewer the slower the motion is. `steps` a frame: walking crosses as many edges as the motion passes over. All frames \
-               have the status of the construction; of each tenth the proof is checked.",
+               that begins with the last frame's optimum fewer the slower the motion is. `steps` a frame: walking \
+               crosses as many edges as the motion passes over. All frames have the status of the construction; of \
+               each tenth the proof is checked.",
     claims: &["local-walk", "summary-repeated-tests"],
     families: FAMILIES,
     real_inputs: &[],

@@ -4,8 +4,8 @@
 //! # Statement
 //! Input: a zonotope Z of space. Output: a [`DirectionTree`] that answers for any point where it lies relative to Z
 //! ([`locate`](DirectionTree::locate)), how many times Z must be taken to hold it ([`gauge`](DirectionTree::gauge)),
-//! and how far Z reaches in a direction ([`support`](DirectionTree::support)); of Z under a pose, where a point lies and
-//! how two such bodies meet ([`at`](DirectionTree::at), [`PosedTree`]). Z is closed: touching is
+//! and how far Z reaches in a direction ([`support`](DirectionTree::support)); and the same of Z where a pose puts it,
+//! with how two such bodies meet ([`at`](DirectionTree::at)). Z is closed: touching is
 //! [`Status::Boundary`](crate::collision::Status::Boundary), and so is every member of a flat Z. Zero, parallel and
 //! coplanar generators and none at all are ordinary input.
 //!
