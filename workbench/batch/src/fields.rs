@@ -111,6 +111,11 @@ impl<'a> Fields<'a> {
         value.text().ok_or_else(|| Refusal::bad_input(format!("`{place}` is {}, not a string", value.describe())))
     }
 
+    /// The text under a name that may be absent.
+    pub(super) fn optional_text(&self, name: &str) -> Result<Option<&'a str>, Refusal> {
+        if self.object.field(name).is_some() { self.text(name).map(Some) } else { Ok(None) }
+    }
+
     /// The number under `name`.
     pub(super) fn number(&self, name: &str) -> Result<f64, Refusal> {
         number(self.value(name), &self.place.field(name))
@@ -125,6 +130,11 @@ impl<'a> Fields<'a> {
     /// The whole number under `name`.
     pub(super) fn count(&self, name: &str) -> Result<u64, Refusal> {
         whole(self.value(name), &self.place.field(name), 0)
+    }
+
+    /// The whole number from 1 on under a name that may be absent.
+    pub(super) fn optional_count(&self, name: &str) -> Result<Option<u64>, Refusal> {
+        self.object.field(name).map(|value| whole(value, &self.place.field(name), 1)).transpose()
     }
 
     /// The number of coordinates of the first vector under `name`, if there is any.

@@ -26,6 +26,7 @@
 //! | [`check_reduction`] | a zonotope of few generators contains another one | shares, which write each generator in terms of the enclosing ones; else none: every facet normal |
 //! | [`check_hausdorff`] | how far apart two bodies are at least, whether one contains the other | a direction in which their support functions differ by that |
 //! | [`check_combinatorics`] | numbers of faces, the volume | none: counted in another way, Σ abs(det) |
+//! | [`check_measure`] | the volume, rounded | none: Σ abs(det) |
 //! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |
 //! | [`check_separator`] | a chain with k tiles on its left | none: the order of the lines along the chain |
 //! | [`check_tiling`] | the tiling of the upper hull | none: the arrangement of lines, piece by piece |
@@ -75,7 +76,7 @@ pub use arrangement::slope_selection::{SlopeSelectionProof, check_slope_selectio
 pub use arrangement::tiling::{Tile, TilingAnswer, TilingEdge, TilingProof, check_tiling};
 pub use arrangement::upper_hull::check_upper_hull;
 pub use arrangement::walk::{FacetTriple, WalkProof, check_walk};
-pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics};
+pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics, check_measure};
 pub use bodies::support::{SupportAnswer, SupportProof, check_support};
 pub use collision::displaced::{Body, Displaced, Pose};
 pub use collision::distance::{DistanceAnswer, DistanceProof, check_distance};

@@ -5,7 +5,8 @@ use super::reading::{boolean, exact_numbers, float, index, indices, member, plan
 use crate::json::Tree;
 use verifier::{
     Certificate, Directed, DirectedAnswer, ExactMinArea, Fraction, MinAreaAnswer, MinLengthAnswer,
-    check_exact_min_area, check_min_area, check_min_length_all, check_min_length_dirs,
+    check_exact_min_area, check_measure, check_min_area, check_min_length_all, check_min_length_all_at_any_ratio,
+    check_min_length_dirs,
 };
 
 pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -84,7 +85,23 @@ pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, Str
         within_epsilon: result.field("within_epsilon").map(|_| boolean(result, "within_epsilon")).transpose()?,
         forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
     };
-    Ok(check_min_length_all(&points, float(input, "epsilon")?, &answer).in_words())
+    let epsilon = float(input, "epsilon")?;
+    let is_volume = input.field("objective").is_some_and(|objective| objective.text() == Some("volume"));
+    let is_counted = input.field("max_generators").is_some();
+    // Who bounds the number of generators, or wants a small volume, gets the ratio that is found, whatever it is.
+    if !is_volume && !is_counted {
+        return Ok(check_min_length_all(&points, epsilon, &answer).in_words());
+    }
+    if is_counted && answer.generators.len() > index(input, "max_generators")? {
+        return Err(format!("{} generators, more than `max_generators`", answer.generators.len()));
+    }
+    let verdict = check_min_length_all_at_any_ratio(&points, epsilon, &answer).in_words();
+    let (Verdict::Right(proved), true) = (&verdict, is_volume) else { return Ok(verdict) };
+    let volume = float(result, "volume")?;
+    Ok(match check_measure(&answer.generators, volume).in_words() {
+        Verdict::Right(_) => Verdict::Right(format!("{proved}; volume {volume:?}, not proven to be the least")),
+        other => other,
+    })
 }
 
 /// Points and their multipliers, vectors that the batch interface calls forces.

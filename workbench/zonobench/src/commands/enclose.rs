@@ -1,6 +1,7 @@
 //! `zonobench enclose`: the smallest zonotope around the points of a file, by area in the plane or by total length.
 
 mod by_length;
+mod comparison;
 mod drawing;
 mod solid;
 mod summary;
@@ -62,7 +63,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_usage(options, objective)?;
     match objective {
         Objective::Area => by_area(options, &reading, progress, outputs),
-        Objective::Length => by_length::run(options, &reading, progress, outputs),
+        Objective::Length | Objective::Volume => by_length::run(options, &reading, objective, progress, outputs),
     }
 }
 
@@ -72,10 +73,10 @@ fn check_usage(options: &Options, objective: Objective) -> Result<(), Usage> {
         Objective::Area if options.obj.is_some() => {
             Err(Usage::not_applicable("--obj", "only a zonotope of space is written as a mesh"))
         }
-        Objective::Length if options.exact => {
+        Objective::Length | Objective::Volume if options.exact => {
             Err(Usage::not_applicable("--exact", "only the least area is computed in exact numbers"))
         }
-        Objective::Length if options.seed.is_some() => {
+        Objective::Length | Objective::Volume if options.seed.is_some() => {
             Err(Usage::not_applicable("--seed", "the least length is found without random numbers"))
         }
         _ => Ok(()),

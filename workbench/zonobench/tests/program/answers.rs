@@ -115,10 +115,12 @@ fn verify_needs_no_option() {
     fs::write(folder.join("p.csv"), SPACE).expect("written");
     fs::write(folder.join("p.dat"), SPACE).expect("written");
     fs::write(folder.join("d.csv"), "1,0,0\n0,1,0\n0,0,1\n1,1,1\n").expect("written");
-    let asked: [(&str, &[&str], &str); 6] = [
+    let asked: [(&str, &[&str], &str); 8] = [
         ("p.csv", &["--columns", "3,2"], "min_area"),
         ("p.csv", &["--columns", "y,x", "--exact"], "min_area"),
         ("p.csv", &["--columns", "x,y", "--epsilon", "0.25"], "min_length_all"),
+        ("p.csv", &["--max-generators", "4"], "min_length_all"),
+        ("p.csv", &["--objective", "volume", "--epsilon", "0.1"], "min_length_all"),
         ("p.csv", &["--directions", "net:2"], "min_length_dirs"),
         ("p.csv", &["--directions", "d.csv"], "min_length_dirs"),
         ("p.dat", &["--format", "csv", "--objective", "length"], "min_length_all"),

@@ -5,7 +5,7 @@
 use super::answer::Enclosing;
 use super::fixed_directions::{self, DirectionsProof, Enclosure, FixedDirections, FixedDirectionsError};
 use super::min_area_zonogon::{self, MinAreaError, MinAreaZonogon};
-use super::min_total_length::{self, MinLengthError, MinLengthZonotope};
+use super::min_total_length::{self, MinLengthError, MinLengthZonotope, few_generators};
 use crate::seed::DEFAULT_SEED;
 
 /// The zonogon of least area around points of the plane: [`min_area_zonogon`] by its default method.
@@ -51,8 +51,8 @@ pub fn along_directions<const D: usize>(
     fixed_directions::Method::default().solve(&problem, &mut ())?.in_doubles(&problem)
 }
 
-/// The zonotope of least total length around points, over all directions and within 1 + ε: [`min_total_length`] by its
-/// default method.
+/// A zonotope of few generators around points whose total length is within 1 + ε of the least, over all directions:
+/// [`min_total_length`] by its default method, then [`few_generators`](min_total_length::few_generators).
 ///
 /// # Errors
 /// When there are no points, one is not finite, ε is not between 0 and 1, or the length leaves the range of doubles.
@@ -63,10 +63,36 @@ pub fn along_directions<const D: usize>(
 /// let diamond = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 /// let answer = zonotope::enclosing::min_length(&diamond, 1e-9)?;
 /// assert!((answer.value - 2f64.sqrt()).abs() < 1e-8 && answer.ratio() <= 1.0 + 1e-9);
+/// assert_eq!(answer.body.generators().len(), 2);
 /// # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 /// ```
 pub fn min_length<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    min_total_length::Method::default().solve(points, epsilon, &mut ())
+    let answer = min_total_length::Method::default().solve(points, epsilon, &mut ())?;
+    Ok(few_generators::fewest(points, answer, epsilon))
+}
+
+/// The shortest zonotope found around points with at most `count` generators, with a lower bound of all total lengths
+/// that is within 1 + ε of the least; the ratio of the two is proven, and may be larger than 1 + ε.
+///
+/// # Errors
+/// Those of [`min_length`], and when so few generators do not span what the points do.
+///
+/// # Example
+/// ```
+/// // around a regular octahedron: a parallelepiped
+/// let octahedron = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+/// let answer = zonotope::enclosing::min_length_of_few(&octahedron, 1e-3, 3)?;
+/// assert_eq!(answer.body.generators().len(), 3);
+/// assert!(answer.lower_bound <= answer.value && answer.value < 3.0 + 1e-9);
+/// # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
+/// ```
+pub fn min_length_of_few<const D: usize>(
+    points: &[[f64; D]],
+    epsilon: f64,
+    count: usize,
+) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    let answer = min_total_length::Method::default().solve(points, epsilon, &mut ())?;
+    few_generators::at_most(points, answer, epsilon, count)
 }
 
 /// The length of a vector, whose squares neither overflow nor vanish. A direction that is not finite is left to the

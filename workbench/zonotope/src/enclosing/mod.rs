@@ -16,6 +16,7 @@
 //! | [`min_area`] | [`min_area_zonogon`] | [`AreaProof`](min_area_zonogon::AreaProof): hull, lines ℓ_t and coefficients |
 //! | [`along_directions`] | [`fixed_directions`] | [`DirectionsProof`](fixed_directions::DirectionsProof): multipliers of points |
 //! | [`min_length`] | [`min_total_length`] | [`LengthProof`](min_total_length::LengthProof): multipliers of points |
+//! | [`min_length_of_few`] | the same with so many generators at most | the same |
 //!
 //! The shape has the type of the proof as a parameter, for a caller knows which problem he posed. Along given
 //! directions there may be no zonotope around the points, which is an outcome and not an error:
@@ -33,4 +34,4 @@ pub mod min_total_length;
 mod outward;
 
 pub use answer::{Effort, Enclosing};
-pub use front::{along_directions, min_area, min_length};
+pub use front::{along_directions, min_area, min_length, min_length_of_few};

@@ -1,7 +1,7 @@
 //! `min_length_all`: the zonotope of least total length that contains points, along any directions.
 
 use serde_json::{Value, json};
-use zonotope::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome};
+use zonotope::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome, few_generators};
 
 use crate::dimension::refused;
 use crate::fields::Fields;
@@ -13,7 +13,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     name: "min_length_all",
     summary: "the zonotope of least total length that contains points, within a proven ratio",
     fields: &["points", "epsilon"],
-    optional: &[],
+    optional: &["max_generators", "objective"],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve,
 };
@@ -24,29 +24,58 @@ const POINT_LIMITS: [usize; 4] = [2_000_000, 200_000, 200_000, 20_000];
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let named = |name| Method::from_id(name).expect("the kind lists the names of these methods");
     let method = method.map_or(Method::default(), named);
+    let is_volume = match fields.optional_text("objective")? {
+        None | Some("length") => false,
+        Some("volume") => true,
+        Some(other) => {
+            return Err(Refusal::bad_input(format!("`objective` is \"{other}\", neither length nor volume")));
+        }
+    };
     let result = match fields.dimension_of_first("points")?.unwrap_or(1) {
-        1 => in_space::<1>(fields, method)?,
-        2 => in_space::<2>(fields, method)?,
-        3 => in_space::<3>(fields, method)?,
-        4 => in_space::<4>(fields, method)?,
+        3 if is_volume => of_less_volume(fields, method)?,
+        other if is_volume => {
+            let message = format!("points with {other} coordinates, the volume is made less around points with 3");
+            return Err(Refusal::bad_input(message));
+        }
+        1 => result(&in_space::<1>(fields, method)?.1),
+        2 => result(&in_space::<2>(fields, method)?.1),
+        3 => result(&in_space::<3>(fields, method)?.1),
+        4 => result(&in_space::<4>(fields, method)?.1),
         other => return Err(refused("point 1", other, POINT_LIMITS.len())),
     };
     Ok(Solution { method: method.id(), result })
 }
 
-fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
+/// A zonotope whose volume is a local minimum, with its volume.
+fn of_less_volume(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
+    let (points, answer) = in_space::<3>(fields, method)?;
+    let found = few_generators::of_less_volume(&points, answer, fields.number("epsilon")?);
+    let mut result = result(&found);
+    result["volume"] = to_json(found.body.exact_volume().to_f64());
+    Ok(result)
+}
+
+/// The points and the answer about them.
+type Found<const D: usize> = (Vec<[f64; D]>, MinLengthZonotope<D>);
+
+fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found<D>, Refusal> {
     let points = fields.vectors::<D>("points")?;
     let epsilon = fields.number("epsilon")?;
+    let count = fields.optional_count("max_generators")?;
     let most = POINT_LIMITS[D - 1];
     if points.len() > most {
         let message = format!("{} points, at most {most} are taken in {D} dimensions", points.len());
         return Err(Refusal::new(Code::TooLarge, message));
     }
-    let found = method.solve(&points, epsilon, &mut ());
-    found.map(|found| result(&found)).map_err(|error| {
+    let found = method.solve(&points, epsilon, &mut ()).and_then(|answer| match count {
+        None => Ok(few_generators::fewest(&points, answer, epsilon)),
+        Some(count) => few_generators::at_most(&points, answer, epsilon, usize::try_from(count).unwrap_or(usize::MAX)),
+    });
+    found.map(|found| (points, found)).map_err(|error| {
         let code = match error {
             MinLengthError::Empty => Code::Empty,
             MinLengthError::BadEpsilon(_) => Code::BadEpsilon,
+            MinLengthError::TooFewGenerators { .. } => Code::BadInput,
             _ => Code::TooLarge,
         };
         Refusal::new(code, error.to_string())

@@ -12,10 +12,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use dashu_int::IBig;
 use dashu_int::ops::{Abs, BitTest};
 
+use crate::RELATIVE_ERROR;
 use crate::exact::fraction::Fraction;
 use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector, absolute_determinant, is_zero, reduced};
-use crate::exact::proportion::Proportion;
+use crate::exact::proportion::{Proportion, check_figure};
 use crate::exact::subsets::{count_subsets, subsets};
 use crate::exact::turns::turns;
 use crate::verdict::{Proved, Stop, Verdict};
@@ -44,6 +45,27 @@ pub struct CombinatoricsAnswer {
 /// relations that all such counts satisfy, and left unchecked.
 pub fn check_combinatorics(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Verdict<Proved> {
     counted_and_measured(generators, answer).into()
+}
+
+/// Checks a rounded measure, which may differ from the exact one by the relative [`RELATIVE_ERROR`].
+pub fn check_measure(generators: &[Vec<f64>], claimed: f64) -> Verdict<Proved> {
+    let checked = || {
+        check_finite("the question", generators.iter().flatten())?;
+        let dimension = generators.first().map_or(0, Vec::len);
+        let grid = Grid::of(generators.iter().flatten().copied());
+        let placed: Vec<Vector> =
+            generators.iter().map(|g| g.iter().map(|&component| grid.units(component)).collect()).collect();
+        let rank = Echelon::spanned(dimension, &placed).rank();
+        let exponent = i32::try_from(dimension).ok().and_then(|dimension| dimension.checked_mul(grid.exponent()));
+        let exponent = exponent.ok_or("the dimension is beyond all bounds")?;
+        let Some(units) = measure(dimension, &placed, rank) else {
+            return Err(Stop::Unchecked("the measure was not computed".to_owned()));
+        };
+        let exact = Proportion::whole(units, exponent);
+        check_figure("volume", claimed, &exact, &exact.times(&Proportion::of_double(RELATIVE_ERROR)))?;
+        Ok(Proved("the measure is exact but for rounding"))
+    };
+    checked().into()
 }
 
 fn counted_and_measured(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Result<Proved, Stop> {

@@ -22,8 +22,8 @@ pub struct Asking {
     /// How to read the points.
     #[command(flatten)]
     pub points: PointOptions,
-    /// What is to be least: the area (in the plane) or the total length of the generators. Without it, the area of
-    /// points of the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or
+    /// What is to be least: the area (in the plane), the total length of the generators, or the volume (in space, where
+    /// a local minimum is found). Without it, the area of points of the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or
     /// four columns, directions or a precision are given.
     #[arg(long)]
     objective: Option<Objective>,
@@ -34,6 +34,10 @@ pub struct Asking {
     /// How far the length may exceed the least one, relative to it: between 0 and 1, by default 0.001.
     #[arg(long, value_parser = precision)]
     epsilon: Option<f64>,
+    /// Use so many generators at most, at least as many as the points span dimensions, and as short ones as are found;
+    /// without it, few generators within epsilon of the least length.
+    #[arg(long, value_name = "K", conflicts_with = "directions", value_parser = clap::value_parser!(u64).range(1..))]
+    max_generators: Option<u64>,
 }
 
 /// What is to be least.
@@ -43,6 +47,8 @@ pub enum Objective {
     Area,
     /// The total length: the sum of the half-lengths of the generators.
     Length,
+    /// The volume, in space: a local minimum, found from the zonotope of small length that the other options ask for.
+    Volume,
 }
 
 /// The precision where none is given.
@@ -62,19 +68,22 @@ impl Asking {
 
     /// Whether no option is given.
     pub(super) fn is_empty(&self) -> bool {
-        let Self { points, objective, directions, epsilon } = self;
-        *points == PointOptions::default() && objective.is_none() && directions.is_none() && epsilon.is_none()
+        let Self { points, objective, directions, epsilon, max_generators } = self;
+        let is_open = objective.is_none() && directions.is_none() && epsilon.is_none() && max_generators.is_none();
+        is_open && *points == PointOptions::default()
     }
 
     /// These options, and for what they leave open those of `other`. A precision takes the place of directions, and
     /// directions that of a precision.
     pub(super) fn or(&self, other: &Self) -> Self {
-        let goal = if self.directions.is_some() || self.epsilon.is_some() { self } else { other };
+        let is_told = self.directions.is_some() || self.epsilon.is_some() || self.max_generators.is_some();
+        let goal = if is_told { self } else { other };
         Self {
             points: self.points.or(&other.points),
             objective: self.objective.or(other.objective),
             directions: goal.directions.clone(),
             epsilon: goal.epsilon,
+            max_generators: goal.max_generators,
         }
     }
 
@@ -85,6 +94,8 @@ impl Asking {
             Some("--directions ask for the least length")
         } else if self.epsilon.is_some() {
             Some("--epsilon asks for the least length")
+        } else if self.max_generators.is_some() {
+            Some("--max-generators asks for the least length")
         } else if is_mesh {
             Some("a mesh is not in the plane")
         } else if self.points.columns.as_ref().is_some_and(|columns| columns.0.len() != 2) {
@@ -94,6 +105,9 @@ impl Asking {
         };
         match (self.objective, reason) {
             (Some(Objective::Area), Some(reason)) => Err(Usage::not_applicable("--objective area", reason)),
+            (Some(Objective::Volume), Some(reason)) if self.directions.is_some() => {
+                Err(Usage::not_applicable("--objective volume", reason))
+            }
             (Some(objective), _) => Ok(Some(objective)),
             (None, Some(_)) => Ok(Some(Objective::Length)),
             (None, None) => Ok(None),
@@ -106,7 +120,7 @@ impl Asking {
         let stated = self.stated_objective(file)?;
         let wanted = match stated {
             Some(Objective::Area) => Wanted::Planar,
-            Some(Objective::Length) => Wanted::Any,
+            Some(Objective::Length | Objective::Volume) => Wanted::Any,
             None => Wanted::PlaneOrSpace,
         };
         let reading = self.points.source(file)?.read(wanted)?;
@@ -118,8 +132,8 @@ impl Asking {
     pub(super) fn question(&self, id: &str, file: &Path) -> anyhow::Result<(Tree, Reading)> {
         let (reading, objective) = self.read(file)?;
         let question = match objective {
-            Objective::Length => {
-                let question = self.question_of_length(id, &reading.points)?;
+            Objective::Length | Objective::Volume => {
+                let question = self.question_of_length(id, &reading.points, objective)?;
                 json::read(question.to_string().as_bytes(), usize::MAX)?
             }
             Objective::Area => {
@@ -136,12 +150,19 @@ impl Asking {
         Ok((question, reading))
     }
 
-    /// The question of least length about the points, in the format of `solve`.
-    pub(super) fn question_of_length(&self, id: &str, points: &Points) -> anyhow::Result<Value> {
+    /// The question of least length or volume about the points, in the format of `solve`.
+    pub(super) fn question_of_length(&self, id: &str, points: &Points, objective: Objective) -> anyhow::Result<Value> {
         let rows: Vec<Value> = points.rows().map(vector_to_json).collect();
         let Some(directions) = &self.directions else {
             let epsilon = self.epsilon.unwrap_or(EPSILON);
-            return Ok(json!({"id": id, "kind": "min_length_all", "input": {"points": rows, "epsilon": epsilon}}));
+            let mut input = json!({"points": rows, "epsilon": epsilon});
+            if let Some(most) = self.max_generators {
+                input["max_generators"] = most.into();
+            }
+            if objective == Objective::Volume {
+                input["objective"] = "volume".into();
+            }
+            return Ok(json!({"id": id, "kind": "min_length_all", "input": input}));
         };
         let directions = directions.vectors(points.dimension())?;
         let weights: Vec<Value> = directions.iter().map(|direction| to_json(length(direction))).collect();

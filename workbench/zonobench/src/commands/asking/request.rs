@@ -42,7 +42,7 @@ impl Asking {
         if let Some(skip) = self.points.skip {
             request.insert("skip".to_owned(), skip.into());
         }
-        if objective == Objective::Length {
+        if objective != Objective::Area {
             match &self.directions {
                 Some(directions) => {
                     let vectors = directions.vectors(reading.points.dimension())?;
@@ -51,6 +51,9 @@ impl Asking {
                 }
                 None => {
                     request.insert("epsilon".to_owned(), to_json(self.epsilon.unwrap_or(EPSILON)));
+                    if let Some(most) = self.max_generators {
+                        request.insert("max_generators".to_owned(), most.into());
+                    }
                 }
             }
         }
@@ -80,6 +83,9 @@ fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
         objective: field(request, "objective", |value| Objective::from_str(value.text()?, false).ok())?,
         directions: field(request, "directions", directions)?,
         epsilon: field(request, "epsilon", |value| value.float().filter(|&epsilon| 0.0 < epsilon && epsilon < 1.0))?,
+        max_generators: field(request, "max_generators", |value| {
+            value.index().filter(|&most| most > 0).and_then(|most| u64::try_from(most).ok())
+        })?,
     };
     let sha256 = field(request, "sha256", |value| value.text().map(str::to_owned))?;
     Ok(Recorded { asking, sha256: sha256.ok_or(RecordError("sha256"))? })
@@ -121,10 +127,12 @@ mod tests {
         let along_axes = Asking { directions: Some(Directions::Axes), ..Asking::default() };
         let without_first =
             Asking { points: PointOptions { skip: Some(1), ..PointOptions::default() }, ..Asking::default() };
+        let few = Asking { max_generators: Some(6), ..Asking::default() };
         for (asking, fields) in [
             (along_axes, "\"directions\":[[1.0,0.0],[0.0,1.0]]"),
             (Asking::default(), "\"epsilon\":0.001"),
             (without_first, "\"skip\":1"),
+            (few, "\"max_generators\":6"),
         ] {
             let text = record(&asking, Objective::Length);
             assert!(text.contains(fields), "{text}");

@@ -4,7 +4,7 @@ use anyhow::bail;
 use serde_json::Value;
 
 use super::summary::verification;
-use super::{Options, solid};
+use super::{Options, comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
@@ -21,6 +21,7 @@ use batch::{Verdict, check};
 pub(super) fn run(
     options: &Options,
     reading: &Reading,
+    objective: Objective,
     progress: Progress,
     outputs: Outputs,
 ) -> anyhow::Result<Ending> {
@@ -30,13 +31,13 @@ pub(super) fn run(
     if options.obj.is_some() && points.dimension() != 3 {
         bail!("{}: only a zonotope of space is written as a mesh", file.display());
     }
-    let question = options.asking.question_of_length(&name, points)?;
+    let question = options.asking.question_of_length(&name, points, objective)?;
     progress.next("solving");
     let mut answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0).content;
     if let Some(message) = answer["error"]["message"].as_str() {
         bail!("{}: {message}", file.display());
     }
-    answer["request"] = options.asking.record(reading, Objective::Length)?;
+    answer["request"] = options.asking.record(reading, objective)?;
     progress.next("checking");
     let tree = |value: &Value| json::read(value.to_string().as_bytes(), MAX_VALUES);
     let (question, answered) = (tree(&question)?, tree(&answer)?);
@@ -93,8 +94,20 @@ fn summary(
         table.row("lower bound", format!("{}, for every zonotope {of_all}", figure(bound)));
         let ratio = if length == bound { 1.0 } else { length / bound };
         let is_short = result["within_epsilon"].as_bool() == Some(false);
-        let above = if is_short { "; above 1 + epsilon: the search ended before" } else { "" };
+        let is_asked = |name: &str| question.field("input").is_some_and(|input| input.field(name).is_some());
+        let above = match is_short {
+            false => "",
+            true if is_asked("objective") => "; the volume is what was made small",
+            true if is_asked("max_generators") => "; the shortest found with so few generators",
+            true => "; above 1 + epsilon: the search ended before",
+        };
         table.row("ratio", format!("{ratio:.12}, proven: none is shorter by more{above}"));
+        if let Some(volume) = result["volume"].as_f64() {
+            table.row("volume", format!("{}, a local minimum: another zonotope may have less", figure(volume)));
+        }
+        for (label, text) in comparison::rows(points, body) {
+            table.row(label, text);
+        }
     } else {
         table.row("outcome", "no zonotope along these directions contains the points".to_owned());
     }

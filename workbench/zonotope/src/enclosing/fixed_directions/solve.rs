@@ -15,12 +15,14 @@ use super::contain::flat_center::{cheapest_center, nearest_doubles};
 use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational::refine;
-use super::scaled::{Scaled, Setting};
+use super::scaled::{KeptDirection, Scaled, Setting};
 use crate::enclosing::answer::Effort;
 use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::exact_linear::{Span, rational};
 use crate::numeric::outward::at_most;
+use crate::numeric::scaling::scale_by_power_of_two;
 use crate::tally::Tally;
+use crate::zonotope::ray_exit::FacetMap;
 
 /// Solves a problem. A method that knows normals beforehand adds them in `add_known_normals`: it is called with the
 /// generation that begins with the axes as normals, and returns the number of rows of the method's own program.
@@ -88,4 +90,25 @@ fn prove<const D: usize>(
         refine(setting, active, &mut generation.map, &mut answer)?;
     }
     if answer.value == f64::INFINITY { Err(FixedDirectionsError::OutOfRange) } else { Ok(answer) }
+}
+
+/// Coefficients with which the zonotope along the directions of a problem contains every point, from a centre, which
+/// stays, and a guess of the coefficients, which are enlarged where a point needs it. `None` if there are none, or if
+/// one leaves the range of doubles.
+pub(crate) fn contained<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    center: [f64; D],
+    coefficients: &[f64],
+) -> Option<Vec<f64>> {
+    let span = Span::of_doubles(problem.directions());
+    if first_departure(&span, problem.points()).is_some() {
+        return None;
+    }
+    let scaled = Scaled::new(problem, &span);
+    let vectors: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
+    let guess = |d: &KeptDirection<D>| scale_by_power_of_two(coefficients[d.index], d.exponent - scaled.exponent);
+    let guess: Vec<f64> = scaled.directions.iter().map(guess).collect();
+    let mut map = FacetMap::new(scaled.rank, &vectors);
+    let container = contain(problem, &scaled, center, &guess, &mut map).ok()?;
+    Some(container.zonotope.coefficients)
 }

@@ -21,6 +21,14 @@ pub enum MinLengthError {
     /// The net would have more directions than the method takes.
     #[error("a net this fine has {0} directions")]
     TooManyDirections(usize),
+    /// So few generators cannot span what the points do.
+    #[error("{count} generators are too few around these points: at least {needed} are needed")]
+    TooFewGenerators {
+        /// The number of generators that was asked for.
+        count: usize,
+        /// The number of generators that are needed at least.
+        needed: usize,
+    },
     /// The length of the answer exceeds the largest double.
     #[error("the length leaves the range of doubles")]
     OutOfRange,

@@ -143,7 +143,7 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
 const RELATIVE_DISTANCE_OFF_SPAN: f64 = 1e-9;
 
 /// Orthonormal directions whose span contains vectors, but for parts of them that are short beside the longest vector.
-fn spanning_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
+pub(super) fn spanning_directions<const D: usize>(vectors: &[[f64; D]]) -> Vec<[f64; D]> {
     let mut directions: Vec<[f64; D]> = Vec::with_capacity(D);
     let mut rest = vectors.to_vec();
     let longest = vectors.iter().map(|v| dot(v, v)).fold(0.0, f64::max).sqrt();

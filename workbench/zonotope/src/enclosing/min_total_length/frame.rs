@@ -53,7 +53,7 @@ impl<const D: usize> Frame<D> {
     }
 
     /// A vector of space in the coordinates of the frame, not scaled.
-    fn inside(&self, v: &[f64; D]) -> [f64; D] {
+    pub(super) fn inside(&self, v: &[f64; D]) -> [f64; D] {
         std::array::from_fn(|a| self.axes.get(a).map_or(0.0, |axis| dot(axis, v)))
     }
 

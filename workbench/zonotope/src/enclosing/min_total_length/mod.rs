@@ -29,6 +29,9 @@
 //! 6. `contain` rounds the generators to doubles and adds what makes the zonotope contain every point exactly;
 //!    `conclude` puts the answer together.
 //!
+//! Generators of the answer are as many as the method leaves. [`few_generators`] makes them few within the same ratio,
+//! or as few as they are asked to be; [`enclosing::min_length`](super::min_length) does.
+//!
 //! Points of a plane go to `in_the_plane/best_center` in place of steps 3 and 4. Where doubles do not reach 1 + ε, as
 //! for needles and tight clusters of points, step 3 is taken again with pairs of doubles as its scalar; the other steps
 //! work in doubles alone.
@@ -41,6 +44,7 @@ mod conclude;
 mod contain;
 pub mod direction_net;
 mod dual_zonotope;
+pub mod few_generators;
 mod frame;
 mod frame_zonotope;
 pub mod in_the_plane;

@@ -95,7 +95,7 @@ use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::linear::dot;
 use crate::tally::Tally;
 use interior::scalar::Scalar;
-use outer_points::outer_points;
+pub(super) use outer_points::outer_points;
 use set_generation::min_length_by_set_generation;
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible, counting operations: points

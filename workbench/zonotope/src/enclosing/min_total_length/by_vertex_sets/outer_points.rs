@@ -34,7 +34,7 @@ const LEAST_COEFFICIENT: f64 = 1e-9;
 
 /// The places of the points that are not proven to lie in a simplex of others, without duplicates. Where points are few
 /// or do not span the space, only duplicates are left out.
-pub(super) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
+pub(in crate::enclosing::min_total_length) fn outer_points<const D: usize>(points: &[[f64; D]]) -> Vec<usize> {
     let all = || distinct(points, (0..points.len()).collect());
     if points.len() < LEAST_POINT_COUNT || D < 3 {
         return all();

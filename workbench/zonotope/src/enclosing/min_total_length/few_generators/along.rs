@@ -1,0 +1,103 @@
+//! Stage: the shortest zonotope along given directions, in the coordinates of the frame and in floating point.
+
+use std::cell::Cell;
+
+use crate::enclosing::fixed_directions::Generation;
+use crate::enclosing::min_total_length::box_coordinates::spanning_directions;
+use crate::enclosing::min_total_length::frame::Frame;
+use crate::numeric::linear::dot;
+
+/// A generator shorter than this, relative to the total length, is left out of a basic solution: rounding has made it.
+const NEGLIGIBLE_LENGTH: f64 = 1e-12;
+
+/// No direction costs less than this, relative to the most expensive one: the program is bounded then.
+const LEAST_RELATIVE_COST: f64 = 1e-6;
+
+/// The search ends after so much work, which takes a few seconds.
+const WORK_LIMIT: f64 = 3e8;
+
+/// The linear programs of a search: those of the points of a frame, to one precision.
+pub(super) struct Programs<'a, const D: usize> {
+    pub(super) frame: &'a Frame<D>,
+    precision: f64,
+    /// The work so far: for each program its rows times the square of its columns.
+    work: Cell<f64>,
+}
+
+/// The shortest zonotope along directions: a basic solution of the linear program, so few of its coefficients are
+/// positive.
+#[derive(Debug, Clone)]
+pub(super) struct Along<const D: usize> {
+    /// The total length.
+    pub(super) length: f64,
+    /// The centre.
+    pub(super) center: [f64; D],
+    /// The coefficient of each direction.
+    pub(super) coefficients: Vec<f64>,
+    /// The unit vectors along which generators point.
+    pub(super) directions: Vec<[f64; D]>,
+}
+
+impl<'a, const D: usize> Programs<'a, D> {
+    /// Programs that are solved to a relative precision.
+    pub(super) fn new(frame: &'a Frame<D>, precision: f64) -> Self {
+        Self { frame, precision, work: Cell::new(0.0) }
+    }
+
+    /// The shortest zonotope around the points along the lines of some vectors, of any length. `None` if the vectors do
+    /// not span the frame, if the program fails, or if the search has taken its work.
+    pub(super) fn along(&self, vectors: &[[f64; D]]) -> Option<Along<D>> {
+        self.along_weighted(vectors, |_| 1.0)
+    }
+
+    /// The zonotope that [`along`](Self::along) finds if a unit of length costs what `cost` says of the unit vector of
+    /// its direction.
+    pub(super) fn along_weighted(&self, vectors: &[[f64; D]], cost: impl Fn(&[f64; D]) -> f64) -> Option<Along<D>> {
+        let rank = self.frame.rank();
+        let directions: Vec<[f64; D]> = vectors.iter().filter_map(unit).collect();
+        if self.work.get() > WORK_LIMIT || spanning_directions(&directions).len() < rank {
+            return None;
+        }
+        let costs: Vec<f64> = directions.iter().map(cost).collect();
+        let greatest = costs.iter().fold(0.0, |greatest: f64, cost| greatest.max(*cost));
+        if greatest <= 0.0 || !greatest.is_finite() {
+            return None;
+        }
+        let weights = costs.iter().map(|cost| (cost / greatest).max(LEAST_RELATIVE_COST)).collect();
+        let mut generation = Generation::new(rank, &self.frame.points, directions.clone(), weights, &mut ());
+        generation.set_precision(self.precision);
+        let ended = generation.run(&mut ());
+        let columns = (directions.len() + rank) as f64;
+        self.work.set(self.work.get() + generation.program.rows().len() as f64 * columns * columns);
+        ended.ok()?;
+        let coefficients: Vec<f64> = generation.program.coefficients().iter().map(|c| c.max(0.0)).collect();
+        let length = coefficients.iter().sum::<f64>();
+        let center = generation.program.center();
+        length.is_finite().then_some(Along { length, center, coefficients, directions })
+    }
+}
+
+impl<const D: usize> Along<D> {
+    /// The generators that are longer than rounding.
+    pub(super) fn generators(&self) -> Vec<[f64; D]> {
+        let (directions, coefficients) = self.used();
+        directions.iter().zip(coefficients).map(|(v, x)| v.map(|c| c * x)).collect()
+    }
+
+    /// The directions of the generators that are longer than rounding, and their coefficients.
+    pub(super) fn used(&self) -> (Vec<[f64; D]>, Vec<f64>) {
+        let least = NEGLIGIBLE_LENGTH * self.length;
+        self.directions.iter().zip(&self.coefficients).filter(|(_, c)| **c > least).unzip()
+    }
+
+    /// How many generators are longer than rounding.
+    pub(super) fn count(&self) -> usize {
+        self.coefficients.iter().filter(|c| **c > NEGLIGIBLE_LENGTH * self.length).count()
+    }
+}
+
+/// The vector of length 1 along a vector; `None` where there is none in floating point.
+pub(super) fn unit<const D: usize>(v: &[f64; D]) -> Option<[f64; D]> {
+    let length = dot(v, v).sqrt();
+    (length > 1e-150 && length.is_finite()).then(|| v.map(|c| c / length))
+}

@@ -1,0 +1,198 @@
+//! A zonotope of few generators around points, proven nearly as short as any, by merging and moving directions.
+//!
+//! # Statement
+//! Input: points of R^D and an answer of one of the methods of [`min_total_length`](super): a zonotope around the
+//! points and a lower bound of all total lengths, with its proof. Output: the same with a zonotope of few generators.
+//! [`fewest`] keeps the ratio of length and bound within 1 + ε and looks for few generators; [`at_most`] keeps the
+//! number of generators within a count and looks for a small ratio; [`of_less_volume`] keeps neither and looks for a
+//! small volume in space, a local minimum. The zonotope contains every point exactly, and the
+//! ratio is proven as before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with
+//! as many, is not proven: it is the best that a local search found. What cannot be made sparser is returned as it was:
+//! one point, a zonotope whose ratio is above 1 + ε already, numbers near the ends of the range of doubles.
+//!
+//! # Source
+//! The problem of Section 4.3, with a question that the paper does not ask. Section 4.2 is the tool: the shortest
+//! zonotope along given directions is a linear program, and its basic solutions have few positive coefficients.
+//!
+//! # Method
+//! 1. Merge the generators of the answer pair by pair (`merging`), the pair first whose sum is least shorter than both.
+//! 2. Solve the linear program along the merged directions (`along`) and search for the least number of them that
+//!    suffices (`search`). Nets of directions, a box, and the differences of few points are tried beside them.
+//! 3. Merge generators of the sparsest zonotope further, and move the directions (`moving`) until it is short enough.
+//! 4. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
+//!    the volume (`volume`).
+//! 5. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
+//!    few units in the last place for that, and no generators are added: a zonotope whose generators span the space
+//!    makes up for rounding by itself. A plane of space that no doubles span takes one generator off the plane, as
+//!    short as rounding.
+//!
+//! # Complexity
+//! n points that may be on the boundary, k generators in the end. Some twenty to a hundred linear programs along at
+//! most (2 D − 1) k directions, or 320 merged ones, each with some passes over the points; together about what the
+//! answer took. Merging m generators takes O(m²) in most cases.
+//!
+//! # Shapes
+//! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.
+//!
+//! # Numerics
+//! The search is in floating point. Containment is exact, `value` is rounded up.
+//!
+//! # Errors
+//! [`TooFewGenerators`](super::MinLengthError::TooFewGenerators) ⇔ the count is less than the dimension that the points
+//! span exactly, or no doubles span that; [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ no zonotope of so few
+//! generators is found, as may happen near the ends of the range of doubles.
+//!
+//! # Panics
+//! Never.
+//!
+//! # Checked by
+//! The crate `verifier`, which proves ratio and containment anew; boxes and simplices, whose answers are known.
+//!
+//! # Example
+//! ```
+//! use zonotope::enclosing::min_total_length::{Method, few_generators};
+//! let cube: Vec<[f64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2].map(f64::from)).collect();
+//! let answer = Method::default().solve(&cube, 1e-3, &mut ())?;
+//! let sparse = few_generators::fewest(&cube, answer, 1e-3);
+//! assert_eq!(sparse.body.generators().len(), 3);
+//! assert!(sparse.value >= 1.5 && sparse.value < 1.5 + 1e-12); // three half-sides
+//! # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
+//! ```
+
+mod along;
+mod exactly;
+mod merging;
+mod moving;
+mod search;
+mod volume;
+
+use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
+use super::by_vertex_sets::outer_points;
+use super::frame::Frame;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::Span;
+use crate::numeric::scaling::scale_by_power_of_two;
+use along::{Along, Programs};
+use exactly::exactly_around;
+
+/// The share of ε within which the search keeps the ratio: what is left is for rounding.
+const SHARE_OF_EPSILON: f64 = 0.999;
+
+/// The relative precision of the last linear program, along the directions that were found.
+const LAST_PRECISION: f64 = 1e-14;
+
+/// The relative precision of the linear programs of the search for a small volume.
+const VOLUME_PRECISION: f64 = 1e-9;
+
+/// The volume of a zonotope with more generators is not made less: a step takes time as the cube of their number.
+const VOLUME_GENERATORS: usize = 60;
+
+/// The points that may be on the boundary, their frame, and the generators of an answer in it.
+struct Search<const D: usize> {
+    kept: Vec<[f64; D]>,
+    frame: Frame<D>,
+    dense: Vec<[f64; D]>,
+}
+
+impl<const D: usize> Search<D> {
+    fn new(points: &[[f64; D]], answer: &MinLengthZonotope<D>) -> Self {
+        let kept: Vec<[f64; D]> = outer_points(points).into_iter().map(|j| points[j]).collect();
+        let frame = Frame::new(&kept);
+        let scaled = |g: &[f64; D]| frame.inside(&g.map(|c| scale_by_power_of_two(c, -frame.exponent)));
+        let dense = answer.body.generators().iter().map(scaled).collect();
+        Self { kept, frame, dense }
+    }
+
+    /// The answer with the zonotope along the directions that were found, solved more precisely and made exact.
+    fn concluded(&self, found: Along<D>, answer: &MinLengthZonotope<D>) -> Option<MinLengthZonotope<D>> {
+        let precise = Programs::new(&self.frame, LAST_PRECISION).along(&found.used().0).unwrap_or(found);
+        let (body, value) = exactly_around(&self.kept, &self.frame, &precise)?;
+        Some(MinLengthZonotope { body, value, ..answer.clone() })
+    }
+}
+
+/// The answer with few generators, its ratio at most 1 + ε as before; the answer itself where none with fewer is found.
+pub fn fewest<const D: usize>(points: &[[f64; D]], answer: MinLengthZonotope<D>, epsilon: f64) -> MinLengthZonotope<D> {
+    if answer.value == 0.0 || answer.proof.outcome == Outcome::EndedBefore {
+        return answer;
+    }
+    let search = Search::new(points, &answer);
+    let limit = f64::max((1.0 + SHARE_OF_EPSILON * epsilon) * answer.lower_bound, answer.value);
+    let length = scale_by_power_of_two(limit, -search.frame.exponent);
+    let sparse = search::fewest(&search.frame, search.dense.clone(), length, epsilon)
+        .and_then(|found| search.concluded(found, &answer))
+        .filter(|sparse| sparse.ratio() <= 1.0 + epsilon);
+    match sparse {
+        Some(sparse) if sparse.body.generators().len() <= answer.body.generators().len() => sparse,
+        _ => answer,
+    }
+}
+
+/// The shortest zonotope found with at most `count` generators; whether its ratio is at most 1 + ε, the outcome says.
+///
+/// # Errors
+/// When the count is less than the dimension that the points span, or too small for the doubles around them.
+pub fn at_most<const D: usize>(
+    points: &[[f64; D]],
+    answer: MinLengthZonotope<D>,
+    epsilon: f64,
+    count: usize,
+) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    if answer.body.generators().len() <= count {
+        return Ok(answer);
+    }
+    let dimension = spanned_dimension(points);
+    if count < dimension {
+        return Err(MinLengthError::TooFewGenerators { count, needed: dimension });
+    }
+    let search = Search::new(points, &answer);
+    // Generators that are needed off the frame: as many as the points span beyond it, or as the space does.
+    let off = [dimension.saturating_sub(search.frame.rank()), D - search.frame.rank()];
+    let with_off = |off: usize| {
+        let found = search::at_most(&search.frame, search.dense.clone(), count.checked_sub(off)?)?;
+        search.concluded(found, &answer).filter(|sparse| sparse.body.generators().len() <= count)
+    };
+    let sparse = with_off(off[0]).or_else(|| with_off(off[1]));
+    let needed =
+        if count < D { MinLengthError::TooFewGenerators { count, needed: D } } else { MinLengthError::OutOfRange };
+    let mut sparse = sparse.ok_or(needed)?;
+    sparse.proof.outcome = outcome(&sparse, epsilon);
+    Ok(sparse)
+}
+
+/// A zonotope of space with the generators of an answer moved and changed until its volume is a local minimum; the
+/// answer itself where none of less volume is found, or where points or generators do not span space. Its value is its
+/// total length, whose ratio to the lower bound is proven as before, whatever it is.
+pub fn of_less_volume(points: &[[f64; 3]], answer: MinLengthZonotope<3>, epsilon: f64) -> MinLengthZonotope<3> {
+    let search = Search::new(points, &answer);
+    if search.frame.rank() < 3 || search.dense.len() > VOLUME_GENERATORS {
+        return answer;
+    }
+    let programs = Programs::new(&search.frame, VOLUME_PRECISION);
+    let found = programs.along(&search.dense).map(|start| volume::of_less_volume(&programs, start));
+    let around = found.and_then(|found| exactly_around(&search.kept, &search.frame, &found));
+    match around {
+        Some((body, value)) if body.exact_volume() < answer.body.exact_volume() => {
+            let mut smaller = MinLengthZonotope { body, value, ..answer };
+            smaller.proof.outcome = outcome(&smaller, epsilon);
+            smaller
+        }
+        _ => answer,
+    }
+}
+
+/// Whether the ratio of an answer is at most 1 + ε.
+fn outcome<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Outcome {
+    if answer.ratio() <= 1.0 + epsilon { Outcome::WithinEpsilon } else { Outcome::EndedBefore }
+}
+
+/// The dimension of the points' affine hull, exactly.
+fn spanned_dimension<const D: usize>(points: &[[f64; D]]) -> usize {
+    let difference = |p: &[f64; D]| -> [Dyadic; D] {
+        std::array::from_fn(|c| Dyadic::from_f64(p[c]) - Dyadic::from_f64(points[0][c]))
+    };
+    Span::of(points.iter().map(difference), D).rank()
+}
+
+#[cfg(test)]
+mod tests;
