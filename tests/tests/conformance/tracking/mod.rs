@@ -11,6 +11,7 @@ use tests::runner::cases;
 use verifier::{Body, Displaced, Fraction, LocationAnswer, LocationCertificate, whole_direction};
 use zonotope::Pose;
 use zonotope::collision::distance::by_support_simplex::proximity;
+use zonotope::collision::prepared::DirectionTree;
 use zonotope::collision::tracking::{WalkingTracker, WarmTracker, brute_force};
 use zonotope::collision::{Location, PosedQuery, Query, Separation, by_lad};
 use zonotope::interop::verifier::check_location;
@@ -25,6 +26,9 @@ const FRAMES: u32 = 200;
 
 /// The twin answers for at most so many generators.
 const TWIN_LIMIT: usize = 8;
+
+/// Trees are asked in one of so many frames: some 30,000 times in a long run.
+const TREE_SHARE: usize = 4;
 
 /// One proof in so many frames is checked.
 const PROOF_SHARE: usize = 8;
@@ -106,6 +110,26 @@ fn the_warm_kernel_answers_as_a_fresh_query_does() {
         },
     );
     println!("{} frames", frames.get());
+}
+
+#[test]
+fn trees_under_poses_answer_as_a_fresh_query_does() {
+    for_each_motion(
+        |_| true,
+        |name, bodies, motion| {
+            let trees = bodies.each_ref().map(DirectionTree::new);
+            for (i, [from, to]) in motion.iter().enumerate().step_by(TREE_SHARE) {
+                let query = PosedQuery::between((&bodies[0], from), (&bodies[1], to));
+                let located = trees[0].at(from).intersection(&trees[1].at(to));
+                assert_eq!(located.status(), by_lad::locate_posed(&query).status(), "{name} frame {i}");
+                if i % PROOF_SHARE == 0 {
+                    let location = located.expand();
+                    assert_eq!(location.status(), located.status(), "{name} frame {i}");
+                    assert!(is_proved(&query, &location), "{name} frame {i}: {location:?}");
+                }
+            }
+        },
+    );
 }
 
 #[test]

@@ -171,7 +171,7 @@ fn small_box(points: &[[f64; 3]], generators: &[[f64; 3]]) -> Option<Size> {
 fn far_points(points: &[[f64; 3]]) -> Vec<[f64; 3]> {
     let mut far = Vec::new();
     for u in cell_corners::<3>(FAR_POINT_CELLS) {
-        let order = |a: &&[f64; 3], b: &&[f64; 3]| dot(*a, &u).total_cmp(&dot(*b, &u));
+        let order = |a: &&[f64; 3], b: &&[f64; 3]| dot(a, &u).total_cmp(&dot(b, &u));
         far.extend(points.iter().max_by(order));
         far.extend(points.iter().min_by(order));
     }
