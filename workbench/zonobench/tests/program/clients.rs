@@ -1,0 +1,62 @@
+//! The client in Python, as the README shows it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Runs a script with the client in Python's path; none, and said so, where there is no Python.
+fn run_python(script: &str) -> Option<Output> {
+    let run = Command::new("python3")
+        .args(["-c", script])
+        .env("PYTHONPATH", root().join("workbench/zonobench/clients"))
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .env("ZONOBENCH", env!("CARGO_BIN_EXE_zonobench"))
+        .output();
+    match run {
+        Ok(output) => Some(output),
+        Err(error) => {
+            eprintln!("SKIPPED, the client in Python was not run: python3: {error}");
+            None
+        }
+    }
+}
+
+#[test]
+fn the_script_of_the_readme_prints_what_it_says() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the README is there");
+    let (_, rest) = readme.split_once("```python\n").expect("the README has a script in Python");
+    let (script, _) = rest.split_once("```").expect("the script ends");
+    let said: Vec<&str> =
+        script.lines().filter_map(|line| line.split_once("print(")?.1.split_once("  # ")).map(|(_, said)| said).collect();
+    assert!(said.len() > 1);
+    let Some(Output { status, stdout, stderr }) = run_python(script) else { return };
+    let [stdout, stderr] = [stdout, stderr].map(|bytes| String::from_utf8(bytes).expect("Python writes text"));
+    assert!(status.success(), "{stderr}");
+    assert_eq!(stdout.lines().collect::<Vec<_>>(), said);
+}
+
+#[test]
+fn a_refused_question_does_not_end_the_process() {
+    let script = "
+from zonobench import Refused, Workbench
+
+with Workbench() as workbench:
+    try:
+        workbench.ask('support', direction=[0, float('nan')], center=[0, 0], generators=[])
+    except Refused as refused:
+        print(refused.code)
+    try:
+        workbench.ask('no-such-kind')
+    except Refused as refused:
+        print(refused.code)
+    print(workbench.ask('support', direction=[0, 2], center=[0, 1], generators=[[1, 1]])['value'])
+";
+    let Some(Output { stdout, .. }) = run_python(script) else { return };
+    let lines = String::from_utf8(stdout).expect("Python writes text");
+    let lines: Vec<&str> = lines.lines().collect();
+    assert_eq!((lines.len(), lines[2]), (3, "4.0"), "{lines:?}");
+}
