@@ -30,8 +30,11 @@ fn the_script_of_the_readme_prints_what_it_says() {
     let readme = fs::read_to_string(root().join("README.md")).expect("the README is there");
     let (_, rest) = readme.split_once("```python\n").expect("the README has a script in Python");
     let (script, _) = rest.split_once("```").expect("the script ends");
-    let said: Vec<&str> =
-        script.lines().filter_map(|line| line.split_once("print(")?.1.split_once("  # ")).map(|(_, said)| said).collect();
+    let said: Vec<&str> = script
+        .lines()
+        .filter_map(|line| line.split_once("print(")?.1.split_once("  # "))
+        .map(|(_, said)| said)
+        .collect();
     assert!(said.len() > 1);
     let Some(Output { status, stdout, stderr }) = run_python(script) else { return };
     let [stdout, stderr] = [stdout, stderr].map(|bytes| String::from_utf8(bytes).expect("Python writes text"));
