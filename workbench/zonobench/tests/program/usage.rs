@@ -21,7 +21,7 @@ fn usage_errors_have_status_2() {
         &["intersect", "-", "-", "--format", "csv"],
         &["distance", "-", "-", "--format", "json"],
         &["enclose", "-", "--format", "csv", "--directions", "-"],
-        &["enclose", "p.csv", "--objective", "volume"],
+        &["enclose", "p.csv", "--objective", "perimeter"],
         &["enclose", "p.csv", "--directions", "net:0"],
         &["enclose", "p.csv", "--epsilon", "1"],
         &["enclose", "p.csv", "--epsilon", "0.1", "--directions", "axes"],

@@ -80,7 +80,8 @@ pub fn min_length<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<M
 /// # Example
 /// ```
 /// // around a regular octahedron: a parallelepiped
-/// let octahedron = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+/// let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let octahedron = [x, y, z, x.map(|c: f64| -c), y.map(|c: f64| -c), z.map(|c: f64| -c)];
 /// let answer = zonotope::enclosing::min_length_of_few(&octahedron, 1e-3, 3)?;
 /// assert_eq!(answer.body.generators().len(), 3);
 /// assert!(answer.lower_bound <= answer.value && answer.value < 3.0 + 1e-9);
@@ -92,7 +93,7 @@ pub fn min_length_of_few<const D: usize>(
     count: usize,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let answer = min_total_length::Method::default().solve(points, epsilon, &mut ())?;
-    few_generators::at_most(points, answer, epsilon, count)
+    few_generators::shortest_of_few(points, answer, epsilon, count)
 }
 
 /// The length of a vector, whose squares neither overflow nor vanish. A direction that is not finite is left to the

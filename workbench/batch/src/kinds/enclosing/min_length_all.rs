@@ -69,7 +69,9 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found
     }
     let found = method.solve(&points, epsilon, &mut ()).and_then(|answer| match count {
         None => Ok(few_generators::fewest(&points, answer, epsilon)),
-        Some(count) => few_generators::at_most(&points, answer, epsilon, usize::try_from(count).unwrap_or(usize::MAX)),
+        Some(count) => {
+            few_generators::shortest_of_few(&points, answer, epsilon, usize::try_from(count).unwrap_or(usize::MAX))
+        }
     });
     found.map(|found| (points, found)).map_err(|error| {
         let code = match error {

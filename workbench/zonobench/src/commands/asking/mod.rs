@@ -23,8 +23,9 @@ pub struct Asking {
     #[command(flatten)]
     pub points: PointOptions,
     /// What is to be least: the area (in the plane), the total length of the generators, or the volume (in space, where
-    /// a local minimum is found). Without it, the area of points of the plane, the length of points of space (a mesh, or columns named x, y and z) and where three or
-    /// four columns, directions or a precision are given.
+    /// a local minimum is found). Without it, the area of points of the plane, the length of points of space (a mesh,
+    /// or columns named x, y and z) and where three or four columns, directions, a precision or a number of generators
+    /// are given.
     #[arg(long)]
     objective: Option<Objective>,
     /// Use these directions alone: a file with a direction a row, `axes`, or `net:K`, the corners of K cells along

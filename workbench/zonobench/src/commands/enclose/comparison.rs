@@ -5,6 +5,7 @@
 //! the smallest rectangle in projection along an axis, times the extent along it, and the axis begins at the corners of
 //! a net and the generators and moves while the box gets smaller.
 
+use experiments::hull_in_space::SolidHull;
 use zonotope::enclosing::min_total_length::direction_net::cell_corners;
 use zonotope::hull::by_monotone_chain::convex_hull;
 use zonotope::numeric::scaling::{binary_exponent, scale_by_power_of_two};
@@ -14,6 +15,9 @@ use crate::input::{Body, Points};
 
 /// The exact volume of bodies with more generators than this takes too long for a summary.
 const GENERATOR_LIMIT: usize = 250;
+
+/// The hull of more points of space may take too long for a summary.
+const HULL_POINT_LIMIT: usize = 20_000;
 
 /// The search for a box goes by the points that are farthest along the corners of a net of so many cells.
 const FAR_POINT_CELLS: usize = 10;
@@ -66,7 +70,12 @@ fn in_space(points: &[[f64; 3]], body: &Body) -> Vec<(&'static str, String)> {
     }
     let (points, body) = scaled(points, body);
     let zonotope = Size { measure: body.exact_volume().to_f64(), length: total_length(body.generators()) };
-    let mut rows = vec![("axis box", compared("volume", axis_box(&points), zonotope))];
+    let mut rows = Vec::new();
+    if points.len() <= HULL_POINT_LIMIT {
+        let hull = SolidHull::of(&points).map_or(0.0, |hull| hull.volume(&points));
+        rows.push(("hull", format!("{} times the zonotope's volume", ratio(hull, zonotope.measure))));
+    }
+    rows.push(("axis box", compared("volume", axis_box(&points), zonotope)));
     if let Some(found) = small_box(&points, body.generators()) {
         rows.push(("oriented box", format!("{}; the smallest found", compared("volume", found, zonotope))));
     }

@@ -22,7 +22,7 @@ pub enum MinLengthError {
     #[error("a net this fine has {0} directions")]
     TooManyDirections(usize),
     /// So few generators cannot span what the points do.
-    #[error("{count} generators are too few around these points: at least {needed} are needed")]
+    #[error("at most {count} generators are asked for, and at least {needed} are needed around these points")]
     TooFewGenerators {
         /// The number of generators that was asked for.
         count: usize,

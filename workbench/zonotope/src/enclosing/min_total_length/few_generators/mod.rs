@@ -3,7 +3,7 @@
 //! # Statement
 //! Input: points of R^D and an answer of one of the methods of [`min_total_length`](super): a zonotope around the
 //! points and a lower bound of all total lengths, with its proof. Output: the same with a zonotope of few generators.
-//! [`fewest`] keeps the ratio of length and bound within 1 + ε and looks for few generators; [`at_most`] keeps the
+//! [`fewest`] keeps the ratio of length and bound within 1 + ε and looks for few generators; [`shortest_of_few`] keeps the
 //! number of generators within a count and looks for a small ratio; [`of_less_volume`] keeps neither and looks for a
 //! small volume in space, a local minimum. The zonotope contains every point exactly, and the
 //! ratio is proven as before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with
@@ -105,7 +105,11 @@ impl<const D: usize> Search<D> {
 
     /// The answer with the zonotope along the directions that were found, solved more precisely and made exact.
     fn concluded(&self, found: Along<D>, answer: &MinLengthZonotope<D>) -> Option<MinLengthZonotope<D>> {
-        let precise = Programs::new(&self.frame, LAST_PRECISION).along(&found.used().0).unwrap_or(found);
+        let programs = Programs::new(&self.frame, LAST_PRECISION);
+        let used = found.used().0;
+        // Along a thin side of the points the search may have left out all generators.
+        let with_long = || programs.along(&[used.as_slice(), &self.frame.long].concat());
+        let precise = programs.along(&used).or_else(with_long).unwrap_or(found);
         let (body, value) = exactly_around(&self.kept, &self.frame, &precise)?;
         Some(MinLengthZonotope { body, value, ..answer.clone() })
     }
@@ -123,16 +127,22 @@ pub fn fewest<const D: usize>(points: &[[f64; D]], answer: MinLengthZonotope<D>,
         .and_then(|found| search.concluded(found, &answer))
         .filter(|sparse| sparse.ratio() <= 1.0 + epsilon);
     match sparse {
-        Some(sparse) if sparse.body.generators().len() <= answer.body.generators().len() => sparse,
+        Some(sparse) if is_sparser(&sparse, &answer) => sparse,
         _ => answer,
     }
+}
+
+/// Whether a zonotope has fewer generators than another one, or as many and is shorter.
+fn is_sparser<const D: usize>(sparse: &MinLengthZonotope<D>, answer: &MinLengthZonotope<D>) -> bool {
+    let key = |found: &MinLengthZonotope<D>| (found.body.generators().len(), found.value);
+    key(sparse) < key(answer)
 }
 
 /// The shortest zonotope found with at most `count` generators; whether its ratio is at most 1 + ε, the outcome says.
 ///
 /// # Errors
 /// When the count is less than the dimension that the points span, or too small for the doubles around them.
-pub fn at_most<const D: usize>(
+pub fn shortest_of_few<const D: usize>(
     points: &[[f64; D]],
     answer: MinLengthZonotope<D>,
     epsilon: f64,
@@ -149,7 +159,7 @@ pub fn at_most<const D: usize>(
     // Generators that are needed off the frame: as many as the points span beyond it, or as the space does.
     let off = [dimension.saturating_sub(search.frame.rank()), D - search.frame.rank()];
     let with_off = |off: usize| {
-        let found = search::at_most(&search.frame, search.dense.clone(), count.checked_sub(off)?)?;
+        let found = search::shortest_of_few(&search.frame, search.dense.clone(), count.checked_sub(off)?)?;
         search.concluded(found, &answer).filter(|sparse| sparse.body.generators().len() <= count)
     };
     let sparse = with_off(off[0]).or_else(|| with_off(off[1]));

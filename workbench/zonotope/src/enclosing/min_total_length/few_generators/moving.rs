@@ -33,7 +33,7 @@ pub(super) fn moved<const D: usize>(programs: &Programs<'_, D>, start: Along<D>,
     if rank < 2 {
         return best;
     }
-    let spacing = libm::pow(1.0 / best.count().max(1) as f64, 1.0 / (rank as f64 - 1.0));
+    let spacing = libm::pow(best.count().max(1) as f64, -1.0 / (rank as f64 - 1.0));
     let first = FIRST_SHARE_OF_SPACING * spacing;
     let mut angle = first;
     for _ in 0..aim.steps {

@@ -103,7 +103,11 @@ fn fewest_merged<const D: usize>(
 
 /// The shortest zonotope found with at most `count` generators, from the generators of a zonotope that is nearly the
 /// shortest. `None` if `count` is less than the rank, or if all programs fail.
-pub(super) fn at_most<const D: usize>(frame: &Frame<D>, dense: Vec<[f64; D]>, count: usize) -> Option<Along<D>> {
+pub(super) fn shortest_of_few<const D: usize>(
+    frame: &Frame<D>,
+    dense: Vec<[f64; D]>,
+    count: usize,
+) -> Option<Along<D>> {
     let programs = Programs::new(frame, PRECISION);
     let along = |vectors: &[[f64; D]]| programs.along(vectors);
     let given = starts(frame).take_while(|vectors| vectors.len() <= NET_SIZE_FACTOR * count).chain(differences(frame));

@@ -1,6 +1,6 @@
 //! Bodies whose sparsest zonotope is known, and points of all kinds.
 
-use super::{at_most, fewest, of_less_volume};
+use super::{fewest, of_less_volume, shortest_of_few};
 use crate::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome};
 
 fn answered<const D: usize>(points: &[[f64; D]], epsilon: f64) -> MinLengthZonotope<D> {
@@ -61,16 +61,16 @@ fn a_count_is_kept_and_more_generators_are_no_longer() {
     let answer = answered(&points, 1e-3);
     let mut last = f64::INFINITY;
     for count in [3, 6, 12] {
-        let found = at_most(&points, answer.clone(), 1e-3, count).expect("enough generators");
+        let found = shortest_of_few(&points, answer.clone(), 1e-3, count).expect("enough generators");
         assert!(found.body.generators().len() <= count && found.value < last);
         assert!(points.iter().all(|&point| found.body.contains(point) == Ok(true)));
         assert_eq!(found.lower_bound, answer.lower_bound);
         assert_eq!(found.proof.outcome == Outcome::WithinEpsilon, found.ratio() <= 1.001);
         last = found.value;
     }
-    let refused = at_most(&points, answer, 1e-3, 2).expect_err("two generators span a plane");
+    let refused = shortest_of_few(&points, answer, 1e-3, 2).expect_err("two generators span a plane");
     assert_eq!(refused, MinLengthError::TooFewGenerators { count: 2, needed: 3 });
-    let message = "2 generators are too few around these points: at least 3 are needed";
+    let message = "at most 2 generators are asked for, and at least 3 are needed around these points";
     assert_eq!(refused.to_string(), message);
 }
 
@@ -81,7 +81,7 @@ fn flat_tiny_and_huge_points() {
     let flat: Vec<[f64; 3]> = spiral(20, 1.0).iter().map(turned).collect();
     let found = sparse(&flat, 1e-2);
     assert!(found.ratio() <= 1.01 && found.body.generators().len() <= 8);
-    let few = at_most(&flat, answered(&flat, 1e-2), 1e-2, 4).expect("three and one for rounding");
+    let few = shortest_of_few(&flat, answered(&flat, 1e-2), 1e-2, 4).expect("three and one for rounding");
     assert!(few.body.generators().len() <= 4 && flat.iter().all(|&point| few.body.contains(point) == Ok(true)));
     // points of a line, one of them twice, and a single point
     let line: Vec<[f64; 3]> = [0.0, 1.0, 1.0, -0.3].map(|t| [1.0 + 0.1 * t, 2.0 - 0.7 * t, t]).to_vec();
