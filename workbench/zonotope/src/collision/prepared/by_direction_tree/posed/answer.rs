@@ -54,7 +54,7 @@ impl PosedLocated<'_> {
         }
     }
 
-    /// The location with the proof that the library's verifier takes: a coefficient for each generator, those of the
+    /// The location with the proof that a verifier takes as it stands: a coefficient for each generator, those of the
     /// first body first and each in the order of its body, or a separating direction. O(n) for a member.
     pub fn expand(&self) -> Location<3> {
         let in_order_of_trees = match &self.found {
@@ -66,6 +66,6 @@ impl PosedLocated<'_> {
             Found::Facet(optimum) => proof::location(&self.query, optimum, &mut ()),
         };
         let trees: Vec<_> = self.query.tree_parts().map(|part| part.tree).collect();
-        in_order_of_bodies(in_order_of_trees, &trees)
+        in_order_of_bodies(in_order_of_trees.with_nearest_basis(&self.query.query), &trees)
     }
 }
