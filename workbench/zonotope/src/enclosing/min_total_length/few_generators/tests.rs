@@ -22,7 +22,7 @@ fn spiral(count: usize, along: f64) -> Vec<[f64; 3]> {
     (0..count)
         .map(|i| {
             let height = (2 * i + 1) as f64 / count as f64 - 1.0;
-            let (sin, cos) = (2.4 * i as f64).sin_cos();
+            let (sin, cos) = libm::sincos(2.4 * i as f64);
             let width = (1.0 - height * height).sqrt();
             [width * cos, width * sin, along * height]
         })
