@@ -17,13 +17,13 @@ use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
 
-/// Generators are made longer than the linear program has them by the share 16^k · 2^−52 with the least k from 1 to this
-/// one that is enough; thin bodies need more than others.
+/// Generators are made longer than the linear program has them by the share 16^k · 2^−52, with the least k from 1 to
+/// this one that is enough; thin bodies need more than others.
 const LAST_POWER: i32 = 8;
 
 /// A zonotope in doubles with the generators of a zonotope of the frame that contains the points exactly, and an upper
-/// bound of its total length. `None` if rounding costs more than the last of the shares allows, or a number leaves the range
-/// of doubles.
+/// bound of its total length. `None` if rounding costs more than the last of the shares allows, or a number leaves the
+/// range of doubles.
 pub(super) fn exactly_around<const D: usize>(
     points: &[[f64; D]],
     frame: &Frame<D>,
