@@ -4,11 +4,11 @@
 //! Input: points of R^D and an answer of one of the methods of [`min_total_length`](super): a zonotope around the
 //! points and a lower bound of all total lengths, with its proof. Output: the same with a zonotope of few generators.
 //! [`fewest`] keeps the ratio of length and bound within 1 + ε and looks for few generators; [`shortest_of_few`] keeps
-//! the number of generators within a count and looks for a small ratio; [`of_less_volume`] keeps neither and looks for a
-//! small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is proven as before,
-//! for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many, is not proven: it
-//! is the best that a local search found. What cannot be made sparser is returned as it was: one point, a zonotope whose
-//! ratio is above 1 + ε already, numbers near the ends of the range of doubles.
+//! the number of generators within a count and looks for a small ratio; [`of_less_volume`] keeps neither and looks for
+//! a small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is proven as
+//! before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many, is not
+//! proven: it is the best that a local search found. What cannot be made sparser is returned as it was: one point, a
+//! zonotope whose ratio is above 1 + ε already, numbers near the ends of the range of doubles.
 //!
 //! # Source
 //! The problem of Section 4.3, with a question that the paper does not ask. Section 4.2 is the tool: the shortest
