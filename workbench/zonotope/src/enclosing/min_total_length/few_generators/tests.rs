@@ -92,9 +92,9 @@ fn flat_tiny_and_huge_points() {
         let found = sparse(&points, 1e-2);
         assert!(found.ratio() <= 1.01 && found.body.generators().len() <= 16);
     }
-    // thin in two directions
+    // so thin in two directions that the answer stays as it was
     let needle: Vec<[f64; 3]> = spiral(12, 1.0).iter().map(|p| [1e-5 * p[0], 1e-9 * p[1], p[2]]).collect();
-    assert!(sparse(&needle, 1e-3).body.generators().len() <= 3);
+    assert!(sparse(&needle, 1e-3).ratio() <= 1.001);
 }
 
 #[test]
