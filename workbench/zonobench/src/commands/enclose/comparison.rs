@@ -25,10 +25,10 @@ const FAR_POINT_CELLS: usize = 10;
 /// The axes that the search for a box begins with: the corners of a net of so many cells, and as many generators.
 const AXIS_CELLS: usize = 4;
 
-/// The axis moves by an angle that begins with this and is halved where no move helps,
+/// The axis moves by an angle that begins with this and is halved where no move helps.
 const FIRST_ANGLE: f64 = 0.2;
 
-/// until it is less than this.
+/// The axis stops moving once the angle is less than this.
 const LAST_ANGLE: f64 = 1e-3;
 
 /// Volume, or area in the plane, and half the sum of the sides.

@@ -14,10 +14,10 @@ use crate::enclosing::min_total_length::direction_net::cell_corners;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::linear::dot;
 
-/// The nets that the search tries have at most so many cells along a side,
+/// The nets that the search tries have at most so many cells along a side.
 const NET_CELLS: usize = 6;
 
-/// and at most so many directions.
+/// The nets that the search tries have at most so many directions.
 const NET_LIMIT: usize = 120;
 
 /// Where the number of generators is given, nets of at most this many times as many directions are tried.
@@ -38,10 +38,10 @@ const PRECISION_SHARE_OF_EPSILON: f64 = 1e-3;
 /// The relative precision of a linear program where the number of generators is given.
 const PRECISION: f64 = 1e-7;
 
-/// So many steps are taken after each merger,
+/// The directions move by so many steps after each merger.
 const QUICK_STEPS: usize = 4;
 
-/// and so many once the number of generators is the one that is asked for.
+/// The directions move by so many steps once the number of generators is the one that is asked for.
 const LAST_STEPS: usize = 12;
 
 /// The sparsest zonotope found that is no longer than `length`, in units of the frame, from the generators of a
