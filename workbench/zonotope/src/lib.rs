@@ -123,6 +123,9 @@ pub mod arrangement;
 pub mod collision;
 pub mod enclosing;
 pub mod hull;
+#[cfg(not(test))]
+#[doc(hidden)]
+pub mod instances;
 pub mod interop;
 pub mod lad;
 pub mod line_fit;

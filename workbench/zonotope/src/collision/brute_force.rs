@@ -58,6 +58,7 @@ use crate::numeric::exact_linear::Span;
 use crate::zonotope::query::Query;
 
 /// Where the displacement lies, with a proof.
+#[inline(never)]
 pub fn locate<const D: usize>(question: &Query<'_, D>) -> Location<D> {
     let point = question.exact().to_vec();
     let generators: Vec<Vector> = question.generators().map(|g| g.map(Dyadic::from_f64).to_vec()).collect();
@@ -87,6 +88,7 @@ pub fn exact_gauge<const D: usize>(question: &Query<'_, D>) -> Option<Rational> 
 }
 
 /// The gauge, rounded, and the location.
+#[inline(never)]
 pub fn gauge<const D: usize>(question: &Query<'_, D>) -> Gauge<D> {
     let location = locate(question);
     let Some(exact) = exact_gauge(question) else { return Gauge { value: f64::INFINITY, error: 0.0, location } };

@@ -173,11 +173,12 @@ impl Method {
     /// # Errors
     /// [`MethodError::Dimension`] outside of [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too
     /// many.
+    #[inline(never)]
     pub fn locate<const D: usize>(
         self,
         question: &Query<'_, D>,
         seed: u64,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Result<Finding<D>, MethodError> {
         let located = match self {
             Self::ByLad => match D {
@@ -187,9 +188,9 @@ impl Method {
                 _ => asked_in::<4, D>(question, |question| by_lad::locate_counted(question, tally)),
             },
             Self::BySlopeSelection => match D {
-                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate_counted(q, seed, tally)),
-                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate_counted(q, seed, tally)),
-                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate_counted(q, seed, tally)),
+                1 => asked_in::<1, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+                2 => asked_in::<2, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
+                _ => asked_in::<3, D>(question, |q| by_slope_selection::locate_counted(q, seed, &mut &mut *tally)),
             },
             Self::ByExplicitFaces => Some(self.gauge(question, tally)?.location),
             #[cfg(feature = "linear-programming")]
@@ -223,10 +224,11 @@ impl Method {
     /// # Errors
     /// [`MethodError::NoGauge`] unless the method [measures](Self::measures), [`MethodError::Dimension`] outside of
     /// [`dimensions`](Self::dimensions), [`MethodError::Faces`] if there are too many.
+    #[inline(never)]
     pub fn gauge<const D: usize>(
         self,
         question: &Query<'_, D>,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Result<Gauge<D>, MethodError> {
         let gauge = match self {
             Self::ByLad => match D {
@@ -256,8 +258,8 @@ fn asked_in<const E: usize, const D: usize>(
 }
 
 /// What GJK believes in dimension E, if that is the question's dimension.
-fn believed_in<const E: usize, const D: usize>(question: &Query<'_, D>, tally: &mut impl Tally) -> Option<Finding<D>> {
-    question.in_dimension::<E>().map(|question| match by_gjk::locate_counted(&question, tally) {
+fn believed_in<const E: usize, const D: usize>(question: &Query<'_, D>, tally: &mut dyn Tally) -> Option<Finding<D>> {
+    question.in_dimension::<E>().map(|question| match by_gjk::locate_counted(&question, &mut &mut *tally) {
         by_gjk::GjkAnswer::Intersecting => Finding::Member(true),
         by_gjk::GjkAnswer::Disjoint { .. } => Finding::Member(false),
         by_gjk::GjkAnswer::GaveUp => Finding::Undecided,
@@ -277,10 +279,10 @@ fn measured_in<const E: usize, const D: usize>(
 
 fn explicit_gauge<const E: usize, const D: usize>(
     question: &Query<'_, D>,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<Option<Gauge<D>>, MethodError> {
     let Some(question) = question.in_dimension::<E>() else { return Ok(None) };
-    let Gauge { value, error, location } = by_explicit_faces::gauge_counted(&question, tally)?;
+    let Gauge { value, error, location } = by_explicit_faces::gauge_counted(&question, &mut &mut *tally)?;
     Ok(Some(Gauge { value, error, location: in_same_dimension(location) }))
 }
 

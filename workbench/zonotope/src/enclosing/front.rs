@@ -42,6 +42,7 @@ pub fn min_area(points: &[[f64; 2]]) -> Result<MinAreaZonogon, MinAreaError> {
 /// assert!(square.lower_bound <= 2.0 && 2.0 <= square.value && square.value - square.lower_bound < 1e-12);
 /// # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
 /// ```
+#[inline(never)]
 pub fn along_directions<const D: usize>(
     points: &[[f64; D]],
     directions: &[[f64; D]],
@@ -66,6 +67,7 @@ pub fn along_directions<const D: usize>(
 /// assert_eq!(answer.body.generators().len(), 2);
 /// # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 /// ```
+#[inline(never)]
 pub fn min_length<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let answer = min_total_length::Method::default().solve(points, epsilon, &mut ())?;
     Ok(few_generators::fewest(points, answer, epsilon))
@@ -87,6 +89,7 @@ pub fn min_length<const D: usize>(points: &[[f64; D]], epsilon: f64) -> Result<M
 /// assert!(answer.lower_bound <= answer.value && answer.value < 3.0 + 1e-9);
 /// # Ok::<(), zonotope::enclosing::min_total_length::MinLengthError>(())
 /// ```
+#[inline(never)]
 pub fn min_length_of_few<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,

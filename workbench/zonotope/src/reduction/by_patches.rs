@@ -99,6 +99,7 @@ pub fn patches<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, R
 /// # Errors
 /// [`ReductionError::BadEpsilon`] if ε is not in (0, 1), [`ReductionError::TooManyPatches`] if it needs too fine a
 /// grid, [`ReductionError::OutOfRange`] if a generator leaves the range of doubles.
+#[inline(never)]
 pub fn patches_within<const D: usize>(body: &Zonotope<D>, epsilon: f64) -> Result<Reduced<D>, ReductionError> {
     check_epsilon(epsilon)?;
     let side = side_for(D, epsilon);

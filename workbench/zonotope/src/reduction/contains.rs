@@ -13,6 +13,7 @@ const PRODUCT_LIMIT: u64 = 1 << 33;
 /// Whether the outer zonotope contains the inner one, decided exactly; none where that takes more than 2^33 products of
 /// a facet normal and a generator. Flat bodies are compared within the span of the outer one. O(C(k, r − 1) (n + k))
 /// for n generators of the inner body and k of the outer one, of rank r.
+#[inline(never)]
 pub fn contains<const D: usize>(outer: &Zonotope<D>, inner: &Zonotope<D>) -> Option<bool> {
     let [from, to] = [outer.center(), inner.center()].map(exact);
     let displacement: [Dyadic; D] = array::from_fn(|k| &to[k] - &from[k]);

@@ -99,6 +99,7 @@ impl Method {
     ///
     /// # Errors
     /// [`ReductionError::OutOfRange`] if a generator leaves the range of doubles.
+    #[inline(never)]
     pub fn reduce<const D: usize>(self, problem: &Problem<'_, D>) -> Result<Reduced<D>, ReductionError> {
         match self {
             Self::Clusters => clusters(problem),

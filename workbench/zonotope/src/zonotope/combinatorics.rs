@@ -32,6 +32,7 @@ pub struct Combinatorics {
 ///
 /// With n directions of rank r: O(n log n) for r ≤ 2; O(n² log n) time and O(n) space for r = 3; as
 /// [`vertices_and_facets`] and n^r determinants for r ≥ 4.
+#[inline(never)]
 pub fn combinatorics<const D: usize>(body: &Zonotope<D>) -> Combinatorics {
     let directions = Directions::of_finite(body.generators());
     let coordinates = Span::of_doubles(directions.representatives()).independent_coordinates();

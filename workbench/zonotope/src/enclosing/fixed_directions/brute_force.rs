@@ -67,6 +67,7 @@ use crate::numeric::subsets::for_each_subset;
 use criss_cross::{Constraint, Dictionary};
 
 /// The least Σ w_i c_i and where it is taken; `None` when no zonotope along the directions contains the points.
+#[inline(never)]
 pub fn least_length<const D: usize>(problem: &FixedDirections<'_, D>) -> Option<ExactOptimum<D>> {
     let first = problem.points()[0].map(rational);
     let relative = |p: &[f64; D]| -> Vec<Rational> { p.iter().zip(&first).map(|(&a, b)| rational(a) - b).collect() };

@@ -82,10 +82,11 @@ impl Method {
     ///
     /// # Errors
     /// When a coefficient of the answer exceeds the largest double.
+    #[inline(never)]
     pub fn solve<const D: usize>(
         self,
         problem: &FixedDirections<'_, D>,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Result<Enclosure<D>, FixedDirectionsError> {
         match self {
             Self::RowGeneration => by_row_generation::min_length_along_counted(problem, tally),

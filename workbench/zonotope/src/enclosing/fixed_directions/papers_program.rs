@@ -75,6 +75,7 @@ pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Ve
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
+#[inline(never)]
 pub fn min_length_by_papers_program<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,

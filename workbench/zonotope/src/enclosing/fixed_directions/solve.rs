@@ -29,10 +29,14 @@ use crate::zonotope::ray_exit::FacetMap;
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
-pub(super) fn solve_with<const D: usize, T: Tally>(
+pub(super) fn solve_with<const D: usize>(
     problem: &FixedDirections<'_, D>,
-    tally: &mut T,
-    add_known_normals: impl FnOnce(&Scaled<D>, &mut Generation<'_, D>, &mut T) -> Result<usize, FixedDirectionsError>,
+    tally: &mut dyn Tally,
+    add_known_normals: impl FnOnce(
+        &Scaled<D>,
+        &mut Generation<'_, D>,
+        &mut dyn Tally,
+    ) -> Result<usize, FixedDirectionsError>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
     let span = Span::of_doubles(problem.directions());
     if let Some(departure) = first_departure(&span, problem.points()) {

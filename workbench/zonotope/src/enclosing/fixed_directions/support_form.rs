@@ -58,6 +58,7 @@ const TIGHTNESS_TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
+#[inline(never)]
 pub fn min_length_by_support_form<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,

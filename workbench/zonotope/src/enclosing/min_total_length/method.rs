@@ -65,11 +65,12 @@ impl Method {
     ///
     /// # Errors
     /// When the points or ε are refused, or the net is too large.
+    #[inline(never)]
     pub fn solve<const D: usize>(
         self,
         points: &[[f64; D]],
         epsilon: f64,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Result<MinLengthZonotope<D>, MinLengthError> {
         match self {
             Self::VertexSets => min_length_by_vertex_sets(points, epsilon, tally),

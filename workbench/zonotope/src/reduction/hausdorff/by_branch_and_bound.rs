@@ -86,6 +86,7 @@ pub struct Distance<const D: usize> {
 
 /// The Hausdorff distance between bounds whose ratio is at most 1 + `width`, where [`CONE_LIMIT`] and rounding allow
 /// it.
+#[inline(never)]
 pub fn hausdorff<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>, width: f64) -> Distance<D> {
     let bodies = ScaledBodies::new(a, b);
     search(&bodies, vec![bodies.difference(0), bodies.difference(1)], width, CONE_LIMIT)
@@ -93,6 +94,7 @@ pub fn hausdorff<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>, width: f64) -
 
 /// The largest distance of a point of `body` from `other`, between bounds whose ratio is at most 1 + `width`, where
 /// [`CONE_LIMIT`] and rounding allow it.
+#[inline(never)]
 pub fn excess<const D: usize>(body: &Zonotope<D>, other: &Zonotope<D>, width: f64) -> Distance<D> {
     excess_with_limit(body, other, width, CONE_LIMIT)
 }

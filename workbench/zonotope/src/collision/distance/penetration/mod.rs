@@ -24,6 +24,7 @@ pub use answer::Penetration;
 use crate::zonotope::query::Query;
 
 /// How deep the displacement of a query lies in the zonotope, by the default method of the dimension.
+#[inline(never)]
 pub fn of_query<const D: usize>(query: &Query<'_, D>) -> Penetration<D> {
     match query.in_dimension::<3>() {
         Some(query) => {

@@ -12,7 +12,7 @@ pub(crate) fn extreme_points<const D: usize>(
     rank: usize,
     points: &[[f64; D]],
     directions: &[[f64; D]],
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Vec<usize> {
     let normals = facet_normals(rank, directions);
     tally.add(Operation::PointRead, points.len() as u64 * normals.len() as u64);

@@ -61,7 +61,7 @@ impl<'a, const D: usize> Generation<'a, D> {
         points: &'a [[f64; D]],
         directions: Vec<[f64; D]>,
         weights: Vec<f64>,
-        tally: &mut impl Tally,
+        tally: &mut dyn Tally,
     ) -> Self {
         let axes: Vec<[f64; D]> = (0..rank).map(|a| std::array::from_fn(|c| f64::from(u8::from(a == c)))).collect();
         let ends = farthest(points, 0..points.len(), &axes);
@@ -108,7 +108,7 @@ impl<'a, const D: usize> Generation<'a, D> {
 
     /// Adds a normal with the farthest of all points along it.
     #[cfg(feature = "linear-programming")]
-    pub(crate) fn add_normal(&mut self, normal: [f64; D], tally: &mut impl Tally) {
+    pub(crate) fn add_normal(&mut self, normal: [f64; D], tally: &mut dyn Tally) {
         let length = dot(&normal, &normal).sqrt();
         if length > 0.0 && length.is_finite() {
             tally.add(Operation::PointRead, self.points.len() as u64);
@@ -131,7 +131,7 @@ impl<'a, const D: usize> Generation<'a, D> {
     }
 
     /// Solves and adds normals until no point is outside by more than the precision.
-    pub(crate) fn run(&mut self, tally: &mut impl Tally) -> Result<(), Stuck> {
+    pub(crate) fn run(&mut self, tally: &mut dyn Tally) -> Result<(), Stuck> {
         for _ in 0..ROUND_LIMIT {
             self.rounds += 1;
             tally.add(Operation::SearchStep, 1);
@@ -151,7 +151,7 @@ impl<'a, const D: usize> Generation<'a, D> {
 
     /// The facets through which the rays to points outside leave, each once, in the order of decreasing depth: for the
     /// points of the working set, or for the `others`.
-    fn violated_facets(&mut self, others: bool, tally: &mut impl Tally) -> Vec<ViolatedFacet<D>> {
+    fn violated_facets(&mut self, others: bool, tally: &mut dyn Tally) -> Vec<ViolatedFacet<D>> {
         let (center, coefficients) = (self.program.center(), self.program.coefficients());
         let longest = coefficients.iter().fold(0.0, |max: f64, c| max.max(*c));
         let least = if longest > 0.0 { LEAST_RELATIVE_COEFFICIENT * longest } else { LEAST_RELATIVE_COEFFICIENT };
@@ -186,7 +186,7 @@ impl<'a, const D: usize> Generation<'a, D> {
 
     /// Adds the normals of facets with the farthest points along them: of the working set, or `over_all` points.
     /// Returns whether any of them is new.
-    fn add_facets(&mut self, violated: Vec<ViolatedFacet<D>>, over_all: bool, tally: &mut impl Tally) -> bool {
+    fn add_facets(&mut self, violated: Vec<ViolatedFacet<D>>, over_all: bool, tally: &mut dyn Tally) -> bool {
         let most = 2 * (self.rank + self.directions.len()) + 20;
         let mut is_new = false;
         let violated: Vec<ViolatedFacet<D>> = violated.into_iter().take(most).collect();

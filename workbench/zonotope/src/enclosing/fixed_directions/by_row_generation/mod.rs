@@ -84,6 +84,7 @@ pub(crate) use generation::Generation;
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
+#[inline(never)]
 pub fn min_length_along<const D: usize>(
     problem: &FixedDirections<'_, D>,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
@@ -94,9 +95,10 @@ pub fn min_length_along<const D: usize>(
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
+#[inline(never)]
 pub fn min_length_along_counted<const D: usize>(
     problem: &FixedDirections<'_, D>,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
     solve_with(problem, tally, |_, _, _| Ok(0))
 }

@@ -62,6 +62,7 @@ pub(super) use refine::refine;
 
 /// The least Σ w_i c_i with a centre, coefficients and multipliers that attain it; `None` when no zonotope along the
 /// directions contains the points.
+#[inline(never)]
 pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>) -> Option<ExactOptimum<D>> {
     let span = Span::of_doubles(problem.directions());
     if first_departure(&span, problem.points()).is_some() {

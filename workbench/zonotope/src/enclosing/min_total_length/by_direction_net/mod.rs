@@ -69,6 +69,7 @@ const DIRECTION_LIMIT: usize = 3000;
 ///
 /// # Errors
 /// When the points or ε are refused, or the net is too large.
+#[inline(never)]
 pub fn min_length_by_net<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,

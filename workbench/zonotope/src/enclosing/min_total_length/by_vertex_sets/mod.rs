@@ -106,7 +106,7 @@ use set_generation::min_length_by_set_generation;
 pub fn min_length_by_vertex_sets<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     validate(points, epsilon)?;
     let outer = outer_points(points);
@@ -122,7 +122,7 @@ pub fn min_length_by_vertex_sets<const D: usize>(
 fn around_outer<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let frame = Frame::new(points);
     let mut best = BestBound::none();
@@ -159,7 +159,7 @@ fn around_by_set_generation<R: Scalar, const D: usize>(
     epsilon: f64,
     best: &mut BestBound<D>,
     work: &mut f64,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let found = min_length_by_set_generation::<R, D>(frame, epsilon, best, work, tally);
     conclude(points, frame, found.inner, best, found.progress, found.sets, epsilon)

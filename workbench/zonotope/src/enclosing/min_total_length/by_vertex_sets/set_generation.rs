@@ -74,7 +74,7 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
     epsilon: f64,
     best: &mut BestBound<D>,
     work: &mut f64,
-    tally: &mut impl Tally,
+    tally: &mut dyn Tally,
 ) -> Found<D> {
     let coordinates = BoxCoordinates::of(frame);
     let mut inner = coordinates.boxed();

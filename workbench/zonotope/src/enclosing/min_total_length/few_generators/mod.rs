@@ -117,6 +117,7 @@ impl<const D: usize> Search<D> {
 }
 
 /// The answer with few generators, its ratio at most 1 + ε as before; the answer itself where none with fewer is found.
+#[inline(never)]
 pub fn fewest<const D: usize>(points: &[[f64; D]], answer: MinLengthZonotope<D>, epsilon: f64) -> MinLengthZonotope<D> {
     if answer.value == 0.0 || answer.proof.outcome == Outcome::EndedBefore {
         return answer;
@@ -143,6 +144,7 @@ fn is_sparser<const D: usize>(sparse: &MinLengthZonotope<D>, answer: &MinLengthZ
 ///
 /// # Errors
 /// When the count is less than the dimension that the points span, or too small for the doubles around them.
+#[inline(never)]
 pub fn shortest_of_few<const D: usize>(
     points: &[[f64; D]],
     answer: MinLengthZonotope<D>,
