@@ -31,52 +31,69 @@ pub struct Options {
     asking: Asking,
 }
 
-/// Checks every answer: a line each on standard output.
+/// Checks every answer: a line each on standard output. Questions and answers are read side by side, one line at a time,
+/// so that memory does not grow with their number.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_inputs(&[&options.questions, &options.answers])?;
-    let answers = lines(&options.answers)?;
-    let Some(about_data) = data::question(options, answers.first().and_then(Option::as_ref))? else {
+    let mut answers = documents(&options.answers)?.peekable();
+    if let Some(Err(_)) = answers.peek() {
+        answers.next().transpose()?;
+    }
+    let first = answers.peek().and_then(|answer| answer.as_ref().ok()).and_then(Option::as_ref);
+    let Some(about_data) = data::question(options, first)? else {
         if !options.asking.is_empty() {
             return Err(Usage::OptionsForQuestions(options.questions.clone()).into());
         }
-        return of_questions(options, &answers);
+        return of_questions(options, answers);
     };
     let mut output = BufWriter::new(io::stdout().lock());
-    let (verdict, ending) = match answers.first() {
+    let (verdict, ending) = match answers.next().transpose()? {
         None => (Verdict::Wrong("there is no answer".to_owned()), Ending::Bad),
         Some(None) => (Verdict::Wrong("the answer is not JSON".to_owned()), Ending::Bad),
-        Some(Some(answer)) => about_data.judge(answer),
+        Some(Some(answer)) => about_data.judge(&answer),
     };
     write_verdict(&mut output, &question_name(&options.questions), about_data.question(), &verdict)?;
-    let has_more = answers.len() > 1;
-    if has_more {
-        writeln!(output, "-\t-\tWRONG\t{} answers to 1 question", answers.len())?;
+    let others = counted(answers)?;
+    if others > 0 {
+        writeln!(output, "-\t-\tWRONG\t{} answers to 1 question", others + 1)?;
     }
     output.flush()?;
-    Ok(if has_more { Ending::Bad } else { ending })
+    Ok(if others > 0 { Ending::Bad } else { ending })
 }
 
 /// Checks the answers to questions that are lines of JSON.
-fn of_questions(options: &Options, answers: &[Option<Tree>]) -> anyhow::Result<Ending> {
-    let questions = lines(&options.questions)?;
+fn of_questions(options: &Options, mut answers: impl Iterator<Item = Document>) -> anyhow::Result<Ending> {
     let mut output = BufWriter::new(io::stdout().lock());
-    let mut wrong = 0;
-    for (index, question) in questions.iter().enumerate() {
-        let verdict = match (question, answers.get(index)) {
+    let (mut asked, mut wrong) = (0_u64, 0_u64);
+    for question in documents(&options.questions)? {
+        asked += 1;
+        let (question, answer) = (question?, answers.next().transpose()?);
+        let verdict = match (&question, &answer) {
             (_, None) => Verdict::Wrong("there is no answer".to_owned()),
             (_, Some(None)) => Verdict::Wrong("the answer is not JSON".to_owned()),
             (None, Some(Some(answer))) => check_unread(answer),
             (Some(question), Some(Some(answer))) => check(question, answer),
         };
         wrong += u64::from(matches!(verdict, Verdict::Wrong(_)));
-        write_verdict(&mut output, &format!("question {}", index + 1), question.as_ref(), &verdict)?;
+        write_verdict(&mut output, &format!("question {asked}"), question.as_ref(), &verdict)?;
     }
-    if answers.len() > questions.len() {
+    let others = counted(answers)?;
+    if others > 0 {
         wrong += 1;
-        writeln!(output, "-\t-\tWRONG\t{} answers to {} questions", answers.len(), questions.len())?;
+        writeln!(output, "-\t-\tWRONG\t{} answers to {asked} questions", asked + others)?;
     }
     output.flush()?;
     Ok(if wrong == 0 { Ending::Good } else { Ending::Bad })
+}
+
+/// How many documents are left.
+fn counted(documents: impl Iterator<Item = Document>) -> anyhow::Result<u64> {
+    let mut count = 0;
+    for document in documents {
+        document?;
+        count += 1;
+    }
+    Ok(count)
 }
 
 /// Writes the line of a question; one without an id has the given name.
@@ -101,13 +118,15 @@ pub(super) fn question_name(file: &Path) -> String {
     file.file_name().map_or_else(|| "points".to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
-/// The JSON documents of a file's lines; `None` for a line that is not read.
-fn lines(file: &Path) -> anyhow::Result<Vec<Option<Tree>>> {
-    let unreadable = || format!("{}: cannot be read", file.display());
-    Lines::new(open(Some(file))?, MAX_LINE_BYTES)
-        .map(|line| match line.with_context(unreadable)? {
-            (_, Line::Content(text)) => Ok(json::read(&text, MAX_VALUES).ok()),
-            (_, Line::TooLong) => Ok(None),
-        })
-        .collect()
+/// The JSON document of a line; `None` for a line that is not JSON.
+type Document = anyhow::Result<Option<Tree>>;
+
+/// The documents of a file's lines, read as they are asked for.
+fn documents(file: &Path) -> anyhow::Result<impl Iterator<Item = Document>> {
+    let unreadable = format!("{}: cannot be read", file.display());
+    let lines = Lines::new(open(Some(file))?, MAX_LINE_BYTES);
+    Ok(lines.map(move |line| match line.with_context(|| unreadable.clone())? {
+        (_, Line::Content(text)) => Ok(json::read(&text, MAX_VALUES).ok()),
+        (_, Line::TooLong) => Ok(None),
+    }))
 }
