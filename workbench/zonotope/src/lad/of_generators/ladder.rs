@@ -47,6 +47,7 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::lanes::bounded_sum;
 use crate::numeric::lanes::rows::Rows;
+use crate::numeric::reused::{Reused, ReusedBox};
 use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
 
@@ -189,7 +190,7 @@ struct Known {
 /// A vertex at which a search in doubles ended.
 enum Vertex {
     /// One that is the optimum or near it, whose gauge doubles cannot tell from 1.
-    Found(Box<RoundedOptimum>),
+    Found(ReusedBox<RoundedOptimum>),
     /// The generators of one of which doubles prove nothing.
     Likely([usize; 2]),
 }
@@ -289,7 +290,7 @@ impl Climb<'_, '_> {
     fn corrected_sample(&mut self) -> Attempt {
         let sample = self.sample.as_ref().expect("a sample was taken by the rung of parallel classes");
         let (problem, tally) = (self.problem, &mut *self.tally);
-        let mut search = CorrectedSample { problem, levels: Vec::new(), vertex: None, tally };
+        let mut search = CorrectedSample { problem, levels: Reused::new(), vertex: None, tally };
         let found = search.of_sample(sample);
         let CorrectedSample { levels, vertex, .. } = search;
         let searched = match found {

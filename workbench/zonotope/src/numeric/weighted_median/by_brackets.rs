@@ -42,24 +42,23 @@
 //! The method that sorts, on ties, weights of zero and of all magnitudes, equal places.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
-use smallvec::SmallVec;
 
 use super::by_halving::{self, Item};
 use crate::numeric::lanes::bit_places::{WORD, places_of};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, total};
+use crate::numeric::reused::{Reused, keep_lists_of};
 
 /// Number of items up to which halving is quicker than a sample.
 const HALVING_LIMIT: usize = 500;
-
-/// So many items are halved without memory of the heap.
-const INLINE_ITEMS: usize = 32;
 
 /// Standard deviations of the sample's weights between the median that it proposes and the ends of the bracket.
 const BRACKET_DEVIATIONS: f64 = 2.0;
 
 /// The multiplier and the increment of the linear congruential generator (Knuth's MMIX) that draws the sample.
 const GENERATOR: [u64; 2] = [6_364_136_223_846_793_005, 1_442_695_040_888_963_407];
+
+keep_lists_of!(Item, (f64, f64));
 
 /// The index of the weighted median.
 pub(crate) fn weighted_median(places: &[f64], weights: &[f64], target: f64) -> Option<usize> {
@@ -84,7 +83,7 @@ pub(crate) fn weighted_median(places: &[f64], weights: &[f64], target: f64) -> O
     }
 }
 
-fn items(places: &[f64], weights: &[f64]) -> SmallVec<[Item; INLINE_ITEMS]> {
+fn items(places: &[f64], weights: &[f64]) -> Reused<Item> {
     let columns = (0..).zip(places).zip(weights);
     columns.map(|((index, &place), &weight)| Item::new(place, weight, index)).collect()
 }
@@ -102,9 +101,9 @@ fn first_reaching(weights: &[f64], target: f64) -> Option<usize> {
 /// The items between two places, both included, in the order of their indices.
 #[derive(Default)]
 struct Listed {
-    places: Vec<f64>,
-    weights: Vec<f64>,
-    indices: Vec<u32>,
+    places: Reused<f64>,
+    weights: Reused<f64>,
+    indices: Reused<u32>,
     /// Whether all of them have the same place.
     is_one_place: bool,
     /// Whether they are nearly all of the items that they were taken from.
@@ -144,7 +143,7 @@ fn bracket(places: &[f64], weights: &[f64], missing: f64) -> [f64; 2] {
         let drawn = ((stretch * step + (step >> 16) * (state >> 48)) >> 32) as usize;
         (places[drawn], weights[drawn])
     };
-    let mut sample: Vec<(f64, f64)> = (0..size).map(draw).collect();
+    let mut sample: Reused<(f64, f64)> = (0..size).map(draw).collect();
     sample.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let target = missing * (size as f64 / n as f64);
     let (mut sum, mut squares) = (0.0, 0.0);
@@ -158,7 +157,7 @@ fn bracket(places: &[f64], weights: &[f64], missing: f64) -> [f64; 2] {
     let slack = BRACKET_DEVIATIONS * squares.sqrt();
     let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY];
     sum = 0.0;
-    for (place, weight) in sample {
+    for &(place, weight) in &sample {
         sum += weight;
         if sum < target - slack {
             low = place;
@@ -173,7 +172,7 @@ fn bracket(places: &[f64], weights: &[f64], missing: f64) -> [f64; 2] {
 
 /// The sum of the weights below a bracket, and the items inside. One pass.
 fn listed(places: &[f64], weights: &[f64], bracket: [f64; 2]) -> (f64, Listed) {
-    let mut indices = Vec::new();
+    let mut indices = Reused::new();
     let below = dispatch!(level(), simd => list(simd, places, weights, bracket, &mut indices));
     let of = |column: &[f64]| indices.iter().map(|&index| column[index as usize]).collect();
     let is_nearly_all = 8 * indices.len() > 7 * places.len();

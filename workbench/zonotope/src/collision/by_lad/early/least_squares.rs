@@ -20,6 +20,7 @@ use crate::numeric::lanes::level::{level, level_for_few};
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
 use crate::numeric::linear::dot;
+use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
 /// The number of eights of generators from which it is seen that coefficients will be too large.
@@ -221,8 +222,8 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
             return Err(Open { y, gauge, is_thick });
         }
     }
-    // few coefficients take no memory before it is known that they are asked for
-    let (mut few, mut many) = ([0.0; OWN_LENGTHS_LIMIT], Vec::new());
+    // coefficients take no memory of the heap before it is known that they are asked for
+    let (mut few, mut many) = ([0.0; OWN_LENGTHS_LIMIT], Reused::<f64>::new());
     let coefficients = if OWN {
         &mut few[..n]
     } else {
@@ -237,7 +238,7 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     if is_thick && sums.largest <= WELL_WITHIN {
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
         if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
-            let coefficients = if OWN { few[..n].to_vec() } else { many };
+            let coefficients = coefficients.to_vec();
             return Ok(Clear::Inside(Witness { coefficients, basis }));
         }
     }

@@ -71,7 +71,7 @@ impl DirectionTree {
         let exact_sign = |v: &[f64; 3]| exact_linear::dot(&exact(*v), direction).sign() as i8;
         let mut orthogonal = Places::new();
         let mut signs = Vec::with_capacity(doubtful.len());
-        for place in doubtful {
+        for &place in &doubtful {
             let v = &self.rows[place as usize];
             match of_direction.certain_sign(v).unwrap_or_else(|| exact_sign(v)) {
                 0 => orthogonal.push(place),

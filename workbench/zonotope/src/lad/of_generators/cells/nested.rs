@@ -8,22 +8,25 @@ use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
+use crate::numeric::reused::{Reused, keep_lists_of};
 
 /// Cells, each within the one before, and for each the generators that cross it and all cells before it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct NestedCells {
-    steps: Vec<(DirectionCone, Places)>,
+    steps: Reused<(DirectionCone, Places)>,
 }
+
+keep_lists_of!((DirectionCone, Places));
 
 impl NestedCells {
     /// From cells and the generators that cross each.
-    pub(crate) fn new(steps: Vec<(DirectionCone, Places)>) -> Self {
-        Self { steps }
+    pub(crate) fn new(steps: impl IntoIterator<Item = (DirectionCone, Places)>) -> Self {
+        Self { steps: steps.into_iter().collect() }
     }
 
     /// The cells of problems that were reduced one from the other.
-    pub(crate) fn of(levels: Vec<Reduced>) -> Self {
-        Self::new(levels.into_iter().filter_map(|level| Some((level.cell?, level.indices))).collect())
+    pub(crate) fn of(mut levels: Reused<Reduced>) -> Self {
+        Self::new(levels.drain(..).filter_map(|level| Some((level.cell?, level.indices))))
     }
 
     /// The cells with the generators that cross them, widest first.
@@ -33,7 +36,7 @@ impl NestedCells {
 
     /// The first steps.
     pub(crate) fn up_to(&self, count: usize) -> Self {
-        Self { steps: self.steps[..count].to_vec() }
+        Self::new(self.steps[..count].iter().cloned())
     }
 
     /// The sign of one generator, 1 or −1. O(log n).
@@ -94,9 +97,9 @@ mod tests {
         let query = Query::new([0.0; 3], [1.0; 3], &generators).expect("finite");
         let cell = |center, ball| DirectionCone { center, axes: None, ball };
         // 2 and 3 cross the first cell, 3 the second as well
-        let wide = (cell([1.0, 0.1, 0.0], 0.2), Places::from_slice(&[2, 3]));
-        let narrow = (cell([1.0, 0.1, 0.9], 0.01), Places::from_slice(&[3]));
-        let cells = NestedCells::new(vec![wide, narrow]);
+        let wide = (cell([1.0, 0.1, 0.0], 0.2), [2, 3].into_iter().collect());
+        let narrow = (cell([1.0, 0.1, 0.9], 0.01), [3].into_iter().collect());
+        let cells = NestedCells::new([wide, narrow]);
         let last = cell([1.0, 0.1, 2.0], 0.0);
         let expected = [1, -1, 1, 1];
         assert_eq!(cells.coefficients(&query, &last, 0.5), expected.map(|sign| 0.5 * f64::from(sign)));

@@ -10,12 +10,13 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::lanes::rows::Rows;
+use crate::numeric::reused::{Reused, keep_lists_of};
 use crate::numeric::tolerance::MODERATE_SIZES;
 
 /// The generators that cross a cell, and the sum of all others with their signs.
 #[derive(Debug)]
 pub(crate) struct Reduced {
-    pub(crate) vectors: Vec<[f64; 3]>,
+    pub(crate) vectors: Reused<[f64; 3]>,
     /// The index of each in the query.
     pub(crate) indices: Places,
     pub(crate) fixed: FixedSum,
@@ -26,10 +27,12 @@ pub(crate) struct Reduced {
     pub(crate) relative_error: f64,
 }
 
+keep_lists_of!(Reduced);
+
 impl Reduced {
     /// All generators, none summed up.
     pub(crate) fn whole(query: &dyn KernelQuery) -> Self {
-        let mut vectors = Vec::with_capacity(query.len());
+        let mut vectors = Reused::with_capacity(query.len());
         for part in query.parts() {
             match part.frame {
                 None => vectors.extend_from_slice(part.rows.list()),
@@ -48,7 +51,7 @@ impl Reduced {
     /// One pass over the query.
     pub(crate) fn of_query(query: &dyn KernelQuery, cell: DirectionCone) -> Self {
         let expected = query.expected_crossing();
-        let (mut vectors, mut indices) = (Vec::with_capacity(expected), Places::with_capacity(expected));
+        let (mut vectors, mut indices) = (Reused::with_capacity(expected), Places::with_capacity(expected));
         let fixed = query.split(&cell, &mut vectors, &mut indices);
         Self { vectors, indices, fixed, cell: Some(cell), relative_error: query.relative_error() }
     }

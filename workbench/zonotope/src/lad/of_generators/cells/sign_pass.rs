@@ -9,7 +9,6 @@ use std::ops::Range;
 use std::slice;
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
-use smallvec::SmallVec;
 
 use super::direction_cone::DirectionCone;
 use crate::numeric::bounded::{Bounded, BoundedVector};
@@ -19,6 +18,7 @@ use crate::numeric::lanes::number::product;
 use crate::numeric::lanes::octet::{LANES, Octet, in_order_of_rows, splat, total, totals, turned};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::euclidean_norm;
+use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, THIRTY_ROUNDINGS, UNIT};
 
 /// Generators of a block, at whose end the sum joins the total without a rounding error. A term goes through one
@@ -28,8 +28,8 @@ const BLOCK: usize = 256;
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
 const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
 
-/// Places of generators; a few take no memory beside that of the list itself.
-pub(crate) type Places = SmallVec<[u32; 16]>;
+/// Places of generators.
+pub(crate) type Places = Reused<u32>;
 
 /// Σ sign · v over generators whose sign is fixed throughout a cell, in doubles.
 #[derive(Debug, Clone, Copy, Default)]

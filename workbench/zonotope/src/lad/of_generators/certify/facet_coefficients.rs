@@ -7,18 +7,19 @@
 //! sign of v_i · w for every generator but the median one, whose σ makes the sum parallel to t.
 
 use crate::lad::of_generators::guess::crossings::{Crossing, CrossingList};
+use crate::numeric::reused::Reused;
 
 /// The coefficients δ_i with Σ δ_i v_i = t up to rounding, |δ_i| ≤ 1; if t is outside the zonogon, the generator that
 /// is parallel to the edge beyond which t lies.
-pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Vec<f64>, usize> {
+pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Result<Reused<f64>, usize> {
     let square = x * x + y * y;
     if square == 0.0 {
-        return Ok(vec![0.0; vectors.len()]);
+        return Ok(vectors.iter().map(|_| 0.0).collect());
     }
     let (mut crossings, mut total) = (CrossingList::with_capacity(vectors.len()), 0.0);
     // the product of each generator with t, and with t⊥: the first is the sign of a generator parallel to t, their
     // ratio tells where the others vanish
-    let parts: Vec<[f64; 2]> = vectors.iter().map(|[a, b]| [a * x + b * y, b * x - a * y]).collect();
+    let parts: Reused<[f64; 2]> = vectors.iter().map(|[a, b]| [a * x + b * y, b * x - a * y]).collect();
     for (i, &[along, across]) in parts.iter().enumerate() {
         let position = -along / across;
         if position.is_finite() {
@@ -31,7 +32,7 @@ pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Resu
         position < median.place || (position == median.place && i < median.line)
     };
     let (mut reach, mut rest) = (0.0, 0.0);
-    let mut signs = Vec::with_capacity(vectors.len());
+    let mut signs = Reused::with_capacity(vectors.len());
     for (i, &[along, across]) in parts.iter().enumerate() {
         let position = -along / across;
         let sign = match &median {
@@ -54,7 +55,10 @@ pub(crate) fn facet_coefficients(vectors: &[[f64; 2]], [x, y]: [f64; 2]) -> Resu
     match median {
         Some(median) if scale > 1.0 + GAUGE_TOLERANCE => Err(median.line),
         // a sum that is too long by rounding is scaled down, and the caller bounds what is missing
-        _ => Ok(signs.into_iter().map(|sign| sign * scale.min(1.0)).collect()),
+        _ => {
+            signs.iter_mut().for_each(|sign| *sign *= scale.min(1.0));
+            Ok(signs)
+        }
     }
 }
 
@@ -65,13 +69,17 @@ const GAUGE_TOLERANCE: f64 = 1e-9;
 mod tests {
     use super::*;
 
+    fn coefficients(vectors: &[[f64; 2]], target: [f64; 2]) -> Result<Vec<f64>, usize> {
+        facet_coefficients(vectors, target).map(|found| found.to_vec())
+    }
+
     #[test]
     fn a_square_worked_out_by_hand() {
         // [−1, 1]² and (1/2, 1/4): the ray leaves through the right edge at (1, 1/2)
-        assert_eq!(facet_coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.5, 0.25]), Ok(vec![0.5, 0.25]));
+        assert_eq!(coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.5, 0.25]), Ok(vec![0.5, 0.25]));
         // (2, 1) is beyond that edge, which is parallel to the second generator
-        assert_eq!(facet_coefficients(&[[1.0, 0.0], [0.0, 1.0]], [2.0, 1.0]), Err(1));
-        assert_eq!(facet_coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]), Ok(vec![0.0, 0.0]));
+        assert_eq!(coefficients(&[[1.0, 0.0], [0.0, 1.0]], [2.0, 1.0]), Err(1));
+        assert_eq!(coefficients(&[[1.0, 0.0], [0.0, 1.0]], [0.0, 0.0]), Ok(vec![0.0, 0.0]));
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
 use crate::numeric::bounded::Bounded;
+use crate::numeric::reused::ReusedBox;
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, GAUGE_ACCURACY};
 
 /// The thickness of the body is bounded from one generator in 16 first, then from all.
@@ -21,7 +22,7 @@ const THICKNESS_SHARES: [usize; 2] = [16, 1];
 /// An optimum in doubles of which it is certain on which side of the boundary the displacement ends.
 #[derive(Debug)]
 pub(crate) struct DecidedOptimum {
-    pub(crate) optimum: Box<RoundedOptimum>,
+    pub(crate) optimum: ReusedBox<RoundedOptimum>,
     /// The cells that fixed the signs of the generators.
     pub(crate) cells: NestedCells,
     /// The gauge times λ exceeds 1 by at most this.
@@ -34,10 +35,10 @@ impl DecidedOptimum {
     /// The decision, or the optimum and its cells back where doubles leave a doubt.
     pub(crate) fn new(
         query: &dyn KernelQuery,
-        optimum: Box<RoundedOptimum>,
+        optimum: ReusedBox<RoundedOptimum>,
         cells: NestedCells,
         goal: Goal,
-    ) -> Result<Self, (Box<RoundedOptimum>, NestedCells)> {
+    ) -> Result<Self, (ReusedBox<RoundedOptimum>, NestedCells)> {
         match compare(query, &optimum, goal) {
             Some((order, slack)) => Ok(Self { optimum, cells, slack, order }),
             None => Err((optimum, cells)),

@@ -5,12 +5,13 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::cells::sign_pass::FixedSum;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
 use crate::numeric::linear::dot;
+use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::UNIT;
 
 /// The generators whose sign at a vertex is not certain, with their part of the sum g.
 pub(super) struct Near {
     pub(super) sum: BoundedVector,
-    pub(super) shares: Vec<(usize, f64)>,
+    pub(super) shares: Reused<(usize, f64)>,
     pub(super) shared: f64,
     pub(super) missing: f64,
 }
@@ -28,13 +29,13 @@ impl Near {
         fixed: &FixedSum,
     ) -> Result<Self, usize> {
         if near.is_empty() {
-            return Ok(Self { sum: fixed.bounded(), shares: Vec::new(), shared: 0.0, missing: 0.0 });
+            return Ok(Self { sum: fixed.bounded(), shares: Reused::new(), shared: 0.0, missing: 0.0 });
         }
         let product = |v: &[f64; 3], dual: &BoundedVector| dot(v, &dual.map(|c| c.value));
         let own = [product(&level.vectors[first], &duals[0]), product(&level.vectors[second], &duals[1])];
         let plane = |v: &[f64; 3]| [0, 1].map(|k| product(v, &duals[k]) / own[k]);
-        let members: Vec<usize> = near.iter().copied().chain([first, second]).collect();
-        let vectors: Vec<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
+        let members: Reused<usize> = near.iter().copied().chain([first, second]).collect();
+        let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
         let target = plane(&fixed.sum).map(|c| -c);
         let parts = facet_coefficients(&vectors, target).map_err(|place| members[place])?;
         let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);

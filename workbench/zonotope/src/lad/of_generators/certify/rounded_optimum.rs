@@ -18,8 +18,6 @@
 //! is the optimum. Where many generators are parallel to the facet, or nearly so, the contribution of each is chosen
 //! such that δ_a and δ_b have room (`shares`).
 
-use smallvec::SmallVec;
-
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::cells::sign_pass::Places;
@@ -27,6 +25,7 @@ use crate::lad::of_generators::certify::near_generators::Near;
 use crate::lad::of_generators::certify::residual::Rest;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, exact};
 use crate::numeric::linear::{cross, dot};
+use crate::numeric::reused::{Reused, ReusedBox, keep_lists_of};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
 
 /// A vertex that is the optimum or near it, with the quantities of its proof.
@@ -42,7 +41,7 @@ pub(crate) struct RoundedOptimum {
     pub(crate) sum: BoundedVector,
     /// The other generators whose sign is not certain, by their index in the query in increasing order, each with its
     /// contribution to g, in [−1, 1].
-    pub(crate) shares: Vec<(usize, f64)>,
+    pub(crate) shares: Reused<(usize, f64)>,
     /// At least Σ |v|_1 over the generators of `shares`.
     pub(crate) shared: f64,
     /// g · u.
@@ -76,7 +75,9 @@ pub(crate) enum Unproved {
 }
 
 /// A certified vertex, or why it is not proved.
-pub(crate) type Certified = Result<Box<RoundedOptimum>, Unproved>;
+pub(crate) type Certified = Result<ReusedBox<RoundedOptimum>, Unproved>;
+
+keep_lists_of!(RoundedOptimum);
 
 impl RoundedOptimum {
     /// Checks a vertex that is given by the positions of two generators in the last of some problems, each of which
@@ -102,8 +103,8 @@ impl RoundedOptimum {
         let cell = DirectionCone::around(&direction);
         let mut near = Places::new();
         let fixed = level.plus_fixed_in(&cell, &mut near);
-        let near: SmallVec<[usize; 16]> =
-            near.into_iter().map(|place| place as usize).filter(|&i| i != first && i != second).collect();
+        let near: Reused<usize> =
+            near.iter().map(|&place| place as usize).filter(|&i| i != first && i != second).collect();
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
             Near::new(level, [first, second], &near, &direction, &duals, &fixed).map_err(Unproved::Falls)?;
@@ -131,7 +132,7 @@ impl RoundedOptimum {
         } else {
             Rest::new(&sum, &[a, b], coefficients, [reach, along], p)
         };
-        Ok(Box::new(Self {
+        Ok(ReusedBox::new(Self {
             basis,
             vectors,
             reversed,

@@ -1,6 +1,6 @@
 //! The crossings on a line that is searched, and the weighted median of their places.
 
-use crate::lad::of_generators::plane::rounded_lines::PerLine;
+use crate::numeric::reused::Reused;
 use crate::numeric::weighted_median::weighted_median;
 
 /// A crossing on a line that is searched: its place along the line, and the line that crosses there.
@@ -10,23 +10,22 @@ pub(crate) struct Crossing {
     pub(crate) line: usize,
 }
 
-/// Crossings in the order of their lines, in columns; a few take no memory beside that of the list itself.
+/// Crossings in the order of their lines, in columns.
 #[derive(Debug)]
 pub(crate) struct CrossingList {
-    places: PerLine<f64>,
+    places: Reused<f64>,
     /// Half of what the slope gains at each.
-    weights: PerLine<f64>,
-    lines: PerLine<u32>,
+    weights: Reused<f64>,
+    lines: Reused<u32>,
 }
 
 impl CrossingList {
     pub(crate) fn with_capacity(capacity: usize) -> Self {
-        // an empty list is not copied on its way, one with a capacity is
-        let (mut places, mut weights, mut lines) = (PerLine::new(), PerLine::new(), PerLine::new());
-        places.reserve(capacity);
-        weights.reserve(capacity);
-        lines.reserve(capacity);
-        Self { places, weights, lines }
+        Self {
+            places: Reused::with_capacity(capacity),
+            weights: Reused::with_capacity(capacity),
+            lines: Reused::with_capacity(capacity),
+        }
     }
 
     pub(crate) fn clear(&mut self) {

@@ -14,6 +14,7 @@ use super::huber_sums::{Moments, Others, factor, solve};
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
+use crate::numeric::reused::Reused;
 
 /// The most Newton steps.
 const NEWTON_STEP_LIMIT: usize = 20;
@@ -78,7 +79,7 @@ impl RoundedLines {
     /// as `aim` asks for.
     fn band(&self, point: [f64; 2], aim: Aim) -> Option<f64> {
         let distance = |[a, b, c, w]: [f64; 4]| (a * point[0] + b * point[1] + c).abs() * w;
-        let mut distances: Vec<f64> = self.iter().map(distance).collect();
+        let mut distances: Reused<f64> = self.iter().map(distance).collect();
         let place = (aim.thickness as usize).min(self.len().checked_sub(1)?);
         let (_, &mut nearest, _) = distances.select_nth_unstable_by(place, f64::total_cmp);
         Some(2.0 * nearest)

@@ -14,6 +14,7 @@ use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::numeric::linear::dot;
+use crate::numeric::reused::{Reused, keep_lists_of};
 
 /// The number of generators of the sample that are compared with each other to see whether any are parallel.
 const PROBES: usize = 12;
@@ -29,7 +30,7 @@ const WIDTH_MARGIN: f64 = 4.0;
 
 /// The classes of a sample.
 pub(crate) struct ParallelClasses {
-    classes: Vec<ParallelClass>,
+    classes: Reused<ParallelClass>,
     lines: RoundedLines,
     /// What is added to the gradient of the sample.
     linear: [f64; 2],
@@ -46,6 +47,8 @@ struct ParallelClass {
     noise: f64,
 }
 
+keep_lists_of!(ParallelClass);
+
 /// A meeting: the vertex of the lines of two classes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Meeting {
@@ -60,7 +63,7 @@ impl ParallelClasses {
     /// The classes of a sample of a part of all generators, if they are few.
     pub(crate) fn of(sample: &[[f64; 3]], part: f64, chart: &RoundedChart) -> Option<Self> {
         let step = (sample.len() / PROBES).max(1);
-        let probes: Vec<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
+        let probes: Reused<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
         let is_repeated =
             |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < PARALLEL_SINE * PARALLEL_SINE);
         // in a list that is sorted by direction, those at a distance differ and neighbours are parallel
@@ -79,7 +82,7 @@ impl ParallelClasses {
     }
 
     fn summed_up(vectors: impl Iterator<Item = [f64; 3]>, part: f64, chart: &RoundedChart) -> Option<Self> {
-        let mut classes: Vec<ParallelClass> = Vec::with_capacity(CLASS_LIMIT);
+        let mut classes = Reused::<ParallelClass>::with_capacity(CLASS_LIMIT);
         for v in vectors {
             let Some(own) = unit(&v) else { continue };
             match classes.iter().position(|class| sine_square(&class.unit, &own) < PARALLEL_SINE * PARALLEL_SINE) {
@@ -94,7 +97,7 @@ impl ParallelClasses {
                 None => classes.push(ParallelClass { unit: own, sum: v, noise: 0.0 }),
             }
         }
-        let lines = chart.lines(&classes.iter().map(|class| class.sum).collect::<Vec<_>>());
+        let lines = chart.lines(&classes.iter().map(|class| class.sum).collect::<Reused<_>>());
         Some(Self { classes, lines, linear: [0.0; 2], part })
     }
 

@@ -11,6 +11,7 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::lad::of_generators::generators::{KernelQuery, generator_of};
 use crate::numeric::linear::sum_norm;
+use crate::numeric::reused::Reused;
 use crate::seed::GUESS_SEED;
 use crate::tally::{Operation, Tally};
 
@@ -27,7 +28,7 @@ const STRETCH_STEPS: usize = 8;
 
 /// A sample: generators, or multiples of some of them.
 pub(crate) struct Sample {
-    pub(crate) vectors: Vec<[f64; 3]>,
+    pub(crate) vectors: Reused<[f64; 3]>,
     /// Generators longer than this stand for themselves alone; all others stand for those of their stretch.
     pub(crate) longest: f64,
 }
@@ -48,7 +49,7 @@ impl Sample {
             let place = ((i as u64 * step + within) >> 32) as usize;
             generator_of(&parts, if i + ALWAYS_TAKEN >= size { n - size + i } else { place })
         });
-        let vectors: Vec<[f64; 3]> = picks.collect();
+        let vectors: Reused<[f64; 3]> = picks.collect();
         let (mut sum, mut squares) = (0.0, 0.0);
         for v in &vectors[..size - ALWAYS_TAKEN] {
             let length = sum_norm(v);
@@ -60,7 +61,7 @@ impl Sample {
             return Self { vectors, longest: f64::INFINITY };
         }
         tally.add(Operation::GeneratorRead, n as u64);
-        let lengths: Vec<f64> = vectors.iter().map(sum_norm).collect();
+        let lengths: Reused<f64> = vectors.iter().map(sum_norm).collect();
         let share = n as f64 / (size * size) as f64;
         // a generator that is longer counts for one stretch
         let shorter = |stretch: f64| lengths.iter().map(|length| length.min(stretch)).sum::<f64>() * share;
@@ -76,7 +77,7 @@ impl Sample {
     /// One generator for each `stretch` of summed-up length, made as long as a stretch; a longer generator is taken
     /// as it is.
     fn by_length(query: &dyn KernelQuery, stretch: f64, expected: usize) -> Self {
-        let mut vectors = Vec::with_capacity(2 * expected);
+        let mut vectors = Reused::with_capacity(2 * expected);
         let mut missing = stretch / 2.0;
         for v in query.generators().take(query.len() - ALWAYS_TAKEN) {
             let length = sum_norm(&v);

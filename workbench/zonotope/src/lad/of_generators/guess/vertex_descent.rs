@@ -4,8 +4,9 @@
 //! may make the descent end at a wrong vertex, no worse: the vertex is certified by others.
 
 use crate::lad::of_generators::guess::crossings::CrossingList;
-use crate::lad::of_generators::plane::rounded_lines::{LineBlock, PerLine, RoundedLines};
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
 use crate::numeric::lanes::octet::{LANES, slot};
+use crate::numeric::reused::Reused;
 
 /// The most line searches.
 const LINE_SEARCH_LIMIT: usize = 40;
@@ -100,14 +101,13 @@ fn nearest(lines: &RoundedLines, [x, y]: [f64; 2]) -> Option<usize> {
 /// The places at which lines cross the line that is searched.
 struct Crossings {
     /// The place of the crossing of each slot's line, in multiples of the direction of the search.
-    places: PerLine<f64>,
+    places: Reused<f64>,
     ahead: CrossingList,
 }
 
 impl Crossings {
     fn of(len: usize) -> Self {
-        let mut places = PerLine::new();
-        places.reserve(len.next_multiple_of(LANES));
+        let places = Reused::with_capacity(len.next_multiple_of(LANES));
         Self { places, ahead: CrossingList::with_capacity(len.min(HORIZON_SAMPLE)) }
     }
 
@@ -182,7 +182,7 @@ fn search(
     let mut slope = lines.slope_and_crossings(linear, foot, direction, &mut crossings.places);
     if slope > 0.0 {
         (direction, slope) = (direction.map(|c| -c), -slope);
-        for place in &mut crossings.places {
+        for place in crossings.places.iter_mut() {
             *place = -*place;
         }
     }

@@ -4,7 +4,7 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::aim::Guess;
-use crate::lad::of_generators::plane::rounded_lines::{LineBlock, LineBlocks, RoundedLines};
+use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, Octet, total};
 use crate::numeric::lanes::octets::Octets;
@@ -61,7 +61,7 @@ impl RoundedChart {
 
     /// The lines of vectors, eight by eight; returns the sum of the lengths.
     #[inline(always)]
-    fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut LineBlocks) -> f64 {
+    fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut Vec<LineBlock>) -> f64 {
         let octets = Octets::new(vectors, &[]);
         let mut lengths = f64x8::splat(simd, 0.0);
         for k in 0..octets.len() {

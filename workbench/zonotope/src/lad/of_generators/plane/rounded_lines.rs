@@ -1,25 +1,17 @@
 //! Lines in the plane { u : u · p = 1 } in doubles, eight side by side: the input of every guess.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
-use smallvec::SmallVec;
 
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::octet::{LANES, slot, total, turned};
+use crate::numeric::reused::{Reused, keep_lists_of};
 
 /// Eight lines a x + b y + c side by side, with the inverse lengths of their generators.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
 pub(crate) struct LineBlock(pub(crate) [[f64; LANES]; 4]);
 
-/// Blocks of lines; up to [`INLINE_LINES`] take no memory beside that of the list itself.
-pub(crate) type LineBlocks = SmallVec<[LineBlock; INLINE_LINES / LANES]>;
-
-/// A number for each line or slot; up to [`INLINE_LINES`] take no memory beside that of the list itself.
-pub(crate) type PerLine<T> = SmallVec<[T; INLINE_LINES]>;
-
-/// The lists of a search have room for so many lines in themselves: most searches end among fewer, and memory of the
-/// heap takes as long as a search among them.
-pub(crate) const INLINE_LINES: usize = 64;
+keep_lists_of!(LineBlock);
 
 /// What fills the last block up: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
@@ -27,7 +19,7 @@ const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 /// The lines of generators. A line has the number of its generator's row; its [`slot`] says where in the blocks it is.
 #[derive(Debug, Default)]
 pub(crate) struct RoundedLines {
-    blocks: LineBlocks,
+    blocks: Reused<LineBlock>,
     len: usize,
     /// Σ of the generators' lengths.
     pub(crate) length: f64,
@@ -36,7 +28,7 @@ pub(crate) struct RoundedLines {
 impl RoundedLines {
     /// Lets someone write blocks of which only the first lines count, and return the sum of their lengths; the lines
     /// that fill up the last block are overwritten.
-    pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut LineBlocks) -> f64) {
+    pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut Vec<LineBlock>) -> f64) {
         self.blocks.clear();
         self.blocks.reserve(len.div_ceil(LANES));
         self.length = write(&mut self.blocks);
@@ -85,7 +77,7 @@ impl RoundedLines {
         linear: [f64; 2],
         point: [f64; 2],
         direction: [f64; 2],
-        places: &mut PerLine<f64>,
+        places: &mut Vec<f64>,
     ) -> f64 {
         places.resize(LANES * self.blocks.len(), 0.0);
         let sum = dispatch!(level(), simd => slope_and_crossings(simd, &self.blocks, point, direction, places));
@@ -105,7 +97,7 @@ impl RoundedLines {
 
     /// A part that stands for all lines: eight lines in every `8 share`.
     pub(crate) fn part(&self, share: usize) -> Self {
-        let blocks: LineBlocks = self.blocks[..self.len / LANES].iter().step_by(share).copied().collect();
+        let blocks: Reused<LineBlock> = self.blocks[..self.len / LANES].iter().step_by(share).copied().collect();
         Self { len: LANES * blocks.len(), blocks, length: self.length / share as f64 }
     }
 

@@ -10,6 +10,7 @@ use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::guess::parallel_classes::ParallelClasses;
 use crate::lad::of_generators::problem::Problem;
 use crate::lad::of_generators::support::separates;
+use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
 /// How many meetings are tried: each corrects the gradient of the classes by one pass.
@@ -33,7 +34,7 @@ pub(crate) fn search_meetings(
     tally: &mut dyn Tally,
 ) -> Option<ClassesFound> {
     let (query, chart) = (problem.query, &problem.chart);
-    let mut seen = Vec::with_capacity(MEETINGS);
+    let mut seen = Reused::<[f64; 2]>::with_capacity(MEETINGS);
     let mut is_whole = false;
     for round in 0..MEETINGS {
         let meeting = classes.meeting(chart)?;
@@ -65,7 +66,7 @@ pub(crate) fn search_meetings(
             let optimum = vertex.and_then(|vertex| RoundedOptimum::at(&levels, &problem.p, vertex).ok());
             let [reduced] = levels;
             let searched = match optimum {
-                Some(optimum) => Searched::Certified(optimum, NestedCells::of(vec![reduced])),
+                Some(optimum) => Searched::Certified(optimum, NestedCells::of([reduced].into_iter().collect())),
                 None => narrow(problem, reduced, Some(&meeting.guess), usize::MAX).ok()?,
             };
             return Some(ClassesFound::Searched(searched));

@@ -17,6 +17,7 @@ use crate::lad::of_generators::guess::aim::{Aim, SAMPLE_DEVIATIONS};
 use crate::lad::of_generators::guess::sample::Sample;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
+use crate::numeric::reused::{Reused, ReusedBox};
 use crate::tally::{Operation, Tally};
 
 /// How often a sample is corrected.
@@ -39,7 +40,7 @@ const PARALLEL_CELL: f64 = 1e-6;
 /// Problems, each reduced from the one before, that are searched for one optimum.
 pub(crate) struct CorrectedSample<'a, 'q> {
     pub(crate) problem: &'a Problem<'q>,
-    pub(crate) levels: Vec<Reduced>,
+    pub(crate) levels: Reused<Reduced>,
     /// The generators of the vertex at which the last descent ended.
     pub(crate) vertex: Option<[usize; 2]>,
     pub(crate) tally: &'a mut dyn Tally,
@@ -73,7 +74,7 @@ impl Part {
 
 impl CorrectedSample<'_, '_> {
     /// The optimum, seen from a sample of all generators.
-    pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<Box<RoundedOptimum>, NotCertified> {
+    pub(crate) fn of_sample(&mut self, sample: &Sample) -> Result<ReusedBox<RoundedOptimum>, NotCertified> {
         let (n, len) = (self.problem.query.len(), sample.vectors.len());
         let lines = self.problem.chart.lines(&sample.vectors);
         let aim = Aim { longest: sample.longest, ..Aim::new(len, n, SAMPLE_DEVIATIONS).thin() };
@@ -83,7 +84,7 @@ impl CorrectedSample<'_, '_> {
     }
 
     /// The optimum of the last level.
-    fn solve(&mut self, point: [f64; 2]) -> Result<Box<RoundedOptimum>, NotCertified> {
+    fn solve(&mut self, point: [f64; 2]) -> Result<ReusedBox<RoundedOptimum>, NotCertified> {
         let depth = self.levels.len();
         let level = self.levels.last().ok_or(NotCertified::Doubt)?;
         let (lines, linear) = (level.lines(&self.problem.chart), level.linear(&self.problem.chart));
@@ -114,7 +115,7 @@ impl CorrectedSample<'_, '_> {
     }
 
     /// The optimum of the last level, or of all generators, seen from some of its lines.
-    fn narrow(&mut self, mut part: Part, start: Option<[f64; 2]>) -> Result<Box<RoundedOptimum>, NotCertified> {
+    fn narrow(&mut self, mut part: Part, start: Option<[f64; 2]>) -> Result<ReusedBox<RoundedOptimum>, NotCertified> {
         let depth = self.levels.len();
         let outside = Err(NotCertified::Outside(depth, None));
         let mut found = None;
@@ -126,7 +127,7 @@ impl CorrectedSample<'_, '_> {
             let is_last = round + 1 == CORRECTIONS && depth == 0;
             if is_last {
                 self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
-                let all = self.problem.chart.lines(&self.problem.query.generators().collect::<Vec<_>>());
+                let all = self.problem.chart.lines(&self.problem.query.generators().collect::<Reused<_>>());
                 point = all.optimum([0.0; 2], point).unwrap_or(point);
             }
             let cell = match part.lines.guess_at(point, before, part.aim) {
@@ -208,7 +209,7 @@ mod tests {
                     let sample = Sample::of(&query, &mut ());
                     let problem = Problem::new(&query, crate::numeric::bounded::exact(p), Goal::Location);
                     let tally = &mut ();
-                    let mut search = CorrectedSample { problem: &problem, levels: Vec::new(), vertex: None, tally };
+                    let mut search = CorrectedSample { problem: &problem, levels: Reused::new(), vertex: None, tally };
                     if let Ok(optimum) = search.of_sample(&sample) {
                         assert!(optimum.missing <= 1e-9 * optimum.reach.value);
                         found += usize::from(optimum.slack(unit_gauge_bound(&query, 1)) < 1e-9);

@@ -16,12 +16,13 @@ pub(crate) mod narrowing;
 
 use super::cells::nested::NestedCells;
 use super::certify::rounded_optimum::RoundedOptimum;
+use crate::numeric::reused::ReusedBox;
 
 /// What a search in doubles leaves.
 #[derive(Debug)]
 pub(crate) enum Searched {
     /// A vertex that is the optimum or so near to it that the gauge is bounded, and the cells on the way to it.
-    Certified(Box<RoundedOptimum>, NestedCells),
+    Certified(ReusedBox<RoundedOptimum>, NestedCells),
     /// Cells that probably hold the optimum, of which doubles cannot say more; no cells where the search has made no
     /// progress. And the generators of a vertex at which a descent ended, perhaps outside of the cells.
     Doubtful { cells: NestedCells, vertex: Option<[usize; 2]> },

@@ -17,13 +17,11 @@ use crate::lad::of_generators::certify::rounded_optimum::Unproved;
 use crate::lad::of_generators::guess::aim::{Aim, Guess};
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
+use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
 /// At most this many lines are searched from vertex to vertex without a smaller cell.
 const DESCENT_LINES: usize = 40;
-
-/// Few searches go through more problems, each reduced from the one before.
-const USUAL_LEVELS: usize = 4;
 
 /// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from nearly parallel lines
 /// and is not believed.
@@ -70,7 +68,7 @@ pub(crate) fn narrow(
 ) -> Result<Searched, Missed> {
     let chart = &problem.chart;
     let lost = Missed::Lost { crossing: reduced.vectors.len() };
-    let mut levels = Vec::with_capacity(USUAL_LEVELS);
+    let mut levels = Reused::new();
     levels.push(reduced);
     let mut guess = start.copied();
     let mut lines = levels[0].lines(chart);

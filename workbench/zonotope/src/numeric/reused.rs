@@ -1,0 +1,194 @@
+//! Lists whose memory a thread keeps for its next question.
+//!
+//! A question about a few hundred generators writes some twenty short lists, and asking the heap for each takes longer
+//! than a pass over it. So the memory of a list that is dropped waits, emptied and not cleared, for the next list of
+//! its kind on that thread. This is the workspace of all questions: nobody has to make one, hand it on or share it
+//! among threads, and whoever asks again finds it warm. An answer that holds such lists gives them back when it is
+//! dropped.
+
+use std::cell::RefCell;
+use std::mem;
+use std::ops::{Deref, DerefMut};
+use std::slice;
+use std::thread::LocalKey;
+
+/// Lists of one kind that wait at most: a search with all its cells, and some answers to it, hold no more.
+const WAITING_LISTS: usize = 32;
+
+/// The memory of a longer list, in bytes, goes back to the heap: a pass over what it holds outweighs the heap by far.
+const LONGEST_KEPT: usize = 1 << 16;
+
+/// The lists of one kind that wait on a thread.
+pub(crate) type Waiting<T> = RefCell<Vec<Vec<T>>>;
+
+/// What lists are made of whose memory a thread keeps.
+pub(crate) trait Kept: Sized + 'static {
+    /// The lists that wait.
+    fn waiting() -> &'static LocalKey<Waiting<Self>>;
+}
+
+/// Lets threads keep the memory of lists of these kinds.
+macro_rules! keep_lists_of {
+    ($($kind:ty),+ $(,)?) => {$(
+        impl $crate::numeric::reused::Kept for $kind {
+            fn waiting() -> &'static std::thread::LocalKey<$crate::numeric::reused::Waiting<Self>> {
+                std::thread_local! {
+                    static WAITING: $crate::numeric::reused::Waiting<$kind> = const {
+                        std::cell::RefCell::new(Vec::new())
+                    };
+                }
+                &WAITING
+            }
+        }
+    )+};
+}
+
+pub(crate) use keep_lists_of;
+
+keep_lists_of!(u32, usize, f64, [f64; 2], [f64; 3], (usize, f64));
+
+/// A list in memory of the thread, to which the memory returns when the list is dropped.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Reused<T: Kept>(Vec<T>);
+
+impl<T: Kept> Reused<T> {
+    /// An empty list.
+    pub(crate) fn new() -> Self {
+        // where the thread is ending there is nothing to take from
+        Self(T::waiting().try_with(|waiting| waiting.borrow_mut().pop()).ok().flatten().unwrap_or_default())
+    }
+
+    /// An empty list with room for so many.
+    pub(crate) fn with_capacity(capacity: usize) -> Self {
+        let mut list = Self::new();
+        list.0.reserve(capacity);
+        list
+    }
+}
+
+impl<T: Kept> Drop for Reused<T> {
+    fn drop(&mut self) {
+        let mut list = mem::take(&mut self.0);
+        if list.capacity() == 0 || list.capacity() * size_of::<T>() > LONGEST_KEPT {
+            return;
+        }
+        // before the lists that wait are borrowed: an item may hold a list itself
+        list.clear();
+        let _ = T::waiting().try_with(|waiting| {
+            let mut waiting = waiting.borrow_mut();
+            if waiting.len() < WAITING_LISTS {
+                waiting.push(list);
+            }
+        });
+    }
+}
+
+impl<T: Kept> Default for Reused<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<T: Kept + Clone> Clone for Reused<T> {
+    fn clone(&self) -> Self {
+        self.0.iter().cloned().collect()
+    }
+}
+
+impl<T: Kept> FromIterator<T> for Reused<T> {
+    #[inline]
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        let mut list = Self::new();
+        list.0.extend(items);
+        list
+    }
+}
+
+impl<'a, T: Kept> IntoIterator for &'a Reused<T> {
+    type Item = &'a T;
+    type IntoIter = slice::Iter<'a, T>;
+
+    #[inline]
+    fn into_iter(self) -> slice::Iter<'a, T> {
+        self.0.iter()
+    }
+}
+
+impl<T: Kept> Deref for Reused<T> {
+    type Target = Vec<T>;
+
+    #[inline(always)]
+    fn deref(&self) -> &Vec<T> {
+        &self.0
+    }
+}
+
+impl<T: Kept> DerefMut for Reused<T> {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Vec<T> {
+        &mut self.0
+    }
+}
+
+/// One item in memory of the thread, as a box has it in memory of the heap.
+#[derive(Debug)]
+pub(crate) struct ReusedBox<T: Kept>(Reused<T>);
+
+impl<T: Kept> ReusedBox<T> {
+    pub(crate) fn new(item: T) -> Self {
+        Self([item].into_iter().collect())
+    }
+}
+
+impl<T: Kept> Deref for ReusedBox<T> {
+    type Target = T;
+
+    #[inline(always)]
+    fn deref(&self) -> &T {
+        &self.0[0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Item(#[expect(dead_code, reason = "it is what an item may hold")] Reused<Item>);
+
+    keep_lists_of!(i16, Item);
+
+    fn waiting<T: Kept>() -> usize {
+        T::waiting().with(|waiting| waiting.borrow().len())
+    }
+
+    #[test]
+    fn the_memory_of_a_dropped_list_is_that_of_the_next_one() {
+        let list: Reused<i16> = (0..1000).collect();
+        let memory = list.as_ptr();
+        drop(list);
+        assert_eq!(waiting::<i16>(), 1);
+        let next = Reused::<i16>::with_capacity(10);
+        assert!(next.is_empty() && next.capacity() >= 1000 && next.as_ptr() == memory);
+        assert_eq!(waiting::<i16>(), 0);
+    }
+
+    #[test]
+    fn a_list_within_a_list_waits_as_well() {
+        let inner: Reused<Item> = [Item(Reused::new())].into_iter().collect();
+        let outer: Reused<Item> = [Item(inner)].into_iter().collect();
+        drop(outer);
+        assert_eq!(waiting::<Item>(), 2);
+    }
+
+    #[test]
+    fn neither_long_lists_nor_many_are_kept() {
+        let many: Vec<Reused<i16>> = (0..2 * WAITING_LISTS).map(|_| Reused::with_capacity(4)).collect();
+        drop(many);
+        assert_eq!(waiting::<i16>(), WAITING_LISTS);
+        for _ in 0..WAITING_LISTS {
+            mem::forget(Reused::<i16>::new());
+        }
+        drop(Reused::<i16>::with_capacity(LONGEST_KEPT));
+        assert_eq!(waiting::<i16>(), 0);
+    }
+}
