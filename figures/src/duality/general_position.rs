@@ -89,7 +89,11 @@ fn third_line(arrangement: &LineArrangement<'_>, vertex: &ArrangementVertex, cou
     let place = arrangement.exact_line(vertex.lines[0]).meet(&arrangement.exact_line(vertex.lines[1]));
     let is_through = |line: usize| arrangement.exact_line(LineIndex(line as u32)).evaluate(&place).is_zero();
     let third = (0..count).find(|&line| line != first && line != second && is_through(line));
-    third.map(|third| [first, second, third])
+    third.map(|third| {
+        let mut lines = [first, second, third];
+        lines.sort_unstable();
+        lines
+    })
 }
 
 fn turned([a, b, c]: [f64; 3], [cosine, sine]: [f64; 2]) -> [f64; 3] {

@@ -124,9 +124,10 @@ fn vertices_of_a_planar_body_are_points() {
     for file in ["v.csv", "v.geojson"] {
         good(run(folder, &["inspect", "z.json", "--vertices", file]), file);
         let enclosed = good(run(folder, &["enclose", file]), file).stdout;
-        assert!(enclosed.contains("6 in ") && enclosed.contains("3 generators"), "{file}: {enclosed}");
+        assert!(enclosed.contains("6 vertices, area 12.0") && enclosed.contains("3 generators"), "{file}: {enclosed}");
+        // The ring of a polygon ends with its first point.
         let located = good(run(folder, &["contains", "z.json", file]), file).stdout;
-        assert_eq!(located.matches("boundary").count(), 6, "{located}");
+        assert!(located.lines().count() >= 6 && located.lines().all(|line| line.contains("\tboundary\t")), "{located}");
     }
     let piped = good(run(folder, &["inspect", "z.json", "--vertices", "-"]), "-");
     assert_eq!(piped.stdout, fs::read_to_string(folder.join("v.csv")).expect("written"));

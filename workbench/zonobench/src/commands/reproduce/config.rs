@@ -129,6 +129,9 @@ impl Config {
             };
             changed.insert(id, changed_experiment(base, section.get_ref(), &source, &mut own)?);
         }
+        if changed.is_empty() {
+            return Err(source.refused(0..0, "names no experiment, as `[experiment.hull-scaling]` does".to_owned()));
+        }
         let experiments = EXPERIMENTS.iter().filter_map(|experiment| changed.get(experiment.id).copied()).collect();
         let inputs: Vec<OwnInput> = own.into_values().collect();
         let inputs_digest = if inputs.is_empty() { String::new() } else { sha256(format!("{inputs:?}").as_bytes()) };
@@ -320,6 +323,7 @@ mod tests {
                 "line 2, column 15: `gauge-passes` takes no ti",
             ),
             ("[".to_owned(), "line 1, column "),
+            ("[experiment]\n".to_owned(), "line 1, column 1: names no experiment"),
         ] {
             let found = read(&text).expect_err("nothing sensible is asked for");
             assert!(found.starts_with(complaint), "{found}");

@@ -137,7 +137,11 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
     }
     let left_out = CLAIMS.len() - evidence.claims.len();
     if left_out > 0 {
-        writeln!(output, "{left_out} claims: left out; they rest on other experiments or on none")?;
+        let reason = match evidence.config {
+            Some(_) => "they are about the experiments of the catalog",
+            None => "they rest on other experiments or on none",
+        };
+        writeln!(output, "{left_out} claims: left out; {reason}")?;
     }
     let mut ending = Ending::Good;
     for (case, fault) in faults {
