@@ -29,8 +29,8 @@
 //! `points`: n × 3.
 //!
 //! # Numerics
-//! All signs are exact. A height is computed in doubles with one bound of its error for each face and all points;
-//! where that leaves a doubt, the sign is that of the exact determinant. No triangle is degenerate: the apex is strictly
+//! All signs are exact. A height is computed in doubles with one bound of its error for each face and all points; where
+//! that leaves a doubt, the sign is that of the exact determinant. No triangle is degenerate: the apex is strictly
 //! above a face at each side of the rim, so it is not on the line of the side. Which point becomes an apex depends on
 //! rounded heights, and changes nothing but the triangles of facets with more than three points.
 //!
