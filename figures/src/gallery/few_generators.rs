@@ -13,8 +13,8 @@ pub const FIGURE: Figure = Figure {
     title: "Length of a zonotope around a mesh against its number of generators",
     caption: "By how much the shortest zonotope that is found around each mesh with at most K generators is longer, \
               relatively, than a proven lower bound for zonotopes of any number of generators, with the power law that \
-              fits best and its exponent with the 95 % interval. The bound is within 0.1 % of the least length, which \
-              no curve can fall much below.",
+              fits best and its exponent with the 95 % interval. The bound may be 0.1 % below the least length, so \
+              that values near 0.001 say little.",
     claims: &["open-generator-count"],
     experiments: &[EXPERIMENT.id],
     deterministic: true,
