@@ -57,23 +57,3 @@ fn corners<const D: usize>(points: &[[f64; D]]) -> Option<Vec<usize>> {
         _ => None,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_many_points_the_corners_are_left_with_their_places() {
-        let side = 30;
-        let place = |i: i32| [i % side, i / side % side, i / side / side].map(f64::from);
-        let lattice: Vec<[f64; 3]> = (0..side * side * side).map(place).collect();
-        let outer = OuterPoints::of(lattice.clone());
-        assert!(outer.points().len() < 100);
-        assert!(outer.points().iter().enumerate().all(|(index, p)| *p == lattice[outer.place(index)]));
-        assert!(outer.described().ends_with("corners of the points' hull"));
-        let plane: Vec<[f64; 2]> = lattice.iter().map(|p| [p[0], p[1]]).collect();
-        assert_eq!(OuterPoints::of(plane).points().len(), 4);
-        let few = OuterPoints::of(lattice[..900].to_vec());
-        assert_eq!((few.points().len(), few.place(77), few.described().as_str()), (900, 77, "900 points"));
-    }
-}
