@@ -121,7 +121,7 @@ fn median_times(
 }
 
 /// The middle value, or the mean of the two middle ones, of at least one number.
-fn median(mut values: Vec<u64>) -> f64 {
+pub fn median(mut values: Vec<u64>) -> f64 {
     values.sort_unstable();
     let middle = values.len() / 2;
     if values.len() % 2 == 1 {

@@ -3,9 +3,9 @@
 use crate::definition::Experiment;
 use crate::definitions::{
     area_ratio, coherence, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate,
-    gap_curve, gauge_passes, hierarchy_levels, hull_scaling, lad_race, lad_scaling, length_ratio, methods_agree,
-    min_area_scaling, min_area_stages, points_scaling, pruning_passes, query_trade_off, reduction_error, rung_shares,
-    scan_race, slope_selection_scaling, tree_queries, walk_steps, wrong_answers,
+    few_generators, gap_curve, gauge_passes, hierarchy_levels, hull_scaling, lad_race, lad_scaling, length_ratio,
+    methods_agree, min_area_scaling, min_area_stages, points_scaling, pruning_passes, query_trade_off, reduction_error,
+    rung_shares, scan_race, slope_selection_scaling, tree_queries, walk_steps, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -24,6 +24,7 @@ pub static EXPERIMENTS: &[Experiment] = &[
     scan_race::EXPERIMENT,
     length_ratio::EXPERIMENT,
     gap_curve::EXPERIMENT,
+    few_generators::EXPERIMENT,
     enclosing_quality::EXPERIMENT,
     collision_scaling::EXPERIMENT,
     gauge_passes::EXPERIMENT,

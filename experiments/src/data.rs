@@ -1,7 +1,11 @@
 //! Real inputs, compiled into the program: country outlines and airports in the plane, meshes in space, flowers in four
 //! dimensions. Sources and licences: `data/SOURCES.md`.
 
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
+
+use thiserror::Error;
+
+use crate::families::clouds::Cloud;
 
 /// A country's largest ring, as plane points (longitude, latitude) in degrees.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,17 +89,53 @@ pub fn airports() -> &'static [[f64; 2]] {
     &AIRPORTS
 }
 
-/// How many points the real input called `name` has, in the plane or beyond: `iris`, a mesh, or one of those of
-/// [`points`].
+/// Points that a run brings along.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OwnInput {
+    /// The name of the input, which no other input and no family has.
+    pub name: String,
+    /// The points.
+    pub points: Cloud,
+}
+
+/// A run has brought its own inputs already: they are told to the process once, like those that are part of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("inputs were added already")]
+pub struct InputsAdded;
+
+static OWN_INPUTS: OnceLock<Vec<OwnInput>> = OnceLock::new();
+
+/// Adds inputs to the real ones, for the rest of the process.
+///
+/// # Errors
+/// If that was done before.
+pub fn add_inputs(inputs: Vec<OwnInput>) -> Result<(), InputsAdded> {
+    OWN_INPUTS.set(inputs).map_err(|_| InputsAdded)
+}
+
+/// The input called `name` among those that were added, if there is one.
+pub fn own_input(name: &str) -> Option<&'static Cloud> {
+    let inputs = OWN_INPUTS.get()?;
+    inputs.iter().find(|input| input.name == name).map(|input| &input.points)
+}
+
+/// How many points the real input called `name` has, in the plane or beyond: `iris`, a mesh, one of those of
+/// [`points`], or one that was added.
 pub fn size(name: &str) -> Option<usize> {
+    if let Some(own) = own_input(name) {
+        return Some(own.len());
+    }
     match name {
         "iris" => Some(iris().len()),
         _ => mesh(name).map(|mesh| mesh.vertices.len()).or_else(|| points(name).map(<[_]>::len)),
     }
 }
 
-/// The points of the real input called `name`: `airports`, or an outline.
+/// The points of the real input called `name`: `airports`, an outline, or one in the plane that was added.
 pub fn points(name: &str) -> Option<&'static [[f64; 2]]> {
+    if let Some(Cloud::Plane(points)) = own_input(name) {
+        return Some(points);
+    }
     match name {
         "airports" => Some(airports()),
         _ => outline(name).map(|outline| outline.points.as_slice()),

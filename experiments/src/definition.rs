@@ -229,6 +229,9 @@ impl Case {
         if let Some(family) = families::clouds::find(self.family) {
             return Ok((family.generate)(self.n, self.instance_seed));
         }
+        if let Some(own) = data::own_input(self.family) {
+            return Ok(own.clone());
+        }
         if self.family == "iris" {
             return Ok(Cloud::Four(data::iris().to_vec()));
         }

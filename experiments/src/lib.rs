@@ -17,7 +17,6 @@ pub mod definitions;
 pub mod environment;
 pub mod families;
 pub mod fit;
-pub mod hull_in_space;
 pub mod peers;
 pub mod record;
 pub mod runner;

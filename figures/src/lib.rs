@@ -3,6 +3,7 @@
 //! - [`style`]: the one look: colours, line weights, text sizes.
 //! - [`scene`]: pictures of geometry; [`axes`]: plots of measurements.
 //! - [`min_area`]: what the figures of section 4.1 share; [`growth_plot`]: what the plots of experiments share.
+//! - [`own_data`]: pictures of a reader's own data.
 //! - [`figure`]: what a figure is; [`gallery`]: the figures; [`catalog`]: their list.
 //!
 //! The folder `gallery` beside the sources holds the drawings of all figures that depend on neither clock nor machine;
@@ -15,6 +16,7 @@ pub mod figure;
 pub mod gallery;
 pub mod growth_plot;
 pub mod min_area;
+pub mod own_data;
 pub mod scene;
 pub mod solid;
 pub mod style;

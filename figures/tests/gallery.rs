@@ -34,7 +34,14 @@ fn counts() -> Records {
             shown.push(find_experiment(id).expect("another test finds the experiments of all figures"));
         }
     }
-    let options = RunOptions { profile: PROFILE, seed: SEED, threads: 0, directory: None, times: false };
+    let options = RunOptions {
+        profile: PROFILE,
+        seed: SEED,
+        threads: 0,
+        directory: None,
+        times: false,
+        own_inputs: String::new(),
+    };
     runner::run(&shown, &options, &()).expect("counting without a folder touches no file")
 }
 

@@ -2,10 +2,10 @@
 
 use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use crate::families::clouds::Cloud;
-use crate::hull_in_space::SolidHull;
 use crate::seed::Digest;
 use zonotope::collision::{Query, by_lad, by_lad_in_r4};
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope};
+use zonotope::hull::in_space::solid_hull;
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
@@ -59,7 +59,7 @@ fn measure(case: &Case) -> Result<Measurement, String> {
 }
 
 fn measure_in_space(case: &Case, points: &[[f64; 3]]) -> Result<Measurement, String> {
-    let hull = SolidHull::of(points).ok_or("the points lie in a plane")?;
+    let hull = solid_hull(points).map_err(|error| error.to_string())?.ok_or("the points lie in a plane")?;
     let corners: Vec<[f64; 3]> = hull.vertices().into_iter().map(|vertex| points[vertex]).collect();
     let is_inside =
         |body: &Zonotope<3>, p: [f64; 3]| Query::of_point(p, body).is_ok_and(|d| by_lad::locate(&d).is_member());

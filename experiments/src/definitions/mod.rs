@@ -8,6 +8,7 @@ pub mod directions_scaling;
 pub mod enclosing_quality;
 pub mod faces_scaling;
 pub mod fallback_rate;
+pub mod few_generators;
 mod fixed_directions_methods;
 pub mod gap_curve;
 pub mod gauge_passes;

@@ -38,6 +38,9 @@ pub struct RunOptions {
     pub directory: Option<PathBuf>,
     /// Whether to time after counting.
     pub times: bool,
+    /// A name for the content of inputs that are not part of the program; empty without any. Rows that a run with other
+    /// inputs has left behind are not kept.
+    pub own_inputs: String,
 }
 
 /// Hears how a run proceeds; the program draws a bar from it.
@@ -127,6 +130,7 @@ fn header(experiments: &[&'static Experiment], options: &RunOptions, environment
             "profile": options.profile.to_string(),
             "seed": format!("{:016x}", options.seed),
             "experiments": ids,
+            "own inputs": options.own_inputs,
             "environment": environment.id(),
         }
     })

@@ -58,7 +58,14 @@ fn prepare(case: &Case) -> Result<TimedWork, String> {
 }
 
 fn options(directory: Option<&Path>, threads: usize) -> RunOptions {
-    RunOptions { profile: Profile::Quick, seed: 42, threads, directory: directory.map(Path::to_path_buf), times: true }
+    RunOptions {
+        profile: Profile::Quick,
+        seed: 42,
+        threads,
+        directory: directory.map(Path::to_path_buf),
+        times: true,
+        own_inputs: String::new(),
+    }
 }
 
 /// Counts steps, to see what a resumed run does again.

@@ -57,11 +57,11 @@ pub(crate) fn tiling_frame(pair: &DualPair, window: PageBox) -> Frame {
 pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPair, separator: Option<Separator>) {
     let mut panel = Panel::new(scene, arrangement_frame(pair, window, separator));
     for (index, &[a, b, c]) in pair.generators.iter().enumerate() {
-        let color = GENERATORS[index];
+        let color = color(index);
         let ends = panel.line([0.0, -c / b], [b, -a], &window, &generator_stroke(index));
         if let Some((_, end)) = ends {
             let style = TextStyle::new(text_size::LABEL, color).bold();
-            panel.scene().label(end, [-0.6, -0.8], &style, &format!("$ℓ_{}$", index + 1));
+            panel.scene().label(end, [-0.6, -0.8], &style, &format!("$ℓ_{{{}}}$", index + 1));
         }
     }
     let left = separator.map_or(0, |separator| separator.k);
@@ -71,7 +71,7 @@ pub(crate) fn draw_arrangement(scene: &mut Scene, window: PageBox, pair: &DualPa
         panel.scene().segment(top, PagePoint::new(x, window.max.y), &SEPARATOR);
         if named {
             let style = TextStyle::new(text_size::LABEL, INK);
-            panel.scene().text(top.moved(0.0, -6.0), Anchor::Middle, &style, &format!("$L_{k}$"));
+            panel.scene().text(top.moved(0.0, -6.0), Anchor::Middle, &style, &format!("$L_{{{k}}}$"));
         }
     }
     let size = if pair.crossings.len() > FULL_SIZE_LIMIT { 0.75 } else { 1.0 };
@@ -102,7 +102,7 @@ pub(crate) fn draw_tiles(scene: &mut Scene, window: PageBox, pair: &DualPair, se
         if named {
             let top = panel.place(chain[0]);
             let style = TextStyle::new(text_size::LABEL, INK);
-            panel.scene().text(top.moved(0.0, -8.0), Anchor::Middle, &style, &format!("$L'_{k}$"));
+            panel.scene().text(top.moved(0.0, -8.0), Anchor::Middle, &style, &format!("$L'_{{{k}}}$"));
         }
     }
     for face in pair.crossings.iter().map(|crossing| pair.upper_face(crossing)) {
@@ -126,7 +126,12 @@ pub(crate) fn number_tiles(scene: &mut Scene, window: PageBox, pair: &DualPair) 
 
 /// The line and the edges of a generator.
 pub(crate) fn generator_stroke(generator: usize) -> Stroke {
-    Stroke::new(GENERATORS[generator], weight::MEDIUM + 0.4)
+    Stroke::new(color(generator), weight::MEDIUM + 0.4)
+}
+
+/// The colour of a generator; from the ninth on they repeat.
+fn color(generator: usize) -> Color {
+    GENERATORS[generator % GENERATORS.len()]
 }
 
 fn write_number(scene: &mut Scene, place: PagePoint, index: usize, size: f64) {

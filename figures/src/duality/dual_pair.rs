@@ -5,14 +5,19 @@ use zonotope::arrangement::LineArrangement;
 use zonotope::arrangement::slope_selection::{ArrangementVertex, Method};
 
 /// The arrangement of the lines of some generators and the tiling of the upper hull that is dual to it. The generators
-/// are small integers in general position, so that everything here is what is drawn.
+/// are in general position, those of a figure small integers, so that everything here is what is drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct DualPair {
     /// (a, b, c), with b > 0: the projection (a, b) points up, the line is a x + b y + c = 0.
     pub(crate) generators: Vec<[f64; 3]>,
     /// The crossings from left to right.
     pub(crate) crossings: Vec<Crossing>,
+    /// How far the separators at the ends stand beside all crossings.
+    margin: f64,
 }
+
+/// How far the separators at the ends stand beside the crossings of a figure.
+const FIGURE_MARGIN: f64 = 0.4;
 
 /// The coefficients of the two generators at the corners of a tile, in order: first the first one changes.
 const AROUND: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
@@ -29,9 +34,10 @@ pub(crate) struct Crossing {
 }
 
 impl DualPair {
+    /// That of generators with two lines at least that cross.
     pub(crate) fn new(generators: &[[f64; 3]]) -> Self {
         let arrangement =
-            LineArrangement::from_rows(generators).expect("the generators of a figure are small integers");
+            LineArrangement::from_rows(generators).expect("generators that are drawn are finite and not many");
         let crossing = |vertex: &ArrangementVertex| {
             let pair = vertex.lines.map(|line| line.position());
             let [x, y, w] = arrangement.exact_line(vertex.lines[0]).meet(&arrangement.exact_line(vertex.lines[1]));
@@ -46,15 +52,24 @@ impl DualPair {
         Self {
             generators: generators.to_vec(),
             crossings: Method::BruteForce.all_vertices(&arrangement, 0).iter().map(crossing).collect(),
+            margin: FIGURE_MARGIN,
         }
+    }
+
+    /// The same pair with the separators at the ends beside all crossings by a part of the distance between the
+    /// outermost ones.
+    pub(crate) fn with_margin(self, part: f64) -> Self {
+        let x = |crossing: Option<&Crossing>| crossing.map_or(0.0, |crossing| crossing.place[0]);
+        let spread = x(self.crossings.last()) - x(self.crossings.first());
+        Self { margin: if spread > 0.0 { part * spread } else { FIGURE_MARGIN }, ..self }
     }
 
     /// The x of the vertical line L_k: between the k-th crossing and the next.
     pub(crate) fn separator_x(&self, k: usize) -> f64 {
         let x = |index: usize| self.crossings[index].place[0];
         match k {
-            0 => x(0) - 0.4,
-            _ if k == self.crossings.len() => x(k - 1) + 0.4,
+            0 => x(0) - self.margin,
+            _ if k == self.crossings.len() => x(k - 1) + self.margin,
             _ => (x(k - 1) + x(k)) / 2.0,
         }
     }

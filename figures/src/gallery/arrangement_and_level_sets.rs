@@ -42,27 +42,31 @@ const OUTLINE: Stroke = Stroke::new(INPUT, weight::MEDIUM).dashed(Dash::Dashed);
 const DEEP: Color = Color::new(0x5b, 0x8f, 0xb9);
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
-    let polygon = Polygon::of_figure(&POINTS);
+    Ok(picture(&Polygon::of_figure(&POINTS), FIGURE.title, FIGURE.caption))
+}
+
+/// A polygon with its lines ℓ_t, level sets of f, and the minimum.
+pub(crate) fn picture(polygon: &Polygon, title: &str, description: &str) -> String {
     let best = polygon.optimum();
     let lines = polygon.lines();
     let window = PageBox::new(20.0, 16.0, WIDTH - 40.0, 560.0);
-    let mut scene = Scene::new(WIDTH, HEIGHT, FIGURE.title, FIGURE.caption);
+    let mut scene = Scene::new(WIDTH, HEIGHT, title, description);
     let frame = Frame::fit(&WorldBox::around(polygon.vertices()), window.inset(28.0));
     let mut panel = Panel::new(&mut scene, frame);
 
     let center = best.body.center();
-    draw_level_sets(&mut panel, &polygon, &lines, center);
+    draw_level_sets(&mut panel, polygon, &lines, center);
     panel.polygon(polygon.vertices(), &Paint::outline(OUTLINE));
     for (t, line) in lines.iter().enumerate() {
         let Some((from, to)) = panel.line_inside(line.point, line.direction, &window) else { continue };
         panel.scene().arrow(from, to, &LINE);
         let style = TextStyle::new(text_size::LABEL, REFLECTED);
-        panel.scene().label(to, [from.x - to.x, from.y - to.y], &style, &format!("$ℓ_{}$", t + 1));
+        panel.scene().label(to, [from.x - to.x, from.y - to.y], &style, &format!("$ℓ_{{{}}}$", t + 1));
     }
     for (number, point) in polygon.vertices().iter().enumerate() {
         panel.marker(*point, &INPUT_POINT);
         let wish = [point[0] - center[0], point[1] - center[1]];
-        panel.label(*point, wish, &TextStyle::new(text_size::LABEL, INPUT), &format!("$P_{}$", number + 1));
+        panel.label(*point, wish, &TextStyle::new(text_size::LABEL, INPUT), &format!("$P_{{{}}}$", number + 1));
     }
     panel.marker(center, &OPTIMAL_CENTER);
     let entries = [
@@ -72,7 +76,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         LegendEntry::new(Sample::Point(OPTIMAL_CENTER), "minimum"),
     ];
     scene.legend(PagePoint::new(20.0, 596.0), WIDTH - 40.0, &entries);
-    Ok(scene.finish())
+    scene.finish()
 }
 
 fn draw_level_sets(panel: &mut Panel<'_>, polygon: &Polygon, lines: &[DrawnLine], center: [f64; 2]) {

@@ -8,9 +8,9 @@ use crate::solid::{Camera, Face, faces_of};
 use crate::style::{Dash, ENCLOSING, GREY, INPUT, PAPER, Paint, Stroke, text_size, weight};
 use experiments::data::mesh;
 use experiments::families::clouds::solid as platonic;
-use experiments::hull_in_space::SolidHull;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 use zonotope::enclosing::min_length;
+use zonotope::hull::in_space::solid_hull;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
 /// The zonohedra.
@@ -38,7 +38,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let teapot = mesh("teapot").expect("the mesh is among the data");
     // Its lid is up along y; on the page z is up.
     let vertices: Vec<[f64; 3]> = teapot.vertices.iter().map(|&[x, y, z]| [x, -z, y]).collect();
-    let hull = SolidHull::of(&vertices).expect("a teapot has a volume");
+    let hull = solid_hull(&vertices).expect("the coordinates are finite").expect("a teapot has a volume");
     let hull_volume = hull.volume(&vertices);
     let corners: Vec<[f64; 3]> = hull.vertices().into_iter().map(|vertex| vertices[vertex]).collect();
     let best = min_length(&corners, 0.01).expect("the mesh's coordinates are finite");

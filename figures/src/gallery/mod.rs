@@ -9,6 +9,7 @@ pub mod directions_needed;
 pub mod dual_zonotope;
 pub mod duality_family;
 pub mod facet_walk;
+pub mod few_generators;
 pub mod gap_curve;
 pub mod length_ratio;
 pub mod mesh_in_zonohedra;

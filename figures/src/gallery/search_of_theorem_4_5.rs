@@ -80,20 +80,24 @@ impl Strip {
 }
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
-    let polygon = Polygon::of_figure(&POINTS);
+    Ok(search(&Polygon::of_figure(&POINTS), FIGURE.title, FIGURE.caption))
+}
+
+/// A panel for each step of the search for the best centre around a polygon, and one for the answer.
+pub(crate) fn search(polygon: &Polygon, title: &str, description: &str) -> String {
     let lines = polygon.lines();
     let vertices = vertices_of(&lines);
     let (_, steps) = by_slope_selection::trace(&kernel_problem(&lines), SEED);
 
     let width = CELL[0] * COLUMNS as f64;
     let legend_top = CELL[1] * (steps.len() + 1).div_ceil(COLUMNS) as f64;
-    let mut scene = Scene::new(width, legend_top + 54.0, FIGURE.title, FIGURE.caption);
+    let mut scene = Scene::new(width, legend_top + 54.0, title, description);
     let mut strip = Strip::default();
     for (number, step) in steps.iter().enumerate() {
         draw_step(&mut scene, cell(number), &Step { number, step, strip: &strip, lines: &lines, vertices: &vertices });
         strip.narrow(step);
     }
-    draw_answer(&mut scene, cell(steps.len()), &polygon);
+    draw_answer(&mut scene, cell(steps.len()), polygon);
     let entries = [
         LegendEntry::new(Sample::Line(LINE), "lines $ℓ_t$"),
         LegendEntry::new(Sample::Point(CANDIDATE), "candidate"),
@@ -105,7 +109,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         LegendEntry::new(Sample::Point(OPTIMAL_CENTER), "optimum"),
     ];
     scene.legend(PagePoint::new(0.0, legend_top + 4.0), width, &entries);
-    Ok(scene.finish())
+    scene.finish()
 }
 
 /// The place of a panel.
@@ -151,12 +155,11 @@ fn rows(lines: &[DrawnLine]) -> Vec<[f64; 3]> {
 fn kernel_problem(lines: &[DrawnLine]) -> LadProblem<'static> {
     let lines: Vec<WeightedLine> =
         rows(lines).into_iter().map(|[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
-    LadProblem::new(&lines, [0.0, 0.0]).expect("the coefficients are small integers because the corners are")
+    LadProblem::new(&lines, [0.0, 0.0]).expect("corners that are drawn are of ordinary size")
 }
 
 fn vertices_of(lines: &[DrawnLine]) -> Vec<Vertex> {
-    let arrangement =
-        LineArrangement::from_rows(&rows(lines)).expect("the coefficients are small integers because the corners are");
+    let arrangement = LineArrangement::from_rows(&rows(lines)).expect("corners that are drawn are of ordinary size");
     let vertex = |vertex: &ArrangementVertex| {
         let [first, second] = vertex.lines.map(|line| arrangement.exact_line(line));
         let [x, y, w] = first.meet(&second);

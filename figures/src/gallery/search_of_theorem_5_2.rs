@@ -70,21 +70,37 @@ impl Strip {
 }
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
-    let pair = DualPair::new(&GENERATOR_ROWS);
-    let body = Zonotope::new([0.0; 3], GENERATOR_ROWS.to_vec()).expect("the coordinates are small integers");
-    let question = Query::of_point(POINT, &body).expect("the coordinates are small integers");
+    let asked = Asked { pair: DualPair::new(&GENERATOR_ROWS), upright: Vec::new(), point: POINT };
+    Ok(search(&asked, FIGURE.title, FIGURE.caption))
+}
+
+/// Generators around the origin, and the point that is searched for.
+pub(crate) struct Asked {
+    /// The generators that have lines, with their tiles.
+    pub(crate) pair: DualPair,
+    /// Generators that point straight up, which raise every tile.
+    pub(crate) upright: Vec<[f64; 3]>,
+    /// The point.
+    pub(crate) point: [f64; 3],
+}
+
+/// A panel for each step of the search for the tile over which a point lies, and one for that tile.
+pub(crate) fn search(asked: &Asked, title: &str, description: &str) -> String {
+    let generators = [asked.pair.generators.as_slice(), &asked.upright].concat();
+    let body = Zonotope::new([0.0; 3], generators).expect("generators that are drawn are finite");
+    let question = Query::of_point(asked.point, &body).expect("points that are drawn are finite");
     let trace = by_slope_selection::trace(&question, SEED);
     let steps: Vec<&SearchStep> = trace.steps.iter().filter(|step| step.hull == Hull::Upper).collect();
 
     let width = CELL[0] * COLUMNS as f64;
     let legend_top = CELL[1] * (steps.len() + 1).div_ceil(COLUMNS) as f64;
-    let mut scene = Scene::new(width, legend_top + 40.0, FIGURE.title, FIGURE.caption);
+    let mut scene = Scene::new(width, legend_top + 40.0, title, description);
     let mut strip = Strip::WHOLE;
     for (number, step) in steps.iter().enumerate() {
-        draw_step(&mut scene, cell(number), &pair, number, step, strip);
+        draw_step(&mut scene, cell(number), asked, number, step, strip);
         strip = strip.after(step);
     }
-    draw_tile(&mut scene, cell(steps.len()), &pair, &trace);
+    draw_tile(&mut scene, cell(steps.len()), asked, &trace);
     let entries = [
         LegendEntry::new(Sample::Area(CANDIDATE.with_outline(Stroke::new(GREY, 0.8))), "candidate tile"),
         LegendEntry::new(Sample::Area(NEWLY_DROPPED), "dropped in this step"),
@@ -93,7 +109,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         LegendEntry::new(Sample::Point(QUERY), "$p_0$"),
     ];
     scene.legend(PagePoint::new(0.0, legend_top + 4.0), width, &entries);
-    Ok(scene.finish())
+    scene.finish()
 }
 
 fn cell(number: usize) -> PageBox {
@@ -112,7 +128,7 @@ fn write_head(scene: &mut Scene, cell: &PageBox, heading: &str, note: &str) {
 fn draw_tiles<'a>(
     scene: &'a mut Scene,
     cell: &PageBox,
-    pair: &DualPair,
+    Asked { pair, point, .. }: &Asked,
     paint: impl Fn(f64) -> Paint,
     chain: Option<&[[f64; 2]]>,
 ) -> Panel<'a> {
@@ -131,11 +147,11 @@ fn draw_tiles<'a>(
             panel.segment(tile[side], tile[(side + 1) % 4], &stroke);
         }
     }
-    panel.marker([POINT[0], POINT[1]], &QUERY);
+    panel.marker([point[0], point[1]], &QUERY);
     panel
 }
 
-fn draw_step(scene: &mut Scene, cell: PageBox, pair: &DualPair, number: usize, step: &SearchStep, strip: Strip) {
+fn draw_step(scene: &mut Scene, cell: PageBox, asked: &Asked, number: usize, step: &SearchStep, strip: Strip) {
     let after = strip.after(step);
     let paint = |x: f64| match (strip.holds(x), after.holds(x)) {
         (_, true) => CANDIDATE,
@@ -148,7 +164,7 @@ fn draw_step(scene: &mut Scene, cell: PageBox, pair: &DualPair, number: usize, s
         Side::Right => (right, "p₀ is right of the chain"),
         Side::Within => (left, "p₀ is in the tile at the median"),
     };
-    draw_tiles(scene, &cell, pair, paint, Some(chain));
+    draw_tiles(scene, &cell, asked, paint, Some(chain));
     let heading = match step.tiles_before {
         1 => format!("Step {}: 1 tile", number + 1),
         before => format!("Step {}: {before} tiles", number + 1),
@@ -157,15 +173,22 @@ fn draw_step(scene: &mut Scene, cell: PageBox, pair: &DualPair, number: usize, s
 }
 
 /// The tile over which p lies, and what the facet says.
-fn draw_tile(scene: &mut Scene, cell: PageBox, pair: &DualPair, trace: &Trace) {
-    let Some(tile) = trace.tiles.iter().find(|tile| tile.hull == Hull::Upper) else {
+fn draw_tile(scene: &mut Scene, cell: PageBox, asked: &Asked, trace: &Trace) {
+    let tile = trace.tiles.iter().find(|tile| tile.hull == Hull::Upper);
+    let mut panel = draw_tiles(scene, &cell, asked, |_| DROPPED, None);
+    let Some(tile) = tile else {
+        write_head(scene, &cell, "No tile", "p₀ is beside all tiles: p is outside");
         return;
     };
-    let mut panel = draw_tiles(scene, &cell, pair, |_| DROPPED, None);
     panel.polygon(&tile.corners, &FOUND.with_outline(Stroke::new(INK, 2.0)));
-    panel.marker([POINT[0], POINT[1]], &QUERY);
+    panel.marker([asked.point[0], asked.point[1]], &QUERY);
     let names: Vec<String> = tile.generators.iter().map(|index| (index + 1).to_string()).collect();
     let words = if tile.depth >= 0.0 { "below" } else { "above" };
-    let note = format!("p is {:.2} {words} the facet", tile.depth.abs());
+    let note = format!("p is {} {words} the facet", short(tile.depth.abs()));
     write_head(scene, &cell, &format!("The tile of generators {}", names.join(" and ")), &note);
+}
+
+/// A height with two decimals, or with a power of ten where these say little.
+fn short(height: f64) -> String {
+    if height == 0.0 || (0.01..1e6).contains(&height) { format!("{height:.2}") } else { format!("{height:.2e}") }
 }

@@ -27,15 +27,19 @@ const COLUMNS: usize = 4;
 const CELL: [f64; 2] = [230.0, 254.0];
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
-    let pair = DualPair::new(&GENERATOR_ROWS);
+    Ok(sweep(&DualPair::new(&GENERATOR_ROWS), FIGURE.title, FIGURE.caption))
+}
+
+/// A panel for every separator of a tiling.
+pub(crate) fn sweep(pair: &DualPair, title: &str, description: &str) -> String {
     let panels = pair.crossings.len() + 1;
     let rows = panels.div_ceil(COLUMNS);
-    let mut scene = Scene::new(CELL[0] * COLUMNS as f64, CELL[1] * rows as f64 + 8.0, FIGURE.title, FIGURE.caption);
+    let mut scene = Scene::new(CELL[0] * COLUMNS as f64, CELL[1] * rows as f64 + 8.0, title, description);
     for k in 0..panels {
         let (left, top) = (CELL[0] * (k % COLUMNS) as f64, CELL[1] * (k / COLUMNS) as f64);
         scene.heading(PagePoint::new(left + CELL[0] / 2.0, top + 22.0), &format!("$k$ = {k}"));
         let window = PageBox::new(left + 16.0, top + 34.0, CELL[0] - 32.0, CELL[1] - 68.0);
-        draw_tiling(&mut scene, window, &pair, Some(Separator { k, named: false }));
+        draw_tiling(&mut scene, window, pair, Some(Separator { k, named: false }));
         let order = pair.order_on(pair.separator_x(k));
         let words: Vec<String> = order.iter().map(|index| (index + 1).to_string()).collect();
         let style = TextStyle::new(text_size::NOTE, GREY);
@@ -46,5 +50,5 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
             &words.join(" "),
         );
     }
-    Ok(scene.finish())
+    scene.finish()
 }

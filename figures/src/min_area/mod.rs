@@ -7,7 +7,7 @@ use zonotope::enclosing::centered_zonogon::CenteredZonogon;
 use zonotope::enclosing::min_area;
 use zonotope::enclosing::min_area_zonogon::MinAreaZonogon;
 use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
-use zonotope::hull::{ConvexHull, convex_hull};
+use zonotope::hull::{ConvexHull, HullError, convex_hull};
 
 /// A line of the arrangement as it is drawn: a point on it, and its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,10 +32,17 @@ impl Polygon {
     /// # Panics
     /// If there are none, or one is not finite: a figure's points are written in its file.
     pub fn of_figure(points: &[[f64; 2]]) -> Self {
-        let hull =
-            convex_hull(points).expect("a figure's points are finite and not none because they are written down");
+        Self::of(points).expect("a figure's points are finite and not none because they are written down")
+    }
+
+    /// The hull of points.
+    ///
+    /// # Errors
+    /// If there are none, too many, or one is not finite.
+    pub fn of(points: &[[f64; 2]]) -> Result<Self, HullError> {
+        let hull = convex_hull(points)?;
         let farthest = farthest_vertices(&hull);
-        Self { points: points.to_vec(), hull, farthest }
+        Ok(Self { points: points.to_vec(), hull, farthest })
     }
 
     /// The hull's vertices, counter-clockwise from the lexicographically smallest.

@@ -3,7 +3,8 @@
 use clap::{Parser, Subcommand};
 
 use crate::commands::{
-    contains, distance, enclose, figure, inspect, intersect, list, records, reduce, reproduce, shell, solve, verify,
+    compare, contains, distance, draw, enclose, figure, inspect, intersect, list, records, reduce, reproduce, shell,
+    solve, verify,
 };
 
 /// Zonotopes as bounding volumes: enclose data, check answers, reproduce every figure and number of the report.
@@ -22,8 +23,12 @@ pub enum Command {
     Reproduce(reproduce::Options),
     /// Draw one figure of the report.
     Figure(figure::Options),
+    /// Draw your own data as the paper draws its examples.
+    Draw(draw::Options),
     /// Hand on what a run of `reproduce` recorded.
     Records(records::Options),
+    /// Compare what two runs of `reproduce` recorded: counts must agree, times are told as ratios.
+    Compare(compare::Options),
     /// List experiments, figures, claims and methods.
     List(list::Options),
     /// Find the smallest zonotope around the points of a file, by area or by total length.

@@ -1,5 +1,5 @@
-//! The workbench on the command line: `reproduce`, `figure`, `records`, `list`, `enclose`, `contains`, `intersect`,
-//! `distance`, `reduce`, `inspect`, `solve`, `verify`, `completions`, `man`.
+//! The workbench on the command line: `reproduce`, `figure`, `draw`, `records`, `compare`, `list`, `enclose`,
+//! `contains`, `intersect`, `distance`, `reduce`, `inspect`, `solve`, `verify`, `completions`, `man`.
 //!
 //! - [`cli`] is the command line, [`commands`] has a file for each command.
 //! - [`input`] reads points and zonotopes from data files, [`lines`] the lines of a batch; [`output`] writes files
@@ -59,7 +59,9 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
     match &cli.command {
         Command::Reproduce(options) => commands::reproduce::run(options),
         Command::Figure(options) => commands::figure::run(options),
+        Command::Draw(options) => commands::draw::run(options),
         Command::Records(options) => commands::records::run(options),
+        Command::Compare(options) => commands::compare::run(options),
         Command::List(options) => commands::list::run(options),
         Command::Enclose(options) => commands::enclose::run(options),
         Command::Intersect(options) => commands::intersect::run(options),

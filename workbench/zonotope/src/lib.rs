@@ -89,6 +89,7 @@
 //! | [`reduction`] | a zonotope of few generators around one of many | 5.2, Lemma 5.5 |
 //! | [`reduction::hausdorff`] | the Hausdorff distance of two zonotopes, between two bounds | 5.2, H(A, B) |
 //! | [`hull`] | convex hull and farthest vertices of its edges | 4.1 |
+//! | [`hull::in_space`] | convex hull of points of space | 4.3, as what a body has to contain |
 //! | [`zonotope`] | support function, sums and linear maps; vertices, area and membership of zonogons | 3 |
 //! | [`zonotope::faces`] | the face lattice in space; vertices and facets in any dimension | 3 |
 //! | [`zonotope::combinatorics()`] | counts of faces, exact volume | 3 |

@@ -55,6 +55,7 @@ fn cyclic(points: &[[f64; 3]]) -> Vec<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use zonotope::hull::in_space::solid_hull;
 
     /// Each vertex has three, four or five nearest others, all at one distance.
     #[test]
@@ -79,6 +80,25 @@ mod tests {
                 let near = distances.iter().filter(|d| **d < distances[0] * 1.001).count();
                 assert_eq!(near, neighbours, "{name}");
             }
+        }
+    }
+
+    /// Vertices of a solid are corners of its hull, whose volume is known.
+    #[test]
+    fn hulls_of_solids_have_their_volumes() {
+        let edge = 2.0 / golden();
+        let expected = [
+            8.0 / 3.0,
+            4.0 / 3.0,
+            8.0,
+            5.0 / 12.0 * (3.0 + 5f64.sqrt()) * 8.0,
+            (15.0 + 7.0 * 5f64.sqrt()) / 4.0 * edge * edge * edge,
+        ];
+        for (solid, volume) in SOLIDS.iter().zip(expected) {
+            let points = (solid.vertices)();
+            let hull = solid_hull(&points).expect("finite").expect("a solid spans space");
+            assert_eq!(hull.vertices().len(), points.len(), "{}", solid.name);
+            assert!((hull.volume(&points) / volume - 1.0).abs() < 1e-14, "{}", solid.name);
         }
     }
 }

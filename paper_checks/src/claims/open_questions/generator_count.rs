@@ -8,5 +8,6 @@ pub static CLAIM: Claim = Claim {
     place: Place { section: "7", label: "third question" },
     kind: ClaimKind::OpenQuestion,
     statement: "How many generators does that zonotope have?",
+    figures: &["few-generators"],
     ..Claim::LISTED
 };

@@ -40,6 +40,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         threads: 0,
         directory: None,
         times: !figure.deterministic,
+        own_inputs: String::new(),
     };
     let records = runner::run(&experiments, &run, &RunProgress::default())?;
     let svg = figure.draw(&FigureInput { records: Some(&records) })?;

@@ -2,8 +2,10 @@
 
 mod asked;
 mod asking;
+pub mod compare;
 pub mod contains;
 pub mod distance;
+pub mod draw;
 pub mod enclose;
 pub mod figure;
 pub mod inspect;

@@ -16,8 +16,9 @@ mod totals;
 mod values;
 mod variant;
 
+use std::path::PathBuf;
+
 use experiments::analysis::{self, FittedGrowth};
-use experiments::catalog::EXPERIMENTS;
 use experiments::definition::{Experiment, Profile};
 use experiments::runner::Records;
 use paper_checks::{CheckContext, ClaimResult};
@@ -35,6 +36,8 @@ pub struct Evidence {
     pub seed: u64,
     /// The ids that the run was restricted to; empty if everything was run.
     pub only: Vec<String>,
+    /// The file that changed the experiments, if there was one.
+    pub config: Option<PathBuf>,
     /// The experiments that were run.
     pub experiments: Vec<&'static Experiment>,
     /// What the experiments recorded.
@@ -50,14 +53,18 @@ pub struct Evidence {
 impl Evidence {
     /// The command line that finds it again.
     pub fn command(&self) -> String {
-        let only = if self.only.is_empty() { String::new() } else { format!(" --only {}", self.only.join(" ")) };
+        let only = match &self.config {
+            Some(config) => format!(" --config {}", config.display()),
+            None if self.only.is_empty() => String::new(),
+            None => format!(" --only {}", self.only.join(" ")),
+        };
         format!("zonobench reproduce --profile {} --seed {}{only}", self.profile, self.seed)
     }
 }
 
-/// All growth laws of the records.
-pub fn fits(records: &Records) -> Vec<FittedGrowth> {
-    EXPERIMENTS.iter().flat_map(|experiment| analysis::fits(experiment, records)).collect()
+/// All growth laws of experiments that were run.
+pub fn fits(experiments: &[&Experiment], records: &Records) -> Vec<FittedGrowth> {
+    experiments.iter().flat_map(|experiment| analysis::fits(experiment, records)).collect()
 }
 
 /// What the claims' checks are told of the growth that operation counts show.

@@ -221,3 +221,19 @@ fn answers_are_bodies() {
     let inspected = run(folder, &["inspect", "a.json"]).stdout;
     assert!(row(&inspected, "volume").contains("= 40.0"), "{inspected}");
 }
+
+/// The search takes 200,000 points of space: of more it gets the corners of their hull, and the proof is about all.
+#[test]
+fn many_points_of_space_go_through_their_hull() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let lattice = (0..59 * 59 * 59).map(|i| format!("{},{},{}\n", i % 59, i / 59 % 59, i / 3481));
+    fs::write(folder.join("p.csv"), format!("x,y,z\n{}", lattice.collect::<String>())).expect("written");
+    for words in [&[][..], &["--directions", "axes"]] {
+        let summary = enclosed(folder, "p.csv", words);
+        assert!(row(&summary, "points").starts_with("205379 in p.csv"), "{summary}");
+        assert!(row(&summary, "zonotope").starts_with("3 generators"), "{summary}");
+        assert!(row(&summary, "certificate").starts_with("checked, exactly"), "{summary}");
+        assert!(row(&summary, "hull").starts_with("1.0000 times"), "{summary}");
+    }
+}

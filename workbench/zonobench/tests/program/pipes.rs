@@ -115,3 +115,29 @@ fn points_are_located_one_by_one() {
     assert_eq!(run(folder, &["contains", "-", "-", "--format", "csv"]).status, 2);
     assert_eq!(run(folder, &["contains", "z.json", "a.obj", "--skip", "1"]).status, 2);
 }
+
+#[test]
+fn vertices_of_a_planar_body_are_points() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("z.json"), r#"{"c":[1,1],"G":[[1,0,1],[0,1,1]]}"#).expect("written");
+    for file in ["v.csv", "v.geojson"] {
+        good(run(folder, &["inspect", "z.json", "--vertices", file]), file);
+        let enclosed = good(run(folder, &["enclose", file]), file).stdout;
+        assert!(enclosed.contains("6 vertices, area 12.0") && enclosed.contains("3 generators"), "{file}: {enclosed}");
+        // The ring of a polygon ends with its first point.
+        let located = good(run(folder, &["contains", "z.json", file]), file).stdout;
+        assert!(located.lines().count() >= 6 && located.lines().all(|line| line.contains("\tboundary\t")), "{located}");
+    }
+    let piped = good(run(folder, &["inspect", "z.json", "--vertices", "-"]), "-");
+    assert_eq!(piped.stdout, fs::read_to_string(folder.join("v.csv")).expect("written"));
+    fs::write(folder.join("cube.json"), "[[1,0,0],[0,1,0],[0,0,1]]").expect("written");
+    for (body, file, complaint) in [
+        ("cube.json", "c.csv", "has 3 coordinates"),
+        ("z.json", "c.svg", "c.svg: vertices are written as .csv or .geojson"),
+    ] {
+        let refused = run(folder, &["inspect", body, "--vertices", file]);
+        assert_eq!((refused.status, folder.join(file).exists()), (1, false));
+        assert!(refused.stderr.contains(complaint), "{}", refused.stderr);
+    }
+}

@@ -83,3 +83,67 @@ fn the_shell_is_told_of_every_command() {
     assert_eq!(run(folder.path(), &["man", "no-such-command"]).status, 2);
     assert_eq!(run(folder.path(), &["completions", "no-such-shell"]).status, 2);
 }
+
+#[test]
+fn two_runs_are_compared() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let config = "[experiment.hull-scaling]\nfamilies = [\"disc\"]\nsizes = [8, 16]\ninstances = 1\n";
+    fs::write(folder.join("my.toml"), config).expect("written");
+    for out in ["a", "b"] {
+        let outcome = run(folder, &["reproduce", "--config", "my.toml", "--out", out]);
+        assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
+    }
+    let same = run(folder, &["compare", "a", "b"]);
+    assert_eq!((same.status, same.stderr.as_str()), (0, ""), "{}", same.stdout);
+    assert!(
+        same.stdout.contains("6 cases in both runs, 0 in the first alone, 0 in the second alone"),
+        "{}",
+        same.stdout
+    );
+    assert!(same.stdout.contains("the same, values and answers as well"), "{}", same.stdout);
+    assert!(same.stdout.contains("  hull-scaling: by_discarding, total: "), "{}", same.stdout);
+
+    let counts = folder.join("b/records/counts.jsonl");
+    let text = fs::read_to_string(&counts).expect("records");
+    fs::write(&counts, text.replacen("\"turn\":", "\"turn\":1", 1)).expect("written");
+    let other = run(folder, &["compare", "a", "b"]);
+    assert_eq!(other.status, 1, "{}", other.stdout);
+    assert!(other.stdout.contains("1 case differs"), "{}", other.stdout);
+    assert!(
+        other.stdout.contains("  hull-scaling: by_discarding on disc, n = 8, instance 0: turn "),
+        "{}",
+        other.stdout
+    );
+    let missing = run(folder, &["compare", "a", "c"]);
+    assert!(missing.stderr.starts_with("zonobench: c/records/counts.jsonl: cannot be read"), "{}", missing.stderr);
+    assert_eq!(missing.status, 1);
+}
+
+#[test]
+fn experiments_run_on_own_files() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("mine.csv"), "x,y\n0,0\n4,0\n0,4\n1,1\n").expect("written");
+    let config = "[experiment.hull-scaling]\nfamilies = [\"circle\"]\nsizes = [8, 16, 32, 64]\n\
+                  inputs = [\"mine.csv\"]\nvariants = [\"brute_force\"]\nrepetitions = 1\n";
+    fs::write(folder.join("my.toml"), config).expect("written");
+    let outcome = run(folder, &["reproduce", "--config", "my.toml", "--out", "r"]);
+    assert_eq!(outcome.status, 0, "{}{}", outcome.stdout, outcome.stderr);
+    let text = |name: &str| fs::read_to_string(folder.join("r").join(name)).expect("a file of the run");
+    let counts = text("records/counts.jsonl");
+    assert!(counts.lines().next().is_some_and(|line| line.contains("\"family\":\"mine.csv\",")), "{counts}");
+    assert!(counts.contains("\"hull_vertices\":3.0"), "{counts}");
+    let plot = text("figures/own-hull-scaling-turn.svg");
+    assert!(plot.contains("on mine.csv") && plot.contains("exponent 2.12 (2.08 to 2.16)"), "{plot}");
+    assert!(text("report.html").contains("own-hull-scaling-turn"));
+    assert!(text("manifest.json").contains("--config my.toml"));
+    fs::write(folder.join("my.toml"), config.replace("sizes", "sise")).expect("written");
+    let refused = run(folder, &["reproduce", "--config", "my.toml", "--out", "s"]);
+    assert!(
+        refused.stderr.starts_with("zonobench: my.toml: line 3, column 1: unknown field `sise`"),
+        "{}",
+        refused.stderr
+    );
+    assert_eq!((refused.status, folder.join("s").exists()), (1, false));
+}

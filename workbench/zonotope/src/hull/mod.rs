@@ -11,13 +11,14 @@
 //! | [`by_monotone_chain`] | O(n log n) | sort by x, then one chain below and one above (Andrew) |
 //!
 //! n points, h of them vertices of the hull. [`convex_hull`] is the default method; [`antipodal`] is a problem of its
-//! own. The crate `verifier` checks a hull without trusting any of the methods.
+//! own, as is [`in_space`]. The crate `verifier` checks a hull without trusting any of the methods.
 
 pub mod antipodal;
 pub mod brute_force;
 pub mod by_discarding;
 pub mod by_monotone_chain;
 mod error;
+pub mod in_space;
 mod method;
 mod polygon;
 mod sites;

@@ -47,6 +47,13 @@ pub const LONG_SUM: f64 = 1.0 + power_of_two(-20);
 /// Each product goes through five roundings; three more units pay for the roundings within the bound.
 pub const DETERMINANT_3X3: f64 = 8.0 * UNIT;
 
+/// Error of a point's height over a plane through three points, computed from rounded differences, beside the sum of
+/// the magnitudes of the six products that it is made of.
+///
+/// Three rounded differences are in each product, which goes through five more roundings; eight more units pay for the
+/// roundings within the bound and for products of errors.
+pub const HEIGHT_OVER_PLANE: f64 = 16.0 * UNIT;
+
 /// Error of a product of two vectors of rounded coordinates, beside the sum of the magnitudes of its terms, in up to
 /// four dimensions.
 ///

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 use zonotope::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome, few_generators};
 
+use super::outer::OuterPoints;
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -18,7 +19,8 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     solve,
 };
 
-/// The most points that are taken in 1, 2, … dimensions.
+/// The most points that are taken in 1, 2, … dimensions; of more in the plane and in space, the most corners of their
+/// hull.
 const POINT_LIMITS: [usize; 4] = [2_000_000, 200_000, 200_000, 20_000];
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
@@ -37,43 +39,50 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
             let message = format!("points with {other} coordinates, the volume is made less around points with 3");
             return Err(Refusal::bad_input(message));
         }
-        1 => result(&in_space::<1>(fields, method)?.1),
-        2 => result(&in_space::<2>(fields, method)?.1),
-        3 => result(&in_space::<3>(fields, method)?.1),
-        4 => result(&in_space::<4>(fields, method)?.1),
+        1 => of_length::<1>(fields, method)?,
+        2 => of_length::<2>(fields, method)?,
+        3 => of_length::<3>(fields, method)?,
+        4 => of_length::<4>(fields, method)?,
         other => return Err(refused("point 1", other, POINT_LIMITS.len())),
     };
     Ok(Solution { method: method.id(), result })
 }
 
+/// A zonotope that is nearly of least total length.
+fn of_length<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
+    let (points, found) = in_space::<D>(fields, method)?;
+    Ok(result(&points, &found))
+}
+
 /// A zonotope whose volume is a local minimum, with its volume.
 fn of_less_volume(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
     let (points, answer) = in_space::<3>(fields, method)?;
-    let found = few_generators::of_less_volume(&points, answer, fields.number("epsilon")?);
-    let mut result = result(&found);
+    let found = few_generators::of_less_volume(points.points(), answer, fields.number("epsilon")?);
+    let mut result = result(&points, &found);
     result["volume"] = to_json(found.body.exact_volume().to_f64());
     Ok(result)
 }
 
-/// The points and the answer about them.
-type Found<const D: usize> = (Vec<[f64; D]>, MinLengthZonotope<D>);
+/// The points that were enclosed and the answer about them.
+type Found<const D: usize> = (OuterPoints<D>, MinLengthZonotope<D>);
 
 fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found<D>, Refusal> {
-    let points = fields.vectors::<D>("points")?;
+    let outer = OuterPoints::of(fields.vectors::<D>("points")?);
+    let points = outer.points();
     let epsilon = fields.number("epsilon")?;
     let count = fields.optional_count("max_generators")?;
     let most = POINT_LIMITS[D - 1];
     if points.len() > most {
-        let message = format!("{} points, at most {most} are taken in {D} dimensions", points.len());
+        let message = format!("{}, at most {most} are taken in {D} dimensions", outer.described());
         return Err(Refusal::new(Code::TooLarge, message));
     }
-    let found = method.solve(&points, epsilon, &mut ()).and_then(|answer| match count {
-        None => Ok(few_generators::fewest(&points, answer, epsilon)),
+    let found = method.solve(points, epsilon, &mut ()).and_then(|answer| match count {
+        None => Ok(few_generators::fewest(points, answer, epsilon)),
         Some(count) => {
-            few_generators::shortest_of_few(&points, answer, epsilon, usize::try_from(count).unwrap_or(usize::MAX))
+            few_generators::shortest_of_few(points, answer, epsilon, usize::try_from(count).unwrap_or(usize::MAX))
         }
     });
-    found.map(|found| (points, found)).map_err(|error| {
+    let found = found.map_err(|error| {
         let code = match error {
             MinLengthError::Empty => Code::Empty,
             MinLengthError::BadEpsilon(_) => Code::BadEpsilon,
@@ -81,15 +90,17 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found
             _ => Code::TooLarge,
         };
         Refusal::new(code, error.to_string())
-    })
+    })?;
+    Ok((outer, found))
 }
 
 /// The result of an answer, as it is written.
-fn result<const D: usize>(found: &MinLengthZonotope<D>) -> Value {
+fn result<const D: usize>(points: &OuterPoints<D>, found: &MinLengthZonotope<D>) -> Value {
     let generators: Vec<Value> = found.body.generators().iter().map(|g| vector_to_json(g)).collect();
     let forces = found.proof.multipliers.iter();
-    let forces: Vec<Value> =
-        forces.map(|force| json!({"point": force.point, "vector": vector_to_json(&force.vector)})).collect();
+    let forces: Vec<Value> = forces
+        .map(|force| json!({"point": points.place(force.point), "vector": vector_to_json(&force.vector)}))
+        .collect();
     json!({
         "length": to_json(found.value),
         "center": vector_to_json(&found.body.center()),

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, FixedDirectionsError, Method};
 use zonotope::numeric::Rational;
 
+use super::outer::OuterPoints;
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
@@ -52,23 +53,24 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
 }
 
 fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Value, Refusal> {
-    let points = fields.vectors::<D>("points")?;
+    let outer = OuterPoints::of(fields.vectors::<D>("points")?);
     let directions = fields.vectors::<D>("directions")?;
     let weights = fields.numbers("weights")?;
-    let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| refusal(&error))?;
-    check_size(&problem, method)?;
+    let problem = FixedDirections::new(outer.points(), &directions, &weights).map_err(|error| refusal(&error))?;
+    check_size(&problem, &outer.described(), method)?;
     let enclosure = method.solve(&problem, &mut ());
-    enclosure.map(|enclosure| result(&enclosure)).map_err(|error| refusal(&error))
+    enclosure.map(|enclosure| result(&outer, &enclosure)).map_err(|error| refusal(&error))
 }
 
 /// The result of an answer, as it is written.
-fn result<const D: usize>(enclosure: &Enclosure<D>) -> Value {
+fn result<const D: usize>(points: &OuterPoints<D>, enclosure: &Enclosure<D>) -> Value {
     let exact = |v: &[Rational; D]| v.iter().map(|c| Value::from(c.to_string())).collect::<Value>();
     match enclosure {
         Enclosure::Optimal(zonotope) => {
             let forces = zonotope.multipliers.iter();
-            let forces: Vec<Value> =
-                forces.map(|force| json!({"point": force.point, "vector": exact(&force.vector)})).collect();
+            let forces: Vec<Value> = forces
+                .map(|force| json!({"point": points.place(force.point), "vector": exact(&force.vector)}))
+                .collect();
             json!({
                 "status": "optimal",
                 "value": to_json(zonotope.value),
@@ -80,7 +82,10 @@ fn result<const D: usize>(enclosure: &Enclosure<D>) -> Value {
         }
         Enclosure::Infeasible(proof) => json!({
             "status": "infeasible",
-            "certificate": {"points": proof.points, "functional": exact(&proof.functional)},
+            "certificate": {
+                "points": proof.points.map(|point| points.place(point)),
+                "functional": exact(&proof.functional),
+            },
         }),
     }
 }
@@ -97,7 +102,7 @@ fn refusal(error: &FixedDirectionsError) -> Refusal {
     Refusal::new(code, message)
 }
 
-fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: Method) -> Result<(), Refusal> {
+fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, points: &str, method: Method) -> Result<(), Refusal> {
     let (n, k) = (problem.points().len() as u64, problem.directions().len() as u64);
     let too_large = |message: String| Err(Refusal::new(Code::TooLarge, message));
     if k > DIRECTION_LIMIT as u64 {
@@ -107,7 +112,7 @@ fn check_size<const D: usize>(problem: &FixedDirections<'_, D>, method: Method) 
     if n.saturating_mul(normals) > PAIR_LIMIT {
         let what = if method == Method::default() { "directions" } else { "facet normals" };
         return too_large(format!(
-            "{n} points and {normals} {what} make more than the {PAIR_LIMIT} pairs that are taken"
+            "{points} and {normals} {what} make more than the {PAIR_LIMIT} pairs that are taken"
         ));
     }
     let entries = match method {

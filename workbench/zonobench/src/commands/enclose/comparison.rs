@@ -5,9 +5,9 @@
 //! the smallest rectangle in projection along an axis, times the extent along it, and the axis begins at the corners of
 //! a net and the generators and moves while the box gets smaller.
 
-use experiments::hull_in_space::SolidHull;
 use zonotope::enclosing::min_total_length::direction_net::cell_corners;
 use zonotope::hull::by_monotone_chain::convex_hull;
+use zonotope::hull::in_space::{hull_corners, solid_hull};
 use zonotope::numeric::scaling::{binary_exponent, scale_by_power_of_two};
 use zonotope::zonotope::Zonotope;
 
@@ -15,9 +15,6 @@ use crate::input::{Body, Points};
 
 /// The exact volume of bodies with more generators than this takes too long for a summary.
 const GENERATOR_LIMIT: usize = 250;
-
-/// The hull of more points of space may take too long for a summary.
-const HULL_POINT_LIMIT: usize = 20_000;
 
 /// The search for a box goes by the points that are farthest along the corners of a net of so many cells.
 const FAR_POINT_CELLS: usize = 10;
@@ -70,13 +67,17 @@ fn in_space(points: &[[f64; 3]], body: &Body) -> Vec<(&'static str, String)> {
     }
     let (points, body) = scaled(points, body);
     let zonotope = Size { measure: body.exact_volume().to_f64(), length: total_length(body.generators()) };
-    let mut rows = Vec::new();
-    if points.len() <= HULL_POINT_LIMIT {
-        let hull = SolidHull::of(&points).map_or(0.0, |hull| hull.volume(&points));
-        rows.push(("hull", format!("{} times the zonotope's volume", ratio(hull, zonotope.measure))));
-    }
-    rows.push(("axis box", compared("volume", axis_box(&points), zonotope)));
-    if let Some(found) = small_box(&points, body.generators()) {
+    // A box around the corners of the hull is one around all points.
+    let (hull, corners) = match solid_hull(&points) {
+        Ok(Some(hull)) => (hull.volume(&points), hull.vertices()),
+        _ => (0.0, hull_corners(&points).unwrap_or_default()),
+    };
+    let corners: Vec<[f64; 3]> = corners.into_iter().map(|corner| points[corner]).collect();
+    let mut rows = vec![
+        ("hull", format!("{} times the zonotope's volume", ratio(hull, zonotope.measure))),
+        ("axis box", compared("volume", axis_box(&corners), zonotope)),
+    ];
+    if let Some(found) = small_box(&corners, body.generators()) {
         rows.push(("oriented box", format!("{}; the smallest found", compared("volume", found, zonotope))));
     }
     rows

@@ -4,6 +4,7 @@ mod drawing;
 pub(super) mod export;
 mod measures;
 mod summary;
+mod vertices;
 
 use std::path::PathBuf;
 
@@ -13,6 +14,7 @@ use serde_json::json;
 use zonotope::zonotope::faces::FaceLattice;
 
 use self::measures::Measures;
+use self::vertices::{VertexFormat, VerticesError};
 use super::Ending;
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
@@ -34,6 +36,10 @@ pub struct Options {
     /// Write a picture of the body.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    /// Write the vertices of a planar body, counter-clockwise: a table (.csv, or standard output) or a polygon
+    /// (.geojson).
+    #[arg(long, value_name = "FILE")]
+    vertices: Option<PathBuf>,
     /// Write a body of space as a mesh, Wavefront OBJ.
     #[arg(long, value_name = "FILE")]
     obj: Option<PathBuf>,
@@ -57,8 +63,11 @@ pub struct Options {
 /// Reads, counts, measures, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let meshes = [&options.obj, &options.ply, &options.stl];
-    let outputs = [&options.svg, &options.json, &options.question].into_iter().chain(meshes).flatten();
+    let outputs = [&options.svg, &options.json, &options.question, &options.vertices];
+    let outputs = outputs.into_iter().chain(meshes).flatten();
     let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
+    let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
+    let corners = corners.transpose()?;
     let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
     let measures = match body.center.len() {
         1 => Measures::of::<1>(&body),
@@ -71,6 +80,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
 
     let name = question_name(&options.file);
+    let corners =
+        corners.map(|(file, format)| Ok::<_, VerticesError>((file, format.text(&name, &body)?))).transpose()?;
     let wanted = meshes.iter().any(|file| file.is_some());
     let largest = if options.stl.is_some() { f64::from(f32::MAX) } else { f64::MAX };
     let lattice = wanted.then(|| export::mesh(&name, &body, largest)).transpose()?;
@@ -79,6 +90,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
     if let Some(file) = &options.svg {
         outputs.write(file, drawing::draw(&name, &body).as_bytes())?;
+    }
+    if let Some((file, corners)) = corners {
+        outputs.write(file, corners.as_bytes())?;
     }
     if let Some(lattice) = lattice {
         let formats: [fn(&FaceLattice) -> Vec<u8>; 3] =

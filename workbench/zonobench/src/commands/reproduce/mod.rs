@@ -1,18 +1,22 @@
 //! `zonobench reproduce`: every experiment, figure and claim, and the report of them.
 
+mod config;
 mod folder;
+mod own_plots;
 mod selection;
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use experiments::definition::{Experiment, Profile};
+use experiments::data;
+use experiments::definition::Profile;
 use experiments::runner::{self, Records, RunOptions};
 use figures::figure::{Figure, FigureInput};
 use paper_checks::ClaimResult;
 use paper_checks::catalog::CLAIMS;
 
+use self::config::Config;
 use self::folder::{Folder, MANIFEST};
 use self::selection::Selection;
 use super::Ending;
@@ -39,6 +43,10 @@ pub struct Options {
     /// nothing else; `list` names them.
     #[arg(long, value_name = "ID", num_args = 1..)]
     only: Vec<String>,
+    /// Run the experiments of a TOML file alone, with its families, sizes, variants and own files as inputs, and plot
+    /// them.
+    #[arg(long, value_name = "FILE", conflicts_with = "only")]
+    config: Option<PathBuf>,
     /// Write into the folder although it holds something.
     #[arg(long)]
     force: bool,
@@ -61,16 +69,28 @@ impl From<Extent> for Profile {
 
 /// Runs everything and writes the folder; the manifest comes last, so a folder with a manifest is complete.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let selection = Selection::of(&options.only)?;
+    let plan = Plan::of(options)?;
+    let selection = &plan.selection;
     let folder = Folder::claim(&options.out, options.force)?;
     let profile = Profile::from(options.profile);
-    let records = run_experiments(options, profile, &selection.experiments, &folder)?;
-    let fits = report::fits(&records);
-    let figures = draw_figures(&selection.figures, &records);
-    let claims = check_claims(options, &selection, &report::check_context(options.seed, &fits));
-    let only = options.only.clone();
-    let experiments = selection.experiments;
-    let evidence = Evidence { profile, seed: options.seed, only, experiments, records, fits, figures, claims };
+    let records = run_experiments(options, profile, &plan, &folder)?;
+    let fits = report::fits(&selection.experiments, &records);
+    let mut figures = draw_figures(&selection.figures, &records);
+    if options.config.is_some() {
+        figures.extend(selection.experiments.iter().flat_map(|experiment| own_plots::of(experiment, &records)));
+    }
+    let claims = check_claims(&plan, &report::check_context(options.seed, &fits));
+    let evidence = Evidence {
+        profile,
+        seed: options.seed,
+        only: plan.only.clone(),
+        config: options.config.clone(),
+        experiments: selection.experiments.clone(),
+        records,
+        fits,
+        figures,
+        claims,
+    };
 
     let mut outputs = folder.record_files()?;
     let mut write = |path: &str, content: &str, deterministic: bool| -> anyhow::Result<()> {
@@ -83,7 +103,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
             write(&figure.path(), svg, figure.figure.deterministic)?;
         }
     }
-    if options.only.is_empty() {
+    if plan.is_whole() {
         write("CLAIMS.md", &paper_checks::markdown(&evidence.claims), true)?;
     }
     write("report.html", &report::report(&evidence), true)?;
@@ -117,7 +137,11 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
     }
     let left_out = CLAIMS.len() - evidence.claims.len();
     if left_out > 0 {
-        writeln!(output, "{left_out} claims: left out; they rest on other experiments or on none")?;
+        let reason = match evidence.config {
+            Some(_) => "they are about the experiments of the catalog",
+            None => "they rest on other experiments or on none",
+        };
+        writeln!(output, "{left_out} claims: left out; {reason}")?;
     }
     let mut ending = Ending::Good;
     for (case, fault) in faults {
@@ -132,20 +156,44 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
     Ok(ending)
 }
 
-fn run_experiments(
-    options: &Options,
-    profile: Profile,
-    experiments: &[&'static Experiment],
-    folder: &Folder,
-) -> anyhow::Result<Records> {
+/// What a run takes up.
+struct Plan {
+    selection: Selection,
+    /// The ids that the run is restricted to.
+    only: Vec<String>,
+    /// A name for the content of the reader's own files.
+    own_inputs: String,
+}
+
+impl Plan {
+    fn of(options: &Options) -> anyhow::Result<Self> {
+        let Some(file) = &options.config else {
+            let selection = Selection::of(&options.only)?;
+            return Ok(Self { selection, only: options.only.clone(), own_inputs: String::new() });
+        };
+        let Config { experiments, inputs, inputs_digest } = Config::read(file)?;
+        data::add_inputs(inputs)?;
+        let only = experiments.iter().map(|experiment| experiment.id.to_owned()).collect();
+        // Figures and claims are about the experiments of the catalog.
+        let selection = Selection { experiments, figures: Vec::new(), claims: Vec::new() };
+        Ok(Self { selection, only, own_inputs: inputs_digest })
+    }
+
+    fn is_whole(&self) -> bool {
+        self.only.is_empty()
+    }
+}
+
+fn run_experiments(options: &Options, profile: Profile, plan: &Plan, folder: &Folder) -> anyhow::Result<Records> {
     let run = RunOptions {
         profile,
         seed: options.seed,
         threads: options.threads.map_or(0, usize::from),
         directory: Some(folder.records()),
         times: true,
+        own_inputs: plan.own_inputs.clone(),
     };
-    Ok(runner::run(experiments, &run, &RunProgress::default())?)
+    Ok(runner::run(&plan.selection.experiments, &run, &RunProgress::default())?)
 }
 
 fn draw_figures(figures: &[&'static Figure], records: &Records) -> Vec<report::DrawnFigure> {
@@ -161,9 +209,10 @@ fn draw_figures(figures: &[&'static Figure], records: &Records) -> Vec<report::D
         .collect()
 }
 
-fn check_claims(options: &Options, selection: &Selection, context: &paper_checks::CheckContext) -> Vec<ClaimResult> {
+fn check_claims(plan: &Plan, context: &paper_checks::CheckContext) -> Vec<ClaimResult> {
+    let selection = &plan.selection;
     let progress = Progress::of(selection.claims.len() as u64, "claims");
-    if options.only.is_empty() {
+    if plan.is_whole() {
         return paper_checks::run(context, |_| progress.step());
     }
     let checked = selection.claims.iter().map(|&claim| {

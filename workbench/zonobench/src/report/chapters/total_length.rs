@@ -47,6 +47,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "scan-race",
         "length-ratio",
         "gap-curve",
+        "few-generators",
         "enclosing-quality",
     ],
     commands: &[

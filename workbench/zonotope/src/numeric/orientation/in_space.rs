@@ -1,16 +1,17 @@
 //! A direction of space prepared for determinants, and the exact sign of the determinant of three.
 //!
 //! Scaling a vector by a power of two does not change the sign of a determinant, so each is scaled on its own: then one
-//! bound on the rounding error serves the whole range of doubles.
+//! bound on the rounding error serves the whole range of doubles. The side of a plane on which a point lies is a
+//! determinant of differences, which are not rounded.
 
 use std::cmp::Ordering;
 
 use robust::{Coord3D, orient3d};
 
-use crate::numeric::exact_linear::{cross, dot, exact};
+use crate::numeric::exact_linear::{cross, difference, dot, exact};
 use crate::numeric::linear::sum_norm;
 use crate::numeric::scaling::{binary_exponent, power_of_two, scale_by_power_of_two};
-use crate::numeric::tolerance::{DETERMINANT_3X3, UNDERFLOW};
+use crate::numeric::tolerance::{DETERMINANT_3X3, MODERATE_SIZES, UNDERFLOW};
 use crate::tally::{Operation, Tally};
 
 /// A nonzero vector, and the same scaled by a power of two so that its largest coordinate has magnitude in [1, 2).
@@ -99,6 +100,21 @@ pub(crate) fn determinant_sign_of_rows(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3])
         return sign_of(determinant);
     }
     scaled_sign(a, b, c)
+}
+
+/// The side of the plane through a, b and c on which a point lies, exactly: `Greater` if a, b and c are
+/// counter-clockwise as seen from it, `Equal` if it lies in the plane or a, b and c lie on a line.
+///
+/// Coordinates of moderate size are multiples of 2^-252, and what expansions of three differences hold are multiples of
+/// 2^-756 below 2^610: nothing underflows or overflows.
+pub(crate) fn side_of_plane(a: &[f64; 3], b: &[f64; 3], c: &[f64; 3], point: &[f64; 3]) -> Ordering {
+    let is_moderate = |x: &f64| *x == 0.0 || MODERATE_SIZES.contains(&x.abs());
+    if [a, b, c, point].into_iter().flatten().all(is_moderate) {
+        let [a, b, c, point] = [a, b, c, point].map(|p| Coord3D { x: p[0], y: p[1], z: p[2] });
+        return sign_of(-orient3d(a, b, c, point));
+    }
+    let from_a = |p: &[f64; 3]| difference(&exact(*p), &exact(*a));
+    dot(&cross(&from_a(b), &from_a(c)), &from_a(point)).sign()
 }
 
 /// det(a, b, c) in doubles, and the sum of the magnitudes of its six products.
@@ -194,6 +210,8 @@ mod tests {
             let determinant = &x[0] * minor(1, 2) + &x[1] * minor(2, 0) + &x[2] * minor(0, 1);
             let truth = determinant.cmp(&crate::numeric::Rational::ZERO);
             prop_assert_eq!(determinant_sign_of_rows(&a, &b, &c), truth);
+            prop_assert_eq!(side_of_plane(&[0.0; 3], &a, &b, &c), truth);
+            prop_assert_eq!(side_of_plane(&c, &b, &a, &[0.0; 3]), truth);
             let [a, b, c] = [a, b, c].map(Direction::new);
             prop_assert_eq!(determinant_sign(&a, &b, &c), truth);
             prop_assert_eq!(determinant_sign(&b.reversed(), &a, &c), truth);

@@ -1,0 +1,117 @@
+//! Times of two runs: for every method of an experiment the ratio of the second run to the first.
+//!
+//! A case has the ratio of its medians over the repetitions. The ratio of a method is the geometric mean over its
+//! cases, with the 95 % interval of Student's t for the mean of the logarithms: how much single cases scatter.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use experiments::analysis::median;
+use experiments::fit::t_quantile_975;
+use experiments::record::{TimeOutcome, TimeRow};
+
+/// An experiment, a method, and what was timed.
+type Method<'a> = (&'a str, &'a str, &'a str);
+
+/// The times of one run: for every method the repetitions of each case.
+type Samples<'a> = BTreeMap<Method<'a>, BTreeMap<&'a str, Vec<u64>>>;
+
+/// The ratios as lines of text.
+pub(super) fn text(first: &[TimeRow], second: &[TimeRow]) -> String {
+    let mut text = String::new();
+    let [before, after] = [first, second].map(samples);
+    let mut line = |words: String| writeln!(text, "{words}").expect("writing to a string does not fail");
+    let ratios: Vec<(Method<'_>, Vec<f64>)> = before
+        .iter()
+        .filter_map(|(method, cases)| {
+            let others = after.get(method)?;
+            let ratios: Vec<f64> = cases.iter().filter_map(|(case, ns)| ratio(others.get(case)?, ns)).collect();
+            (!ratios.is_empty()).then_some((*method, ratios))
+        })
+        .collect();
+    if ratios.is_empty() {
+        line("times         no time is in both runs".to_owned());
+        return text;
+    }
+    line("times         of the second run as a multiple of the first; 95 % intervals of geometric means".to_owned());
+    let environments = [first, second].map(|rows| rows.first().map(|row| row.environment.as_str()));
+    if environments[0] != environments[1] {
+        line("              measured by different programs or on different machines".to_owned());
+    }
+    let void = [first, second].map(|rows| rows.iter().filter(|row| !is_valid(row)).count());
+    if void != [0, 0] {
+        line(format!("              {} and {} times are void or failed", void[0], void[1]));
+    }
+    for ((experiment, method, lap), ratios) in ratios {
+        line(format!("  {experiment}: {method}, {lap}: {}", mean(&ratios)));
+    }
+    text
+}
+
+fn is_valid(row: &TimeRow) -> bool {
+    matches!(row.outcome, TimeOutcome::Valid { .. })
+}
+
+fn samples(rows: &[TimeRow]) -> Samples<'_> {
+    let mut samples = Samples::new();
+    for row in rows {
+        let TimeOutcome::Valid { laps_ns } = &row.outcome else { continue };
+        for (lap, ns) in laps_ns {
+            let method = (row.key.experiment.as_str(), row.key.variant.as_str(), lap.as_str());
+            samples.entry(method).or_default().entry(&row.key.case).or_default().push(*ns);
+        }
+    }
+    samples
+}
+
+/// The ratio of two medians; none if one is zero, as a clock may have it.
+fn ratio(after: &[u64], before: &[u64]) -> Option<f64> {
+    let [after, before] = [after, before].map(|ns| median(ns.to_vec()));
+    (after > 0.0 && before > 0.0).then_some(after / before)
+}
+
+/// The geometric mean with its interval; a single ratio has none.
+fn mean(ratios: &[f64]) -> String {
+    let logarithms: Vec<f64> = ratios.iter().map(|&ratio| libm::log(ratio)).collect();
+    let count = logarithms.len() as f64;
+    let mean = logarithms.iter().sum::<f64>() / count;
+    let value = libm::exp(mean);
+    let Some(freedom) = logarithms.len().checked_sub(1).filter(|&freedom| freedom > 0) else {
+        return format!("{value:.3}, one case");
+    };
+    let squares: f64 = logarithms.iter().map(|x| (x - mean) * (x - mean)).sum();
+    let half_width = t_quantile_975(freedom) * (squares / freedom as f64 / count).sqrt();
+    let [low, high] = [mean - half_width, mean + half_width].map(libm::exp);
+    format!("{value:.3} ({low:.3} to {high:.3}), {count} cases")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use experiments::definition::Case;
+
+    fn row(n: usize, repetition: u32, ns: u64) -> TimeRow {
+        let key = (&Case::new(1, "toy", "disc", "m", n, 0)).into();
+        let outcome = TimeOutcome::Valid { laps_ns: [("total".to_owned(), ns)].into_iter().collect() };
+        TimeRow { key, repetition, environment: String::new(), outcome }
+    }
+
+    #[test]
+    fn ratios_are_those_of_medians() {
+        let first = [row(4, 0, 100), row(4, 1, 300), row(4, 2, 110), row(8, 0, 200)];
+        let second = [row(4, 0, 220), row(8, 0, 400), row(16, 0, 1)];
+        let told = text(&first, &second);
+        assert!(told.ends_with("  toy: m, total: 2.000 (2.000 to 2.000), 2 cases\n"), "{told}");
+        let told = text(&first, &second[..1]);
+        assert!(told.ends_with("  toy: m, total: 2.000, one case\n"), "{told}");
+        assert!(text(&first, &second[2..]).contains("no time is in both runs"));
+    }
+
+    /// Logarithms of 1 and 4: their mean is that of 2, and the quantile for one degree of freedom is 12.7062.
+    #[test]
+    fn intervals_are_those_of_the_logarithms() {
+        let half_width = 12.7062 * libm::log(2.0);
+        let [low, high] = [-1.0, 1.0].map(|sign: f64| 2.0 * libm::exp(sign * half_width));
+        assert_eq!(mean(&[1.0, 4.0]), format!("2.000 ({low:.3} to {high:.3}), 2 cases"));
+    }
+}

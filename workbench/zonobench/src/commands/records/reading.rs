@@ -1,0 +1,61 @@
+//! The records in the folder of a run.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use experiments::record::{CountRow, TimeRow};
+use serde::de::DeserializeOwned;
+use thiserror::Error;
+
+/// Why the records of a run are not read.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RecordsError {
+    /// A file of records cannot be read.
+    #[error("{}: cannot be read", .file.display())]
+    Unreadable {
+        /// The file.
+        file: PathBuf,
+        /// The system's complaint.
+        source: std::io::Error,
+    },
+    /// A line is no record.
+    #[error("{}: line {line}: is no record", .file.display())]
+    NoRecord {
+        /// The file.
+        file: PathBuf,
+        /// The line, counted from 1.
+        line: usize,
+        /// What is wrong with it.
+        source: serde_json::Error,
+    },
+}
+
+/// What a run of `reproduce` recorded.
+pub(in crate::commands) struct RunRecords {
+    pub(in crate::commands) counts: Vec<CountRow>,
+    pub(in crate::commands) times: Vec<TimeRow>,
+}
+
+impl RunRecords {
+    /// The files that hold the records of a run in its folder.
+    pub(in crate::commands) fn files(run: &Path) -> [PathBuf; 2] {
+        ["counts", "times"].map(|name| run.join(format!("records/{name}.jsonl")))
+    }
+
+    /// The records of a run in its folder.
+    pub(in crate::commands) fn read(run: &Path) -> Result<Self, RecordsError> {
+        let [counts, times] = Self::files(run);
+        Ok(Self { counts: rows(&counts)?, times: rows(&times)? })
+    }
+}
+
+fn rows<Row: DeserializeOwned>(file: &Path) -> Result<Vec<Row>, RecordsError> {
+    let unreadable = |source| RecordsError::Unreadable { file: file.to_path_buf(), source };
+    let text = fs::read_to_string(file).map_err(unreadable)?;
+    let row = |(index, line): (usize, &str)| {
+        let broken = |source| RecordsError::NoRecord { file: file.to_path_buf(), line: index + 1, source };
+        serde_json::from_str(line).map_err(broken)
+    };
+    text.lines().enumerate().map(row).collect()
+}
