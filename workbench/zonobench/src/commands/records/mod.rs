@@ -1,6 +1,6 @@
 //! `zonobench records`: what a run of `reproduce` recorded, as a table for other programs.
 
-mod table;
+pub(super) mod table;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,6 +1,10 @@
 //! Enclosing zonotopes of least total length.
 
-use crate::report::chapter::Chapter;
+use experiments::data::meshes;
+use experiments::definition::Quantity;
+
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::measured::{Measured, Series, range};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "total-length",
@@ -8,6 +12,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
     place: "Sections 4.2 and 4.3, Theorems 4.6 and 4.7; section 7",
     statement: "Given points in two, three, four or more dimensions, which zonotope around them has generators of \
         the least total length: along given directions, or along any?",
+    lesson,
+    pictures: &["mesh-in-zonohedra", "directions-needed"],
+    table: ChapterTable::Values("enclosing-quality"),
     method: &[
         "Along k given directions it is a linear program. The paper's has a coefficient for every direction and \
          every extreme point. The same zonotope has only normals that are orthogonal to d − 1 of the directions, so \
@@ -64,3 +71,22 @@ pub(super) static CHAPTER: Chapter = Chapter {
         ),
     ],
 };
+
+/// How few generators a nearly shortest zonotope around a mesh has.
+fn lesson(found: &Measured<'_>) -> Option<String> {
+    let of = |value| {
+        meshes().iter().filter_map(move |mesh| {
+            let series = Series { experiment: "enclosing-quality", input: mesh.name, method: "within_1e-2" };
+            Some(found.at_largest(series, Quantity::Value(value))?.1)
+        })
+    };
+    let [fewest, most] = range(of("generators"))?;
+    let [_, ratio] = range(of("ratio"))?;
+    let [least, greatest] = range(of("volume_ratio"))?;
+    Some(format!(
+        "Around {} meshes, {fewest} to {most} generators are enough for a zonotope that is proved to be within \
+         {:.2} % of the least total length; it has {least:.2} to {greatest:.2} times the volume of the convex hull.",
+        of("generators").count(),
+        100.0 * (ratio - 1.0)
+    ))
+}
