@@ -3,6 +3,7 @@
 //! - [`style`]: the one look: colours, line weights, text sizes.
 //! - [`scene`]: pictures of geometry; [`axes`]: plots of measurements.
 //! - [`min_area`]: what the figures of section 4.1 share; [`growth_plot`]: what the plots of experiments share.
+//! - [`solid`]: bodies of space; [`skin`]: meshes inside of them.
 //! - [`figure`]: what a figure is; [`gallery`]: the figures; [`catalog`]: their list.
 //!
 //! The folder `gallery` beside the sources holds the drawings of all figures that depend on neither clock nor machine;
@@ -16,5 +17,6 @@ pub mod gallery;
 pub mod growth_plot;
 pub mod min_area;
 pub mod scene;
+pub mod skin;
 pub mod solid;
 pub mod style;

@@ -62,7 +62,7 @@ fn a_long_legend_makes_the_page_longer() {
 #[test]
 fn what_has_no_place_is_refused() {
     assert!(matches!(plot(vec![]).draw(), Err(FigureError::EmptySeries(_))));
-    assert!(matches!(plot(vec![[1.0, 0.0]]).draw(), Err(FigureError::NotPositive([1.0, 0.0]))));
+    assert!(matches!(plot(vec![[1.0, 0.0]]).draw(), Err(FigureError::NoPlace([1.0, 0.0]))));
     assert!(matches!(plot(vec![[f64::NAN, 1.0]]).draw(), Err(FigureError::NoPlace(_))));
     let linear = Plot { x_scale: Scale::Linear, ..plot(vec![[0.0, 1.0], [3.0, 2.0]]) };
     assert!(linear.draw().is_ok(), "zero has a place on a linear axis");
