@@ -5,7 +5,7 @@ use crate::figure::{Figure, FigureError, FigureInput};
 use crate::style::method_color;
 use experiments::analysis;
 use experiments::definition::{Experiment, FitPlan, Quantity, Variant};
-use experiments::fit::{self, Growth, GrowthModel, ModelVerdict};
+use experiments::fit::{self, Estimate, Growth, GrowthModel, ModelVerdict};
 use experiments::runner::Records;
 
 /// A plot of an experiment: one quantity, for chosen variants and families.
@@ -28,6 +28,9 @@ pub struct GrowthPlot {
     /// The variant that the legend compares the others with, at the largest size that both have.
     pub compared_with: Option<&'static str>,
 }
+
+/// Half of the last digit of the exponents in legends: intervals are taken as they are read there.
+const SHOWN_PRECISION: f64 = 0.005;
 
 /// The number of points on a fitted curve.
 const CURVE_POINTS: i32 = 48;
@@ -82,6 +85,9 @@ impl GrowthPlot {
         };
         if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family)) {
             self.add_fit(&mut curve, &growth);
+        } else if samples.windows(2).all(|pair| pair[0].0 < pair[1].0) {
+            // Points with one value a size that have no law are joined, so that their course is seen.
+            curve.fit = curve.points.clone();
         }
         if let Some(other) = self.compared_with.filter(|other| *other != variant.id) {
             let (others, _) = analysis::samples(self.experiment.id, family, other, self.quantity, records);
@@ -128,7 +134,8 @@ impl GrowthPlot {
     /// that interval.
     fn add_fit(&self, curve: &mut Curve, growth: &Growth) {
         let near = growth.best().filter(|best| best.verdict == ModelVerdict::Within);
-        let within = near.filter(|best| (best.excess_exponent.low..=best.excess_exponent.high).contains(&0.0));
+        let is_inside = |Estimate { low, high, .. }| (low - SHOWN_PRECISION..=high + SHOWN_PRECISION).contains(&0.0);
+        let within = near.filter(|best| is_inside(best.excess_exponent));
         let exponent = growth.exponent;
         let value = |n: f64| match within {
             Some(best) => best.constant * best.model.value(n),
@@ -148,7 +155,8 @@ impl GrowthPlot {
                 format!("power law, {}", place.unwrap_or_else(among))
             }
         };
-        let exponents = format!("exponent {:.2} ({:.2} to {:.2})", exponent.value, exponent.low, exponent.high);
+        let [value, low, high] = [exponent.value, exponent.low, exponent.high].map(signed);
+        let exponents = format!("exponent {value} ({low} to {high})");
         let sizes = format!("{} = {} to {}", self.letter(), size_name(growth.smallest), size_name(growth.largest));
         curve.notes.extend([law, exponents, sizes]);
         curve.fit = points.collect();
@@ -193,8 +201,19 @@ fn size_name(size: f64) -> String {
     if libm::exp2(f64::from(exponent)) == size { power(2, exponent) } else { size.to_string() }
 }
 
+/// A number of two decimals with a minus sign.
+pub(crate) fn signed(value: f64) -> String {
+    format!("{value:.2}").replace('-', "−")
+}
+
 fn model_name(model: GrowthModel) -> String {
-    model.to_string().replace("n^(1/2)", "√n").replace("n^(3/2)", "n √n").replace("^2", "²").replace("^3", "³")
+    model
+        .to_string()
+        .replace('-', "−")
+        .replace("n^(1/2)", "√n")
+        .replace("n^(3/2)", "n √n")
+        .replace("^2", "²")
+        .replace("^3", "³")
 }
 
 /// A value with three significant digits, and with a power of ten where that is shorter.

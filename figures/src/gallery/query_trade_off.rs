@@ -2,6 +2,7 @@
 
 use crate::axes::{Curve, Look, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
+use crate::growth_plot::signed;
 use experiments::analysis;
 use experiments::definition::Quantity;
 use experiments::definitions::query_trade_off::EXPERIMENT;
@@ -57,8 +58,4 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         curves,
     };
     plot.draw()
-}
-
-fn signed(value: f64) -> String {
-    format!("{value:.2}").replace('-', "−")
 }

@@ -11,7 +11,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         parallelograms. How are the tiles arranged, and how can Q be cut in two between them without listing them \
         all?",
     lesson,
-    pictures: &["paper-figure-1", "search-of-theorem-5-2"],
+    pictures: &["paper-figure-1"],
     table: ChapterTable::Words {
         head: &["generators", "dual arrangement", "tiling of Q", "zonohedron"],
         rows: &[

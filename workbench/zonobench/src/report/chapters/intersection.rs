@@ -52,8 +52,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let total = |method, value| found.total("wrong-answers", method, value).map(|sum| grouped(sum as u64));
     Some(format!(
-        "Of {} questions about bodies apart, overlapping and nearly touching, the kernel answers {} wrong and proves \
-         every answer; GJK in floating point answers {} of {} wrong, and to {} it finds no answer.",
+        "Of {} questions about bodies apart, overlapping and nearly touching, the kernel gets {} wrong and proves \
+         every answer; GJK in floating point gets {} of {} wrong, and to {} it finds no answer.",
         total("by_lad", "asked")?,
         total("by_lad", "wrong")?,
         total("by_gjk", "wrong")?,

@@ -27,7 +27,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
     bound: "The paper's search: expected O(n log² n) with a randomised slope selection. Pruning: expected O(n).",
     claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "halving-search"],
-    experiments: &["lad-scaling", "methods-agree", "pruning-passes", "slope-selection-scaling"],
+    experiments: &["lad-scaling", "lad-race", "methods-agree", "pruning-passes", "slope-selection-scaling"],
     commands: &[
         ("cargo run --release -- list methods", "names the methods"),
         (

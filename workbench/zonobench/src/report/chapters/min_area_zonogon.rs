@@ -66,9 +66,10 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     };
     let [low, high] = range(of("area_ratio"))?;
     let [_, gap] = range(of("relative_gap"))?;
+    let doubt = format!("{gap:.0e}").replace('-', "−");
     Some(format!(
         "Around {} country outlines the smallest zonogon has {low:.2} to {high:.2} times the area of the convex hull, \
-         and its proof leaves a relative doubt of at most {gap:.0e}.",
+         and its proof leaves a relative doubt of at most {doubt}.",
         of("area_ratio").count()
     ))
 }

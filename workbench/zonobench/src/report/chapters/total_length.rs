@@ -13,7 +13,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Given points in two, three, four or more dimensions, which zonotope around them has generators of \
         the least total length: along given directions, or along any?",
     lesson,
-    pictures: &["mesh-in-zonohedra", "directions-needed"],
+    pictures: &["mesh-in-zonohedra"],
     table: ChapterTable::Values("enclosing-quality"),
     method: &[
         "Along k given directions it is a linear program. The paper's has a coefficient for every direction and \
@@ -72,7 +72,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How few generators a nearly shortest zonotope around a mesh has.
+/// How near to the shortest zonotopes around meshes are proved to be, and how much smaller than boxes they are.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let of = |value| {
         meshes().iter().filter_map(move |mesh| {
@@ -80,13 +80,14 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
             Some(found.at_largest(series, Quantity::Value(value))?.1)
         })
     };
-    let [fewest, most] = range(of("generators"))?;
     let [_, ratio] = range(of("ratio"))?;
     let [least, greatest] = range(of("volume_ratio"))?;
+    let [least_box, greatest_box] = range(of("box_volume_ratio"))?;
     Some(format!(
-        "Around {} meshes, {fewest} to {most} generators are enough for a zonotope that is proved to be within \
-         {:.2} % of the least total length; it has {least:.2} to {greatest:.2} times the volume of the convex hull.",
-        of("generators").count(),
+        "Around {} meshes the zonotopes are proved to be within {:.2} % of the least total length; they have {least:.2} \
+         to {greatest:.2} times the volume of the convex hull, and boxes along the axes {least_box:.2} to \
+         {greatest_box:.2} times.",
+        of("ratio").count(),
         100.0 * (ratio - 1.0)
     ))
 }
