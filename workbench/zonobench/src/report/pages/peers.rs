@@ -4,6 +4,9 @@ use experiments::peers::{PeersRecord, Table, median};
 
 use crate::report::html::{Escaped, grouped, table};
 
+/// The placements of questions near contact.
+const NEAR_CONTACT: [&str; 2] = ["inside_1e-9", "outside_1e-9"];
+
 /// The section with every table of the record, the first one open; empty if nothing has been recorded.
 pub(super) fn section() -> String {
     let record = experiments::peers::committed().expect("a test reads the committed record");
@@ -40,8 +43,7 @@ fn markup(shown: &Table) -> String {
 
 /// Time and wrong answers near contact, ours beside the best known other library.
 fn lesson(record: &PeersRecord) -> Option<String> {
-    let near = |placement: &str| placement.ends_with("side_1e-9");
-    let cells = || record.cells.iter().filter(|cell| near(&cell.placement));
+    let cells = || record.cells.iter().filter(|cell| NEAR_CONTACT.contains(&cell.placement.as_str()));
     let random = || cells().filter(|cell| cell.family == "random_bodies");
     let largest = random().map(|cell| cell.n).max()?;
     let at_largest = || random().filter(|cell| cell.n == largest);
