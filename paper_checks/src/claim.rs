@@ -67,8 +67,8 @@ pub enum ClaimKind {
     Figure,
     /// An open question of the conclusions.
     OpenQuestion,
-    /// A place where the paper is wrong, silent or too weak: the claim is the paper's version, and refuting it says what
-    /// of this sort has to be corrected.
+    /// A place where the paper is wrong, silent or too weak: the claim is the paper's version, and refuting it says
+    /// what of this sort has to be corrected.
     Correction(Correction),
 }
 
@@ -79,8 +79,8 @@ pub enum Correction {
     Erratum,
     /// What is printed is true once a condition or a step is added that the paper leaves out.
     MissingCondition,
-    /// What is printed is true in exact arithmetic and good enough for the paper's bound, and a program has to take care
-    /// or can do better.
+    /// What is printed is true in exact arithmetic and good enough for the paper's bound, and a program has to take
+    /// care or can do better.
     ImplementationNote,
 }
 

@@ -80,8 +80,8 @@ pub fn markdown(results: &[ClaimResult]) -> String {
          that the checks of this crate produce in exact arithmetic and what was found. An *erratum* is false as it is\n\
          printed, with a witness; where a *condition* is *missing*, the statement is true once it is added; an\n\
          *implementation note* is true on paper, and a program has to take care or can do better. Each of them says\n\
-         what to read instead; *refuted* would be a statement that nobody had listed as one to be corrected. The file is\n\
-         generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
+         what to read instead; *refuted* would be a statement that nobody had listed as one to be corrected. The\n\
+         file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
     );
     let mut line = |text: std::fmt::Arguments| {
         writeln!(page, "{text}").expect("because writing to a string does not fail");

@@ -12,8 +12,9 @@ pub const FIGURE: Figure = Figure {
     id: "gap-curve",
     title: "The gap of the shortest zonotope, round by round",
     caption: "Points on a circle and on a sphere: the relative gap between the length of the best zonotope so far and \
-              the proven lower bound, against the first round in which it was reached, blue on the circle and orange on the sphere. A round is eight centres in the \
-              plane, a Newton step with all that it brings to light in space.",
+              the proven lower bound, against the first round in which it was reached, blue on the \
+              circle and orange on the sphere. A round is eight centres in the plane, a Newton step with all that it \
+              brings to light in space.",
     claims: &["theorem-4.7"],
     experiments: &[EXPERIMENT.id],
     deterministic: true,

@@ -84,8 +84,8 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let [least, greatest] = range(of("volume_ratio"))?;
     let [least_box, greatest_box] = range(of("box_volume_ratio"))?;
     Some(format!(
-        "Around {} meshes the zonotopes are proved to be within {:.2} % of the least total length; they have {least:.2} \
-         to {greatest:.2} times the volume of the convex hull, and boxes along the axes {least_box:.2} to \
+        "Around {} meshes the zonotopes are proved to be within {:.2} % of the least total length; they have \
+         {least:.2} to {greatest:.2} times the volume of the convex hull, and boxes along the axes {least_box:.2} to \
          {greatest_box:.2} times.",
         of("ratio").count(),
         100.0 * (ratio - 1.0)

@@ -1,4 +1,5 @@
-//! What stands where in the report: the chapters with their figures, experiments and claims, and the numbers of figures.
+//! What stands where in the report: the chapters with their figures, experiments and claims, and the numbers of
+//! figures.
 
 use experiments::definition::Experiment;
 use paper_checks::ClaimResult;

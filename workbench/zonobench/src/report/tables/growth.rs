@@ -27,7 +27,8 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     let [smallest, largest] = range(growths.iter().flat_map(|growth| [growth.smallest, growth.largest]))?;
     let excess = growths.iter().filter_map(|growth| growth.model(bound)).map(|model| model.excess_exponent.high);
     let summary = format!(
-        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low:.3} to {high:.3}, beyond {bound} at most {:.3}",
+        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low:.3} to {high:.3}, beyond {bound} at most \
+         {:.3}",
         first.quantity,
         first.variant,
         fits.len(),
