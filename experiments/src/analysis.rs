@@ -33,9 +33,9 @@ impl FittedGrowth {
         Some(self.growth.as_ref().ok()?.model(self.bound?)?.verdict)
     }
 
-    /// Whether the samples support the bound, as far as they can: they do not grow faster.
+    /// Whether the samples support the bound, as far as they can: they do not grow beyond it.
     pub fn supports_bound(&self) -> Option<bool> {
-        self.verdict().map(|verdict| verdict != ModelVerdict::Faster)
+        self.verdict().map(|verdict| verdict != ModelVerdict::Above)
     }
 
     /// Whether the fit depends on the operation counts alone, so that it is the same on every machine.

@@ -96,8 +96,8 @@ pub struct FitPlan {
     pub families: &'static [&'static str],
     /// The growth models that the samples are compared with.
     pub models: &'static [GrowthModel],
-    /// The bound that the theory gives, when it gives one. Consistent or slower growth supports it, faster growth
-    /// contradicts it.
+    /// The bound that the theory gives, when it gives one. Growth within the bound or below it supports it, growth
+    /// above it contradicts it.
     pub bound: Option<GrowthModel>,
 }
 

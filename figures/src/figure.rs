@@ -49,9 +49,9 @@ pub enum FigureError {
     /// A series has no points.
     #[error("the series {0} has no points")]
     EmptySeries(String),
-    /// A value has no place on a logarithmic axis.
-    #[error("the point ({}, {}) has no place on logarithmic axes", .0[0], .0[1])]
-    NotPositive([f64; 2]),
+    /// A point has no place on the axes: a coordinate is not finite, or not positive on a logarithmic axis.
+    #[error("the point ({}, {}) has no place on the axes", .0[0], .0[1])]
+    NoPlace([f64; 2]),
     /// The plotting library failed.
     #[error("the plot could not be drawn: {0}")]
     Plot(String),

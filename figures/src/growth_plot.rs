@@ -1,10 +1,11 @@
 //! Plots of an experiment's growth: samples from the records, the best of the growth models through them.
 
-use crate::axes::{Curve, LogLogPlot, power};
+use crate::axes::{Curve, Look, Plot, Scale, power};
 use crate::figure::{Figure, FigureError, FigureInput};
+use crate::style::method_color;
 use experiments::analysis;
 use experiments::definition::{Experiment, FitPlan, Quantity, Variant};
-use experiments::fit::{self, Growth, GrowthModel, ModelVerdict};
+use experiments::fit::{self, Estimate, Growth, GrowthModel, ModelVerdict};
 use experiments::runner::Records;
 
 /// A plot of an experiment: one quantity, for chosen variants and families.
@@ -28,6 +29,9 @@ pub struct GrowthPlot {
     pub compared_with: Option<&'static str>,
 }
 
+/// Half of the last digit of the exponents in legends: intervals are taken as they are read there.
+const SHOWN_PRECISION: f64 = 0.005;
+
 /// The number of points on a fitted curve.
 const CURVE_POINTS: i32 = 48;
 
@@ -42,16 +46,18 @@ impl GrowthPlot {
                 if !(self.shows)(variant.id, family) {
                     continue;
                 }
-                curves.extend(self.curve(variant, family, family_name, records));
+                let look = self.look(variant, family, curves.len());
+                curves.extend(self.curve(variant, (family, family_name), look, records));
             }
         }
         if curves.is_empty() {
             return Err(no_records);
         }
-        let plot = LogLogPlot {
+        let plot = Plot {
             title: figure.title.into(),
             description: figure.caption.into(),
             x_name: self.x_name.into(),
+            x_scale: Scale::Logarithmic,
             y_name: self.y_name.into(),
             curves,
         };
@@ -59,7 +65,13 @@ impl GrowthPlot {
     }
 
     /// The curve of a variant on a family, if it has samples.
-    fn curve(&self, variant: &Variant, family: &str, family_name: Option<&str>, records: &Records) -> Option<Curve> {
+    fn curve(
+        &self,
+        variant: &Variant,
+        (family, family_name): (&str, Option<&str>),
+        look: Look,
+        records: &Records,
+    ) -> Option<Curve> {
         let (samples, _left_out) = analysis::samples(self.experiment.id, family, variant.id, self.quantity, records);
         if samples.is_empty() {
             return None;
@@ -69,9 +81,13 @@ impl GrowthPlot {
             notes: family_name.map(|name| format!("on {name}")).into_iter().collect(),
             points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
             fit: Vec::new(),
+            look,
         };
         if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family)) {
             self.add_fit(&mut curve, &growth);
+        } else if samples.windows(2).all(|pair| pair[0].0 < pair[1].0) {
+            // Points with one value a size that have no law are joined, so that their course is seen.
+            curve.fit = curve.points.clone();
         }
         if let Some(other) = self.compared_with.filter(|other| *other != variant.id) {
             let (others, _) = analysis::samples(self.experiment.id, family, other, self.quantity, records);
@@ -86,6 +102,26 @@ impl GrowthPlot {
         Some(curve)
     }
 
+    /// The look of a variant on a family, which is the curve of this number. The colour is the method's. Where each
+    /// method is shown on each of several families, the sign's shape is the family's, and every second method has
+    /// hollow signs; else every curve has a shape of its own.
+    fn look(&self, variant: &Variant, family: &str, number: usize) -> Look {
+        let shown = || self.experiment.variants.iter().filter(|other| self.shows_anywhere(other));
+        let is_full = shown().all(|other| self.families.iter().all(|(family, _)| (self.shows)(other.id, family)));
+        let color = method_color(variant.id);
+        if !is_full || self.families.len() == 1 {
+            return Look { color, shape: number, is_hollow: false };
+        }
+        let place = |found: Option<usize>| found.unwrap_or_default();
+        let shape = place(self.families.iter().position(|(other, _)| *other == family));
+        let is_hollow = place(shown().position(|other| other.id == variant.id)) % 2 == 1;
+        Look { color, shape, is_hollow }
+    }
+
+    fn shows_anywhere(&self, variant: &Variant) -> bool {
+        self.families.iter().any(|(family, _)| (self.shows)(variant.id, family))
+    }
+
     /// The growth models of the experiment's fit, if it has one.
     fn models(&self, variant: &Variant, family: &str) -> &'static [GrowthModel] {
         let is_shown = |plan: &&FitPlan| {
@@ -94,11 +130,14 @@ impl GrowthPlot {
         self.experiment.fits.iter().find(is_shown).map_or(GrowthModel::RUNNING_TIMES, |plan| plan.models)
     }
 
-    /// The best model if the samples are consistent with it, else the power law.
+    /// The best model if its exponent lies in the interval of the samples', else the power law, which is the middle of
+    /// that interval.
     fn add_fit(&self, curve: &mut Curve, growth: &Growth) {
-        let consistent = growth.best().filter(|best| best.verdict == ModelVerdict::Consistent);
+        let near = growth.best().filter(|best| best.verdict == ModelVerdict::Within);
+        let is_inside = |Estimate { low, high, .. }| (low - SHOWN_PRECISION..=high + SHOWN_PRECISION).contains(&0.0);
+        let within = near.filter(|best| is_inside(best.excess_exponent));
         let exponent = growth.exponent;
-        let value = |n: f64| match consistent {
+        let value = |n: f64| match within {
             Some(best) => best.constant * best.model.value(n),
             None => growth.constant * libm::pow(n, exponent.value),
         };
@@ -107,12 +146,17 @@ impl GrowthPlot {
             let n = growth.smallest * libm::pow(range, f64::from(step) / f64::from(CURVE_POINTS));
             [n, value(n) / self.y_unit]
         });
-        let law = match consistent {
+        let law = match within {
             Some(best) if best.model == GrowthModel::Constant => three_digits(best.constant / self.y_unit),
             Some(best) => format!("{} {}", three_digits(best.constant / self.y_unit), self.model_name(best.model)),
-            None => format!("power law, {}", place_among_models(growth, |model| self.model_name(model))),
+            None => {
+                let place = near.map(|near| format!("near {}", self.model_name(near.model)));
+                let among = || place_among_models(growth, |model| self.model_name(model));
+                format!("power law, {}", place.unwrap_or_else(among))
+            }
         };
-        let exponents = format!("exponent {:.2} ({:.2} to {:.2})", exponent.value, exponent.low, exponent.high);
+        let [value, low, high] = [exponent.value, exponent.low, exponent.high].map(signed);
+        let exponents = format!("exponent {value} ({low} to {high})");
         let sizes = format!("{} = {} to {}", self.letter(), size_name(growth.smallest), size_name(growth.largest));
         curve.notes.extend([law, exponents, sizes]);
         curve.fit = points.collect();
@@ -140,12 +184,12 @@ fn factor_at_largest(samples: &[(f64, f64)], others: &[(f64, f64)]) -> Option<(f
     Some((n, median(samples) / median(others)))
 }
 
-/// Between which models the growth lies, when it is consistent with none.
+/// Between which models the growth lies, when it is within none.
 fn place_among_models(growth: &Growth, name: impl Fn(GrowthModel) -> String) -> String {
     let of = |verdict| growth.models.iter().filter(move |fit| fit.verdict == verdict).map(|fit| name(fit.model));
-    match (of(ModelVerdict::Faster).next_back(), of(ModelVerdict::Slower).next()) {
-        (None, Some(above)) => format!("slower than {above}"),
-        (Some(below), None) => format!("faster than {below}"),
+    match (of(ModelVerdict::Above).next_back(), of(ModelVerdict::Below).next()) {
+        (None, Some(above)) => format!("below {above}"),
+        (Some(below), None) => format!("above {below}"),
         (Some(below), Some(above)) => format!("between {below} and {above}"),
         (None, None) => "no model fits".into(),
     }
@@ -157,8 +201,19 @@ fn size_name(size: f64) -> String {
     if libm::exp2(f64::from(exponent)) == size { power(2, exponent) } else { size.to_string() }
 }
 
+/// A number of two decimals with a minus sign.
+pub(crate) fn signed(value: f64) -> String {
+    format!("{value:.2}").replace('-', "−")
+}
+
 fn model_name(model: GrowthModel) -> String {
-    model.to_string().replace("n^(1/2)", "√n").replace("n^(3/2)", "n √n").replace("^2", "²").replace("^3", "³")
+    model
+        .to_string()
+        .replace('-', "−")
+        .replace("n^(1/2)", "√n")
+        .replace("n^(3/2)", "n √n")
+        .replace("^2", "²")
+        .replace("^3", "³")
 }
 
 /// A value with three significant digits, and with a power of ten where that is shorter.
@@ -198,8 +253,8 @@ mod tests {
             let samples: Vec<(f64, f64)> = (6..16).map(|k| libm::exp2(f64::from(k))).map(|n| (n, y(n))).collect();
             fit::fit_growth(&samples, GrowthModel::RUNNING_TIMES).expect("ten sizes")
         };
-        assert_eq!(place_among_models(&growth(f64::sqrt), model_name), "slower than n");
-        assert_eq!(place_among_models(&growth(|n| n * n * n), model_name), "faster than n²");
+        assert_eq!(place_among_models(&growth(f64::sqrt), model_name), "below n");
+        assert_eq!(place_among_models(&growth(|n| n * n * n), model_name), "above n²");
     }
 
     #[test]

@@ -52,9 +52,51 @@ pub const OPTIMUM: Color = Color::new(0xa8, 0x32, 0x7d);
 /// The object that a step of an algorithm looks at.
 pub const FOCUS: Color = Color::new(0xe6, 0x9f, 0x00);
 
-/// The colours of the series of a plot, in order of use.
-pub const SERIES: [Color; 6] =
-    [INPUT, REFLECTED, ENCLOSING, OPTIMUM, Color::new(0x56, 0xb4, 0xe9), Color::new(0x8a, 0x6d, 0x00)];
+/// A light blue beside the others.
+const SKY: Color = Color::new(0x56, 0xb4, 0xe9);
+/// A dark yellow beside the others.
+const OLIVE: Color = Color::new(0x8a, 0x6d, 0x00);
+
+/// The colours of the series of a plot, in order of use, where series are no methods.
+pub const SERIES: [Color; 6] = [INPUT, REFLECTED, ENCLOSING, OPTIMUM, SKY, OLIVE];
+
+/// The colours of methods: a method has the same one in every plot. Where methods are compared, blue is the one that is
+/// used by default, orange the paper's own, green the next exact one; other colours are for the rest.
+const METHODS: [(&str, Color); 28] = [
+    ("by_pruning", INPUT),
+    ("by_lad", INPUT),
+    ("by_row_generation", INPUT),
+    ("by_column_generation", INPUT),
+    ("by_sweep", INPUT),
+    ("cluster", INPUT),
+    ("fresh", INPUT),
+    ("by_scan", INPUT),
+    ("by_slope_selection", REFLECTED),
+    ("papers_program", REFLECTED),
+    ("papers_net", REFLECTED),
+    ("lemma_5_5", REFLECTED),
+    ("by_dynamic_hull", REFLECTED),
+    ("walking", REFLECTED),
+    ("by_line_search", ENCLOSING),
+    ("by_explicit_faces", ENCLOSING),
+    ("support_form", ENCLOSING),
+    ("net_of_cells", ENCLOSING),
+    ("trees", ENCLOSING),
+    ("girard", ENCLOSING),
+    ("by_gjk", OPTIMUM),
+    ("combastel", OPTIMUM),
+    ("warm", OPTIMUM),
+    ("clarabel", SKY),
+    ("pca", SKY),
+    ("microlp", OLIVE),
+    ("scott", OLIVE),
+    ("adaptive", GREY),
+];
+
+/// The colour of the method with this id; ink for one that is compared with no other.
+pub fn method_color(id: &str) -> Color {
+    METHODS.iter().find(|(method, _)| *method == id).map_or(INK, |(_, color)| *color)
+}
 
 /// Line weights, in page units.
 pub mod weight {
@@ -74,6 +116,8 @@ pub mod text_size {
     pub const NOTE: f64 = 12.5;
     /// Headings of panels.
     pub const HEADING: f64 = 14.5;
+    /// The least size of any text, raised and lowered letters included; pages show drawings at their natural size.
+    pub const LEAST: f64 = 9.0;
 }
 
 /// The dash pattern of a line.
@@ -195,3 +239,28 @@ pub const REFLECTED_POINT: Marker = Marker::new(Shape::Ring, 3.2, REFLECTED);
 pub const CENTER: Marker = Marker::new(Shape::Diamond, 5.0, INK);
 /// The optimal centre.
 pub const OPTIMAL_CENTER: Marker = Marker::new(Shape::Star, 7.5, OPTIMUM);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::FIGURES;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn methods_that_are_compared_have_colours_of_their_own() {
+        assert_eq!(METHODS.iter().map(|(id, _)| id).collect::<BTreeSet<_>>().len(), METHODS.len());
+        let is_colored = |id: &str| METHODS.iter().any(|(method, _)| *method == id);
+        let mut compared = 0;
+        for experiment in FIGURES.iter().flat_map(|figure| figure.experiments) {
+            let experiment = experiments::catalog::find(experiment).expect("another test finds them all");
+            let ids: Vec<&str> = experiment.variants.iter().map(|variant| variant.id).collect();
+            if !ids.iter().any(|id| is_colored(id)) {
+                continue;
+            }
+            let colors: BTreeSet<[u8; 3]> = ids.iter().map(|id| method_color(id).rgb).collect();
+            assert!(ids.iter().all(|id| is_colored(id)) && colors.len() == ids.len(), "{}: {ids:?}", experiment.id);
+            compared += 1;
+        }
+        assert!(compared > 5, "{compared} experiments compare methods");
+    }
+}

@@ -67,8 +67,21 @@ pub enum ClaimKind {
     Figure,
     /// An open question of the conclusions.
     OpenQuestion,
-    /// A place where the paper is wrong, silent or too weak: the claim is the paper's version.
+    /// A place where the paper is wrong, silent or too weak: the claim is the paper's version, and refuting it says
+    /// what of this sort has to be corrected.
+    Correction(Correction),
+}
+
+/// What a reader of the paper has to correct at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Correction {
+    /// What is printed is false: a formula, a rule, or a step of an argument.
     Erratum,
+    /// What is printed is true once a condition or a step is added that the paper leaves out.
+    MissingCondition,
+    /// What is printed is true in exact arithmetic and good enough for the paper's bound, and a program has to take
+    /// care or can do better.
+    ImplementationNote,
 }
 
 /// The check of a claim.
@@ -131,15 +144,6 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The verdict in one word.
-    pub fn word(&self) -> &'static str {
-        match self {
-            Verdict::Holds(_) => "holds",
-            Verdict::Refuted(_) => "refuted",
-            Verdict::Inconclusive(_) => "inconclusive",
-        }
-    }
-
     /// The evidence, witness or reason.
     pub fn evidence(&self) -> &str {
         match self {

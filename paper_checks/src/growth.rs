@@ -24,7 +24,7 @@ pub(crate) fn evidence_on(quantity: &str, samples: &[(f64, f64)], model: GrowthM
         "{quantity}, over {model}, grow with exponent {:.2} in [{:.2}, {:.2}]",
         excess.value, excess.low, excess.high
     );
-    if fit.verdict == ModelVerdict::Faster { Err(sentence) } else { Ok(sentence) }
+    if fit.verdict == ModelVerdict::Above { Err(sentence) } else { Ok(sentence) }
 }
 
 /// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::catalog::{self, CLAIMS};
 use crate::claim::{Check, CheckContext, Claim, Verdict};
+use crate::finding::Finding;
 
 /// A claim with what its check found.
 #[derive(Clone, Debug)]
@@ -15,9 +16,9 @@ pub struct ClaimResult {
 }
 
 impl ClaimResult {
-    /// The verdict in one word or three.
-    pub fn word(&self) -> &'static str {
-        self.verdict.as_ref().map_or("not yet implemented", Verdict::word)
+    /// What was found.
+    pub fn finding(&self) -> Finding {
+        Finding::of(self.claim.kind, self.verdict.as_ref())
     }
 
     /// The evidence in one line: for a restatement, the claim that it restates.
@@ -60,32 +61,33 @@ pub fn run(context: &CheckContext, mut progress: impl FnMut(&ClaimResult)) -> Ve
     results
 }
 
-const WORDS: [&str; 4] = ["holds", "refuted", "inconclusive", "not yet implemented"];
-
 fn tally(results: &[ClaimResult]) -> String {
-    let counts: Vec<String> = WORDS
+    let counts: Vec<String> = Finding::ALL
         .iter()
-        .map(|word| {
-            let count = results.iter().filter(|result| result.word() == *word).count();
-            format!("{count} {word}")
+        .map(|finding| {
+            let count = results.iter().filter(|result| result.finding() == *finding).count();
+            format!("{count} {}", finding.words())
         })
         .collect();
     format!("{} claims: {}", results.len(), counts.join(", "))
 }
 
-/// The ledger as Markdown: claim, place, evidence, verdict.
+/// The ledger as Markdown: claim, place, evidence, finding.
 pub fn markdown(results: &[ClaimResult]) -> String {
     let mut page = String::from(
         "# Claims\n\n\
          Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003), with the evidence\n\
-         that the checks of this crate produce in exact arithmetic and the verdict. A refuted row says what to read\n\
-         instead. The file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
+         that the checks of this crate produce in exact arithmetic and what was found. An *erratum* is false as it is\n\
+         printed, with a witness; where a *condition* is *missing*, the statement is true once it is added; an\n\
+         *implementation note* is true on paper, and a program has to take care or can do better. Each of them says\n\
+         what to read instead; *refuted* would be a statement that nobody had listed as one to be corrected. The\n\
+         file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
     );
     let mut line = |text: std::fmt::Arguments| {
         writeln!(page, "{text}").expect("because writing to a string does not fail");
     };
     line(format_args!("{}.\n", tally(results)));
-    line(format_args!("| Claim | Place | Evidence | Verdict |"));
+    line(format_args!("| Claim | Place | Evidence | Found |"));
     line(format_args!("| --- | --- | --- | --- |"));
     for result in results {
         let claim = result.claim;
@@ -96,7 +98,7 @@ pub fn markdown(results: &[ClaimResult]) -> String {
             cell(claim.place.section),
             cell(claim.place.label),
             evidence_cell(result),
-            result.word(),
+            result.finding().words(),
         ));
     }
     page
@@ -127,7 +129,7 @@ fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('*', "\\*")
 }
 
-/// The ledger as plain lines for a terminal: claim, place, evidence and verdict in turn.
+/// The ledger as plain lines for a terminal: claim, place, evidence and finding in turn.
 pub fn text(results: &[ClaimResult]) -> String {
     let mut page = String::new();
     for result in results {
@@ -138,7 +140,7 @@ pub fn text(results: &[ClaimResult]) -> String {
             claim.place.section,
             claim.place.label,
             result.evidence(),
-            result.word()
+            result.finding().words()
         ));
     }
     page.push_str(&tally(results));

@@ -21,10 +21,12 @@ pub mod catalog;
 mod claim;
 mod claims;
 pub mod definitions;
+mod finding;
 mod growth;
 pub mod instances;
 mod ledger;
 mod proofs;
 
-pub use claim::{Check, CheckContext, Claim, ClaimKind, Measurement, Place, Verdict};
+pub use claim::{Check, CheckContext, Claim, ClaimKind, Correction, Measurement, Place, Verdict};
+pub use finding::Finding;
 pub use ledger::{ClaimResult, markdown, run, text, verdict};

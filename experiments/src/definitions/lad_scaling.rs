@@ -18,7 +18,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     question: "The paper's search by slope selection grows like n log^2 n, and slower when all lines meet in one point \
                (regular polygons). Pruning reads every line once or twice, a few hundred lines more often (line \
                evaluations: like n), and works on parts besides, samples and remainders (part evaluations and \
-               comparisons: slower than n). The sum is O(n); it reads slower than n as long as the parts weigh. A line \
+               comparisons: slower than n). The sum is O(n); it reads below n as long as the parts weigh. A line \
                search costs O(n), and the number of searches grows like log n.",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,

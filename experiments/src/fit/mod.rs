@@ -7,9 +7,9 @@
 //! with its 95 % interval.
 //!
 //! The verdict on a model is defined on that last interval [low, high]:
-//! - consistent: it meets [-[`EXPONENT_SLACK`], [`EXPONENT_SLACK`]];
-//! - slower: it lies below (y grows slower than M, so y = O(M) is not contradicted);
-//! - faster: it lies above.
+//! - within: it meets [-[`EXPONENT_SLACK`], [`EXPONENT_SLACK`]];
+//! - below: it lies below (y grows less than M, so y = O(M) is not contradicted);
+//! - above: it lies above.
 //!
 //! # Method
 //! 1. Take natural logarithms: ln y = ln c + a ln n + error.
@@ -68,12 +68,12 @@ pub struct Estimate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ModelVerdict {
-    /// The growth beyond the model has an interval that meets the slack around zero.
-    Consistent,
-    /// The samples grow slower than the model.
-    Slower,
-    /// The samples grow faster than the model.
-    Faster,
+    /// The exponent beyond the model has an interval that meets the slack around zero.
+    Within,
+    /// The exponent of the samples is below the model's.
+    Below,
+    /// The exponent of the samples is above the model's.
+    Above,
 }
 
 /// One model, fitted.
@@ -206,11 +206,11 @@ fn fit_model(samples: &[(f64, f64)], model: GrowthModel) -> ModelFit {
 
 fn verdict(excess: Estimate) -> ModelVerdict {
     if excess.high < -EXPONENT_SLACK {
-        ModelVerdict::Slower
+        ModelVerdict::Below
     } else if excess.low > EXPONENT_SLACK {
-        ModelVerdict::Faster
+        ModelVerdict::Above
     } else {
-        ModelVerdict::Consistent
+        ModelVerdict::Within
     }
 }
 

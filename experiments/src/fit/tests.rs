@@ -32,9 +32,9 @@ fn each_model_is_recognised_and_its_neighbours_are_refused() {
             assert_eq!(growth.best().expect("models").model, truth);
             for fit in &growth.models {
                 let expected = match fit.model.cmp(&truth) {
-                    std::cmp::Ordering::Equal => ModelVerdict::Consistent,
-                    std::cmp::Ordering::Less => ModelVerdict::Faster,
-                    std::cmp::Ordering::Greater => ModelVerdict::Slower,
+                    std::cmp::Ordering::Equal => ModelVerdict::Within,
+                    std::cmp::Ordering::Less => ModelVerdict::Above,
+                    std::cmp::Ordering::Greater => ModelVerdict::Below,
                 };
                 assert_eq!(fit.verdict, expected, "{} against {truth}, noise {noise}", fit.model);
             }
@@ -47,8 +47,8 @@ fn a_small_lower_order_term_is_within_the_slack() {
     let samples = synthetic(|n| 3.0 * n + 5.0 * libm::log2(n), 0.0);
     let growth = fit_growth(&samples, GrowthModel::ALL).expect("enough samples");
     let linear = growth.model(GrowthModel::Linear).expect("asked for");
-    assert_eq!(linear.verdict, ModelVerdict::Consistent);
-    assert!(growth.model(GrowthModel::Linearithmic).expect("asked for").verdict == ModelVerdict::Slower);
+    assert_eq!(linear.verdict, ModelVerdict::Within);
+    assert!(growth.model(GrowthModel::Linearithmic).expect("asked for").verdict == ModelVerdict::Below);
 }
 
 #[test]

@@ -1,19 +1,22 @@
-//! Plots with two logarithmic axes: measured points, fitted curves, and a legend beside the plot.
+//! Plots with a logarithmic vertical axis: measured points, curves, and a legend beside the plot.
 //!
 //! Drawn by `plotters`, whose SVG backend rounds to whole units: the plot is drawn ten times as large as it is shown.
 //! Logarithms come from `libm`, so the bytes are the same on every machine.
 
-mod log_axis;
+mod axis;
 mod sign;
 
-pub(crate) use self::log_axis::power;
+pub use self::axis::Scale;
+pub use self::sign::Look;
 
-use self::log_axis::LogAxis;
-use self::sign::sign;
+pub(crate) use self::axis::power;
+
+use self::axis::Axis;
+use self::sign::{inner, sign};
 use crate::figure::FigureError;
 use crate::scene::page::decimals;
 use crate::scene::text::{Line, TextStyle};
-use crate::style::{Color, GREY, INK, PALE, PAPER, SERIES, text_size};
+use crate::style::{Color, GREY, INK, PALE, PAPER, text_size};
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::element::{PathElement, Text};
@@ -22,28 +25,32 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontFamily, FontStyle, IntoFont, RGBColor, ShapeStyle};
 use std::fmt::Write as _;
 
-/// A measured series with the curve fitted to it.
+/// A measured series with a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
     /// What was measured.
     pub name: String,
     /// Further lines for the legend: on what, the fitted model, its constants, its interval.
     pub notes: Vec<String>,
-    /// Size and value, both positive.
+    /// Size and value; the value is positive, the size as well on a logarithmic axis.
     pub points: Vec<[f64; 2]>,
-    /// Samples of the fitted model, by increasing size; none without a fit.
+    /// The corners of the curve: samples of the fitted model, or the points where they are joined; none without either.
     pub fit: Vec<[f64; 2]>,
+    /// The colour and the sign of the points.
+    pub look: Look,
 }
 
 /// A plot.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LogLogPlot {
+pub struct Plot {
     /// Its title, for readers who hear the picture as well.
     pub title: String,
     /// What there is to see.
     pub description: String,
     /// What the horizontal axis counts.
     pub x_name: String,
+    /// How sizes are laid out.
+    pub x_scale: Scale,
     /// What the vertical axis counts.
     pub y_name: String,
     /// The series, in the order of the legend.
@@ -59,18 +66,19 @@ const LEGEND_LINE: f64 = 17.0;
 /// Between two entries of the legend.
 const LEGEND_GAP: f64 = 10.0;
 
-impl LogLogPlot {
+impl Plot {
     /// The plot as an SVG document.
     pub fn draw(&self) -> Result<String, FigureError> {
         let all = || self.curves.iter().flat_map(|curve| curve.points.iter().chain(&curve.fit));
         if let Some(curve) = self.curves.iter().find(|curve| curve.points.is_empty()) {
             return Err(FigureError::EmptySeries(curve.name.clone()));
         }
-        if let Some(point) = all().find(|p| !p.iter().all(|c| c.is_finite() && *c > 0.0)) {
-            return Err(FigureError::NotPositive(*point));
+        let has_place = |scale, c: f64| c.is_finite() && (c > 0.0 || scale == Scale::Linear);
+        if let Some(point) = all().find(|[x, y]| !(has_place(self.x_scale, *x) && has_place(Scale::Logarithmic, *y))) {
+            return Err(FigureError::NoPlace(*point));
         }
-        let x = LogAxis::around(all().map(|point| point[0])).ok_or(FigureError::NoSeries)?;
-        let y = LogAxis::around(all().map(|point| point[1])).ok_or(FigureError::NoSeries)?;
+        let x = Axis::around(self.x_scale, all().map(|point| point[0])).ok_or(FigureError::NoSeries)?;
+        let y = Axis::around(Scale::Logarithmic, all().map(|point| point[1])).ok_or(FigureError::NoSeries)?;
 
         let width = PLOT_WIDTH + self.legend_width();
         let height = self.height();
@@ -89,8 +97,8 @@ impl LogLogPlot {
                 .build_cartesian_2d(x, y)
                 .map_err(FigureError::plot)?;
             self.draw_mesh(&mut chart)?;
-            for (number, curve) in self.curves.iter().enumerate() {
-                draw_curve(&mut chart, curve, number)?;
+            for curve in &self.curves {
+                draw_curve(&mut chart, curve)?;
             }
             self.draw_legend(&legend)?;
             root.present().map_err(FigureError::plot)?;
@@ -100,7 +108,7 @@ impl LogLogPlot {
 
     fn draw_mesh<DB: DrawingBackend>(
         &self,
-        chart: &mut ChartContext<'_, DB, Cartesian2d<LogAxis, LogAxis>>,
+        chart: &mut ChartContext<'_, DB, Cartesian2d<Axis, Axis>>,
     ) -> Result<(), FigureError> {
         chart
             .configure_mesh()
@@ -116,13 +124,13 @@ impl LogLogPlot {
             .map_err(FigureError::plot)
     }
 
-    fn legend_entries(&self) -> impl Iterator<Item = (usize, Vec<(&str, TextStyle)>)> {
+    fn legend_entries(&self) -> impl Iterator<Item = (&Curve, Vec<(&str, TextStyle)>)> {
         let name = TextStyle::new(text_size::NOTE, INK).bold();
         let note = TextStyle::new(text_size::NOTE, GREY);
-        self.curves.iter().enumerate().map(move |(number, curve)| {
+        self.curves.iter().map(move |curve| {
             let notes = curve.notes.iter().map(|text| (text.as_str(), note));
             let lines = std::iter::once((curve.name.as_str(), name)).chain(notes).collect();
-            (number, lines)
+            (curve, lines)
         })
     }
 
@@ -145,14 +153,17 @@ impl LogLogPlot {
         area: &DrawingArea<DB, plotters::coord::Shift>,
     ) -> Result<(), FigureError> {
         let mut top = LEGEND_TOP;
-        for (number, lines) in self.legend_entries() {
+        for (curve, lines) in self.legend_entries() {
             let at = [12.0, top];
-            if !self.curves[number].fit.is_empty() {
-                let stroke = line(color_of(number), 2.0);
+            if !curve.fit.is_empty() {
+                let stroke = line(curve.look.color, 2.0);
                 area.draw(&PathElement::new(vec![units([0.0, top]), units([24.0, top])], stroke))
                     .map_err(FigureError::plot)?;
             }
-            area.draw(&sign(units(at), number)).map_err(FigureError::plot)?;
+            area.draw(&sign(units(at), curve.look)).map_err(FigureError::plot)?;
+            if curve.look.is_hollow {
+                area.draw(&inner(units(at), curve.look)).map_err(FigureError::plot)?;
+            }
             for (text, style) in lines {
                 let weight = if style.bold { FontStyle::Bold } else { FontStyle::Normal };
                 let font = font(style.size, style.color, weight).pos(Pos::new(HPos::Left, VPos::Center));
@@ -185,22 +196,22 @@ impl LogLogPlot {
 }
 
 fn draw_curve<DB: DrawingBackend>(
-    chart: &mut ChartContext<'_, DB, Cartesian2d<LogAxis, LogAxis>>,
+    chart: &mut ChartContext<'_, DB, Cartesian2d<Axis, Axis>>,
     curve: &Curve,
-    number: usize,
 ) -> Result<(), FigureError> {
     if !curve.fit.is_empty() {
         let points: Vec<(f64, f64)> = curve.fit.iter().map(|&[x, y]| (x, y)).collect();
         chart
-            .draw_series(std::iter::once(PathElement::new(points, line(color_of(number), 1.6))))
+            .draw_series(std::iter::once(PathElement::new(points, line(curve.look.color, 1.6))))
             .map_err(FigureError::plot)?;
     }
-    chart.draw_series(curve.points.iter().map(|&[x, y]| sign((x, y), number))).map_err(FigureError::plot)?;
+    let signs = curve.points.iter().map(|&[x, y]| sign((x, y), curve.look));
+    chart.draw_series(signs).map_err(FigureError::plot)?;
+    if curve.look.is_hollow {
+        let inners = curve.points.iter().map(|&[x, y]| inner((x, y), curve.look));
+        chart.draw_series(inners).map_err(FigureError::plot)?;
+    }
     Ok(())
-}
-
-fn color_of(number: usize) -> Color {
-    SERIES[number % SERIES.len()]
 }
 
 fn to_units(length: f64) -> i32 {

@@ -1,12 +1,19 @@
 use super::*;
 
-fn plot(points: Vec<[f64; 2]>) -> LogLogPlot {
-    LogLogPlot {
+fn plot(points: Vec<[f64; 2]>) -> Plot {
+    Plot {
         title: "a < b".into(),
         description: "growth".into(),
         x_name: "n".into(),
+        x_scale: Scale::Logarithmic,
         y_name: "operations".into(),
-        curves: vec![Curve { name: "method".into(), notes: vec!["3 n".into()], fit: points.clone(), points }],
+        curves: vec![Curve {
+            name: "method".into(),
+            notes: vec!["3 n".into()],
+            fit: points.clone(),
+            points,
+            look: Look::of_series(0),
+        }],
     }
 }
 
@@ -26,7 +33,7 @@ fn attribute<'a>(document: &'a str, opening: &str, name: &str) -> &'a str {
 fn text_is_escaped_and_written_in_a_generic_font() {
     let drawn = drawn();
     assert!(drawn.contains("<title>a &lt; b</title>"));
-    assert!(drawn.contains("10²") && drawn.contains("10³") && drawn.contains("3 n"));
+    assert!(drawn.contains("\n100\n") && drawn.contains("\n1000\n") && drawn.contains("3 n"));
     assert_eq!(drawn.matches("<text").count(), drawn.matches("font-family=\"sans-serif\"").count());
 }
 
@@ -55,8 +62,10 @@ fn a_long_legend_makes_the_page_longer() {
 #[test]
 fn what_has_no_place_is_refused() {
     assert!(matches!(plot(vec![]).draw(), Err(FigureError::EmptySeries(_))));
-    assert!(matches!(plot(vec![[1.0, 0.0]]).draw(), Err(FigureError::NotPositive([1.0, 0.0]))));
-    assert!(matches!(plot(vec![[f64::NAN, 1.0]]).draw(), Err(FigureError::NotPositive(_))));
-    let empty = LogLogPlot { curves: vec![], ..plot(vec![]) };
+    assert!(matches!(plot(vec![[1.0, 0.0]]).draw(), Err(FigureError::NoPlace([1.0, 0.0]))));
+    assert!(matches!(plot(vec![[f64::NAN, 1.0]]).draw(), Err(FigureError::NoPlace(_))));
+    let linear = Plot { x_scale: Scale::Linear, ..plot(vec![[0.0, 1.0], [3.0, 2.0]]) };
+    assert!(linear.draw().is_ok(), "zero has a place on a linear axis");
+    let empty = Plot { curves: vec![], ..plot(vec![]) };
     assert!(matches!(empty.draw(), Err(FigureError::NoSeries)));
 }

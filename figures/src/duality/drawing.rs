@@ -135,6 +135,6 @@ fn color(generator: usize) -> Color {
 }
 
 fn write_number(scene: &mut Scene, place: PagePoint, index: usize, size: f64) {
-    let style = TextStyle::new(11.0 * size, INK);
+    let style = TextStyle::new((11.0 * size).max(text_size::LEAST), INK);
     scene.text(place.moved(0.0, 4.0 * size), Anchor::Middle, &style, &(index + 1).to_string());
 }

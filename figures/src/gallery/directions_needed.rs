@@ -11,7 +11,8 @@ pub const FIGURE: Figure = Figure {
     title: "Directions needed for a promised ratio",
     caption: "How many directions a net needs so that the shortest zonotope along them is within 1 + ε of the shortest \
               of all: of order ε to the power −(d − 1) in the paper's net, which lets the axes carry what a generator \
-              is off its direction; −(d − 1)/2 when generators are combinations of the corners of their cell.",
+              is off its direction; −(d − 1)/2 when generators are combinations of the corners of their cell. The \
+              colour tells the net, the shape of the mark the dimension.",
     claims: &["theorem-4.7", "direction-net", "erratum-4.3-containment"],
     experiments: &[length_ratio::EXPERIMENT.id],
     deterministic: true,

@@ -1,7 +1,8 @@
 //! How near nets and directions found as needed come to the least total length.
 
-use crate::axes::{Curve, LogLogPlot};
+use crate::axes::{Curve, Look, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
+use crate::style::{GREY, method_color};
 use experiments::analysis;
 use experiments::definition::Quantity;
 use experiments::definitions::length_ratio::EXPERIMENT;
@@ -40,7 +41,11 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         if points.is_empty() {
             return Err(FigureError::NoRecords(EXPERIMENT.id));
         }
-        curves.push(Curve { name: variant.title.into(), notes: vec![place.into()], points, fit: Vec::new() });
+        // The colour is the method's, the sign tells the circle from the sphere.
+        let shape = usize::from(family != SHOWN[0].1);
+        let look = Look { color: method_color(id), shape, is_hollow: false };
+        let notes = vec![place.into()];
+        curves.push(Curve { name: variant.title.into(), notes, fit: points.clone(), points, look });
     }
     let precisions: Vec<f64> = curves.iter().flat_map(|curve| &curve.points).map(|point| point[0]).collect();
     let [low, high] =
@@ -51,11 +56,13 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         notes: vec!["ε".into()],
         points: asked.clone(),
         fit: asked,
+        look: Look { color: GREY, shape: 2, is_hollow: false },
     });
-    let plot = LogLogPlot {
+    let plot = Plot {
         title: FIGURE.title.into(),
         description: FIGURE.caption.into(),
         x_name: "1 / ε".into(),
+        x_scale: Scale::Logarithmic,
         y_name: "proven ratio − 1".into(),
         curves,
     };

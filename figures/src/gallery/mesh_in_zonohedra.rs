@@ -4,8 +4,9 @@ use crate::figure::{Figure, FigureError, FigureInput};
 use crate::scene::page::{Frame, PageBox, PagePoint, WorldBox};
 use crate::scene::text::{Anchor, TextStyle};
 use crate::scene::{LegendEntry, Panel, Sample, Scene};
-use crate::solid::{Camera, Face, faces_of};
-use crate::style::{Dash, ENCLOSING, GREY, INPUT, PAPER, Paint, Stroke, text_size, weight};
+use crate::skin::{MESH, Skin, ZONOHEDRON, draw_inside};
+use crate::solid::{Camera, faces_of};
+use crate::style::{GREY, text_size};
 use experiments::data::mesh;
 use experiments::families::clouds::solid as platonic;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
@@ -29,10 +30,6 @@ pub const FIGURE: Figure = Figure {
 
 const COLUMNS: usize = 2;
 const CELL: [f64; 2] = [400.0, 350.0];
-const MESH: Paint = Paint::fill(INPUT, 0.85);
-const ZONOHEDRON: Paint = Paint::fill(ENCLOSING, 0.1);
-const EDGE: Stroke = Stroke::new(ENCLOSING, weight::MEDIUM);
-const HIDDEN: Stroke = Stroke::new(GREY, weight::FINE).dashed(Dash::Dotted).faded(0.7);
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let teapot = mesh("teapot").expect("the mesh is among the data");
@@ -51,7 +48,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     let (width, height) = (CELL[0] * COLUMNS as f64, CELL[1] * rows as f64);
     let mut scene = Scene::new(width, height + 34.0, FIGURE.title, FIGURE.caption);
     let camera = Camera::from_direction([1.4, -3.0, 1.6]);
-    let skin = seen_triangles(&camera, &vertices, &teapot.triangles);
+    let skin = Skin::seen(&camera, &vertices, &teapot.triangles);
     for (number, (heading, zonohedron, length)) in pictures.iter().enumerate() {
         let (left, top) = (CELL[0] * (number % COLUMNS) as f64, CELL[1] * (number / COLUMNS) as f64);
         let middle = left + CELL[0] / 2.0;
@@ -64,7 +61,7 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     }
     let entries = [
         LegendEntry::new(Sample::Area(MESH), "mesh"),
-        LegendEntry::new(Sample::Area(ZONOHEDRON.with_outline(EDGE)), "zonohedron of least total length"),
+        LegendEntry::new(Sample::Area(ZONOHEDRON), "zonohedron of least total length"),
     ];
     scene.legend(PagePoint::new(0.0, height + 4.0), width, &entries);
     Ok(scene.finish())
@@ -110,43 +107,10 @@ fn along(points: &[[f64; 3]], directions: &[[f64; 3]]) -> (Zonotope<3>, f64) {
     (answer.zonotope(&problem).expect("the mesh is far from the range's ends"), answer.value)
 }
 
-/// The triangles that are turned to the eye, the farthest first, with how squarely they are.
-fn seen_triangles(camera: &Camera, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Vec<(Vec<[f64; 2]>, f64)> {
-    let mut seen: Vec<(f64, Vec<[f64; 2]>, f64)> = triangles
-        .iter()
-        .filter_map(|triangle| {
-            let face = Face::of_triangle(triangle.map(|corner| vertices[corner]));
-            camera.sees(&face).then(|| {
-                let depth = face.corners.iter().map(|&corner| camera.nearness(corner)).sum();
-                let places = face.corners.iter().map(|&corner| camera.project(corner)).collect();
-                (depth, places, camera.squareness(&face))
-            })
-        })
-        .collect();
-    seen.sort_by(|a, b| a.0.total_cmp(&b.0));
-    seen.into_iter().map(|(_, places, squareness)| (places, squareness)).collect()
-}
-
-fn draw_body(
-    scene: &mut Scene,
-    window: PageBox,
-    camera: &Camera,
-    zonohedron: &Zonotope<3>,
-    skin: &[(Vec<[f64; 2]>, f64)],
-) {
+fn draw_body(scene: &mut Scene, window: PageBox, camera: &Camera, zonohedron: &Zonotope<3>, skin: &Skin) {
     let faces = faces_of(zonohedron);
     let outline: Vec<[f64; 2]> =
         faces.iter().flat_map(|face| &face.corners).map(|&corner| camera.project(corner)).collect();
     let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&outline), window));
-    let place = |face: &Face| face.corners.iter().map(|&corner| camera.project(corner)).collect::<Vec<_>>();
-    for face in faces.iter().filter(|face| !camera.sees(face)) {
-        panel.polygon(&place(face), &Paint::outline(HIDDEN));
-    }
-    for (places, squareness) in skin {
-        let shade = INPUT.mixed(PAPER, (40.0 + 150.0 * squareness) as u16);
-        panel.polygon(places, &Paint::fill(shade, 1.0).with_outline(Stroke::new(shade, 0.4)));
-    }
-    for face in faces.iter().filter(|face| camera.sees(face)) {
-        panel.polygon(&place(face), &ZONOHEDRON.with_outline(EDGE));
-    }
+    draw_inside(&mut panel, camera, &faces, skin);
 }

@@ -12,9 +12,10 @@ use zonotope::zonotope::{Zonotope, named};
 pub const FIGURE: Figure = Figure {
     id: "named-zonohedra",
     title: "Zonohedra and their zones",
-    caption: "Well-known polyhedra as sums of segments, with three of their zones: the facets that share a generator \
-              form a band around the body. A facet where two coloured bands cross has the colour between them; a facet \
-              of three or more generators belongs to as many bands. Dotted edges are hidden.",
+    caption: "Well-known polyhedra as sums of segments, with three of their zones, and with one where three would \
+              cover nearly all of the body: the facets that share a generator form a band around the body, crossed by edges \
+              along that generator, drawn heavy. A facet where two coloured bands cross has the colour between them; a \
+              facet of three or more generators belongs to as many bands. Dotted edges are hidden.",
     claims: &["zones-are-bands", "familiar-zonotopes"],
     experiments: &[],
     deterministic: true,
@@ -24,6 +25,8 @@ pub const FIGURE: Figure = Figure {
 const COLUMNS: usize = 3;
 const CELL: [f64; 2] = [270.0, 292.0];
 const ZONES: [Color; 3] = [FOCUS, ENCLOSING, INPUT];
+/// Of bodies with at most so many generators one zone is coloured.
+const FEW_GENERATORS: usize = 5;
 
 fn bodies() -> [(&'static str, Zonotope<3>); 9] {
     [
@@ -54,7 +57,8 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
         let note = format!("{} generators, {} facets", body.generators().len(), faces.len());
         scene.text(PagePoint::new(left + CELL[0] / 2.0, top + 40.0), Anchor::Middle, &style, &note);
         let window = PageBox::new(left + 22.0, top + 52.0, CELL[0] - 44.0, CELL[1] - 66.0);
-        draw_body(&mut scene, window, &camera, &faces);
+        let zones = if body.generators().len() > FEW_GENERATORS { &ZONES[..] } else { &ZONES[..1] };
+        draw_body(&mut scene, window, &camera, &faces, zones);
     }
     let entries = ["one zone", "a second", "a third"].map(|words| words.to_owned());
     let entries: Vec<LegendEntry<'_>> = ZONES
@@ -66,13 +70,14 @@ fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {
     Ok(scene.finish())
 }
 
-fn draw_body(scene: &mut Scene, window: PageBox, camera: &Camera, faces: &[Face]) {
+/// Draws a body with its first zones in colours.
+fn draw_body(scene: &mut Scene, window: PageBox, camera: &Camera, faces: &[Face], zones: &[Color]) {
     let seen: Vec<[f64; 2]> =
         faces.iter().flat_map(|face| &face.corners).map(|&corner| camera.project(corner)).collect();
     let mut panel = Panel::new(scene, Frame::fit(&WorldBox::around(&seen), window));
     let paint = |face: &Face| {
         let colors: Vec<Color> =
-            ZONES.iter().enumerate().filter(|(zone, _)| face.sides.contains(zone)).map(|(_, &color)| color).collect();
+            zones.iter().enumerate().filter(|(zone, _)| face.sides.contains(zone)).map(|(_, &color)| color).collect();
         let shade = 0.75 - 0.35 * camera.squareness(face);
         match colors[..] {
             [] => Paint::fill(PALE, 0.2 + shade / 3.0),
@@ -80,5 +85,9 @@ fn draw_body(scene: &mut Scene, window: PageBox, camera: &Camera, faces: &[Face]
             [one, other, ..] => Paint::fill(one.mixed(other, 128), shade),
         }
     };
-    solid::draw(&mut panel, camera, faces, paint, |_| Stroke::new(INK, weight::MEDIUM));
+    let side = |zone: usize| match zones.get(zone) {
+        Some(color) => Stroke::new(color.mixed(INK, 110), 1.2 * weight::STRONG),
+        None => Stroke::new(INK, weight::MEDIUM),
+    };
+    solid::draw(&mut panel, camera, faces, paint, side);
 }

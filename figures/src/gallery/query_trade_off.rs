@@ -1,7 +1,8 @@
 //! What a query costs against the space of the structure of Lemma 5.3.
 
-use crate::axes::{Curve, LogLogPlot};
+use crate::axes::{Curve, Look, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
+use crate::growth_plot::signed;
 use experiments::analysis;
 use experiments::definition::Quantity;
 use experiments::definitions::query_trade_off::EXPERIMENT;
@@ -30,31 +31,31 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
     let variant = EXPERIMENT.variants[0].id;
     let curves: Vec<Curve> = SHOWN
         .into_iter()
-        .map(|(value, name)| {
+        .enumerate()
+        .map(|(number, (value, name))| {
             let (samples, _) = analysis::samples(EXPERIMENT.id, FAMILY, variant, Quantity::Value(value), records);
             let exponent = fit::fit_growth(&samples, &[]).map(|growth| growth.exponent);
             let note = exponent.map(|exponent| {
                 let [value, low, high] = [exponent.value, exponent.low, exponent.high].map(signed);
                 format!("exponent {value} ({low} to {high})")
             });
-            let points = samples.iter().map(|&(space, cost)| [space, cost]).filter(|[_, cost]| *cost > 0.0).collect();
-            Curve { name: name.into(), notes: note.into_iter().collect(), points, fit: Vec::new() }
+            let points: Vec<[f64; 2]> =
+                samples.iter().map(|&(space, cost)| [space, cost]).filter(|[_, cost]| *cost > 0.0).collect();
+            let notes = note.into_iter().collect();
+            Curve { name: name.into(), notes, fit: Vec::new(), points, look: Look::of_series(number) }
         })
         .filter(|curve: &Curve| !curve.points.is_empty())
         .collect();
     if curves.is_empty() {
         return Err(FigureError::NoRecords(EXPERIMENT.id));
     }
-    let plot = LogLogPlot {
+    let plot = Plot {
         title: FIGURE.title.into(),
         description: FIGURE.caption.into(),
         x_name: "space m".into(),
+        x_scale: Scale::Logarithmic,
         y_name: "operations a query".into(),
         curves,
     };
     plot.draw()
-}
-
-fn signed(value: f64) -> String {
-    format!("{value:.2}").replace('-', "−")
 }

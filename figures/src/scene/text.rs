@@ -4,7 +4,7 @@
 //! prime: `$P'_{a'_s}$` is the paper's name of a reflected point. Outside, text stands as it is.
 
 use super::page::{PageBox, PagePoint, decimals};
-use crate::style::{Color, PAPER};
+use crate::style::{Color, PAPER, text_size};
 
 /// Which point of the text lies at its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +26,13 @@ struct Run {
     size: f64,
     /// Height of the base line above the text's, in text sizes.
     rise: f64,
+}
+
+impl Run {
+    /// Height of its letters in page units: raised and lowered letters are smaller, down to the least size.
+    fn height(&self, style: &TextStyle) -> f64 {
+        (self.size * style.size).max(text_size::LEAST.min(style.size))
+    }
 }
 
 /// A parsed line of text.
@@ -122,7 +129,7 @@ impl Line {
     /// Its width in a wide sans-serif font of the given style: an upper estimate.
     pub fn width(&self, style: &TextStyle) -> f64 {
         let weight = if style.bold { 1.12 } else { 1.0 };
-        self.runs.iter().map(|run| run.text.chars().map(advance).sum::<f64>() * run.size * style.size * weight).sum()
+        self.runs.iter().map(|run| run.text.chars().map(advance).sum::<f64>() * run.height(style) * weight).sum()
     }
 
     /// The rectangle that its letters fill when it stands at `place`.
@@ -184,7 +191,7 @@ impl Line {
                 element.push_str(&format!(" dx=\"{}\"", decimals(LEAN * run.size * style.size)));
             }
             if run.size != 1.0 {
-                element.push_str(&format!(" font-size=\"{}\"", decimals(run.size * style.size)));
+                element.push_str(&format!(" font-size=\"{}\"", decimals(run.height(style))));
             }
             if run.slanted {
                 element.push_str(" font-style=\"italic\"");
@@ -249,7 +256,7 @@ mod tests {
         let element =
             Line::parse("$x_1$ ok").element(PagePoint::new(0.0, 0.0), Anchor::Start, &TextStyle::new(10.0, INK));
         assert!(
-            element.ends_with("dy=\"2.6\" font-size=\"7.2\">1</tspan><tspan dy=\"-2.6\"> ok</tspan></text>"),
+            element.ends_with("dy=\"2.6\" font-size=\"9\">1</tspan><tspan dy=\"-2.6\"> ok</tspan></text>"),
             "{element}"
         );
     }

@@ -1,4 +1,4 @@
-//! Checks every claim of the paper and prints claim, place, evidence and verdict, one line each.
+//! Checks every claim of the paper and prints claim, place, evidence and finding, one line each.
 
 use paper_checks::{CheckContext, run, text};
 

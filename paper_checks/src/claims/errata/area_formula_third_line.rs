@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::plane::{Point, zonogon_area};
 use crate::definitions::runs::{displayed_lines, first_points_area, runs};
 use crate::instances::polygons::{generator, polygon, polygons, random_center};
@@ -11,7 +11,7 @@ use crate::instances::polygons::{generator, polygon, polygons, random_center};
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-third-line",
     place: Place { section: "4.1", label: "displayed formula, third line" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::Erratum),
     statement: "f(O) equals the third displayed line of the area formula",
     remedy: Some(
         "drop the O from its first bracket; or use f(O) = C + 2 sum over t of max(0, e_t x (O - m_t)), m_t a point of \

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::plane::{Point, bisectors, cell_gradient, hinge_sum, least_area};
 use crate::definitions::ratio::fraction;
 use crate::definitions::subdifferential::{deciding_interval, least_on_vertical};
@@ -12,7 +12,7 @@ use crate::instances::polygons::{generator, polygon, polygons, random_center};
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-coefficient",
     place: Place { section: "4.1", label: "after Corollary 4.4" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::Erratum),
     statement: "f has a linear coefficient at O_l, and it tells the side of the minimum",
     remedy: Some(
         "O_l always lies on a line of the arrangement: decide by the subgradients there that vanish along the vertical \

@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-1-difference",
     place: Place { section: "1", label: "first bullet" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "Zonotopes are closed under Minkowski difference",
     remedy: Some("true of A + (-B), false of the erosion { x : x + B in A } when d > 2: use two names"),
     code: &["zonotope::zonotope"],

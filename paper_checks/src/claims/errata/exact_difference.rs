@@ -3,14 +3,14 @@
 use zonotope::collision::{Query, by_lad};
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::space::{Body, Vector};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.1-difference",
     place: Place { section: "5.1", label: "Lemma 5.1" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::ImplementationNote),
     statement: "q - p may be formed like any other number",
     remedy: Some("it must be exact: centres 1e16 and -1 turn from disjoint to touching by rounding"),
     code: &["zonotope::collision"],

@@ -4,7 +4,7 @@ use dashu_ratio::RBig;
 use zonotope::enclosing::fixed_directions::rational::min_length_in_rationals;
 use zonotope::enclosing::fixed_directions::{Enclosure, FixedDirections, min_length_along};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::enclosing::{Row, dot, doubles, facet_normals, papers_program, rows};
 use crate::definitions::ratio::{exactly, fraction, integer};
 
@@ -12,7 +12,7 @@ use crate::definitions::ratio::{exactly, fraction, integer};
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.2-extreme-points",
     place: Place { section: "4.2", label: "second paragraph" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "The two extreme points along each facet normal suffice, whatever the directions",
     remedy: Some(
         "right when the directions span R^d; otherwise work in the span, where points off the affine span make the \

@@ -2,7 +2,7 @@
 
 use zonotope::enclosing::min_area;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::plane::{Point, convex_hull, least_area, signed_area, zonogon_area};
 use crate::definitions::ratio::{fraction, integer};
 use crate::instances::polygons::{generator, random_polygon};
@@ -12,7 +12,7 @@ use crate::proofs::library::{doubles, encloses};
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-vertex",
     place: Place { section: "4.1", label: "before Theorem 4.5" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "The minimum is at a vertex of the arrangement, and there is one to be located",
     remedy: Some(
         "one point, two points and collinear points have no arrangement: their zonogon is the segment, of area 0; and \

@@ -2,7 +2,7 @@
 
 use zonotope::collision::{Query, by_lad};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::ratio::fraction;
 use crate::definitions::space::Vector;
 use crate::instances::bodies::{are_independent, bodies, random_member, random_vector};
@@ -12,7 +12,7 @@ use crate::instances::polygons::generator;
 pub static CLAIM: Claim = Claim {
     id: "erratum-3-independent-generators",
     place: Place { section: "3", label: "first paragraph" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "Any d generators may be assumed linearly independent",
     remedy: Some(
         "merge parallel generators, drop zero ones, gather coplanar ones into one facet, and accept flat and empty \

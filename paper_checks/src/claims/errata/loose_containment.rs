@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::enclosing::{Row, dot, root_above};
 use crate::definitions::ratio::{fraction, integer};
 use crate::instances::polygons::generator;
@@ -16,7 +16,7 @@ use crate::proofs::lengths::check_shortest;
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.3-containment",
     place: Place { section: "4.3", label: "third paragraph" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::ImplementationNote),
     statement: "The error of the net is (1 + d eps), so O(1 / eps^(d-1)) directions and the axes are needed",
     remedy: Some(
         "the optimum over R is at most the optimum over the inradius of conv(R, -R): the error is O(eps^2) in the \

@@ -1,12 +1,12 @@
 //! Section 6, fourth to sixth paragraph.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use crate::claim::{Claim, ClaimKind, Correction, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-6-rotation",
     place: Place { section: "6", label: "fourth to sixth paragraph" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "The square around the circle through the farthest arc end bounds the rotation, in whatever order \
         rotation and translation happen",
     remedy: Some(

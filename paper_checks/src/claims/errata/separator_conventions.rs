@@ -3,7 +3,7 @@
 use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::separator;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::plane::Point;
 use crate::definitions::ratio::fraction;
 
@@ -11,7 +11,7 @@ use crate::definitions::ratio::fraction;
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.1-separators",
     place: Place { section: "5.1", label: "separators" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::Erratum),
     statement: "L_k meets the lines from left to right, and the chain extends v' by v'",
     remedy: Some(
         "L_k meets them from top to bottom; a step is 2 v' in half-lengths, every v' turned to point up; v' = 0 has no \

@@ -3,7 +3,7 @@
 use zonotope::collision::prepared::by_cutting::PreparedByCutting;
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::ratio::integer;
 use crate::definitions::space::{Body, Vector};
 
@@ -11,7 +11,7 @@ use crate::definitions::space::{Body, Vector};
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-corollary-5.4",
     place: Place { section: "5.2", label: "proof of Corollary 5.4" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "Locating a ray from the origin is the same as locating a point",
     remedy: Some(
         "one step is missing: the silhouette is star-shaped from the centre, so the side test works for rays; off the \

@@ -6,7 +6,7 @@ use dashu_ratio::RBig;
 use zonotope::arrangement::cutting::by_hierarchy::cutting;
 use zonotope::arrangement::{DualArrangement, LineIndex};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::ratio::fraction;
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{doubles, generators_in_general_position};
@@ -16,7 +16,7 @@ use crate::instances::polygons::generator;
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-lemma-5.3",
     place: Place { section: "5.2", label: "proof of Lemma 5.3" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::Erratum),
     statement: "A cell of the mapped cutting is crossed by the lines that cross its trapezoid",
     remedy: Some(
         "a tile of a sampled line can straddle cells: keep the boundary lines of a trapezoid among its crossing \

@@ -1,6 +1,6 @@
 //! Vertices that share an x, and vertical lines.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::plane::{arrangement_vertices, bisectors};
 use crate::definitions::ratio::integer;
 use crate::instances::polygons::polygon;
@@ -9,7 +9,7 @@ use crate::instances::polygons::polygon;
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-ties",
     place: Place { section: "4.1", label: "before Theorem 4.5" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "A vertical line splits the candidate vertices into two halves of equal size",
     remedy: Some(
         "many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the \

@@ -6,7 +6,7 @@ use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_length;
 use zonotope::enclosing::min_total_length::in_the_plane;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::enclosing::{root_above, rows};
 use crate::definitions::plane::{Point, zonogon_about};
 use crate::definitions::ratio::{exactly, fraction, integer};
@@ -20,7 +20,7 @@ use crate::proofs::library::doubles;
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.3-objective",
     place: Place { section: "4.3", label: "first paragraph" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::ImplementationNote),
     statement: "What total length measures is left unsaid",
     remedy: Some(
         "it is half the first intrinsic volume, so it grows under inclusion; the vertices of a zonotope have that \

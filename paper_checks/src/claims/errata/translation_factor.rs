@@ -1,12 +1,12 @@
 //! Section 6, third paragraph.
 
-use crate::claim::{Claim, ClaimKind, Place};
+use crate::claim::{Claim, ClaimKind, Correction, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-6-translation",
     place: Place { section: "6", label: "third paragraph" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::Erratum),
     statement: "The translation vector v is added to the generators",
     remedy: Some(
         "in half-lengths the added generator is v/2: the unit cube moved by (10,0,0) sweeps 48 with half-lengths of 1, \

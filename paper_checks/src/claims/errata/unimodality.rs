@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::plane::Point;
 use crate::definitions::ratio::{fraction, integer};
 use crate::instances::polygons::{generator, random_point};
@@ -11,7 +11,7 @@ use crate::instances::polygons::{generator, random_point};
 pub static CLAIM: Claim = Claim {
     id: "erratum-4.1-unimodality",
     place: Place { section: "4.1", label: "Lemma 4.3 to Corollary 4.4" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::Erratum),
     statement: "A planar function that is unimodal on every line is unimodal, and that is enough to decide the side of \
         its minimum from a line",
     remedy: Some(

@@ -2,14 +2,14 @@
 
 use zonotope::arrangement::facet_walk::{FacetName, FacetWalk, HullWalk, NormalSense};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::space::Vector;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-lemma-5.6",
     place: Place { section: "5.2", label: "Lemma 5.6" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "Each face has four neighbours, found as neighbours of a vertex of the arrangement",
     remedy: Some(
         "an unbounded edge of the arrangement leads from the upper hull to the antipodal facet, and a facet of \

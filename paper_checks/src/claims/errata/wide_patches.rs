@@ -5,7 +5,7 @@ use zonotope::reduction::by_patches::patches_within;
 use zonotope::reduction::contains;
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Correction, Place, Verdict};
 use crate::definitions::ratio::integer;
 use crate::definitions::space::{Body, Vector};
 
@@ -13,7 +13,7 @@ use crate::definitions::space::{Body, Vector};
 pub static CLAIM: Claim = Claim {
     id: "erratum-5.2-lemma-5.5",
     place: Place { section: "5.2", label: "proof of Lemma 5.5" },
-    kind: ClaimKind::Erratum,
+    kind: ClaimKind::Correction(Correction::MissingCondition),
     statement: "Any subdivision of the hemisphere into k patches of angle O(1/sqrt(k)) will do",
     remedy: Some(
         "patches must stay below 90 degrees so that every v_i . n_j >= 0: v = (10,0,1) and (-10,0,1) with n = (1,0,0) \

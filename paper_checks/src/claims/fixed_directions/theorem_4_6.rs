@@ -88,7 +88,7 @@ fn growth(context: &CheckContext) -> Result<String, String> {
     let pure = |samples: &[(f64, f64)]| samples.iter().map(|&(k, rows)| (k, rows * k / (k - 1.0))).collect::<Vec<_>>();
     let fitted = |samples: &[(f64, f64)], bound: GrowthModel| -> Result<(f64, bool), String> {
         let growth = fit_growth(samples, &[bound]).map_err(|error| error.to_string())?;
-        let is_faster = growth.model(bound).is_none_or(|fit| fit.verdict == ModelVerdict::Faster);
+        let is_faster = growth.model(bound).is_none_or(|fit| fit.verdict == ModelVerdict::Above);
         Ok((growth.exponent.value, is_faster))
     };
     let (printed_power, printed_faster) = fitted(&pure(&printed), GrowthModel::Cubic)?;

@@ -88,5 +88,5 @@ fn sizes<const D: usize>(model: GrowthModel) -> Option<f64> {
         .to_vec();
     let growth = fit_growth(&samples, &[model]).ok()?;
     let fit = growth.model(model)?;
-    (fit.verdict == ModelVerdict::Consistent).then_some(growth.exponent.value)
+    (fit.verdict == ModelVerdict::Within).then_some(growth.exponent.value)
 }

@@ -101,7 +101,7 @@ fn sizes() -> Result<String, String> {
         let samples: Vec<(f64, f64)> =
             (4..=12).map(|k| f64::from(1 << k)).map(|n| (n, net.size(dimension, 1.0 / n) as f64)).collect();
         let growth = fit_growth(&samples, &[model]).map_err(|error| error.to_string())?;
-        if growth.model(model).is_none_or(|fit| fit.verdict == ModelVerdict::Faster) {
+        if growth.model(model).is_none_or(|fit| fit.verdict == ModelVerdict::Above) {
             return Err(format!("the sizes of {net:?} in R^{dimension} grow with exponent {}", growth.exponent.value));
         }
         exponents.push(format!("{:.2}", growth.exponent.value));

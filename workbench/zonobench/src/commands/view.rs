@@ -6,10 +6,10 @@ use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{FaceLattice, Faces, faces};
 
 /// Of bodies with more generators only the outline is drawn.
-const LATTICE_GENERATOR_LIMIT: usize = 120;
+pub(super) const LATTICE_GENERATOR_LIMIT: usize = 120;
 
 /// From where a body of space is seen: a unit vector.
-const EYE: [f64; 3] = [0.48, 0.6, 0.64];
+pub(super) const EYE: [f64; 3] = [0.48, 0.6, 0.64];
 
 /// The part of the way to white of the facet that faces the eye and of one seen from its edge, in 1/256.
 const SHADES: [f64; 2] = [235.0, 120.0];

@@ -29,6 +29,7 @@ pub use error::{InputError, Place, Problem, on_one_line};
 pub use points::{Points, Wanted};
 pub use reading::Reading;
 
+use self::mesh::Mesh;
 use crate::digest::sha256;
 
 /// The largest number of points that a file may hold.
@@ -128,9 +129,9 @@ impl PointSource {
             Format::Json => document::points(file, text, self.columns.as_ref(), wanted)?,
             Format::Npy => npy::points(file, &content, self.columns.as_ref(), wanted)?,
             mesh => {
-                let vertices = mesh::vertices(file, text, mesh)?;
+                let Mesh { vertices, triangles } = mesh::read(file, text, mesh)?;
                 let left_out = mesh::left_out(text, &vertices, mesh);
-                Reading::without_columns(Points::Space(vertices), left_out)
+                Reading { triangles, ..Reading::without_columns(Points::Space(vertices), left_out) }
             }
         };
         if reading.points.is_empty() {

@@ -1,6 +1,6 @@
 //! What a chapter of the report is: a static value, one for every problem that the workbench solves.
 
-pub use super::chapters::CHAPTERS;
+use super::measured::Measured;
 
 /// A chapter: one problem of the paper and the methods that solve it.
 #[derive(Debug)]
@@ -13,6 +13,12 @@ pub struct Chapter {
     pub place: &'static str,
     /// The problem, for a reader who has not read the paper.
     pub statement: &'static str,
+    /// What was learned, in one sentence with the numbers of this run; none where the run made no such records.
+    pub lesson: fn(&Measured<'_>) -> Option<String>,
+    /// The figures that stand open, in their order; the chapter's other figures are folded up.
+    pub pictures: &'static [&'static str],
+    /// The table that stands open.
+    pub table: ChapterTable,
     /// How it is solved, one paragraph each.
     pub method: &'static [&'static str],
     /// The bound, and what is known to hold it.
@@ -25,4 +31,22 @@ pub struct Chapter {
     pub experiments: &'static [&'static str],
     /// How to run it alone: a command, and what it does.
     pub commands: &'static [(&'static str, &'static str)],
+}
+
+/// The one table of a chapter that stands open.
+#[derive(Clone, Copy, Debug)]
+pub enum ChapterTable {
+    /// The growth laws of all the chapter's experiments, a row for each quantity of each method.
+    Growth,
+    /// The values of this experiment: where they are summed, over all inputs; else for each input.
+    Values(&'static str),
+    /// The values of this experiment on one input.
+    ValuesOn(&'static str, &'static str),
+    /// Words.
+    Words {
+        /// The heads of the columns.
+        head: &'static [&'static str],
+        /// The rows.
+        rows: &'static [&'static [&'static str]],
+    },
 }

@@ -107,7 +107,7 @@ pub(super) fn page(title: &str, body: &str) -> String {
 
 /// A table with a header row; cells are markup already.
 pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> String {
-    let mut text = format!("<div class=\"scroll\"><table class=\"{class}\">\n<thead><tr>");
+    let mut text = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">\n<thead><tr>");
     for cell in header {
         text.push_str(&format!("<th scope=\"col\">{cell}</th>"));
     }

@@ -2,19 +2,17 @@
 //!
 //! `report.html` holds nothing that depends on a clock or a machine, so that two runs with one seed and profile give
 //! the same bytes; what depends on them stands in `times.html`.
+//!
+//! - [`chapter`] is what a chapter is, `chapters` has them, in the order of the page.
+//! - `measured` looks numbers up in the records, `tables` has every table, `pages` puts the two pages together.
 
 pub mod chapter;
 mod chapters;
-mod claims;
-mod figures;
-mod growth;
 mod html;
 mod manifest;
+mod measured;
 mod pages;
-mod peers;
-mod totals;
-mod values;
-mod variant;
+mod tables;
 
 use std::path::PathBuf;
 
@@ -23,9 +21,8 @@ use experiments::definition::{Experiment, Profile};
 use experiments::runner::Records;
 use paper_checks::{CheckContext, ClaimResult};
 
-pub use figures::DrawnFigure;
 pub use manifest::{Manifest, OutputFile};
-pub use pages::{report, times};
+pub use pages::{CITATION, DrawnFigure, report, times};
 
 /// Everything that a report is made of.
 #[derive(Debug)]
@@ -60,6 +57,11 @@ impl Evidence {
         };
         format!("zonobench reproduce --profile {} --seed {}{only}", self.profile, self.seed)
     }
+
+    /// The growth laws of an experiment.
+    pub(crate) fn fits_of<'a>(&'a self, experiment: &'a Experiment) -> impl Iterator<Item = &'a FittedGrowth> {
+        self.fits.iter().filter(|fit| fit.experiment == experiment.id)
+    }
 }
 
 /// All growth laws of experiments that were run.
@@ -69,5 +71,5 @@ pub fn fits(experiments: &[&Experiment], records: &Records) -> Vec<FittedGrowth>
 
 /// What the claims' checks are told of the growth that operation counts show.
 pub fn check_context(seed: u64, fits: &[FittedGrowth]) -> CheckContext {
-    CheckContext { seed, measurements: growth::measurements(fits) }
+    CheckContext { seed, measurements: tables::measurements(fits) }
 }

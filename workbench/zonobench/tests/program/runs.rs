@@ -28,6 +28,9 @@ fn one_experiment_is_run_alone() {
     let of = |sort: &str| exported.stdout.lines().filter(|line| line.starts_with(sort)).count();
     assert!(of("count,hull-scaling,") >= counts.lines().count());
     assert_eq!(of("time,hull-scaling,"), text("records/times.jsonl").lines().count());
+    let rows = |name: &str| text(name).lines().count() - 1;
+    assert_eq!(rows("records/hull-scaling.counts.csv"), of("count,hull-scaling,") + of("value,hull-scaling,"));
+    assert_eq!(rows("records/hull-scaling.times.csv"), of("time,hull-scaling,"));
     fs::write(folder.path().join("r/records/times.jsonl"), "\n").expect("written");
     let broken = run(folder.path(), &["records", "export", "r", "--csv", "r.csv"]);
     assert!(broken.stderr.starts_with("zonobench: r/records/times.jsonl: line 1: is no record: "), "{}", broken.stderr);

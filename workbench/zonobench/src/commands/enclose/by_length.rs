@@ -48,7 +48,7 @@ pub(super) fn run(
     if body.is_none() && (options.svg.is_some() || options.obj.is_some()) {
         bail!("{}: no zonotope along the directions contains the points, so none is drawn", file.display());
     }
-    let drawn = |body: &Body| options.svg.as_ref().map(|file| (file, solid::draw(&name, points, body)));
+    let drawn = |body: &Body| options.svg.as_ref().map(|file| (file, solid::draw(&name, reading, body)));
     let meshed = |body: &Body| -> anyhow::Result<_> {
         options.obj.as_ref().map(|file| Ok((file, export::mesh(&name, body, f64::MAX)?.to_obj()))).transpose()
     };

@@ -1,20 +1,65 @@
-//! A picture of points in a zonotope: of the plane as they are, of space from a corner, of others by their shadow.
+//! A picture of points in a zonotope: of the plane as they are, of space from a corner, of others by their shadow; of
+//! a mesh with its triangles.
 
 use figures::scene::page::WorldBox;
 use figures::scene::{LegendEntry, Sample};
+use figures::skin::{MESH, Skin, ZONOHEDRON, draw_inside};
+use figures::solid::{Camera, faces_of};
 use figures::style::{Dash, ENCLOSING, GREY, INPUT, Marker, OPTIMAL_CENTER, Paint, Shape, Stroke, weight};
 use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{FaceLattice, Facet};
 
 use crate::commands::page::{Page, stride, thinned};
-use crate::commands::view::{axes, facing, lattice, shrinking};
-use crate::input::{Body, Points};
+use crate::commands::view::{EYE, LATTICE_GENERATOR_LIMIT, axes, facing, lattice, shrinking};
+use crate::input::{Body, Points, Reading};
 
 /// Of bodies with more generators the edges behind are left out.
 const SEEN_THROUGH_LIMIT: usize = 24;
 
+/// Of meshes with more triangles the vertices alone are drawn.
+const TRIANGLE_LIMIT: usize = 20_000;
+
+/// The mesh in the body, if the points are those of a mesh and the body has faces that can be seen; else the points.
+pub(super) fn draw(name: &str, reading: &Reading, body: &Body) -> String {
+    match mesh_in_body(name, reading, body) {
+        Some(picture) => picture,
+        None => points_in_body(name, &reading.points, body),
+    }
+}
+
+/// The triangles of a mesh between the edges behind and the faces in front, as the gallery draws them.
+fn mesh_in_body(name: &str, reading: &Reading, body: &Body) -> Option<String> {
+    let Points::Space(vertices) = &reading.points else { return None };
+    let triangles = &reading.triangles;
+    if triangles.is_empty() || triangles.len() > TRIANGLE_LIMIT || body.generators.len() > LATTICE_GENERATOR_LIMIT {
+        return None;
+    }
+    let scale = shrinking(&body.generators);
+    let in_space = |v: Vec<f64>| <[f64; 3]>::try_from(v).ok();
+    let generators = body.generators.iter().map(|generator| in_space(scale.vector(generator)));
+    let small = Zonotope::new([0.0; 3], generators.collect::<Option<_>>()?).ok()?;
+    let faces = faces_of(&small);
+    if faces.is_empty() {
+        return None;
+    }
+    let vertices = vertices.iter().map(|vertex| in_space(scale.difference(vertex, &body.center)));
+    let camera = Camera::from_direction(EYE);
+    let skin = Skin::seen(&camera, &vertices.collect::<Option<Vec<_>>>()?, triangles);
+    let corners: Vec<[f64; 2]> = faces.iter().flat_map(|face| &face.corners).map(|&c| camera.project(c)).collect();
+    let title = format!("A zonotope of small total length around {name}");
+    let description = format!(
+        "A mesh of {} triangles and an enclosing zonotope with {} generators, seen from a corner.",
+        triangles.len(),
+        body.generators.len()
+    );
+    let mut page = Page::new(WorldBox::around(&corners).grown(0.02), 1, &title, &description);
+    draw_inside(&mut page.panel(), &camera, &faces, &skin);
+    let legend = [LegendEntry::new(Sample::Area(MESH), "mesh"), LegendEntry::new(Sample::Area(ZONOHEDRON), "zonotope")];
+    Some(page.finish(&legend))
+}
+
 /// Outline and edges, those behind dashed; the points between.
-pub(super) fn draw(name: &str, points: &Points, body: &Body) -> String {
+fn points_in_body(name: &str, points: &Points, body: &Body) -> String {
     let scale = shrinking(&body.generators);
     let small: Vec<Vec<f64>> = body.generators.iter().map(|generator| scale.vector(generator)).collect();
     let dimension = body.center.len();

@@ -1,7 +1,7 @@
 //! `zonobench records`: what a run of `reproduce` recorded, as a table for other programs.
 
 mod reading;
-mod table;
+pub(super) mod table;
 
 use std::path::PathBuf;
 

@@ -18,11 +18,14 @@ struct Numbers<'a> {
     named: Vec<(&'a str, String)>,
 }
 
-/// The table of all records, with a header.
-pub(super) fn csv(counts: &[CountRow], times: &[TimeRow]) -> anyhow::Result<Vec<u8>> {
+/// The table of some records, with a header.
+pub(in crate::commands) fn csv<'a>(
+    counts: impl IntoIterator<Item = &'a CountRow>,
+    times: impl IntoIterator<Item = &'a TimeRow>,
+) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(COLUMNS)?;
-    for numbers in counts.iter().flat_map(of_count).chain(times.iter().map(of_time)) {
+    for numbers in counts.into_iter().flat_map(of_count).chain(times.into_iter().map(of_time)) {
         let nothing = [("", String::new())];
         for (name, number) in if numbers.named.is_empty() { &nothing[..] } else { &numbers.named } {
             let CaseKey { experiment, family, variant, n, instance, .. } = numbers.key;

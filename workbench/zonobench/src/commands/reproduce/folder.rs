@@ -10,7 +10,8 @@ use crate::report::OutputFile;
 
 /// Stands in the folder while a run is not finished; the run holds a lock on it.
 const UNFINISHED: &str = "reproduce.unfinished";
-const RECORDS: &str = "records";
+/// The folder of the raw records within that of the run.
+pub(super) const RECORDS: &str = "records";
 
 /// The list of what a finished run wrote.
 pub(super) const MANIFEST: &str = "manifest.json";

@@ -13,13 +13,14 @@ use experiments::data;
 use experiments::definition::Profile;
 use experiments::runner::{self, Records, RunOptions};
 use figures::figure::{Figure, FigureInput};
-use paper_checks::ClaimResult;
 use paper_checks::catalog::CLAIMS;
+use paper_checks::{ClaimResult, Finding};
 
 use self::config::Config;
-use self::folder::{Folder, MANIFEST};
+use self::folder::{Folder, MANIFEST, RECORDS};
 use self::selection::Selection;
 use super::Ending;
+use super::records::table;
 use crate::output::{Existing, write_whole};
 use crate::progress::{Progress, RunProgress};
 use crate::report::{self, Evidence, Manifest, OutputFile};
@@ -93,21 +94,31 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
 
     let mut outputs = folder.record_files()?;
-    let mut write = |path: &str, content: &str, deterministic: bool| -> anyhow::Result<()> {
-        write_whole(&options.out.join(path), content.as_bytes(), Existing::Replace)?;
-        outputs.push(OutputFile::new(path, content.as_bytes(), deterministic));
+    let mut write = |path: &str, content: &[u8], deterministic: bool| -> anyhow::Result<()> {
+        write_whole(&options.out.join(path), content, Existing::Replace)?;
+        outputs.push(OutputFile::new(path, content, deterministic));
         Ok(())
     };
+    for experiment in &evidence.experiments {
+        let Records { counts, times, .. } = &evidence.records;
+        let counts = counts.iter().filter(|row| row.key.experiment == experiment.id);
+        write(&format!("{RECORDS}/{}.counts.csv", experiment.id), &table::csv(counts, [])?, true)?;
+        if experiment.timing.is_some() {
+            let times = times.iter().filter(|row| row.key.experiment == experiment.id);
+            write(&format!("{RECORDS}/{}.times.csv", experiment.id), &table::csv([], times)?, false)?;
+        }
+    }
     for figure in &evidence.figures {
         if let Ok(svg) = &figure.drawing {
-            write(&figure.path(), svg, figure.figure.deterministic)?;
+            write(&figure.path(), svg.as_bytes(), figure.figure.deterministic)?;
         }
     }
     if plan.is_whole() {
-        write("CLAIMS.md", &paper_checks::markdown(&evidence.claims), true)?;
+        write("CLAIMS.md", paper_checks::markdown(&evidence.claims).as_bytes(), true)?;
     }
-    write("report.html", &report::report(&evidence), true)?;
-    write("times.html", &report::times(&evidence), false)?;
+    write("CITATION.cff", report::CITATION.as_bytes(), true)?;
+    write("report.html", report::report(&evidence).as_bytes(), true)?;
+    write("times.html", report::times(&evidence).as_bytes(), false)?;
 
     outputs.sort_by(|a, b| a.path.cmp(&b.path));
     let manifest = Manifest {
@@ -131,9 +142,9 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
     let mut output = io::stdout().lock();
     writeln!(output, "{} runs counted, {} times kept", evidence.records.counts.len(), evidence.records.times.len())?;
     writeln!(output, "{} figures drawn", evidence.figures.iter().filter(|figure| figure.drawing.is_ok()).count())?;
-    for word in ["holds", "refuted", "inconclusive", "not yet implemented"] {
-        let count = evidence.claims.iter().filter(|result| result.word() == word).count();
-        writeln!(output, "{count} claims: {word}")?;
+    for finding in Finding::ALL {
+        let count = evidence.claims.iter().filter(|result| result.finding() == finding).count();
+        writeln!(output, "{count} claims: {}", finding.words())?;
     }
     let left_out = CLAIMS.len() - evidence.claims.len();
     if left_out > 0 {

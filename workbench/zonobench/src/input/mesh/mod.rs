@@ -1,4 +1,5 @@
-//! The vertices of meshes: Wavefront OBJ, PLY, STL and OFF.
+//! Meshes: Wavefront OBJ, PLY, STL and OFF. The vertices are the points that were asked for; faces are read for
+//! pictures, and where they cannot be read a picture does without.
 
 mod obj;
 mod off;
@@ -10,13 +11,33 @@ use std::path::Path;
 use super::error::{InputError, Place, Problem};
 use super::{Format, push_limited};
 
-/// Reads the vertices of a mesh, in the order of the file.
-pub(super) fn vertices(file: &Path, content: &[u8], format: Format) -> Result<Vec<[f64; 3]>, InputError> {
+/// What was read of a mesh.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Mesh {
+    /// The vertices, in the order of the file.
+    pub(super) vertices: Vec<[f64; 3]>,
+    /// The faces, those of more than three sides cut into triangles.
+    pub(super) triangles: Vec<[usize; 3]>,
+}
+
+impl Mesh {
+    /// Adds a face, cut into triangles from its first corner; one with a corner that is not there is left out.
+    fn add_face(&mut self, corners: &[usize]) {
+        let count = self.vertices.len();
+        let [first, rest @ ..] = corners else { return };
+        if corners.iter().all(|&corner| corner < count) {
+            self.triangles.extend(rest.windows(2).map(|pair| [*first, pair[0], pair[1]]));
+        }
+    }
+}
+
+/// Reads a mesh.
+pub(super) fn read(file: &Path, content: &[u8], format: Format) -> Result<Mesh, InputError> {
     let read = match format {
-        Format::Obj => obj::vertices,
-        Format::Ply => ply::vertices,
-        Format::Stl => stl::vertices,
-        _ => off::vertices,
+        Format::Obj => obj::read,
+        Format::Ply => ply::read,
+        Format::Stl => stl::read,
+        _ => off::read,
     };
     read(content).map_err(|(problem, place)| problem.at(file, place))
 }

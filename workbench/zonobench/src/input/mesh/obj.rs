@@ -1,27 +1,37 @@
-//! Wavefront OBJ, by the crate `tobj`: the vertices that faces, lines or points use, part by part.
+//! Wavefront OBJ, by the crate `tobj`: the vertices that faces, lines or points use, part by part, and the faces.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use tobj::{LoadError, LoadOptions, MTLLoadResult};
 
-use super::{Misplaced, broken, line_before, push};
+use super::{Mesh, Misplaced, broken, line_before, push};
 use crate::input::error::Place;
 
-pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
+pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
     let mut rest = content;
     let no_materials = |_: &Path| MTLLoadResult::Ok(Default::default());
     let loaded = tobj::load_obj_buf(&mut rest, &LoadOptions::default(), no_materials);
     // Lines are taken one at a time, so what is left begins behind the line that is wrong.
     let line = line_before(content, content.len() - rest.len());
     let (parts, _) = loaded.map_err(|error| (broken("OBJ", &error.to_string()), place(error, line)))?;
-    let mut vertices = Vec::new();
+    let mut read = Mesh::default();
     for part in &parts {
+        let first = read.vertices.len();
         for vertex in part.mesh.positions.as_chunks::<3>().0 {
-            push(&mut vertices, *vertex, || first_non_finite(content))?;
+            push(&mut read.vertices, *vertex, || first_non_finite(content))?;
+        }
+        let corners: Vec<usize> = part.mesh.indices.iter().map(|&index| first + index as usize).collect();
+        let mut rest = &corners[..];
+        // Without a list of them all faces are triangles; points and lines have fewer corners.
+        let arities = part.mesh.face_arities.iter().map(|&arity| arity as usize).chain(std::iter::repeat(3));
+        for arity in arities {
+            let Some((face, others)) = rest.split_at_checked(arity).filter(|(face, _)| !face.is_empty()) else { break };
+            read.add_face(face);
+            rest = others;
         }
     }
-    Ok(vertices)
+    Ok(read)
 }
 
 /// How many vertices of the file have coordinates that are not among those of the vertices which were read: no face,

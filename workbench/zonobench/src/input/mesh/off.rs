@@ -1,13 +1,14 @@
-//! OFF in text: the word `OFF`, the numbers of vertices, faces and edges, then a line for each vertex.
+//! OFF in text: the word `OFF`, the numbers of vertices, faces and edges, then a line for each vertex and one for each
+//! face.
 
-use super::{Misplaced, broken, push};
+use super::{Mesh, Misplaced, broken, push};
 use crate::input::MAX_POINTS;
 use crate::input::error::{Place, Problem};
 
 /// What may stand before the word `OFF`: texture coordinates, colours and normals, all of them behind the coordinates.
 const PREFIXES: [&str; 8] = ["", "ST", "C", "N", "CN", "STC", "STN", "STCN"];
 
-pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
+pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
     let mut lines = (1_u64..).zip(content.split(|&byte| byte == b'\n')).filter_map(|(number, line)| {
         let line = line.split(|&byte| byte == b'#').next().unwrap_or_default().trim_ascii();
         (!line.is_empty()).then_some((number, line))
@@ -46,7 +47,19 @@ pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
         }
         push(&mut vertices, vertex, || Place::Line(number))?;
     }
-    Ok(vertices)
+    let mut read = Mesh { vertices, triangles: Vec::new() };
+    for (_, line) in lines {
+        read.add_face(&corners(line).unwrap_or_default());
+    }
+    Ok(read)
+}
+
+/// The corners of the face on a line: their number, the corners, and perhaps a colour.
+fn corners(line: &[u8]) -> Option<Vec<usize>> {
+    let mut words = std::str::from_utf8(line).ok()?.split_ascii_whitespace().map(str::parse::<usize>);
+    let count = words.next()?.ok()?;
+    let corners: Vec<usize> = words.take(count).collect::<Result<_, _>>().ok()?;
+    (corners.len() == count).then_some(corners)
 }
 
 fn text(line: &[u8], number: u64) -> Result<&str, Misplaced> {

@@ -3,11 +3,11 @@
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{Encoding, Property, PropertyAccess, PropertyAccessResult};
 
-use super::{Misplaced, broken, push};
+use super::{Mesh, Misplaced, broken, push};
 use crate::input::MAX_POINTS;
 use crate::input::error::{Place, Problem};
 
-/// Of an element of the file, what is read: the coordinates of a vertex.
+/// Of an element of the file, the coordinates of a vertex.
 #[derive(Debug)]
 struct Corner([f64; 3]);
 
@@ -35,13 +35,43 @@ impl PropertyAccess for Corner {
     }
 }
 
+/// Of an element of the file, the corners of a face.
+#[derive(Debug)]
+struct Side(Vec<usize>);
+
+impl PropertyAccess for Side {
+    fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        if !["vertex_index", "vertex_indices"].contains(&name) {
+            return PropertyAccessResult::Ignored;
+        }
+        fn places<T: TryInto<usize>>(list: Vec<T>) -> Vec<usize> {
+            // A negative corner is none of the vertices.
+            list.into_iter().map(|corner| corner.try_into().unwrap_or(usize::MAX)).collect()
+        }
+        self.0 = match property {
+            Property::ListChar(list) => places(list),
+            Property::ListUChar(list) => places(list),
+            Property::ListShort(list) => places(list),
+            Property::ListUShort(list) => places(list),
+            Property::ListInt(list) => places(list),
+            Property::ListUInt(list) => places(list),
+            _ => return PropertyAccessResult::UnsupportedType,
+        };
+        PropertyAccessResult::Set
+    }
+}
+
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
+pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
     let parser = Parser::<Corner>::new();
     let mut reader = Reader::new(content);
     let header = parser.read_header(&mut reader).map_err(|error| complaint(&error))?;
-    for (name, element) in &header.elements {
+    for (number, (name, element)) in header.elements.iter().enumerate() {
         let is_vertex = name == "vertex";
         if is_vertex && let Some(missing) = AXES.iter().find(|axis| !element.properties.contains_key(**axis)) {
             return Err((broken("PLY", &format!("vertices have no property `{missing}`")), Place::File));
@@ -63,9 +93,17 @@ pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
             };
             push(&mut vertices, vertex, place)?;
         }
-        return Ok(vertices);
+        let mut read = Mesh { vertices, triangles: Vec::new() };
+        // Faces are read where they stand right behind the vertices; a fault there leaves the points as they are.
+        if let Some(("face", element)) = header.elements.get_index(number + 1).map(|(name, face)| (&**name, face))
+            && element.count <= MAX_POINTS
+            && let Ok(sides) = Parser::<Side>::new().read_payload_for_element(&mut reader, element, &header)
+        {
+            sides.iter().for_each(|Side(corners)| read.add_face(corners));
+        }
+        return Ok(read);
     }
-    Ok(Vec::new())
+    Ok(Mesh::default())
 }
 
 fn complaint(error: &ParseError) -> Misplaced {

@@ -1,9 +1,9 @@
 //! STL in text or binary, by the crate `stl_io`; corners that several triangles share are one vertex.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::io::{self, Read, Seek, SeekFrom};
 
-use super::{Misplaced, broken, line_before, push};
+use super::{Mesh, Misplaced, broken, line_before, push};
 use crate::input::error::Place;
 
 /// The words at the beginning of a binary file, which say nothing.
@@ -12,14 +12,14 @@ const HEADER: usize = 80;
 /// The bytes of a triangle.
 const TRIANGLE: u64 = 50;
 
-pub(super) fn vertices(content: &[u8]) -> Result<Vec<[f64; 3]>, Misplaced> {
+pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
     let mut corners = Corners::default();
     if is_text(content) {
         texts(content, &mut corners)?;
     } else {
         binary(content, &mut corners)?;
     }
-    Ok(corners.vertices)
+    Ok(corners.mesh)
 }
 
 /// Binary files may begin with any words, even those of a text; but their length is that of their triangles.
@@ -75,20 +75,29 @@ fn solid(source: &mut Source<'_>, corners: &mut Corners) -> io::Result<Result<()
     Ok(Ok(()))
 }
 
-/// The vertices so far.
+/// The mesh so far, and where each vertex stands in it.
 #[derive(Default)]
 struct Corners {
-    vertices: Vec<[f64; 3]>,
-    known: HashSet<[u32; 3]>,
+    mesh: Mesh,
+    known: HashMap<[u32; 3], usize>,
 }
 
 impl Corners {
     fn add(&mut self, triangle: &stl_io::Triangle, place: impl Fn() -> Place) -> Result<(), Misplaced> {
-        for corner in &triangle.vertices {
-            if self.known.insert(corner.0.map(f32::to_bits)) {
-                push(&mut self.vertices, corner.0.map(f64::from), &place)?;
-            }
+        let mut face = [0; 3];
+        for (slot, corner) in face.iter_mut().zip(&triangle.vertices) {
+            let key = corner.0.map(f32::to_bits);
+            *slot = match self.known.get(&key) {
+                Some(&index) => index,
+                None => {
+                    push(&mut self.mesh.vertices, corner.0.map(f64::from), &place)?;
+                    let index = self.mesh.vertices.len() - 1;
+                    self.known.insert(key, index);
+                    index
+                }
+            };
         }
+        self.mesh.add_face(&face);
         Ok(())
     }
 }

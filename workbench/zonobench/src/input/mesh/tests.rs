@@ -1,11 +1,15 @@
 use std::path::Path;
 
-use super::{Format, vertices};
+use super::{Format, Mesh};
 
-fn read(name: &str, content: impl AsRef<[u8]>) -> Result<Vec<[f64; 3]>, String> {
+fn mesh(name: &str, content: impl AsRef<[u8]>) -> Result<Mesh, String> {
     let file = Path::new(name);
     let format = Format::of_extension(file).expect("the name tells the format");
-    vertices(file, content.as_ref(), format).map_err(|error| error.to_string())
+    super::read(file, content.as_ref(), format).map_err(|error| error.to_string())
+}
+
+fn read(name: &str, content: impl AsRef<[u8]>) -> Result<Vec<[f64; 3]>, String> {
+    mesh(name, content).map(|mesh| mesh.vertices)
 }
 
 fn complaint(name: &str, content: impl AsRef<[u8]>) -> String {
@@ -110,4 +114,21 @@ fn complaints_name_the_line() {
 fn nothing_is_no_mesh_or_has_no_vertices() {
     assert_eq!(read("t.obj", ""), Ok(vec![]));
     assert!(read("t.ply", "").is_err() && read("t.stl", "").is_err() && read("t.off", "").is_err());
+}
+
+#[test]
+fn faces_are_read_as_triangles_with_their_corners_in_order() {
+    let triangles = |name: &str, content: &[u8]| -> Vec<[[f64; 3]; 3]> {
+        let mesh = mesh(name, content).expect("the mesh is whole");
+        mesh.triangles.iter().map(|triangle| triangle.map(|corner| mesh.vertices[corner])).collect()
+    };
+    let corners = |places: [usize; 3]| places.map(|place| CORNERS[place]);
+    let of_obj = [[0, 2, 1], [0, 1, 3], [1, 2, 3]].map(corners);
+    assert_eq!(triangles("a.obj", OBJ.as_bytes()), of_obj);
+    assert_eq!(triangles("a.ply", PLY.as_bytes()), [corners([0, 1, 2])]);
+    assert_eq!(triangles("a.off", OFF.as_bytes()), [corners([0, 1, 2])]);
+    assert_eq!(triangles("a.stl", ascii_stl().as_bytes()), [[0, 1, 2], [0, 2, 3]].map(corners));
+    let square = "OFF\n4 2 0\n0 0 0\n2 0 0\n0 0.5 0\n0 0 -3\n4 0 1 2 3 255 0 0\n3 0 1 9\n";
+    assert_eq!(triangles("a.off", square.as_bytes()), [[0, 1, 2], [0, 2, 3]].map(corners), "one has no third corner");
+    assert_eq!(triangles("a.ply", &binary_ply("little")), [[[0.0; 3]; 3]; 0], "there are none");
 }

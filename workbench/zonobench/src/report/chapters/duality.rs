@@ -1,6 +1,7 @@
 //! The tiling of the upper hull and the line arrangement dual to it.
 
-use crate::report::chapter::Chapter;
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::measured::Measured;
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "duality",
@@ -9,6 +10,18 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "Seen from above, the facets of a zonohedron that look up tile a convex polygon Q with \
         parallelograms. How are the tiles arranged, and how can Q be cut in two between them without listing them \
         all?",
+    lesson,
+    pictures: &["paper-figure-1"],
+    table: ChapterTable::Words {
+        head: &["generators", "dual arrangement", "tiling of Q", "zonohedron"],
+        rows: &[
+            &["one", "a line", "a direction of edges", "a zone"],
+            &["two", "a crossing", "a tile", "a facet that looks up, and its opposite"],
+            &["one between two others", "an edge", "an edge", "an edge of the upper hull"],
+            &["a sign for each", "a face", "a vertex", "a vertex of the upper hull"],
+            &["their order on a vertical line", "the lines that it meets, from the top", "a chain", "a path of edges"],
+        ],
+    },
     method: &[
         "Generator (a, b, c) becomes the line a x + b y + c = 0. Tiles then correspond to crossings of lines, edges \
          of the tiling to edges of the arrangement, vertices of the tiling to faces of the arrangement.",
@@ -32,3 +45,11 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "answers questions of every kind, those of separator, upper_hull and slope_selection among them",
     )],
 };
+
+/// What numbers the tiles; the chapter has no experiment of its own.
+fn lesson(_: &Measured<'_>) -> Option<String> {
+    let lesson = "The crossings of the lines, counted from the left, number the tiles: one crossing selected and the \
+                  lines sorted there give a chain with a given number of tiles on its left, and none of the tiles is \
+                  ever listed.";
+    Some(lesson.to_owned())
+}

@@ -1,6 +1,10 @@
 //! Zonotopes of space and their faces.
 
-use crate::report::chapter::Chapter;
+use experiments::definition::Quantity;
+
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::html::grouped;
+use crate::report::measured::{Measured, Series};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "faces",
@@ -8,6 +12,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
     place: "Sections 1 and 3",
     statement: "A zonotope is the set of all sums c + Σ δᵢ vᵢ with every δᵢ between −1 and 1: a centre and a list of \
         generators stand for a polytope. Which vertices, edges and facets does it have?",
+    lesson,
+    pictures: &["named-zonohedra"],
+    table: ChapterTable::Values("faces-scaling"),
     method: &[
         "Each generator vᵢ gives a great circle on the sphere of directions, the directions orthogonal to it. A \
          direction off all circles has one farthest vertex, the one whose signs are those of u·vᵢ; where two circles \
@@ -42,3 +49,17 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "counts, measures and draws a body: the rhombic dodecahedron",
     )],
 };
+
+/// How many facets few generators stand for.
+fn lesson(found: &Measured<'_>) -> Option<String> {
+    let on = |input| Series { experiment: "faces-scaling", input, method: "by_sweep" };
+    let (n, facets) = found.at_largest(on("random_bodies"), Quantity::Value("facets"))?;
+    let (_, on_lattice) = found.at_largest(on("lattice_bodies"), Quantity::Value("facets"))?;
+    let relation = if facets == (n * (n - 1)) as f64 { "exactly the paper's n(n − 1)" } else { "not n(n − 1)" };
+    Some(format!(
+        "A short list stands for a large body: {n} generators in random directions make {} facets, {relation}; {n} \
+         with coordinates on a lattice, often coplanar, make {}.",
+        grouped(facets as u64),
+        grouped(on_lattice as u64)
+    ))
+}

@@ -1,6 +1,8 @@
 //! Whether two zonotopes intersect.
 
-use crate::report::chapter::Chapter;
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::html::grouped;
+use crate::report::measured::Measured;
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "intersection",
@@ -8,6 +10,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
     place: "Section 5.1, Lemma 5.1 and Theorem 5.2",
     statement: "Two bodies are given by their centres and generators. Do they have a point in common, do they only \
         touch, and what proves it? The polytopes may have a million million faces; the lists are short.",
+    lesson,
+    pictures: &["certificates-of-intersection", "scaling-collision-operations"],
+    table: ChapterTable::Values("wrong-answers"),
     method: &[
         "The bodies meet exactly when the difference of their centres lies in the zonotope of all generators \
          together. So the question is whether a point p lies in one zonotope Z about the origin.",
@@ -42,3 +47,17 @@ pub(super) static CHAPTER: Chapter = Chapter {
         ),
     ],
 };
+
+/// Wrong answers near contact, and how many questions they are among.
+fn lesson(found: &Measured<'_>) -> Option<String> {
+    let total = |method, value| found.total("wrong-answers", method, value).map(|sum| grouped(sum as u64));
+    Some(format!(
+        "Of {} questions about bodies apart, overlapping and nearly touching, the kernel gets {} wrong and proves \
+         every answer; GJK in floating point gets {} of {} wrong, and to {} it finds no answer.",
+        total("by_lad", "asked")?,
+        total("by_lad", "wrong")?,
+        total("by_gjk", "wrong")?,
+        total("by_gjk", "asked")?,
+        total("by_gjk", "failed")?
+    ))
+}

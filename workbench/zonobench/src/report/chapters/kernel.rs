@@ -1,6 +1,10 @@
 //! The kernel: weighted least absolute deviations in the plane.
 
-use crate::report::chapter::Chapter;
+use experiments::definition::Quantity;
+
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::html::grouped;
+use crate::report::measured::{Measured, Series};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "kernel",
@@ -8,6 +12,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
     place: "Section 4.1, Lemmas 4.2 and 4.3, Corollary 4.4",
     statement: "Given lines aᵢ·x + bᵢ = 0 with weights wᵢ, find the point x of the plane that minimises \
         c·x + Σ wᵢ |aᵢ·x + bᵢ|. The same problem decides whether a point lies in a zonotope of space.",
+    lesson,
+    pictures: &["search-of-theorem-4-5", "scaling-kernel-operations"],
+    table: ChapterTable::Growth,
     method: &[
         "The paper's search keeps a vertical slab that holds the optimum. Slope selection finds the median crossing \
          inside the slab; on the vertical line through it the minimum is a problem with one variable; the slopes \
@@ -20,7 +27,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
     bound: "The paper's search: expected O(n log² n) with a randomised slope selection. Pruning: expected O(n).",
     claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "halving-search"],
-    experiments: &["lad-scaling", "methods-agree", "pruning-passes", "slope-selection-scaling"],
+    experiments: &["lad-scaling", "lad-race", "methods-agree", "pruning-passes", "slope-selection-scaling"],
     commands: &[
         ("cargo run --release -- list methods", "names the methods"),
         (
@@ -29,3 +36,18 @@ pub(super) static CHAPTER: Chapter = Chapter {
         ),
     ],
 };
+
+/// How often pruning reads its input, and how much more the paper's search does.
+fn lesson(found: &Measured<'_>) -> Option<String> {
+    let of = |experiment, method| Series { experiment, input: "random_lines", method };
+    let (most, passes) = found.at_largest(of("pruning-passes", "by_pruning"), Quantity::Value("passes"))?;
+    let (n, search) = found.at_largest(of("lad-scaling", "by_slope_selection"), Quantity::AllCounts)?;
+    let pruning = found.at(of("lad-scaling", "by_pruning"), Quantity::AllCounts, n as f64)?;
+    Some(format!(
+        "Pruning finds the optimum among {} random lines in {passes:.2} passes over them; among {} the paper's search \
+         takes {:.0} times as many operations.",
+        grouped(most),
+        grouped(n),
+        search / pruning
+    ))
+}

@@ -1,6 +1,10 @@
 //! Minimum-area enclosing zonogon.
 
-use crate::report::chapter::Chapter;
+use experiments::data::outlines;
+use experiments::definition::Quantity;
+
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::measured::{Measured, Series, range};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "min-area-zonogon",
@@ -9,6 +13,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
     statement: "A zonogon is a centrally symmetric convex polygon: the set of sums c + Σ δᵢ gᵢ with every δᵢ between \
         −1 and 1, for a centre c and generators gᵢ. Given points of the plane, which zonogon of least area contains \
         them all?",
+    lesson,
+    pictures: &["country-outlines", "arrangement-and-level-sets"],
+    table: ChapterTable::Growth,
     method: &[
         "Once the centre O is chosen, the answer is plain: reflect the points through O and take the convex hull \
          Z(O) of both sets. So the question is where to put O. Write P₁ … Pₙ for the corners of the hull of the \
@@ -48,3 +55,21 @@ pub(super) static CHAPTER: Chapter = Chapter {
         ),
     ],
 };
+
+/// How much larger than the hull the smallest zonogon is around real outlines, and how well that is proved.
+fn lesson(found: &Measured<'_>) -> Option<String> {
+    let of = |value| {
+        outlines().iter().filter_map(move |outline| {
+            let series = Series { experiment: "area-ratio", input: outline.name, method: "by_pruning" };
+            Some(found.at_largest(series, Quantity::Value(value))?.1)
+        })
+    };
+    let [low, high] = range(of("area_ratio"))?;
+    let [_, gap] = range(of("relative_gap"))?;
+    let doubt = format!("{gap:.0e}").replace('-', "−");
+    Some(format!(
+        "Around {} country outlines the smallest zonogon has {low:.2} to {high:.2} times the area of the convex hull, \
+         and its proof leaves a relative doubt of at most {doubt}.",
+        of("area_ratio").count()
+    ))
+}

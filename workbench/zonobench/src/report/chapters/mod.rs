@@ -5,6 +5,7 @@ mod faces;
 mod intersection;
 mod kernel;
 mod min_area_zonogon;
+mod reduction;
 mod repeated_tests;
 mod total_length;
 
@@ -12,11 +13,12 @@ use super::chapter::Chapter;
 
 /// Every chapter, in the order of the report.
 pub static CHAPTERS: &[&Chapter] = &[
+    &faces::CHAPTER,
+    &duality::CHAPTER,
+    &reduction::CHAPTER,
     &min_area_zonogon::CHAPTER,
     &kernel::CHAPTER,
     &total_length::CHAPTER,
-    &faces::CHAPTER,
-    &duality::CHAPTER,
     &intersection::CHAPTER,
     &repeated_tests::CHAPTER,
 ];

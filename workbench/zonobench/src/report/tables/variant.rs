@@ -2,7 +2,7 @@
 
 use experiments::definition::Experiment;
 
-use super::html::Escaped;
+use crate::report::html::Escaped;
 
 /// The title of a variant, escaped; its id where the experiment has no such variant.
 pub(super) fn variant_title(experiment: &Experiment, variant: &str) -> String {

@@ -5,19 +5,30 @@ use std::collections::{BTreeMap, BTreeSet};
 use experiments::definition::Experiment;
 use experiments::record::{CountOutcome, CountRow};
 
-use super::html::{Escaped, grouped, table};
 use super::variant::variant_title;
+use crate::report::html::{Escaped, grouped, table};
 
-/// For every method the sums of the values over all cases, then the same input by input. Cases with a wrong answer
-/// are included, because wrong answers may be what is counted. The result is empty without values.
+/// For every method the sums of the values over all cases. Cases with a wrong answer are included, because wrong
+/// answers may be what is counted. The result is empty without values.
+pub(in crate::report) fn overall_table(experiment: &Experiment, rows: &[CountRow]) -> String {
+    tabulated(experiment, rows, false)
+}
+
+/// The same, then the sums input by input.
 pub(super) fn total_table(experiment: &Experiment, rows: &[CountRow]) -> String {
+    tabulated(experiment, rows, true)
+}
+
+fn tabulated(experiment: &Experiment, rows: &[CountRow], by_input: bool) -> String {
     let mut all: Vec<Total<'_>> = Vec::new();
     let mut by_family: Vec<Total<'_>> = Vec::new();
     for row in rows.iter().filter(|row| row.key.experiment == experiment.id) {
         let CountOutcome::Measured { values, .. } = &row.outcome else { continue };
         let (family, method) = (row.key.family.as_str(), row.key.variant.as_str());
         total_of(&mut all, None, method).add(row.key.n, values);
-        total_of(&mut by_family, Some(family), method).add(row.key.n, values);
+        if by_input {
+            total_of(&mut by_family, Some(family), method).add(row.key.n, values);
+        }
     }
     let names: BTreeSet<&str> = all.iter().flat_map(|total| total.sums.keys().copied()).collect();
     if names.is_empty() {
@@ -96,6 +107,8 @@ mod tests {
         assert_eq!(cells("all")[1..5], ["6 … 32", "GJK in floating point", "40", "7"]);
         assert_eq!(cells("random bodies")[1..5], ["6 … 32", "GJK in floating point", "30", "7"]);
         assert_eq!(cells("flat bodies")[3..5], ["10", "0"]);
+        let overall = overall_table(experiment, &rows);
+        assert!(overall.contains(">40</td>") && !overall.contains("bodies</td>"), "{overall}");
         assert_eq!(total_table(catalog::find("hull-scaling").expect("it is in the catalog"), &rows), "");
     }
 }

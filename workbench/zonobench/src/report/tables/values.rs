@@ -5,21 +5,26 @@ use std::collections::{BTreeMap, BTreeSet};
 use experiments::definition::{Experiment, Tabulated};
 use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow};
 
-use super::html::{Escaped, grouped, table};
 use super::totals::total_table;
 use super::variant::variant_title;
+use crate::report::html::{Escaped, grouped, table};
 
 /// The values put together as the experiment says. Empty without values.
-pub(super) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
+pub(in crate::report) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
     match experiment.table {
-        Tabulated::MedianAtLargest => median_table(experiment, rows),
+        Tabulated::MedianAtLargest => median_table(experiment, rows.iter()),
         Tabulated::Total => total_table(experiment, rows),
     }
 }
 
+/// The medians on one input alone.
+pub(in crate::report) fn value_table_on(experiment: &Experiment, input: &str, rows: &[CountRow]) -> String {
+    median_table(experiment, rows.iter().filter(|row| row.key.family == input))
+}
+
 /// For every input and method the values at the largest size: the median over the instances.
-fn median_table(experiment: &Experiment, rows: &[CountRow]) -> String {
-    let rows = rows.iter().filter(|row| row.fault().is_none());
+fn median_table<'a>(experiment: &Experiment, rows: impl Iterator<Item = &'a CountRow>) -> String {
+    let rows = rows.filter(|row| row.fault().is_none());
     let rows = rows.map(|row| Row {
         key: &row.key,
         numbers: values(row).iter().map(|(name, value)| (name.as_str(), *value)).collect(),
@@ -29,7 +34,7 @@ fn median_table(experiment: &Experiment, rows: &[CountRow]) -> String {
 
 /// For every input and method the laps at the largest size, in milliseconds: the middle one of the repetitions and
 /// instances.
-pub(super) fn time_table(experiment: &Experiment, rows: &[TimeRow]) -> String {
+pub(in crate::report) fn time_table(experiment: &Experiment, rows: &[TimeRow]) -> String {
     let rows = rows.iter().filter_map(|row| match &row.outcome {
         TimeOutcome::Valid { laps_ns } => {
             let numbers = laps_ns.iter().map(|(name, &ns)| (name.as_str(), ns as f64 / 1e6)).collect();

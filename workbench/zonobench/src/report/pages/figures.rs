@@ -2,7 +2,7 @@
 
 use figures::figure::{Figure, FigureInput};
 
-use super::html::{Escaped, prose};
+use crate::report::html::{Escaped, prose};
 
 /// A figure with its drawing.
 #[derive(Debug)]
@@ -25,24 +25,40 @@ impl DrawnFigure {
     }
 }
 
-/// The figures with their captions, the drawings within the page.
-pub(super) fn gallery(figures: &[&DrawnFigure]) -> String {
-    figures.iter().map(|figure| plate(figure)).collect()
+/// The figures with their captions, the drawings within the page; `number` has each one's place in the page, from 0.
+pub(super) fn plates(figures: &[&DrawnFigure], number: impl Fn(&DrawnFigure) -> Option<usize>) -> String {
+    figures.iter().map(|figure| plate(figure, number(figure))).collect()
 }
 
-fn plate(drawn: &DrawnFigure) -> String {
+fn plate(drawn: &DrawnFigure, number: Option<usize>) -> String {
     let figure = drawn.figure;
     let drawing = match &drawn.drawing {
         Ok(svg) => inlined(svg, figure.id),
         Err(reason) => format!("<p class=\"missing\">Not drawn: {}</p>", Escaped(reason)),
     };
     format!(
-        "<figure id=\"figure-{}\">\n<div class=\"plate\">{drawing}</div>\n\
-         <figcaption><b>{}.</b> {}</figcaption>\n</figure>\n",
+        "<figure id=\"figure-{}\">\n<div class=\"plate\" tabindex=\"0\">{drawing}</div>\n\
+         <figcaption><b>{}{}.</b> {}<br><small>{}</small></figcaption>\n</figure>\n",
         figure.id,
+        number.map_or_else(String::new, |number| format!("Figure {}. ", number + 1)),
         prose(figure.title),
-        prose(figure.caption)
+        prose(figure.caption),
+        sources(drawn).join(" · ")
     )
+}
+
+/// Links to the drawing as a file, and to the numbers that it shows.
+fn sources(drawn: &DrawnFigure) -> Vec<String> {
+    let mut links = Vec::new();
+    if drawn.drawing.is_ok() {
+        links.push(format!("<a href=\"{}\">SVG</a>", drawn.path()));
+    }
+    let sort = if drawn.figure.deterministic { "counts" } else { "times" };
+    for id in drawn.figure.experiments {
+        links.push(format!("<a href=\"records/{id}.{sort}.csv\">numbers as CSV</a>"));
+        links.push(format!("<a href=\"records/{sort}.jsonl\">record</a> of <a href=\"#experiment-{id}\">{id}</a>"));
+    }
+    links
 }
 
 /// The document's root element, its ids made unique within the page by a prefix.

@@ -1,0 +1,62 @@
+//! Bodies of few generators around bodies of many.
+
+use experiments::definition::Quantity;
+
+use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::measured::{Measured, Series};
+
+pub(super) static CHAPTER: Chapter = Chapter {
+    id: "reduction",
+    title: "Few generators instead of many",
+    place: "Section 5.2, Lemma 5.5",
+    statement: "A sum of two bodies has the generators of both, and the lists grow. Which zonotope of a few generators \
+        contains a given one, and how far is it from it?",
+    lesson,
+    pictures: &["reductions"],
+    table: ChapterTable::ValuesOn("reduction-error", "random_bodies"),
+    method: &[
+        "The paper cuts the sphere of directions into patches, adds up the generators of each patch, and makes up for \
+         what is lost by a box (Lemma 5.5).",
+        "Fitted sums of clusters are nearer with fewer generators: clusters of generators are added up, and the \
+         clusters are moved until the largest difference of the support functions falls no more. The sums grow by the \
+         factor at which they contain the body, which is proved at every facet normal.",
+        "Branch and bound over cones of directions bounds the Hausdorff distance from both sides.",
+    ],
+    bound: "The paper: O(1/ε²) generators for a distance of ε diameters. Here: about ε^(−4/5) generators for bodies \
+        like balls, measured.",
+    claims: &[
+        "convex-approximation",
+        "ball-approximation",
+        "zonoid-approximation",
+        "lemma-5.5",
+        "lemma-5.5-containment",
+        "erratum-5.2-lemma-5.5",
+    ],
+    experiments: &["reduction-error"],
+    commands: &[
+        (
+            "echo '{\"generators\":[[1,0,0],[0,1,0],[0,0,1],[1,1,1],[1,-1,1]]}' | \
+             cargo run --release -- reduce - --count 4 --format json",
+            "finds a body of few generators around one of your own, and says how far apart they are",
+        ),
+        (
+            "cargo run --release -- solve tests/goldens/questions.jsonl",
+            "answers questions of every kind, those of reduce and hausdorff among them",
+        ),
+    ],
+};
+
+/// How far three rules are from the body with as many generators.
+fn lesson(found: &Measured<'_>) -> Option<String> {
+    let error = |method| {
+        let series = Series { experiment: "reduction-error", input: "random_bodies", method };
+        found.at_largest(series, Quantity::Value("error"))
+    };
+    let ((count, fitted), (_, patches), (_, girard)) = (error("cluster")?, error("lemma_5_5")?, error("girard")?);
+    Some(format!(
+        "With {count} generators around a body of {}, fitted cluster sums come within {fitted:.3} diameters of it, the \
+         patches of Lemma 5.5 within {patches:.3} and Girard's rule within {girard:.3}; that each contains the body is \
+         decided exactly.",
+        experiments::definitions::reduction_error::GENERATORS
+    ))
+}

@@ -1,0 +1,46 @@
+//! An experiment within a page, folded up.
+
+use experiments::definition::{Experiment, Verdict};
+use experiments::record::CountOutcome;
+
+use crate::report::Evidence;
+use crate::report::html::{Escaped, grouped, prose};
+use crate::report::tables::{growth_table, value_table};
+
+/// The experiment with its laws and its other numbers. It stands open if an answer was wrong.
+pub(super) fn folded(experiment: &'static Experiment, evidence: &Evidence) -> String {
+    let rows = evidence.records.counts.iter().filter(|row| row.key.experiment == experiment.id);
+    let mut correct = 0_u64;
+    let mut unchecked = 0_u64;
+    let mut faults = Vec::new();
+    for row in rows {
+        match (row.fault(), &row.outcome) {
+            (Some(fault), _) => faults.push(format!("<code>{}</code>: {}", Escaped(&row.key.case), Escaped(fault))),
+            (None, CountOutcome::Measured { verdict: Verdict::Unchecked(_), .. }) => unchecked += 1,
+            (None, _) => correct += 1,
+        }
+    }
+    let mut text = format!(
+        "<details class=\"experiment\" id=\"experiment-{}\"{}>\n<summary>{} <small>{} answers checked and right, {} \
+         unchecked, {} wrong or failed</small></summary>\n<p>{}</p>\n",
+        experiment.id,
+        if faults.is_empty() { "" } else { " open" },
+        Escaped(experiment.title),
+        grouped(correct),
+        grouped(unchecked),
+        faults.len(),
+        prose(experiment.question),
+    );
+    if !faults.is_empty() {
+        text.push_str(&format!("<ul class=\"faults\"><li>{}</li></ul>\n", faults.join("</li><li>")));
+    }
+    let fits: Vec<_> = evidence.fits_of(experiment).filter(|fit| fit.is_deterministic()).collect();
+    text.push_str(&growth_table(&fits));
+    text.push_str(&value_table(experiment, &evidence.records.counts));
+    text.push_str(&format!("<p><a href=\"records/{}.counts.csv\">Numbers as CSV</a>", experiment.id));
+    if experiment.timing.is_some() {
+        text.push_str(&format!(", <a href=\"times.html#experiment-{}\">times</a>", experiment.id));
+    }
+    text.push_str(".</p>\n</details>\n");
+    text
+}

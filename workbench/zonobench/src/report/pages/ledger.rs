@@ -1,0 +1,79 @@
+//! The ledger within the page: each claim of the paper once, by section.
+
+use paper_checks::{ClaimResult, Finding};
+
+use super::layout::Layout;
+use crate::report::Evidence;
+use crate::report::html::Escaped;
+use crate::report::tables::{claim_table, finding_badge};
+
+/// The ledger, with what the sorts of findings mean and where the corrections stand.
+pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
+    let mut text = String::from(
+        "<section id=\"ledger\">\n<h2>The paper's statements, one by one</h2>\n\
+         <p>Every statement, figure and open question of the paper, checked where its algorithm exists. Each \
+         correction comes with a witness and with what to read instead.</p>\n<ul class=\"sorts\">\n",
+    );
+    for finding in Finding::ALL {
+        let Some(meaning) = meaning(finding) else { continue };
+        let found = evidence.claims.iter().filter(|result| result.finding() == finding);
+        let links: Vec<String> =
+            found.map(|result| format!("<a href=\"#claim-{0}\">{0}</a>", result.claim.id)).collect();
+        if !links.is_empty() {
+            text.push_str(&format!("<li>{} {meaning}: {}.</li>\n", finding_badge(finding), links.join(", ")));
+        }
+    }
+    text.push_str("</ul>\n");
+    let figures = |result: &ClaimResult| figure_links(result, layout);
+    for section in sections(&evidence.claims) {
+        let results: Vec<_> = evidence.claims.iter().filter(|result| result.claim.place.section == section).collect();
+        text.push_str(&format!(
+            "<details>\n<summary>Section {} <small>{}</small></summary>\n{}</details>\n",
+            Escaped(section),
+            tally(&results),
+            claim_table(&results, figures)
+        ));
+    }
+    text.push_str("</section>\n");
+    text
+}
+
+/// What a correction is; none for findings that speak for themselves.
+fn meaning(finding: Finding) -> Option<&'static str> {
+    match finding {
+        Finding::Erratum => Some("is false as the paper prints it"),
+        Finding::MissingCondition => Some("is true once a condition or a step is added that the paper leaves out"),
+        Finding::ImplementationNote => Some("is true on paper, and a program has to take care or can do better"),
+        Finding::Refuted => Some("is false, and nobody had listed it for correction"),
+        Finding::Holds | Finding::Inconclusive | Finding::NotYetImplemented => None,
+    }
+}
+
+/// The sections of the claims, each once, in the order of their first claim.
+fn sections(claims: &[ClaimResult]) -> Vec<&'static str> {
+    let mut sections: Vec<&'static str> = Vec::new();
+    for section in claims.iter().map(|result| result.claim.place.section) {
+        if !sections.contains(&section) {
+            sections.push(section);
+        }
+    }
+    sections
+}
+
+/// How many of the claims have each finding: "3 [holds] 2 [erratum]".
+fn tally(results: &[&ClaimResult]) -> String {
+    let counted = Finding::ALL.into_iter().filter_map(|finding| {
+        let count = results.iter().filter(|result| result.finding() == finding).count();
+        (count > 0).then(|| format!("{count} {}", finding_badge(finding)))
+    });
+    counted.collect::<Vec<_>>().join(" ")
+}
+
+/// Links to the figures of the page that show a claim.
+fn figure_links(result: &ClaimResult, layout: &Layout<'_>) -> Vec<String> {
+    let link = |id: &&str| {
+        let number = layout.number_of(id)? + 1;
+        Some(format!("<a href=\"#figure-{id}\">Figure {number}</a>"))
+    };
+    result.claim.figures.iter().filter_map(link).collect()
+}

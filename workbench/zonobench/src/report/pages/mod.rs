@@ -1,0 +1,85 @@
+//! The two pages.
+
+mod chapter_section;
+mod experiment;
+mod figures;
+mod layout;
+mod ledger;
+mod opening;
+mod peers;
+mod reading;
+
+use experiments::record::TimeOutcome;
+
+pub use figures::DrawnFigure;
+pub use reading::CITATION;
+
+use self::figures::plates;
+use self::layout::Layout;
+use super::Evidence;
+use super::html::{Escaped, grouped, page, table};
+use super::tables::{growth_table, time_table};
+
+/// `report.html`: nothing in it depends on a clock or a machine.
+pub fn report(evidence: &Evidence) -> String {
+    let layout = Layout::of(evidence);
+    let mut body = String::from("<main>\n");
+    body.push_str(&opening::section(&layout, evidence));
+    for part in &layout.parts {
+        body.push_str(&chapter_section::section(part, &layout, evidence));
+    }
+    if evidence.only.is_empty() {
+        body.push_str(&peers::section());
+    }
+    body.push_str(&chapter_section::remaining_section(&layout, evidence));
+    body.push_str(&ledger::section(&layout, evidence));
+    body.push_str(&reading::section(evidence));
+    body.push_str("</main>\n");
+    page("Zonotope Workbench: report", &body)
+}
+
+/// `times.html`: what the clock says.
+pub fn times(evidence: &Evidence) -> String {
+    let environment = &evidence.records.environment;
+    let facts = [
+        ("version", &environment.version),
+        ("revision", &environment.revision),
+        ("compiler", &environment.toolchain),
+        ("build", &environment.build),
+        ("processor", &environment.cpu),
+        ("system", &environment.system),
+    ];
+    let mut body = String::from(
+        "<main>\n<header><p class=\"kicker\">Zonotope Workbench</p>\n<h1>Times</h1>\n\
+         <p class=\"lead\">What the clock says, on one machine. Growth is judged on operation counts, \
+         in the <a href=\"report.html\">report</a>.</p></header>\n<section id=\"machine\"><h2>Machine</h2>\n",
+    );
+    let rows: Vec<_> = facts.iter().map(|(name, value)| vec![(*name).to_owned(), Escaped(value).to_string()]).collect();
+    body.push_str(&table("facts", &["what", "which"], &rows));
+    body.push_str("</section>\n");
+    for experiment in evidence.experiments.iter().filter(|experiment| experiment.timing.is_some()) {
+        let rows = evidence.records.times.iter().filter(|row| row.key.experiment == experiment.id);
+        let void = rows.clone().filter(|row| !matches!(row.outcome, TimeOutcome::Valid { .. })).count();
+        body.push_str(&format!(
+            "<section id=\"experiment-{}\"><h2>{}</h2>\n\
+             <p>{} repetitions, {void} of them void because the answer was wrong or missing.</p>\n",
+            experiment.id,
+            Escaped(experiment.title),
+            grouped(rows.count() as u64)
+        ));
+        let fits = evidence.fits_of(experiment).filter(|fit| !fit.is_deterministic());
+        body.push_str(&growth_table(&fits.collect::<Vec<_>>()));
+        body.push_str(&time_table(experiment, &evidence.records.times));
+        body.push_str("</section>\n");
+    }
+    let figures: Vec<&DrawnFigure> = evidence.figures.iter().filter(|drawn| !drawn.figure.deterministic).collect();
+    if !figures.is_empty() {
+        let number = |drawn: &DrawnFigure| figures.iter().position(|other| other.figure.id == drawn.figure.id);
+        body.push_str(&format!("<section><h2>Figures</h2>\n{}</section>\n", plates(&figures, number)));
+    }
+    body.push_str("</main>\n");
+    page("Zonotope Workbench: times", &body)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,67 @@
+//! The end of the report: how to read it, to repeat it and to cite it.
+
+use crate::report::Evidence;
+use crate::report::html::Escaped;
+
+/// How the workbench asks to be cited, as a file of its own beside the report.
+pub const CITATION: &str = include_str!("../../../../../CITATION.cff");
+
+/// The paper and the workbench, for a bibliography.
+const BIBLIOGRAPHY: &str = include_str!("../citation.bib");
+
+/// The section.
+pub(super) fn section(evidence: &Evidence) -> String {
+    format!(
+        "<section id=\"reading\">\n<h2>How to read, repeat and cite this</h2>\n\
+         <p><b>Growth</b> is judged on operation counts, which are the same on every machine. An exponent <i>a</i> \
+         is that of the best power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval; every law \
+         is fitted over all sizes and over the last four doublings. “Beyond it” is the exponent that remains after \
+         division by the bound. If its interval meets zero, give or take 0.05, the count is <i>within the bound</i>; \
+         if it lies under that, <i>below the bound</i>, which a bound from above allows; if it lies over it, <i>above \
+         the bound</i>. “Closest” names the law that fits best of those that were compared.</p>\n\
+         <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
+         wherever it was tried; each correction shows a witness.</p>\n\
+         <p><b>Everything here</b> comes from the profile {} with seed {}. <a \
+         href=\"manifest.json\"><code>manifest.json</code></a> lists every file with its hash and says which ones \
+         must not change from run to run; <a href=\"records/counts.jsonl\"><code>records/counts.jsonl</code></a> holds \
+         the counts, and each experiment has them as CSV. What the clock said, and on which <a \
+         href=\"times.html#machine\">machine</a>, stands in <a \
+         href=\"times.html\"><code>times.html</code></a>.</p>\n\
+         <pre tabindex=\"0\"><code>{}</code></pre>\n\
+         <p><b>To cite</b> the paper and the workbench; the same as a file: <a \
+         href=\"CITATION.cff\">CITATION.cff</a>.</p>\n\
+         <pre tabindex=\"0\"><code>{}</code></pre>\n</section>\n",
+        evidence.profile,
+        evidence.seed,
+        Escaped(&evidence.command()),
+        Escaped(BIBLIOGRAPHY)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The value of a field, between quotation marks or braces or to the end of the line.
+    fn value<'a>(text: &'a str, field: &str) -> &'a str {
+        let line = text.lines().find(|line| line.trim_start().starts_with(field)).expect("the field is there");
+        let (_, value) = line.split_once([':', '=']).expect("it has a value");
+        value.trim().trim_end_matches(',').trim_matches(['{', '}', '"'])
+    }
+
+    #[test]
+    fn the_bibliography_agrees_with_the_citation_file() {
+        let (software, paper) = CITATION.split_once("references:").expect("the paper is referred to");
+        let (of_paper, of_software) = BIBLIOGRAPHY.split_once("@software").expect("an entry for each");
+        assert_eq!(value(of_paper, "title"), value(paper, "title"));
+        assert_eq!(value(of_paper, "year"), value(paper, "year"));
+        assert_eq!(value(of_paper, "booktitle"), value(paper, "collection-title"));
+        assert_eq!(value(of_paper, "pages"), format!("{}--{}", value(paper, "start"), value(paper, "end")));
+        for name in paper.lines().filter_map(|line| line.trim().strip_prefix("- family-names: ")) {
+            assert!(of_paper.contains(&format!("{name}, ")), "{name}");
+        }
+        assert_eq!(value(of_software, "title"), value(software, "title"));
+        assert_eq!(value(of_software, "version"), value(software, "version"));
+        assert_eq!(value(software, "version"), env!("CARGO_PKG_VERSION"));
+    }
+}

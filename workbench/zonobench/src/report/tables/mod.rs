@@ -1,0 +1,12 @@
+//! The tables of the pages: growth laws, values and times of experiments, claims.
+
+mod claims;
+mod growth;
+mod totals;
+mod values;
+mod variant;
+
+pub(super) use claims::{claim_table, finding_badge};
+pub(super) use growth::{growth_summary, growth_table, measurements};
+pub(super) use totals::overall_table;
+pub(super) use values::{time_table, value_table, value_table_on};
