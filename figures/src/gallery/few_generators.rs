@@ -1,7 +1,8 @@
 //! The ratio of the shortest zonotope around a mesh against its number of generators.
 
-use crate::axes::{Curve, LogLogPlot};
+use crate::axes::{Curve, Look, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
+use crate::style::SERIES;
 use experiments::analysis;
 use experiments::definition::Quantity;
 use experiments::definitions::few_generators::{EXPERIMENT, MESHES, most_generators};
@@ -24,7 +25,7 @@ pub const FIGURE: Figure = Figure {
 fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
     let records = input.records.ok_or(FigureError::NoRecords(EXPERIMENT.id))?;
     let mut curves = Vec::new();
-    for mesh in MESHES {
+    for (series, mesh) in MESHES.into_iter().enumerate() {
         let excess = |variant: &str| {
             let (samples, _) = analysis::samples(EXPERIMENT.id, mesh, variant, Quantity::Value("excess"), records);
             samples.first().map(|(_, excess)| *excess).filter(|excess| *excess > 0.0)
@@ -43,6 +44,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
             notes: Vec::new(),
             points: samples.iter().map(|&(most, excess)| [most, excess]).collect(),
             fit: Vec::new(),
+            look: Look { color: SERIES[series % SERIES.len()], shape: series, is_hollow: false },
         };
         if let Ok(growth) = fit_growth(&samples, &[]) {
             add_fit(&mut curve, &growth);
@@ -52,10 +54,11 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
     if curves.is_empty() {
         return Err(FigureError::NoRecords(EXPERIMENT.id));
     }
-    let plot = LogLogPlot {
+    let plot = Plot {
         title: FIGURE.title.into(),
         description: FIGURE.caption.into(),
         x_name: "generators K".into(),
+        x_scale: Scale::Logarithmic,
         y_name: "proven ratio − 1".into(),
         curves,
     };

@@ -17,6 +17,7 @@ fn evidence() -> Evidence {
         profile: Profile::Quick,
         seed: 1,
         only: Vec::new(),
+        config: None,
         experiments: ::experiments::catalog::EXPERIMENTS.iter().collect(),
         records,
         fits: Vec::new(),
