@@ -4,7 +4,7 @@ use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Va
 use crate::families::clouds::Cloud;
 use crate::seed::Digest;
 use zonotope::collision::{Query, by_lad, by_lad_in_r4};
-use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope};
+use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope, few_generators};
 use zonotope::hull::in_space::solid_hull;
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::{Zonotope, combinatorics};
@@ -13,11 +13,11 @@ use zonotope::zonotope::{Zonotope, combinatorics};
 pub const EXPERIMENT: Experiment = Experiment {
     id: "enclosing-quality",
     title: "How well zonotopes enclose: solids, random hulls, meshes, flowers",
-    question: "The zonotope of (nearly) least total length around each input; `ratio` is proven: its length over the \
-               lower bound for all zonotopes. `volume_ratio` and `box_volume_ratio` compare its volume and that of the \
-               box along the axes with the hull's. A zonotope is centrally symmetric, so a tetrahedron fares worst and \
-               the cube, a zonotope itself, has ratio 1; real meshes lie between. Whatever shares a hull shares the \
-               answer: only the hull's vertices count.",
+    question: "The zonotope of (nearly) least total length around each input, of few generators within the ratio \
+               asked for; `ratio` is proven: its length over the lower bound for all zonotopes. `volume_ratio` and \
+               `box_volume_ratio` compare its volume and that of the box along the axes with the hull's. A zonotope is \
+               centrally symmetric, so a tetrahedron fares worst and the cube, a zonotope itself, has ratio 1; real \
+               meshes lie between. Whatever shares a hull shares the answer: only the hull's vertices count.",
     claims: &["open-approximation-quality", "theorem-4.7"],
     families: &["ball_3", "sphere_3"],
     real_inputs: &[
@@ -88,6 +88,7 @@ fn enclosed<const D: usize>(
         .ok_or_else(|| format!("{} names no precision", case.variant))?;
     let mut counts = OperationCounts::default();
     let answer = Method::default().solve(points, epsilon, &mut counts).map_err(|error| error.to_string())?;
+    let answer = few_generators::fewest(points, answer, epsilon);
     let outside = points.iter().position(|p| !is_inside(&answer.body, *p));
     let checked = match outside {
         Some(point) => Err(format!("point {point} is outside")),
