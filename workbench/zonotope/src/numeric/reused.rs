@@ -52,17 +52,18 @@ keep_lists_of!(u32, usize, f64, [f64; 2], [f64; 3], (usize, f64));
 pub(crate) struct Reused<T: Kept>(Vec<T>);
 
 impl<T: Kept> Reused<T> {
-    /// An empty list.
-    pub(crate) fn new() -> Self {
-        // where the thread is ending there is nothing to take from
-        Self(T::waiting().try_with(|waiting| waiting.borrow_mut().pop()).ok().flatten().unwrap_or_default())
+    /// A list that is likely to stay empty: it has no memory, and takes what it needs from the heap.
+    pub(crate) const fn new() -> Self {
+        Self(Vec::new())
     }
 
     /// An empty list with room for so many.
     pub(crate) fn with_capacity(capacity: usize) -> Self {
-        let mut list = Self::new();
-        list.0.reserve(capacity);
-        list
+        // where the thread is ending there is nothing to take from
+        let taken = T::waiting().try_with(|waiting| waiting.borrow_mut().pop());
+        let mut list = taken.ok().flatten().unwrap_or_default();
+        list.reserve(capacity);
+        Self(list)
     }
 }
 
@@ -98,7 +99,10 @@ impl<T: Kept + Clone> Clone for Reused<T> {
 impl<T: Kept> FromIterator<T> for Reused<T> {
     #[inline]
     fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
-        let mut list = Self::new();
+        let mut items = items.into_iter();
+        let Some(first) = items.next() else { return Self::new() };
+        let mut list = Self::with_capacity(1 + items.size_hint().0);
+        list.0.push(first);
         list.0.extend(items);
         list
     }
@@ -174,7 +178,7 @@ mod tests {
 
     #[test]
     fn a_list_within_a_list_waits_as_well() {
-        let inner: Reused<Item> = [Item(Reused::new())].into_iter().collect();
+        let inner: Reused<Item> = [Item(Reused::default())].into_iter().collect();
         let outer: Reused<Item> = [Item(inner)].into_iter().collect();
         drop(outer);
         assert_eq!(waiting::<Item>(), 2);
@@ -186,7 +190,7 @@ mod tests {
         drop(many);
         assert_eq!(waiting::<i16>(), WAITING_LISTS);
         for _ in 0..WAITING_LISTS {
-            mem::forget(Reused::<i16>::new());
+            mem::forget(Reused::<i16>::with_capacity(4));
         }
         drop(Reused::<i16>::with_capacity(LONGEST_KEPT));
         assert_eq!(waiting::<i16>(), 0);

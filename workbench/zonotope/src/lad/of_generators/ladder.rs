@@ -24,7 +24,7 @@
 //! `FlatBody`.
 
 use super::cells::nested::NestedCells;
-use super::cells::reduced::Reduced;
+use super::cells::reduced::{Reduced, USUAL_LEVELS};
 use super::certify::gauge_interval::DecidedOptimum;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::exact::longest_first;
@@ -290,7 +290,7 @@ impl Climb<'_, '_> {
     fn corrected_sample(&mut self) -> Attempt {
         let sample = self.sample.as_ref().expect("a sample was taken by the rung of parallel classes");
         let (problem, tally) = (self.problem, &mut *self.tally);
-        let mut search = CorrectedSample { problem, levels: Reused::new(), vertex: None, tally };
+        let mut search = CorrectedSample { problem, levels: Reused::with_capacity(USUAL_LEVELS), vertex: None, tally };
         let found = search.of_sample(sample);
         let CorrectedSample { levels, vertex, .. } = search;
         let searched = match found {

@@ -172,7 +172,7 @@ fn bracket(places: &[f64], weights: &[f64], missing: f64) -> [f64; 2] {
 
 /// The sum of the weights below a bracket, and the items inside. One pass.
 fn listed(places: &[f64], weights: &[f64], bracket: [f64; 2]) -> (f64, Listed) {
-    let mut indices = Reused::new();
+    let mut indices = Reused::with_capacity(WORD);
     let below = dispatch!(level(), simd => list(simd, places, weights, bracket, &mut indices));
     let of = |column: &[f64]| indices.iter().map(|&index| column[index as usize]).collect();
     let is_nearly_all = 8 * indices.len() > 7 * places.len();

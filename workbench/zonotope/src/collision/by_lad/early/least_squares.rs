@@ -223,7 +223,8 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
         }
     }
     // coefficients take no memory of the heap before it is known that they are asked for
-    let (mut few, mut many) = ([0.0; OWN_LENGTHS_LIMIT], Reused::<f64>::new());
+    let mut few = [0.0; OWN_LENGTHS_LIMIT];
+    let mut many = if OWN { Reused::<f64>::new() } else { Reused::with_capacity(n) };
     let coefficients = if OWN {
         &mut few[..n]
     } else {

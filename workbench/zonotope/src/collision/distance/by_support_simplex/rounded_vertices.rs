@@ -1,7 +1,7 @@
 //! Extreme vertices of a zonotope as seen from a displacement, in doubles of ordinary size.
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
+use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm, max_norm};
@@ -31,7 +31,7 @@ impl<'q> RoundedVertices<'q> {
 
     /// The sum of the generators whose sign is fixed in a cone, and the other ones.
     fn split(&self, cone: &DirectionCone) -> (FixedSum, Vec<[f64; 3]>) {
-        let mut places = Places::new();
+        let mut places = Places::with_capacity(USUAL_CROSSING);
         match &self.narrowed {
             None => {
                 let mut crossing = Vec::new();

@@ -12,7 +12,7 @@ use super::nodes::Face;
 use super::part::TreePart;
 use super::walk::{Nodes, Visitor, walk};
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
+use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::lad::of_generators::generators::{Generators, KernelQuery, Part};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::double_double::DoubleDoubleDirection;
@@ -83,7 +83,7 @@ impl DirectionTree {
 
     /// Σ |v · u| with a bound of its error. About √n nodes.
     pub(super) fn centred_support(&self, u: &[f64; 3]) -> Bounded {
-        let mut places = Places::new();
+        let mut places = Places::with_capacity(USUAL_CROSSING);
         let fixed = self.split(&DirectionCone { center: *u, axes: None, ball: 0.0 }, &mut places);
         let near: Vec<[f64; 3]> = places.iter().map(|&place| self.rows[place as usize]).collect();
         dot(&fixed.bounded(), &bounded::exact(*u)) + bounded_sum(Rows::new(&near), u)

@@ -13,7 +13,7 @@
 
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
+use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{dot, euclidean_norm};
 use crate::numeric::tolerance::{CONE_ROUNDING, THIRTY_ROUNDINGS};
@@ -85,7 +85,7 @@ impl LocalSums {
 
 /// All rows, reduced by one pass.
 fn reduced(rows: Rows<'_>, cell: DirectionCone) -> Reduced {
-    let mut indices = Places::new();
+    let mut indices = Places::with_capacity(USUAL_CROSSING);
     let fixed = cell.split(rows, &mut indices);
     let vectors = indices.iter().map(|&place| rows.row(place as usize)).collect();
     Reduced { vectors, indices, fixed, cell: Some(cell), relative_error: 0.0 }

@@ -8,7 +8,7 @@
 use super::local_sums::LocalSums;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
-use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places};
+use crate::lad::of_generators::cells::sign_pass::{FixedSum, Places, USUAL_CROSSING};
 use crate::lad::of_generators::frame::Frame;
 use crate::lad::of_generators::generators::{Generators, KernelQuery, Part, Posed};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
@@ -99,7 +99,7 @@ fn near_support(frame: &Frame, near: Rows<'_>, u: &[f64; 3]) -> Bounded {
 
 /// The sum over all generators whose sign is fixed in a cell within that of a level, and the other generators.
 fn split_in(level: &Reduced, cell: &DirectionCone) -> (FixedSum, Vec<[f64; 3]>) {
-    let mut places = Places::new();
+    let mut places = Places::with_capacity(USUAL_CROSSING);
     let fixed = level.plus_fixed_in(cell, &mut places);
     (fixed, places.iter().map(|&place| level.vectors[place as usize]).collect())
 }

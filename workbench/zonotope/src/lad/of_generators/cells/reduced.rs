@@ -27,6 +27,9 @@ pub(crate) struct Reduced {
     pub(crate) relative_error: f64,
 }
 
+/// Most searches go through at most so many problems, each reduced from the one before.
+pub(crate) const USUAL_LEVELS: usize = 4;
+
 keep_lists_of!(Reduced);
 
 impl Reduced {

@@ -28,6 +28,9 @@ const BLOCK: usize = 256;
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
 const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
 
+/// Mostly at most so many generators cross a cell that is narrow.
+pub(crate) const USUAL_CROSSING: usize = 64;
+
 /// Places of generators.
 pub(crate) type Places = Reused<u32>;
 

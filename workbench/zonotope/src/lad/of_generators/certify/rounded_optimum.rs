@@ -63,6 +63,9 @@ pub(crate) struct RoundedOptimum {
 /// A direction with a larger relative error than this is not taken for a vertex but for a point near one.
 const BLURRED_VERTEX: f64 = 1e-12;
 
+/// Mostly at most so many generators have no certain sign at a vertex, its own two among them.
+const USUAL_NEAR: usize = 16;
+
 /// Why a vertex is not proved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unproved {
@@ -101,7 +104,7 @@ impl RoundedOptimum {
         let (along, own) = (dot(&direction, p), dot(&vertex, p));
         let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
         let cell = DirectionCone::around(&direction);
-        let mut near = Places::new();
+        let mut near = Places::with_capacity(USUAL_NEAR);
         let fixed = level.plus_fixed_in(&cell, &mut near);
         let near: Reused<usize> =
             near.iter().map(|&place| place as usize).filter(|&i| i != first && i != second).collect();

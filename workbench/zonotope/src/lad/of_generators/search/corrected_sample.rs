@@ -173,6 +173,7 @@ impl CorrectedSample<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lad::of_generators::cells::reduced::USUAL_LEVELS;
     use crate::lad::of_generators::certify::unit_gauge_bound::unit_gauge_bound;
     use crate::lad::of_generators::goal::Goal;
     use crate::zonotope::query::Query;
@@ -209,7 +210,12 @@ mod tests {
                     let sample = Sample::of(&query, &mut ());
                     let problem = Problem::new(&query, crate::numeric::bounded::exact(p), Goal::Location);
                     let tally = &mut ();
-                    let mut search = CorrectedSample { problem: &problem, levels: Reused::new(), vertex: None, tally };
+                    let mut search = CorrectedSample {
+                        problem: &problem,
+                        levels: Reused::with_capacity(USUAL_LEVELS),
+                        vertex: None,
+                        tally,
+                    };
                     if let Ok(optimum) = search.of_sample(&sample) {
                         assert!(optimum.missing <= 1e-9 * optimum.reach.value);
                         found += usize::from(optimum.slack(unit_gauge_bound(&query, 1)) < 1e-9);

@@ -12,7 +12,7 @@
 use super::Searched;
 use super::certified_descent::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::nested::NestedCells;
-use crate::lad::of_generators::cells::reduced::Reduced;
+use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
 use crate::lad::of_generators::guess::aim::{Aim, Guess};
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
@@ -68,7 +68,7 @@ pub(crate) fn narrow(
 ) -> Result<Searched, Missed> {
     let chart = &problem.chart;
     let lost = Missed::Lost { crossing: reduced.vectors.len() };
-    let mut levels = Reused::new();
+    let mut levels = Reused::with_capacity(USUAL_LEVELS);
     levels.push(reduced);
     let mut guess = start.copied();
     let mut lines = levels[0].lines(chart);
