@@ -69,7 +69,7 @@ fn tally(results: &[ClaimResult]) -> String {
             format!("{count} {}", finding.words())
         })
         .collect();
-    format!("{} claims: {}", results.len(), counts.join(", "))
+    format!("{} claims:\n{}", results.len(), counts.join(", "))
 }
 
 /// The ledger as Markdown: claim, place, evidence, finding.

@@ -13,9 +13,9 @@ pub const FIGURE: Figure = Figure {
     id: "named-zonohedra",
     title: "Zonohedra and their zones",
     caption: "Well-known polyhedra as sums of segments, with three of their zones, and with one where three would \
-              cover nearly all of the body: the facets that share a generator form a band around the body, crossed by edges \
-              along that generator, drawn heavy. A facet where two coloured bands cross has the colour between them; a \
-              facet of three or more generators belongs to as many bands. Dotted edges are hidden.",
+              cover nearly all of the body: the facets that share a generator form a band around the body, crossed by \
+              edges along that generator, drawn heavy. A facet where two coloured bands cross has the colour between \
+              them; a facet of three or more generators belongs to as many bands. Dotted edges are hidden.",
     claims: &["zones-are-bands", "familiar-zonotopes"],
     experiments: &[],
     deterministic: true,

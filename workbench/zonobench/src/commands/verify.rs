@@ -31,8 +31,8 @@ pub struct Options {
     asking: Asking,
 }
 
-/// Checks every answer: a line each on standard output. Questions and answers are read side by side, one line at a time,
-/// so that memory does not grow with their number.
+/// Checks every answer: a line each on standard output. Questions and answers are read side by side, one line at a
+/// time, so that memory does not grow with their number.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_inputs(&[&options.questions, &options.answers])?;
     let mut answers = documents(&options.answers)?.peekable();

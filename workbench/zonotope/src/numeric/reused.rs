@@ -6,11 +6,9 @@
 //! among threads, and whoever asks again finds it warm. An answer that holds such lists gives them back when it is
 //! dropped.
 
-use std::cell::RefCell;
 use std::mem;
 use std::ops::{Deref, DerefMut};
 use std::slice;
-use std::thread::LocalKey;
 
 /// Lists of one kind that wait at most: a search with all its cells, and some answers to it, hold no more.
 const WAITING_LISTS: usize = 32;
@@ -18,26 +16,23 @@ const WAITING_LISTS: usize = 32;
 /// The memory of a longer list, in bytes, goes back to the heap: a pass over what it holds outweighs the heap by far.
 const LONGEST_KEPT: usize = 1 << 16;
 
-/// The lists of one kind that wait on a thread.
-pub(crate) type Waiting<T> = RefCell<Vec<Vec<T>>>;
-
 /// What lists are made of whose memory a thread keeps.
 pub(crate) trait Kept: Sized + 'static {
-    /// The lists that wait.
-    fn waiting() -> &'static LocalKey<Waiting<Self>>;
+    /// What is done with the lists that wait; nothing where the thread is ending.
+    fn among_waiting<R>(act: impl FnOnce(&mut Vec<Vec<Self>>) -> R) -> Option<R>;
 }
 
 /// Lets threads keep the memory of lists of these kinds.
 macro_rules! keep_lists_of {
     ($($kind:ty),+ $(,)?) => {$(
         impl $crate::numeric::reused::Kept for $kind {
-            fn waiting() -> &'static std::thread::LocalKey<$crate::numeric::reused::Waiting<Self>> {
-                std::thread_local! {
-                    static WAITING: $crate::numeric::reused::Waiting<$kind> = const {
+            fn among_waiting<R>(act: impl FnOnce(&mut Vec<Vec<Self>>) -> R) -> Option<R> {
+                thread_local! {
+                    static WAITING: std::cell::RefCell<Vec<Vec<$kind>>> = const {
                         std::cell::RefCell::new(Vec::new())
                     };
                 }
-                &WAITING
+                WAITING.try_with(|waiting| act(&mut waiting.borrow_mut())).ok()
             }
         }
     )+};
@@ -59,9 +54,7 @@ impl<T: Kept> Reused<T> {
 
     /// An empty list with room for so many.
     pub(crate) fn with_capacity(capacity: usize) -> Self {
-        // where the thread is ending there is nothing to take from
-        let taken = T::waiting().try_with(|waiting| waiting.borrow_mut().pop());
-        let mut list = taken.ok().flatten().unwrap_or_default();
+        let mut list = T::among_waiting(Vec::pop).flatten().unwrap_or_default();
         list.reserve(capacity);
         Self(list)
     }
@@ -75,8 +68,7 @@ impl<T: Kept> Drop for Reused<T> {
         }
         // before the lists that wait are borrowed: an item may hold a list itself
         list.clear();
-        let _ = T::waiting().try_with(|waiting| {
-            let mut waiting = waiting.borrow_mut();
+        T::among_waiting(|waiting| {
             if waiting.len() < WAITING_LISTS {
                 waiting.push(list);
             }
@@ -162,7 +154,7 @@ mod tests {
     keep_lists_of!(i16, Item);
 
     fn waiting<T: Kept>() -> usize {
-        T::waiting().with(|waiting| waiting.borrow().len())
+        T::among_waiting(|waiting| waiting.len()).expect("the thread is alive")
     }
 
     #[test]

@@ -14,8 +14,8 @@ pub(super) fn section() -> String {
     let mut text = format!(
         "<section id=\"peers\">\n<h2>Beside other libraries</h2>\n\
          <p class=\"statement\">The same questions to each method, turn by turn. A pass is one vectorised evaluation \
-         of the support function over the same generators, timed in the same run: what reads its input once needs one at \
-         least. The truth about a question comes from its construction.</p>\n{}\
+         of the support function over the same generators, timed in the same run: what reads its input once needs \
+         one at least. The truth about a question comes from its construction.</p>\n{}\
          <p><small>Recorded once, on one machine ({}; {}), by <code>cargo run --release -p peers --features \
          others</code>; committed as <code>experiments/data/peers.json</code> with every raw sample.</small></p>\n",
         lesson(&record).map_or_else(String::new, |lesson| {

@@ -99,7 +99,6 @@ fn first_reaching(weights: &[f64], target: f64) -> Option<usize> {
 }
 
 /// The items between two places, both included, in the order of their indices.
-#[derive(Default)]
 struct Listed {
     places: Reused<f64>,
     weights: Reused<f64>,

@@ -49,7 +49,7 @@ impl RoundedChart {
 
     /// The lines of some vectors.
     pub(crate) fn lines(&self, vectors: &[[f64; 3]]) -> RoundedLines {
-        let mut lines = RoundedLines::default();
+        let mut lines = RoundedLines::with_capacity(vectors.len());
         self.write_lines(vectors, &mut lines);
         lines
     }

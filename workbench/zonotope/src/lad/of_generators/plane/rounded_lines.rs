@@ -17,7 +17,7 @@ keep_lists_of!(LineBlock);
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
 /// The lines of generators. A line has the number of its generator's row; its [`slot`] says where in the blocks it is.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct RoundedLines {
     blocks: Reused<LineBlock>,
     len: usize,
@@ -26,6 +26,11 @@ pub(crate) struct RoundedLines {
 }
 
 impl RoundedLines {
+    /// No lines, with room for so many.
+    pub(crate) fn with_capacity(len: usize) -> Self {
+        Self { blocks: Reused::with_capacity(len.div_ceil(LANES)), len: 0, length: 0.0 }
+    }
+
     /// Lets someone write blocks of which only the first lines count, and return the sum of their lengths; the lines
     /// that fill up the last block are overwritten.
     pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut Vec<LineBlock>) -> f64) {
@@ -167,7 +172,7 @@ mod tests {
                 column[slot(row)] = *c;
             }
         }
-        let mut lines = RoundedLines::default();
+        let mut lines = RoundedLines::with_capacity(3);
         lines.rewrite(3, |blocks| {
             blocks.push(block);
             4.0
