@@ -20,6 +20,7 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
     let mut instances = vec![
         collision::Method::locate::<D> as *const (),
         collision::Method::gauge::<D> as *const (),
+        collision::Method::nearest_gauge::<D> as *const (),
         collision::brute_force::locate::<D> as *const (),
         collision::brute_force::gauge::<D> as *const (),
         distance::penetration::of_query::<D> as *const (),

@@ -2,6 +2,7 @@
 
 mod answers;
 mod clients;
+mod documented;
 mod drawings;
 mod pipes;
 mod readers;

@@ -247,6 +247,25 @@ impl Method {
         };
         gauge.ok_or(MethodError::Dimension { method: self, dimension: D })
     }
+    /// [`gauge`](Self::gauge) as answers of bodies have it: within two units in the last place where the method is exact
+    /// or the kernel, its proof with the doubles nearest to the coefficients of the basis
+    /// ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
+    ///
+    /// # Errors
+    /// Those of [`gauge`](Self::gauge).
+    #[inline(never)]
+    pub fn nearest_gauge<const D: usize>(self, question: &Query<'_, D>) -> Result<Gauge<D>, MethodError> {
+        let by_kernel = match (self, D) {
+            (Self::ByLad, 1) => measured_in::<1, D>(question, by_lad::nearest_gauge),
+            (Self::ByLad, 2) => measured_in::<2, D>(question, by_lad::nearest_gauge),
+            (Self::ByLad, 3) => measured_in::<3, D>(question, by_lad::nearest_gauge),
+            _ => None,
+        };
+        match by_kernel {
+            Some(gauge) => Ok(gauge),
+            None => Ok(self.gauge(question, &mut ())?.with_nearest_basis(question)),
+        }
+    }
 }
 
 /// The location that a method of dimension E finds, if that is the question's dimension.

@@ -93,6 +93,14 @@ pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 /// rounds off is kept, so that it is off by u² at most. Together that is less than 2^-71.
 pub(crate) const COMBINED_SUM: f64 = power_of_two(-71);
 
+/// Error of an [absolute sum in pairs](super::lanes) over a block of 512 vectors, in terms of Σ |v|_1 times the largest
+/// coordinate of the direction.
+///
+/// In units of u² times that: the small parts of a vector's product go through roundings that are off by 13. In each of
+/// eight lanes, 64 of them and 64 remainders of additions, each below u times the sum, are added to a number that stays
+/// below 68 u: 64 · 68 = 4,352. Joining the lanes adds less than 1,100. Together that is less than 2^13.
+pub(crate) const SUM_IN_PAIRS: f64 = power_of_two(-92);
+
 /// Factor by which bounds on numbers of two doubles are multiplied: (1 − u)^k (1 + 2^-40) > 1 for every k up to 2^12
 /// roundings.
 pub const DOUBLE_DOUBLE_BOUND: f64 = 1.0 + power_of_two(-40);
@@ -140,6 +148,9 @@ pub const CONE_ROUNDING: f64 = 8.0 * UNIT;
 /// A gauge that is certified in doubles is usually known to 2^-45 or better. A larger error means that terms of the
 /// support function cancelled, and then the exact optimum costs little more than the digits that it gives back.
 pub const GAUGE_ACCURACY: f64 = power_of_two(-36);
+
+/// The gauge of an answer that is handed to others is off by at most this part of it: two units in the last place.
+pub const NEAREST_GAUGE: f64 = f64::EPSILON;
 
 /// The displacement between posed centres counts as known in doubles when no coordinate is off by more than this part
 /// of the largest coordinate.

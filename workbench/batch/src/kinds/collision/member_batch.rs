@@ -52,9 +52,9 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
             let message = format!("`{method}` does not answer in {dimension} dimensions; {BY_LAD} would");
             return Err(Refusal::new(Code::UnknownMethod, message));
         }
-        1 => in_space::<1>(fields, |query, counts| by_lad::gauge_counted(query, counts))?,
-        2 => in_space::<2>(fields, |query, counts| by_lad::gauge_counted(query, counts))?,
-        3 => in_space::<3>(fields, |query, counts| by_lad::gauge_counted(query, counts))?,
+        1 => in_space::<1>(fields, |query, counts| by_lad::nearest_gauge_counted(query, counts))?,
+        2 => in_space::<2>(fields, |query, counts| by_lad::nearest_gauge_counted(query, counts))?,
+        3 => in_space::<3>(fields, |query, counts| by_lad::nearest_gauge_counted(query, counts))?,
         4 => in_space::<4>(fields, by_lad_in_r4::gauge_counted)?,
         other => return Err(refused("center", other, 4)),
     };
@@ -94,7 +94,7 @@ fn by_direction_tree(fields: &Fields<'_>) -> Result<Answers, Refusal> {
     let mut counts = OperationCounts::default();
     let found = points.into_iter().map(|point| {
         let measured = tree.gauge_counted(point, &mut counts).expect("the numbers of a question are finite");
-        (measured.location.status(), measured.value)
+        (measured.location.status(), measured.nearest_value().0)
     });
     Ok(Answers { found: found.collect(), build: body.generators().len() as u64, query: total(&counts) })
 }

@@ -102,9 +102,8 @@ fn locate<const D: usize>(
 
 /// The gauge by a method that was chosen for it, with a proof that a verifier takes.
 fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
-    let gauge = method.gauge(question, &mut ());
-    let gauge = gauge.expect("the dimension and the number of generators were checked when the method was chosen");
-    gauge.with_nearest_basis(question)
+    let gauge = method.nearest_gauge(question);
+    gauge.expect("the dimension and the number of generators were checked when the method was chosen")
 }
 
 /// The method of questions about bodies under poses, unless another one was asked for.

@@ -51,8 +51,11 @@
 
 use super::proof;
 use crate::collision::{Gauge, Location};
+#[cfg(test)]
+use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
+use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
 use crate::lad::of_generators::solve;
 use crate::tally::Tally;
@@ -73,6 +76,12 @@ impl<'q> Facet<'q> {
     /// The gauge within a bound of its error; infinite where no multiple of the body holds the displacement. O(1).
     pub fn value(&self) -> (f64, f64) {
         self.optimum.gauge()
+    }
+
+    /// The gauge within two units in the last place, and a bound of its error; infinite where no multiple of the body
+    /// holds the displacement. One pass.
+    pub fn nearest_value(&self) -> (f64, f64) {
+        nearest_gauge(self.query, &self.optimum, &mut ())
     }
 
     /// The generators, at most two, that span the facet in which the ray leaves the body; where the ray leaves near
@@ -103,6 +112,12 @@ impl<'q> Facet<'q> {
         Gauge { value, error, location: self.location_counted(tally) }
     }
 
+    /// The same, the gauge as [`nearest_value`](Self::nearest_value) has it, counting its operations.
+    pub(super) fn nearest_gauge_counted(&self, tally: &mut dyn Tally) -> Gauge<3> {
+        let (value, error) = nearest_gauge(self.query, &self.optimum, tally);
+        Gauge { value, error, location: self.location_counted(tally) }
+    }
+
     /// Where the displacement lies, with its proof. O(n) for a member, else O(1) nearly always.
     pub fn location(&self) -> Location<3> {
         self.location_counted(&mut ())
@@ -111,5 +126,11 @@ impl<'q> Facet<'q> {
     /// [`location`](Self::location), counting its operations.
     pub fn location_counted(&self, tally: &mut dyn Tally) -> Location<3> {
         proof::location(self.query, &self.optimum, tally)
+    }
+
+    /// The gauge by exact arithmetic on all generators: the truth that the others are held to.
+    #[cfg(test)]
+    pub(super) fn exact_value(&self) -> f64 {
+        ExactOptimum::of_whole(self.query, &self.query.exact(), None, &mut ()).gauge().0
     }
 }

@@ -32,8 +32,9 @@
 //! `query`: n × D generators in two runs, any order, duplicates allowed.
 //!
 //! # Numerics
-//! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it; a gauge
-//! beyond the range of doubles is `f64::MAX` with infinite error.
+//! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it, that of
+//! [`nearest_gauge`] within two units in the last place; a gauge beyond the range of doubles is `f64::MAX` with infinite
+//! error.
 //!
 //! # Errors
 //! None: the query was validated when it was made.
@@ -106,14 +107,36 @@ pub fn gauge<const D: usize>(query: &Query<'_, D>) -> Gauge<D> {
 
 /// [`gauge`], counting its operations.
 pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Gauge<D> {
+    measured(query, |facet, tally| facet.gauge_counted(tally), tally)
+}
+
+/// The gauge as answers of bodies have it: within two units in the last place, its proof with the doubles nearest to
+/// the coefficients of the basis ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
+///
+/// [`gauge`] is enough for decisions and takes less: here are up to two passes more, which are slower ones.
+pub fn nearest_gauge<const D: usize>(query: &Query<'_, D>) -> Gauge<D> {
+    nearest_gauge_counted(query, &mut ())
+}
+
+/// [`nearest_gauge`], counting its operations.
+pub fn nearest_gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally) -> Gauge<D> {
+    measured(query, |facet, tally| facet.nearest_gauge_counted(tally), tally).with_nearest_basis(query)
+}
+
+/// The gauge of a displacement by way of its facet, in up to three dimensions.
+fn measured<const D: usize>(
+    query: &Query<'_, D>,
+    of: fn(&Facet<'_>, &mut dyn Tally) -> Gauge<3>,
+    tally: &mut dyn Tally,
+) -> Gauge<D> {
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
     if let Some(query) = query.in_dimension::<4>() {
         let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, &mut &mut *tally);
         return Gauge { value, error, location: lowered(location, query.len()) };
     }
     let Gauge { value, error, location } = match query.in_dimension::<3>() {
-        Some(query) => Facet::find(&query, Goal::Gauge, tally).gauge_counted(tally),
-        None => Facet::find(&Prism::over(query).query(), Goal::Gauge, tally).gauge_counted(tally),
+        Some(query) => of(&Facet::find(&query, Goal::Gauge, tally), tally),
+        None => of(&Facet::find(&Prism::over(query).query(), Goal::Gauge, tally), tally),
     };
     Gauge { value, error, location: lowered(location, query.len()) }
 }
@@ -144,6 +167,11 @@ pub fn gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
 /// [`gauge_posed`], counting its operations.
 pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Gauge<3> {
     Facet::find(&Posed::new(query), Goal::Gauge, tally).gauge_counted(tally)
+}
+
+/// The same as answers of bodies have it ([`nearest_gauge`]).
+pub fn nearest_gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
+    Facet::find(&Posed::new(query), Goal::Gauge, &mut ()).nearest_gauge_counted(&mut ()).with_nearest_basis(query)
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)

@@ -31,15 +31,15 @@ impl<const D: usize> Zonotope<D> {
         Ok(located(&query).with_nearest_basis(&query))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point; with the proof of where the point lies.
-    /// The cost is that of [`locate`](Self::locate).
+    /// How many times the body must be taken, from its centre, to hold a point, within two units in the last place; with
+    /// the proof of where the point lies. The cost is that of [`locate`](Self::locate).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; D]) -> Result<Gauge<D>, NonFinite> {
         let query = Query::of_point(point, self)?;
-        let gauge = Method::default_in(D).gauge(&query, &mut ());
-        Ok(gauge.expect("the default method of a dimension measures there").with_nearest_basis(&query))
+        let gauge = Method::default_in(D).nearest_gauge(&query);
+        Ok(gauge.expect("the default method of a dimension measures there"))
     }
 
     /// Whether two closed bodies have a point in common, exactly; bodies that touch do. The cost is that of

@@ -2,7 +2,7 @@
 //! exact like it.
 
 use super::{Gauge, Location};
-use crate::collision::by_lad::{gauge_posed, locate_posed};
+use crate::collision::by_lad::{locate_posed, nearest_gauge_posed};
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
 use crate::zonotope::pose::Pose;
@@ -82,7 +82,7 @@ impl<'a> PosedZonotope<'a> {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
         let query = PosedQuery::of_point(point, self.body, &self.pose)?;
-        Ok(gauge_posed(&query).with_nearest_basis(&query))
+        Ok(nearest_gauge_posed(&query))
     }
 
     /// Whether two closed bodies have a point in common where their poses put them, exactly. O(n) expected.

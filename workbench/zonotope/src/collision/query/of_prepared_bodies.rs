@@ -31,7 +31,7 @@ impl PreparedBody {
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn gauge(&self, point: [f64; 3]) -> Result<Gauge<3>, NonFinite> {
         let query = Query::of_point_in(point, self)?;
-        Ok(by_lad::gauge(&query).with_nearest_basis(&query))
+        Ok(by_lad::nearest_gauge(&query))
     }
 
     /// Whether two closed bodies have a point in common, exactly; the other one may be prepared or not. O(n) expected.

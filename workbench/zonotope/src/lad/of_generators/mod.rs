@@ -26,7 +26,8 @@
 //! Beside the stages: [`generators`] is the seam, what the kernel asks of whoever holds the generators, and [`frame`]
 //! puts a pose in between, with the matrix of [`linear_map`]; [`plane`] has the coordinates of the plane of directions;
 //! [`span`] makes bodies that do not span space into prisms that do; [`support`] evaluates h(u) in one pass;
-//! [`problem`] and [`optimum`] are what goes in and what comes out.
+//! [`problem`] and [`optimum`] are what goes in and what comes out;
+//! [`nearest_gauge`] has the last digits of the gauge.
 
 pub(crate) mod cells;
 pub(crate) mod certify;
@@ -37,6 +38,7 @@ pub(crate) mod goal;
 pub(crate) mod guess;
 pub(crate) mod ladder;
 pub(crate) mod linear_map;
+pub(crate) mod nearest_gauge;
 pub(crate) mod optimum;
 pub(crate) mod plane;
 pub(crate) mod problem;

@@ -1,6 +1,7 @@
 //! The method against the definition, on every family.
 
 mod levels;
+mod nearest;
 pub(in crate::collision) mod posed;
 mod prepared;
 mod rungs;

@@ -10,6 +10,7 @@ use crate::collision::by_lad::proof;
 use crate::collision::{Location, Separation, Status, Witness};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
+use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
 use crate::lad::of_generators::solve;
 use crate::numeric::exact_linear::rounded_direction;
@@ -60,6 +61,17 @@ pub enum Certificate {
     },
     /// A coefficient for each generator: of flat bodies, and of those whose sums doubles do not hold.
     Written(Witness),
+}
+
+impl Measured<'_> {
+    /// The gauge within two units in the last place, and a bound of its error. About √n nodes, or one pass where sums of
+    /// nodes are not exact.
+    pub fn nearest_value(&self) -> (f64, f64) {
+        match &self.location.found {
+            Found::Facet(optimum) => nearest_gauge(&self.location.query, optimum, &mut ()),
+            Found::Told(_) => (self.value, self.error),
+        }
+    }
 }
 
 impl Located<'_> {

@@ -5,6 +5,9 @@ use crate::enclosing::fixed_directions::rational::simplex::{Column, maximize};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::rational;
 
+/// The pivots for one point may take this much work, in products of words: some hundredths of a second.
+const POINT_WORK_LIMIT: u64 = 1 << 27;
+
 impl<const D: usize> Body<'_, D> {
     /// Coefficients, rounded to doubles, for which enlarging the basis by the residual costs least.
     pub(super) fn rational_coefficients(&self, point: &[f64; D]) -> Vec<f64> {
@@ -32,7 +35,8 @@ impl<const D: usize> Body<'_, D> {
         let whole = self.magnitudes_in_basis(&self.residual(point, &[]));
         let cost = self.basis.iter().zip(whole).fold(Rational::ONE, |sum, (&b, x)| sum + weight(b) * x);
         add(count, &|a| rational(self.center[a]) - rational(point[a]), &cost);
-        let Some(optimum) = maximize(&columns, &vec![Rational::ONE; count + 1], coordinates.len()) else {
+        let bounds = vec![Rational::ONE; count + 1];
+        let Ok(optimum) = maximize(&columns, &bounds, coordinates.len(), POINT_WORK_LIMIT) else {
             return vec![0.0; count];
         };
         let pairs = optimum.solution.chunks_exact(2).take(count);

@@ -56,7 +56,7 @@ use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::{Span, hyperplane_normal, rational, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
-use simplex::{Column, maximize};
+use simplex::{ANY_WORK, Column, NoOptimum, maximize};
 
 pub(super) use refine::refine;
 
@@ -64,6 +64,11 @@ pub(super) use refine::refine;
 /// directions contains the points.
 #[inline(never)]
 pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>) -> Option<ExactOptimum<D>> {
+    optimum_within(problem, ANY_WORK)
+}
+
+/// The same if pivots take at most so much work, in products of words; `None` as well if they take more.
+fn optimum_within<const D: usize>(problem: &FixedDirections<'_, D>, work: u64) -> Option<ExactOptimum<D>> {
     let span = Span::of_doubles(problem.directions());
     if first_departure(&span, problem.points()).is_some() {
         return None;
@@ -89,7 +94,11 @@ pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>)
             }
         })
         .collect();
-    let optimum = maximize(&columns, &weights, span.rank()).expect("a zonotope along the directions holds the points");
+    let optimum = match maximize(&columns, &weights, span.rank(), work) {
+        Ok(optimum) => optimum,
+        Err(NoOptimum::TooMuchWork) => return None,
+        Err(NoOptimum::Unbounded) => unreachable!("a zonotope along the directions holds the points"),
+    };
     let first = problem.points()[0].map(rational);
     let shift: Vec<Rational> = optimum.equality_prices.iter().zip(&points[0]).map(|(p, first)| p - first).collect();
     let lifted = span.member(&shift);

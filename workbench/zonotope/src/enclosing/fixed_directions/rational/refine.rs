@@ -4,7 +4,7 @@
 //! contains all points, it is a candidate for the answer. A point for which the candidate was enlarged joins the active
 //! set, and the program is solved again.
 
-use super::min_length_in_rationals;
+use super::optimum_within;
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
 use crate::enclosing::fixed_directions::contain::contain;
 use crate::enclosing::fixed_directions::contain::flat_center::cheapest_center;
@@ -20,6 +20,11 @@ const RATIONAL_NORMAL_LIMIT: usize = 130;
 
 /// The rational program is solved for at most this many points.
 const RATIONAL_POINT_LIMIT: usize = 80;
+
+/// The pivots of one rational program may take this much work, in products of words: some tenths of a second. It is
+/// more than programs of a hundred normals take in numbers of like sizes; those of numbers of all sizes would take
+/// minutes.
+const RATIONAL_WORK_LIMIT: u64 = 1 << 31;
 
 /// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
 /// least one point.
@@ -47,7 +52,7 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
         }
         let points: Vec<[f64; D]> = active.iter().map(|&j| problem.points()[j]).collect();
         let part = FixedDirections::new(&points, &directions, &weights)?;
-        let Some(optimum) = min_length_in_rationals(&part) else { return Ok(()) };
+        let Some(optimum) = optimum_within(&part, RATIONAL_WORK_LIMIT) else { return Ok(()) };
         let lower_bound = fraction_at_most(&optimum.value);
         let (centers, coefficients) = candidates(setting, &optimum);
         answer.effort.exact = true;

@@ -3,8 +3,17 @@
 //! It maximises Σ gain_j y_j over y ≥ 0 with inequalities · y ≤ bounds, where no bound is negative, and
 //! equalities · y = 0. The point y = 0 is feasible, so there is no first phase. Bland's rule keeps the method from
 //! cycling, however many rows are tight at once.
+//!
+//! The entries are quotients of determinants of the program's numbers, so they are long where these are of many sizes:
+//! a program of thirteen rows in numbers from 1e-300 to 1e300 takes minutes. So a caller who has another answer says
+//! how much work it may be.
+
+use dashu_int::ops::BitTest;
 
 use crate::numeric::Rational;
+
+/// Work without a limit.
+pub(crate) const ANY_WORK: u64 = u64::MAX;
 
 /// The column of an unknown y_j: its entries in the inequalities and in the equalities, and the gain of a unit of it.
 pub(crate) struct Column {
@@ -24,16 +33,27 @@ pub(crate) struct Optimum {
     pub(crate) equality_prices: Vec<Rational>,
 }
 
+/// Why there is no optimum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum NoOptimum {
+    /// The gain has no bound.
+    Unbounded,
+    /// It would take more work than was allowed.
+    TooMuchWork,
+}
+
 /// The tableau. A row holds the entries of the unknowns, of one slack for each inequality and of one artificial unknown
 /// for each equality, then the right-hand side. The last row holds the negated reduced gains, then the value.
 struct Tableau {
     rows: Vec<Vec<Rational>>,
     basis: Vec<usize>,
+    /// The work that is left, in products of words.
+    work: u64,
 }
 
 impl Tableau {
     /// Makes a column basic in a row.
-    fn pivot(&mut self, row: usize, column: usize) {
+    fn pivot(&mut self, row: usize, column: usize) -> Result<(), NoOptimum> {
         let inverse = Rational::ONE / &self.rows[row][column];
         for entry in &mut self.rows[row] {
             if !entry.is_zero() {
@@ -48,17 +68,33 @@ impl Tableau {
             }
             for (entry, pivot) in other.iter_mut().zip(&pivot_row) {
                 if !pivot.is_zero() {
+                    let longest = words(&factor) + words(pivot) + words(entry);
+                    self.work = self.work.checked_sub(longest * longest).ok_or(NoOptimum::TooMuchWork)?;
                     *entry -= &factor * pivot;
                 }
             }
         }
         self.rows[row] = pivot_row;
         self.basis[row] = column;
+        Ok(())
     }
 }
 
-/// The optimum; `None` when the gain has no bound.
-pub(crate) fn maximize(columns: &[Column], bounds: &[Rational], equalities: usize) -> Option<Optimum> {
+/// The length of a number, at least 1.
+fn words(number: &Rational) -> u64 {
+    (number.numerator().bit_len() + number.denominator().bit_len()) as u64 / 64 + 1
+}
+
+/// The optimum, if it takes at most so much work, in products of words.
+///
+/// # Errors
+/// [`NoOptimum`] says which of the two does not hold.
+pub(crate) fn maximize(
+    columns: &[Column],
+    bounds: &[Rational],
+    equalities: usize,
+    work: u64,
+) -> Result<Optimum, NoOptimum> {
     let (inequalities, unknowns) = (bounds.len(), columns.len());
     let height = inequalities + equalities;
     let width = unknowns + height + 1;
@@ -81,12 +117,12 @@ pub(crate) fn maximize(columns: &[Column], bounds: &[Rational], equalities: usiz
     let mut objective: Vec<Rational> = columns.iter().map(|c| -c.gain.clone()).collect();
     objective.resize(width, Rational::ZERO);
     rows.push(objective);
-    let mut tableau = Tableau { rows, basis: (unknowns..unknowns + height).collect() };
+    let mut tableau = Tableau { rows, basis: (unknowns..unknowns + height).collect(), work };
     for row in inequalities..height {
         // The right-hand side is zero, so any nonzero entry can be the pivot, whatever its sign; a row without one is
         // 0 = 0.
         if let Some(column) = (0..unknowns).find(|&c| !tableau.rows[row][c].is_zero()) {
-            tableau.pivot(row, column);
+            tableau.pivot(row, column)?;
         }
     }
     let may_enter = unknowns + inequalities;
@@ -94,8 +130,9 @@ pub(crate) fn maximize(columns: &[Column], bounds: &[Rational], equalities: usiz
         let candidates = (0..height).filter(|&row| tableau.rows[row][entering] > Rational::ZERO);
         let ratio = |row: usize| &tableau.rows[row][width - 1] / &tableau.rows[row][entering];
         let leaving = candidates
-            .min_by(|&a, &b| ratio(a).cmp(&ratio(b)).then_with(|| tableau.basis[a].cmp(&tableau.basis[b])))?;
-        tableau.pivot(leaving, entering);
+            .min_by(|&a, &b| ratio(a).cmp(&ratio(b)).then_with(|| tableau.basis[a].cmp(&tableau.basis[b])))
+            .ok_or(NoOptimum::Unbounded)?;
+        tableau.pivot(leaving, entering)?;
     }
     let mut solution = vec![Rational::ZERO; unknowns];
     for (row, &column) in tableau.basis.iter().enumerate() {
@@ -107,7 +144,7 @@ pub(crate) fn maximize(columns: &[Column], bounds: &[Rational], equalities: usiz
     let value = last.pop().expect("the value is the last entry");
     let equality_prices = last.split_off(may_enter);
     let inequality_prices = last.split_off(unknowns);
-    Some(Optimum { value, solution, inequality_prices, equality_prices })
+    Ok(Optimum { value, solution, inequality_prices, equality_prices })
 }
 
 #[cfg(test)]
@@ -126,7 +163,7 @@ mod tests {
     fn a_program_by_hand() {
         // Maximise 3a + 2b with a + b ≤ 4, a + 3b ≤ 6, a ≤ 3: the optimum is a = 3, b = 1.
         let columns = [column(&[1, 1, 1], &[], 3), column(&[1, 3, 0], &[], 2)];
-        let optimum = maximize(&columns, &numbers(&[4, 6, 3]), 0).expect("bounded");
+        let optimum = maximize(&columns, &numbers(&[4, 6, 3]), 0, ANY_WORK).expect("bounded");
         assert_eq!(optimum.value, Rational::from(11));
         assert_eq!(optimum.solution, numbers(&[3, 1]));
         assert_eq!(optimum.inequality_prices, numbers(&[2, 0, 1]));
@@ -136,12 +173,15 @@ mod tests {
     fn equalities_have_prices_and_a_gain_may_have_no_bound() {
         // Maximise 3a − b with a = b and a ≤ 5.
         let columns = [column(&[1], &[1], 3), column(&[0], &[-1], -1)];
-        let optimum = maximize(&columns, &numbers(&[5]), 1).expect("bounded");
+        let optimum = maximize(&columns, &numbers(&[5]), 1, ANY_WORK).expect("bounded");
         assert_eq!(
             (optimum.value, optimum.inequality_prices, optimum.equality_prices),
             (10.into(), numbers(&[2]), numbers(&[1]))
         );
-        assert!(maximize(&[column(&[0], &[0], 1)], &numbers(&[1]), 1).is_none());
+        let of = |work| maximize(&[column(&[0], &[0], 1)], &numbers(&[1]), 1, work).map(|optimum| optimum.value);
+        assert_eq!(of(ANY_WORK), Err(NoOptimum::Unbounded));
+        let of = |work| maximize(&columns, &numbers(&[5]), 1, work).map(|optimum| optimum.value);
+        assert_eq!((of(10), of(1000)), (Err(NoOptimum::TooMuchWork), Ok(10.into())));
     }
 
     /// Beale's example, on which the largest-coefficient rule cycles.
@@ -154,6 +194,6 @@ mod tests {
             Column { inequalities: vec![q(-1, 25), q(-1, 50), q(1, 1)], equalities: vec![], gain: q(1, 50) },
             Column { inequalities: vec![q(9, 1), q(3, 1), q(0, 1)], equalities: vec![], gain: q(-6, 1) },
         ];
-        assert_eq!(maximize(&columns, &numbers(&[0, 0, 1]), 0).expect("bounded").value, q(1, 20));
+        assert_eq!(maximize(&columns, &numbers(&[0, 0, 1]), 0, ANY_WORK).expect("bounded").value, q(1, 20));
     }
 }

@@ -23,7 +23,9 @@ use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::certify::near_generators::Near;
 use crate::lad::of_generators::certify::residual::Rest;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector, approximate, exact};
+use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::linear::{cross, dot};
 use crate::numeric::reused::{Reused, ReusedBox, keep_lists_of};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
@@ -161,6 +163,20 @@ impl RoundedOptimum {
     /// The two generators of the vertex in doubles, with a bound of each coordinate's error.
     pub(crate) fn bounded_vectors(&self) -> [BoundedVector; 2] {
         self.vectors.map(|v| approximate(v, self.relative_error))
+    }
+
+    /// u = ± v_a × v_b, exactly.
+    pub(crate) fn exact_vertex(&self, query: &dyn KernelQuery) -> ExactVector {
+        let [a, b] = self.basis.map(|index| query.exact_generator(index));
+        if self.reversed { exact_linear::cross(&b, &a) } else { exact_linear::cross(&a, &b) }
+    }
+
+    /// The direction at which the gauge was bounded, exactly: the vertex, or a point of doubles near it.
+    pub(crate) fn exact_direction(&self, query: &dyn KernelQuery) -> ExactVector {
+        if self.direction.iter().all(|c| c.error == 0.0) {
+            return exact_linear::exact(self.direction.map(|c| c.value));
+        }
+        self.exact_vertex(query)
     }
 
     /// The cell of all directions within the rounding error of the vertex.

@@ -158,16 +158,21 @@ impl ExactOptimum {
 
     /// The gauge `along` / `reach` with a bound for its error.
     pub(crate) fn gauge(&self) -> (f64, f64) {
-        if self.reach.is_zero() {
-            return (f64::INFINITY, 0.0);
-        }
-        let value = self.along.rounded_ratio(&self.reach);
-        if value < f64::MAX {
-            // half a unit in the last place, a little more, and a step where the value is denormal
-            (value, value * f64::EPSILON + f64::from_bits(1))
-        } else {
-            (f64::MAX, f64::INFINITY)
-        }
+        exact_gauge(&self.along, &self.reach)
+    }
+}
+
+/// The gauge `along` / `reach` of two numbers that are not negative, with a bound for its error.
+pub(crate) fn exact_gauge(along: &Dyadic, reach: &Dyadic) -> (f64, f64) {
+    if reach.is_zero() {
+        return (f64::INFINITY, 0.0);
+    }
+    let value = along.rounded_ratio(reach);
+    if value < f64::MAX {
+        // half a unit in the last place, a little more, and a step where the value is denormal
+        (value, value * f64::EPSILON + f64::from_bits(1))
+    } else {
+        (f64::MAX, f64::INFINITY)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::lad::of_generators::exact::pivot::Balance;
 use crate::lad::of_generators::exact::solve::{ExactOptimum, signs_in};
 use crate::lad::of_generators::exact::vertex_signs::ExactVertex;
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::exact_linear::{ExactVector, cross};
+use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::max_norm;
 use crate::tally::{Operation, Tally};
 
@@ -28,8 +28,7 @@ impl ExactOptimum {
         vertex: &RoundedOptimum,
         cells: &NestedCells,
     ) -> Self {
-        let [a, b] = vertex.basis.map(|index| query.exact_generator(index));
-        let direction = if vertex.reversed { cross(&b, &a) } else { cross(&a, &b) };
+        let direction = vertex.exact_vertex(query);
         let (last, basis) = (vertex.cell(), vertex.basis.to_vec());
         match query.exact_sum_along(&direction) {
             Some(sum) => Self::with_cells(p, direction, (cells.clone(), last), basis, sum),
