@@ -6,7 +6,7 @@ use crate::json::Tree;
 use verifier::{
     Certificate, Directed, DirectedAnswer, ExactMinArea, Fraction, MinAreaAnswer, MinLengthAnswer,
     check_exact_min_area, check_measure, check_min_area, check_min_length_all, check_min_length_all_at_any_ratio,
-    check_min_length_dirs,
+    check_min_length_dirs, check_min_length_dirs_at_any_gap,
 };
 
 pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<Verdict, String> {
@@ -55,8 +55,9 @@ pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, St
         weights: vector(member(input, "weights")?, "weights")?,
     };
     let certificate = member(result, "certificate")?;
-    let answer = match text(result, "status")? {
-        "optimal" => DirectedAnswer::Optimal {
+    let status = text(result, "status")?;
+    let answer = match status {
+        "optimal" | "feasible" => DirectedAnswer::Optimal {
             value: float(result, "value")?,
             center: vector(member(result, "center")?, "center")?,
             coefficients: vector(member(result, "coefficients")?, "coefficients")?,
@@ -71,7 +72,8 @@ pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, St
         },
         other => return Err(format!("there is no status `{other}`")),
     };
-    Ok(check_min_length_dirs(&question, &answer).in_words())
+    let check = if status == "feasible" { check_min_length_dirs_at_any_gap } else { check_min_length_dirs };
+    Ok(check(&question, &answer).in_words())
 }
 
 pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, String> {

@@ -36,7 +36,7 @@ pub struct Directed {
 /// An answer as it was written.
 #[derive(Debug, Clone, PartialEq)]
 pub enum DirectedAnswer {
-    /// A zonotope that is said to be the cheapest.
+    /// A zonotope that is said to contain the points, and to be the cheapest or near it.
     Optimal {
         /// The claimed Σ w_i c_i.
         value: f64,
@@ -58,9 +58,8 @@ pub enum DirectedAnswer {
     },
 }
 
-/// The largest gap between the value and the proven bound, relative to the value, for which the value is called the
-/// least but for rounding.
-const PROVEN_GAP: f64 = 1e-6;
+/// A value that exceeds the proven bound by more than this part of it may not be the least.
+const PROVEN_GAP: f64 = 1e-11;
 
 /// What was proved of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,7 +92,7 @@ impl Display for DirectedProof {
 /// `lower_bound`, or that there is none at all; or says what fails.
 ///
 /// `value` may differ from the exact value by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven
-/// bound. A value that exceeds that bound by more than a relative 10^-6 is left unchecked, for it may not be the
+/// bound. A value that exceeds that bound by more than a relative 10^-11 is left unchecked, for it may not be the
 /// least; so is a zonotope with too many facets to hold the points against.
 pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
     proved(question, answer).into()

@@ -72,7 +72,7 @@ fn result<const D: usize>(points: &OuterPoints<D>, enclosure: &Enclosure<D>) -> 
                 .map(|force| json!({"point": points.place(force.point), "vector": exact(&force.vector)}))
                 .collect();
             json!({
-                "status": "optimal",
+                "status": if zonotope.is_optimal() { "optimal" } else { "feasible" },
                 "value": to_json(zonotope.value),
                 "center": vector_to_json(&zonotope.center),
                 "coefficients": vector_to_json(&zonotope.coefficients),

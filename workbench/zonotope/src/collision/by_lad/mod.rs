@@ -14,7 +14,7 @@
 //!
 //! # Method
 //! 1. A body of R^1 or R^2 becomes a prism in space (`lad::of_generators::span`); one of R^4 goes to
-//!    [`by_lad_in_r4`].
+//!    [`by_lad_in_r4`]. A question of extreme size is multiplied by a power of two (`scaled`).
 //! 2. Where all that is asked is the location, a point far inside or far outside is told and proved first (`early`), of
 //!    bodies under poses as well.
 //! 3. Otherwise the kernel (`lad::of_generators`) finds the optimum; its `ladder` says which methods it tries, and in
@@ -58,6 +58,7 @@
 pub(super) mod early;
 mod facet;
 pub(crate) mod proof;
+mod scaled;
 
 pub use facet::Facet;
 
@@ -65,6 +66,7 @@ pub use facet::Facet;
 pub(in crate::collision) mod tests;
 
 use self::early::posed::PosedRows;
+use self::scaled::Scaled;
 use super::{Gauge, Location, Query, by_lad_in_r4};
 use crate::lad::of_generators::generators::Posed;
 use crate::lad::of_generators::goal::Goal;
@@ -82,6 +84,9 @@ pub fn locate_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tall
     const { assert!(D <= 4, "the kernel answers up to four dimensions") }
     if let Some(query) = query.in_dimension::<4>() {
         return lowered(by_lad_in_r4::locate_counted(&query, &mut &mut *tally), query.len());
+    }
+    if let Some(scaled) = Scaled::of(query) {
+        return locate_counted(&scaled.query(), tally);
     }
     match query.in_dimension::<3>() {
         Some(query) => lowered(locate_in_space(&query, tally), query.len()),
@@ -133,6 +138,9 @@ fn measured<const D: usize>(
     if let Some(query) = query.in_dimension::<4>() {
         let Gauge { value, error, location } = by_lad_in_r4::gauge_counted(&query, &mut &mut *tally);
         return Gauge { value, error, location: lowered(location, query.len()) };
+    }
+    if let Some(scaled) = Scaled::of(query) {
+        return measured(&scaled.query(), of, tally);
     }
     let Gauge { value, error, location } = match query.in_dimension::<3>() {
         Some(query) => of(&Facet::find(&query, Goal::Gauge, tally), tally),

@@ -12,6 +12,8 @@
 //! 1. Minimise Σ |a_i x + b_i y + c_i| − (x, y) · p_0 over the plane ([`lad`](crate::lad)).
 //! 2. The minimum is the height. If there is none, the direction in which the objective falls for ever separates.
 //!
+//! Where all lines nearly meet in a point, coordinates around it take their place (`near_one_plane`).
+//!
 //! # Complexity
 //! n generators: expected O(n); space O(n).
 //!
@@ -40,7 +42,7 @@
 //! assert!(matches!(by_kernel::height(&generators, [1.5, 0.0]).unwrap(), Height::BesideQ(_)));
 //! ```
 
-use super::{Height, HeightError, validate};
+use super::{Height, HeightError, near_one_plane, validate};
 use crate::lad::{LadOutcome, LadProblem, WeightedLine, minimize_counted};
 use crate::seed::DEFAULT_SEED;
 use crate::tally::Tally;
@@ -59,6 +61,9 @@ pub fn height(generators: &[[f64; 3]], p0: [f64; 2]) -> Result<Height, HeightErr
 /// [`HeightError`] names the first coordinate that is not finite.
 pub fn height_counted(generators: &[[f64; 3]], p0: [f64; 2], tally: &mut impl Tally) -> Result<Height, HeightError> {
     validate(generators, p0)?;
+    if let Some(height) = near_one_plane::height(generators, p0, tally) {
+        return Ok(height);
+    }
     let lines: Vec<WeightedLine> = generators.iter().map(|&[a, b, c]| WeightedLine::unweighted([a, b], c)).collect();
     let problem = LadProblem::new(&lines, p0.map(|c| -c)).expect("the coordinates are finite, weights are 1");
     Ok(match minimize_counted(&problem, DEFAULT_SEED, tally) {

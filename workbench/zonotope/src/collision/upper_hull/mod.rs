@@ -15,6 +15,7 @@ pub mod brute_force;
 pub mod by_kernel;
 pub mod by_slope_selection;
 mod method;
+mod near_one_plane;
 
 use thiserror::Error;
 

@@ -80,6 +80,12 @@ pub struct ExactOptimum<const D: usize> {
 /// Bounds whose relative gap is at most this are tight: rounding a sum of coefficients alone may cost as much.
 pub(super) const TIGHT_RELATIVE_GAP: f64 = 1e-13;
 
+/// A value that exceeds its lower bound by at most this part of it is called the least.
+///
+/// The centre is a point of doubles, so its rounding alone costs as many digits of the value as the points are farther
+/// from the origin than from each other: there a zonotope that contains them is near the least one, and not it.
+pub const OPTIMAL_GAP: f64 = 1e-11;
+
 impl<const D: usize, Found> Enclosure<D, Found> {
     /// The zonotope, if there is one.
     pub fn optimal(&self) -> Option<&Found> {
@@ -116,6 +122,11 @@ impl<const D: usize> DirectedZonotope<D> {
     /// Whether the bounds differ by no more than rounding.
     pub(super) fn is_tight(&self) -> bool {
         self.value - self.lower_bound <= TIGHT_RELATIVE_GAP * self.lower_bound
+    }
+
+    /// Whether the value is the least one but for [`OPTIMAL_GAP`].
+    pub fn is_optimal(&self) -> bool {
+        self.value - self.lower_bound <= OPTIMAL_GAP * self.lower_bound
     }
 
     /// How far the value may exceed the least possible one, relative to the lower bound; zero when both are zero.

@@ -52,7 +52,7 @@ mod solve;
 #[cfg(feature = "linear-programming")]
 pub mod support_form;
 
-pub use answer::{DirectedZonotope, DirectionsProof, Enclosure, ExactOptimum, Multiplier, OffSpan};
+pub use answer::{DirectedZonotope, DirectionsProof, Enclosure, ExactOptimum, Multiplier, OPTIMAL_GAP, OffSpan};
 pub(crate) use by_row_generation::Generation;
 pub(crate) use lower_bound::balanced;
 pub(crate) use solve::contained;
