@@ -21,7 +21,7 @@
 //!    suffices (`search`). Nets of directions, a box, and the differences of few points are tried beside them.
 //! 3. Merge generators of the sparsest zonotope further, and move the directions (`moving`) until it is short enough.
 //! 4. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
-//!    the volume (`volume`).
+//!    the volume (`volume`), from the answer and from two boxes.
 //! 5. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
 //!    few units in the last place for that, and no generators are added: a zonotope whose generators span the space
 //!    makes up for rounding by itself. A plane of space that no doubles span takes one generator off the plane, as
@@ -85,7 +85,7 @@ const LAST_PRECISION: f64 = 1e-14;
 /// The relative precision of the linear programs of the search for a small volume.
 const VOLUME_PRECISION: f64 = 1e-9;
 
-/// The volume of a zonotope with more generators is not made less: a step takes time as the cube of their number.
+/// The descent does not begin at a zonotope of more generators: a step takes time as the cube of their number.
 const VOLUME_GENERATORS: usize = 60;
 
 /// The points that may be on the boundary, their frame, and the generators of an answer in it.
@@ -178,11 +178,16 @@ pub fn shortest_of_few<const D: usize>(
 /// total length, whose ratio to the lower bound is proven as before, whatever it is.
 pub fn of_less_volume(points: &[[f64; 3]], answer: MinLengthZonotope<3>, epsilon: f64) -> MinLengthZonotope<3> {
     let search = Search::new(points, &answer);
-    if search.frame.rank() < 3 || search.dense.len() > VOLUME_GENERATORS {
+    if search.frame.rank() < 3 {
         return answer;
     }
-    let programs = Programs::new(&search.frame, VOLUME_PRECISION);
-    let found = programs.along(&search.dense).map(|start| volume::of_less_volume(&programs, start));
+    let own = Some(search.dense.clone()).filter(|dense| dense.len() <= VOLUME_GENERATORS);
+    let starts = own.into_iter().chain(search::boxes(&search.frame));
+    let found = starts.filter_map(|start| {
+        let programs = Programs::new(&search.frame, VOLUME_PRECISION);
+        programs.along(&start).map(|start| volume::of_less_volume(&programs, start))
+    });
+    let found = found.min_by(|a, b| volume::of(a).total_cmp(&volume::of(b)));
     let around = found.and_then(|found| exactly_around(&search.kept, &search.frame, &found));
     match around {
         Some((body, value)) if body.exact_volume() < answer.body.exact_volume() => {

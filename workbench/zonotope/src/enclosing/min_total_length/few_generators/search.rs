@@ -116,6 +116,9 @@ pub(super) fn shortest_of_few<const D: usize>(
     let merging = Merging::new(dense);
     let last = Aim { length: 0.0, steps: LAST_STEPS };
     let quick = Aim { steps: QUICK_STEPS, ..last };
+    if let Some(shortest) = found.iter().min_by(|a, b| a.length.total_cmp(&b.length)) {
+        found.push(moved(&programs, shortest.clone(), last));
+    }
     found.extend(along(&merging.down_to(count)).map(|start| moved(&programs, start, last)));
     // Half as many again, merged step by step.
     let mut current = along(&merging.down_to(count + count / 2));
@@ -131,11 +134,18 @@ pub(super) fn shortest_of_few<const D: usize>(
     found.into_iter().filter(|found| found.count() <= count).min_by(|a, b| a.length.total_cmp(&b.length))
 }
 
-/// Directions that know nothing of a zonotope: those of the smallest box along [`Frame::long`], then the corners of
-/// nets of more and more cells.
+/// Directions that know nothing of a zonotope: those of [boxes](boxes), then the corners of nets of more and more cells.
 fn starts<const D: usize>(frame: &Frame<D>) -> impl Iterator<Item = Vec<[f64; D]>> {
     let nets = (2..=NET_CELLS).map(|cells| net(frame.rank(), cells)).take_while(|net| net.len() <= NET_LIMIT);
-    std::iter::once(frame.long.clone()).chain(nets)
+    boxes(frame).chain(nets)
+}
+
+/// The directions of the sides of two boxes: along [`Frame::long`], and along the axes of the points, where these span
+/// the space.
+pub(super) fn boxes<const D: usize>(frame: &Frame<D>) -> impl Iterator<Item = Vec<[f64; D]>> {
+    let axis = |axis: usize| frame.inside(&std::array::from_fn(|c| f64::from(u8::from(c == axis))));
+    let axes = (frame.rank() == D).then(|| (0..D).map(axis).collect());
+    std::iter::once(frame.long.clone()).chain(axes)
 }
 
 /// The differences of points, each line once; `None` where there are too many.

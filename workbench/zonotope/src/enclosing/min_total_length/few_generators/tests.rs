@@ -74,6 +74,22 @@ fn a_count_is_kept_and_more_generators_are_no_longer() {
     assert_eq!(refused.to_string(), message);
 }
 
+/// The corners of a prism over an L, whose smallest boxes have their sides along the axes.
+fn prism_over_an_l() -> Vec<[f64; 3]> {
+    let corners = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
+    corners.iter().flat_map(|[x, y]| [0.0, 1.0].map(|z| [*x, *y, z])).collect()
+}
+
+#[test]
+fn three_generators_are_no_longer_and_hold_no_more_than_the_box_along_the_axes() {
+    let points = prism_over_an_l();
+    let answer = answered(&points, 1e-3);
+    let found = shortest_of_few(&points, answer.clone(), 1e-3, 3).expect("a box");
+    assert!(found.body.generators().len() == 3 && found.value <= 3.5 * (1.0 + 1e-12), "{}", found.value);
+    let found = of_less_volume(&points, answer, 1e-3);
+    assert!(found.body.exact_volume().to_f64() <= 9.0 * (1.0 + 1e-12), "{}", found.body.exact_volume().to_f64());
+}
+
 #[test]
 fn flat_tiny_and_huge_points() {
     // a plane that no axis is orthogonal to
