@@ -91,8 +91,8 @@ fn plan(arguments: &Arguments) -> Plan {
         seed: arguments.seed,
         parts: vec![
             part(&[6, 16, 64], &every, 8),
-            part(&[256, 1 << 10], &every, 2),
-            part(&[1 << 12, 1 << 14, 1 << 16], &few, 2),
+            part(&[256, 1 << 10], &every, 8),
+            part(&[1 << 12, 1 << 14, 1 << 16], &few, 5),
             part(&[1 << 18, 1 << 20], &few, 1),
         ],
         repetitions: arguments.repetitions,

@@ -13,6 +13,10 @@ use std::time::{Duration, Instant};
 const SHORTEST_SAMPLE: Duration = Duration::from_micros(20);
 /// Work that takes longer than this is timed once and not again.
 const LONG: Duration = Duration::from_millis(50);
+/// A contender that needs longer for one question is asked [`FEW_QUESTIONS`] of a cell.
+const SLOW: Duration = Duration::from_millis(20);
+/// So many questions of a cell are put to a slow contender: its times are far from all others.
+const FEW_QUESTIONS: u32 = 2;
 /// A contender that needs longer for one question sits out the larger sizes of the family.
 const PATIENCE: Duration = Duration::from_secs(3);
 
@@ -98,7 +102,9 @@ fn measure(
         cell.questions += 1;
         let mut works: Vec<(&mut Entry, Work, usize)> = Vec::new();
         for (entry, contender) in cell.entries.iter_mut().zip(&entrants) {
-            let Some(mut work) = (contender.prepare)(&question) else {
+            let is_slow = entry.samples_ns.iter().flatten().any(|&ns| ns > SLOW.as_nanos() as f64);
+            let work = Some(()).filter(|()| !is_slow || entry.asked < FEW_QUESTIONS);
+            let Some(mut work) = work.and_then(|()| (contender.prepare)(&question)) else {
                 entry.samples_ns.push(Vec::new());
                 continue;
             };

@@ -88,10 +88,11 @@ pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
 /// Error of a coordinate of a [combined sum](super::combined_sum), in terms of Σ |c v|.
 ///
-/// A small part of a term is at most 2^-24 |c v|, its own roundings are below 2^-75 |c v|. Within a block of 64 vectors
-/// it goes through 32 additions, each off by u times at most 2^-24 Σ |c v|: 2^-72 in all. What joining the blocks
-/// rounds off is kept, so that it is off by u² at most. Together that is less than 2^-71.
-pub(crate) const COMBINED_SUM: f64 = power_of_two(-71);
+/// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 64 vectors, in
+/// each of two lanes, 32 such numbers and 32 remainders of additions, each below u times the sum, are added to a number
+/// that stays below 33 u, which takes 32 · 34 = 1,088. What joining the blocks rounds off is kept. Together that is less
+/// than 2^11.
+pub(crate) const COMBINED_SUM: f64 = power_of_two(-94);
 
 /// Error of an [absolute sum in pairs](super::lanes) over a block of 512 vectors, in terms of Σ |v|_1 times the largest
 /// coordinate of the direction.

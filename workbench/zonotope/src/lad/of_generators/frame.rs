@@ -8,6 +8,7 @@
 use super::cells::direction_cone::DirectionCone;
 use super::cells::sign_pass::FixedSum;
 use super::linear_map::LinearMap;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::{max_norm, sum_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, THIRTY_ROUNDINGS, UNIT};
@@ -81,6 +82,11 @@ impl Frame {
     /// M v, exactly.
     pub(crate) fn exact_image(&self, v: &ExactVector) -> ExactVector {
         self.pose.exact_image(v)
+    }
+
+    /// M v for a vector that is known to twice the digits of a double.
+    pub(crate) fn pair_image(&self, v: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
+        self.pose.pair_image(v)
     }
 
     /// Mᵀ u, exactly.

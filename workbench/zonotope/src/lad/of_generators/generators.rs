@@ -20,6 +20,7 @@ use super::cells::direction_cone::DirectionCone;
 use super::cells::sign_pass::{FixedSum, Places};
 use super::frame::Frame;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::lanes::{bounded_sum, bounded_sum_near, signed_factors};
@@ -196,6 +197,11 @@ impl<'a> Part<'a> {
     fn exact_image(&self, v: &[f64; 3]) -> ExactVector {
         let v = exact(*v);
         self.frame.map_or_else(|| v.clone(), |frame| frame.exact_image(&v))
+    }
+
+    /// The image of a vector that is known to twice the digits of a double.
+    pub(crate) fn pair_image(&self, v: &[BoundedDoubleDouble; 3]) -> [BoundedDoubleDouble; 3] {
+        self.frame.map_or(*v, |frame| frame.pair_image(v))
     }
 
     /// Mᵀ u, exactly: its products with the rows are those of u with the images of the rows.

@@ -3,23 +3,29 @@
 //!
 //! The gauge is u · p / h(u) at the optimal direction u, the exact product of two generators. One pass in pairs of
 //! doubles knows that quotient far beyond a double, however much cancels in it, or the sums of a structure know it
-//! exactly. Where the direction is only nearly optimal, the gauge is at most 1 + `slack` times as large; where that
-//! leaves a doubt, or the pairs do, exact arithmetic answers.
+//! exactly. Where doubles left open whether u is optimal, as at an edge of a facet, a second pass sums up the generators
+//! with their signs: with the coefficients of the two generators of u from that sum, at most ε beyond ±1, the gauge is
+//! at most 1 + 2 ε times as large. Where that leaves a doubt, exact arithmetic answers.
 
 use super::certify::gauge_interval::DecidedOptimum;
 use super::exact::solve::exact_gauge;
 use super::generators::KernelQuery;
 use super::ladder::exact_of;
 use super::optimum::Optimum;
+use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::{ExactVector, dot};
+use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::lanes::absolute_sum_in_pairs;
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, NEAREST_GAUGE};
 use crate::tally::{Operation, Tally};
 
+/// A vector known by pairs of doubles.
+type PairVector = [BoundedDoubleDouble; 3];
+
 /// The gauge, with a bound for its error of at most [`NEAREST_GAUGE`] times its value, unless it is infinite or leaves
-/// the range of normal doubles. One pass, rarely exact arithmetic for every generator.
+/// the range of normal doubles. At most two passes, rarely exact arithmetic for every generator.
 pub(crate) fn nearest_gauge(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> (f64, f64) {
     match optimum {
         Optimum::Rounded(decided) => near_optimum(query, decided, tally)
@@ -31,21 +37,86 @@ pub(crate) fn nearest_gauge(query: &dyn KernelQuery, optimum: &Optimum, tally: &
 
 /// The gauge from the direction of a rounded optimum, if it is known well enough.
 fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Option<(f64, f64)> {
-    let slack = Some(decided.least_slack(query)).filter(|slack| *slack <= NEAREST_GAUGE / 4.0)?;
-    let direction = scaled(decided.optimum.exact_direction(query));
+    let optimum = &decided.optimum;
+    if optimum.is_near_vertex() {
+        return None;
+    }
+    let direction = scaled(optimum.exact_vertex(query));
     let p = query.exact();
-    let along = dot(&p, &direction);
-    let (value, error) = match query.exact_sum_along(&direction) {
-        Some(sum) => exact_gauge(&along, &dot(&sum, &direction)),
+    let along = exact_linear::dot(&p, &direction);
+    let summed = query.exact_sum_along(&direction);
+    let (value, error, reach) = match &summed {
+        Some(sum) => {
+            let reach = exact_linear::dot(sum, &direction);
+            let (value, error) = exact_gauge(&along, &reach);
+            (value, error, BoundedDoubleDouble::of(&reach))
+        }
         None => {
             tally.add(Operation::GeneratorRead, query.len() as u64);
             let reach = support(query, &direction);
             let quotient = (BoundedDoubleDouble::of(&along) / reach).rounded();
-            (quotient.value, quotient.error)
+            (quotient.value, quotient.error, reach)
         }
     };
+    let slack = if optimum.is_vertex() {
+        0.0
+    } else {
+        let sum = match summed {
+            Some(sum) => in_pairs(&sum),
+            None => {
+                tally.add(Operation::GeneratorRead, query.len() as u64);
+                signed_sum(query, decided)
+            }
+        };
+        let [a, b] = optimum.basis.map(|index| in_pairs(&query.exact_generator(index)));
+        slack(&sum, [&a, &b], &in_pairs(&p), &in_pairs(&direction), reach)
+    };
     let error = (error + (value + error) * slack) * FIVE_ROUNDINGS;
+    // false for NaN as well
     (error <= NEAREST_GAUGE * value).then_some((value, error))
+}
+
+/// By what factor less 1 the gauge may exceed u · p / h(u), where S is the sum of all generators but a and b with their
+/// signs at u = ±a × b, and `reach` is h(u).
+///
+/// With λ = S · u / p · u, coefficients δ_a and δ_b make S + δ_a a + δ_b b = λ p. The gauge of a and of b is at most 1,
+/// so that of λ p is at most 1 plus what the coefficients exceed 1 by.
+fn slack(
+    sum: &PairVector,
+    [a, b]: [&PairVector; 2],
+    p: &PairVector,
+    u: &PairVector,
+    reach: BoundedDoubleDouble,
+) -> f64 {
+    let volume = dot(p, &cross(a, b)).abs();
+    let beyond = |dual: &PairVector| ((dot(sum, dual).abs() - volume) / volume).interval().1.max(0.0);
+    let signed = dot(sum, u);
+    let missing = ((reach - signed) / signed).interval().1.max(0.0);
+    let excess = beyond(&cross(b, p)) + beyond(&cross(p, a));
+    (excess + missing + excess * missing) * FIVE_ROUNDINGS
+}
+
+/// The sum of all generators but the two of the vertex, with their signs or shares. One pass.
+fn signed_sum(query: &dyn KernelQuery, decided: &DecidedOptimum) -> PairVector {
+    let optimum = &decided.optimum;
+    let mut coefficients = decided.cells.coefficients(query, &optimum.cell(), 1.0);
+    for &(index, share) in &optimum.shares {
+        coefficients[index] = share;
+    }
+    for &index in &optimum.basis {
+        coefficients[index] = 0.0;
+    }
+    let mut rest = &coefficients[..];
+    query.parts().iter().fold([BoundedDoubleDouble::exact(0.0); 3], |sum, part| {
+        let (own, others) = rest.split_at(part.rows.len());
+        rest = others;
+        let own = part.pair_image(&combined_sum(part.rows.list(), own));
+        [0, 1, 2].map(|k| sum[k] + own[k])
+    })
+}
+
+fn in_pairs(v: &ExactVector) -> PairVector {
+    v.each_ref().map(BoundedDoubleDouble::of)
 }
 
 /// h(u), to twice the digits of a double.
@@ -54,8 +125,7 @@ fn support(query: &dyn KernelQuery, direction: &ExactVector) -> BoundedDoubleDou
         if part.rows.is_empty() {
             return sum;
         }
-        let pulled = part.exact_pulled(direction).each_ref().map(BoundedDoubleDouble::of);
-        sum + absolute_sum_in_pairs(part.rows, &pulled)
+        sum + absolute_sum_in_pairs(part.rows, &in_pairs(&part.exact_pulled(direction)))
     })
 }
 

@@ -45,20 +45,6 @@ impl DecidedOptimum {
         }
     }
 
-    /// A bound of the gauge over u · p / h(u), less 1, where u is the direction of the optimum: 0 at a vertex that is
-    /// the optimum for sure. At most two passes over the generators elsewhere.
-    pub(crate) fn least_slack(&self, query: &dyn KernelQuery) -> f64 {
-        let optimum = &self.optimum;
-        if optimum.is_vertex() {
-            return 0.0;
-        }
-        let sharpest = THICKNESS_SHARES.iter().fold(self.slack, |slack, &share| {
-            if slack == 0.0 { slack } else { slack.min(optimum.slack(unit_gauge_bound(query, share))) }
-        });
-        let least = optimum.reach.value - optimum.reach.error - optimum.missing;
-        (sharpest + (1.0 + sharpest) * optimum.missing / least) * FIVE_ROUNDINGS
-    }
-
     /// The gauge with a bound for its error.
     pub(crate) fn gauge(&self) -> (f64, f64) {
         gauge(&self.optimum, self.slack)

@@ -171,12 +171,9 @@ impl RoundedOptimum {
         if self.reversed { exact_linear::cross(&b, &a) } else { exact_linear::cross(&a, &b) }
     }
 
-    /// The direction at which the gauge was bounded, exactly: the vertex, or a point of doubles near it.
-    pub(crate) fn exact_direction(&self, query: &dyn KernelQuery) -> ExactVector {
-        if self.direction.iter().all(|c| c.error == 0.0) {
-            return exact_linear::exact(self.direction.map(|c| c.value));
-        }
-        self.exact_vertex(query)
+    /// Whether the direction is not the vertex itself but doubles near it, of two generators that are nearly parallel.
+    pub(crate) fn is_near_vertex(&self) -> bool {
+        self.excess[0] == f64::INFINITY
     }
 
     /// The cell of all directions within the rounding error of the vertex.
