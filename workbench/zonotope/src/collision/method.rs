@@ -247,8 +247,9 @@ impl Method {
         };
         gauge.ok_or(MethodError::Dimension { method: self, dimension: D })
     }
-    /// [`gauge`](Self::gauge) as answers of bodies have it: within two units in the last place where the method is exact
-    /// or the kernel, its proof with the doubles nearest to the coefficients of the basis
+
+    /// [`gauge`](Self::gauge) as answers of bodies have it: within four units in the last place where the method is
+    /// exact or the kernel, its proof with the doubles nearest to the coefficients of the basis
     /// ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
     ///
     /// # Errors

@@ -88,10 +88,10 @@ pub const DOUBLE_DOUBLE_OPERATION: f64 = power_of_two(-98);
 
 /// Error of a coordinate of a [combined sum](super::combined_sum), in terms of Σ |c v|.
 ///
-/// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 64 vectors, in
-/// each of two lanes, 32 such numbers and 32 remainders of additions, each below u times the sum, are added to a number
-/// that stays below 33 u, which takes 32 · 34 = 1,088. What joining the blocks rounds off is kept. Together that is less
-/// than 2^11.
+/// In units of u² Σ |c v|: what rounding a product leaves behind is off by less than 1. Within a block of 64 vectors,
+/// in each of two lanes, 32 such numbers and 32 remainders of additions, each below u times the sum, are added to a
+/// number that stays below 33 u, which takes 32 · 34 = 1,088. What joining the blocks rounds off is kept. Together that
+/// is less than 2^11.
 pub(crate) const COMBINED_SUM: f64 = power_of_two(-94);
 
 /// Error of an [absolute sum in pairs](super::lanes) over a block of 512 vectors, in terms of Σ |v|_1 times the largest
@@ -150,8 +150,9 @@ pub const CONE_ROUNDING: f64 = 8.0 * UNIT;
 /// support function cancelled, and then the exact optimum costs little more than the digits that it gives back.
 pub const GAUGE_ACCURACY: f64 = power_of_two(-36);
 
-/// The gauge of an answer that is handed to others is off by at most this part of it: two units in the last place.
-pub const NEAREST_GAUGE: f64 = f64::EPSILON;
+/// The gauge of an answer that is handed to others is off by at most this part of it: at most four units in the last
+/// place.
+pub const NEAREST_GAUGE: f64 = 2.0 * f64::EPSILON;
 
 /// The displacement between posed centres counts as known in doubles when no coordinate is off by more than this part
 /// of the largest coordinate.

@@ -78,7 +78,7 @@ impl<'q> Facet<'q> {
         self.optimum.gauge()
     }
 
-    /// The gauge within two units in the last place, and a bound of its error; infinite where no multiple of the body
+    /// The gauge within four units in the last place, and a bound of its error; infinite where no multiple of the body
     /// holds the displacement. One pass.
     pub fn nearest_value(&self) -> (f64, f64) {
         nearest_gauge(self.query, &self.optimum, &mut ())

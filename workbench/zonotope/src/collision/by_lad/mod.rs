@@ -33,8 +33,8 @@
 //!
 //! # Numerics
 //! Every decision is exact: status, validity of the proof. The gauge is within `error`, at most 2^-36 of it, that of
-//! [`nearest_gauge`] within two units in the last place; a gauge beyond the range of doubles is `f64::MAX` with infinite
-//! error.
+//! [`nearest_gauge`] within four units in the last place; a gauge beyond the range of doubles is `f64::MAX` with
+//! infinite error.
 //!
 //! # Errors
 //! None: the query was validated when it was made.
@@ -115,7 +115,7 @@ pub fn gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut dyn Tally
     measured(query, |facet, tally| facet.gauge_counted(tally), tally)
 }
 
-/// The gauge as answers of bodies have it: within two units in the last place, its proof with the doubles nearest to
+/// The gauge as answers of bodies have it: within four units in the last place, its proof with the doubles nearest to
 /// the coefficients of the basis ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
 ///
 /// [`gauge`] is enough for decisions and takes less: here are up to two passes more, which are slower ones.

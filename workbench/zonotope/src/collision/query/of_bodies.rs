@@ -31,8 +31,9 @@ impl<const D: usize> Zonotope<D> {
         Ok(located(&query).with_nearest_basis(&query))
     }
 
-    /// How many times the body must be taken, from its centre, to hold a point, within two units in the last place; with
-    /// the proof of where the point lies. The cost is that of [`locate`](Self::locate).
+    /// How many times the body must be taken, from its centre, to hold a point, within four units in the last place;
+    /// with the proof of where the point lies. The cost is that of [`locate`](Self::locate), and a pass or two over the
+    /// generators for the last digits.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.

@@ -134,7 +134,7 @@ pub(super) fn shortest_of_few<const D: usize>(
     found.into_iter().filter(|found| found.count() <= count).min_by(|a, b| a.length.total_cmp(&b.length))
 }
 
-/// Directions that know nothing of a zonotope: those of [boxes](boxes), then the corners of nets of more and more cells.
+/// Directions that know nothing of a zonotope: those of [`boxes`], then the corners of nets of more and more cells.
 fn starts<const D: usize>(frame: &Frame<D>) -> impl Iterator<Item = Vec<[f64; D]>> {
     let nets = (2..=NET_CELLS).map(|cells| net(frame.rank(), cells)).take_while(|net| net.len() <= NET_LIMIT);
     boxes(frame).chain(nets)
