@@ -138,7 +138,7 @@ fn experiments_run_on_own_files() {
     assert!(counts.lines().next().is_some_and(|line| line.contains("\"family\":\"mine.csv\",")), "{counts}");
     assert!(counts.contains("\"hull_vertices\":3.0"), "{counts}");
     let plot = text("figures/own-hull-scaling-turn.svg");
-    assert!(plot.contains("on mine.csv") && plot.contains("exponent 2.12 (2.08 to 2.16)"), "{plot}");
+    assert!(plot.contains("mine.csv") && plot.contains("circle: exponent 2.12 (2.08 to 2.16)"), "{plot}");
     assert!(text("report.html").contains("own-hull-scaling-turn"));
     assert!(text("manifest.json").contains("--config my.toml"));
     fs::write(folder.join("my.toml"), config.replace("sizes", "sise")).expect("written");
