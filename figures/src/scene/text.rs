@@ -148,8 +148,8 @@ impl Line {
         }
     }
 
-    /// The SVG element; below it one more that is the rim of paper, if the style has one. They are two because not every
-    /// program knows the attribute that paints the rim of a text first.
+    /// The SVG element; below it one more that is the rim of paper, if the style has one. They are two because not
+    /// every program knows the attribute that paints the rim of a text first.
     pub fn element(&self, place: PagePoint, anchor: Anchor, style: &TextStyle) -> String {
         let rim = format!(
             " aria-hidden=\"true\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",

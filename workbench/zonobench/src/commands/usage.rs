@@ -30,7 +30,10 @@ pub enum Usage {
     )]
     OptionsForQuestions(PathBuf),
     /// The name of a result ends as that of a file in another format.
-    #[error("{}: the name is that of another format; {format} is written here, so name it .{extension}", .file.display())]
+    #[error(
+        "{}: the name is that of another format; {format} is written here, so name it .{extension}",
+        .file.display()
+    )]
     OtherFormat {
         /// The file.
         file: PathBuf,

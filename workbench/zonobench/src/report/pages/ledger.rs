@@ -7,7 +7,8 @@ use crate::report::Evidence;
 use crate::report::html::Escaped;
 use crate::report::tables::{claim_table, finding_badge};
 
-/// The ledger, with what the sorts of findings mean and where the corrections stand; nothing where no claim was checked.
+/// The ledger, with what the sorts of findings mean and where the corrections stand; nothing where no claim was
+/// checked.
 pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     if evidence.claims.is_empty() {
         return String::new();
