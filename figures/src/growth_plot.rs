@@ -1,11 +1,12 @@
 //! Plots of an experiment's growth: samples from the records, the best of the growth models through them.
 
-use crate::axes::{Curve, Look, Plot, Scale, power};
+use crate::axes::{Curve, Look, Naming, Plot, SHAPE_COUNT, Scale, power};
 use crate::figure::{Figure, FigureError, FigureInput};
-use crate::style::method_color;
+use crate::style::{SERIES, find_method_color, method_color};
 use experiments::analysis;
+use experiments::data::own_input;
 use experiments::definition::{Experiment, FitPlan, Quantity, Variant};
-use experiments::fit::{self, Estimate, Growth, GrowthModel, ModelVerdict};
+use experiments::fit::{self, Estimate, FitError, Growth, GrowthModel, ModelVerdict};
 use experiments::runner::Records;
 
 /// A plot of an experiment: one quantity, for chosen variants and families.
@@ -60,8 +61,32 @@ impl GrowthPlot {
             x_scale: Scale::Logarithmic,
             y_name: self.y_name.into(),
             curves,
+            naming: Naming::Apart,
         };
         plot.draw()
+    }
+
+    /// The curves of every method on every input that has samples, method by method: the colour is the method's, the
+    /// sign the input's, and own inputs are singled out. The notes are the input's name and, where sizes are enough for
+    /// a law, the exponent.
+    pub fn curves_of_every_input(&self, records: &Records) -> Vec<Curve> {
+        let mut curves = Vec::new();
+        for (method, variant) in self.experiment.variants.iter().enumerate() {
+            for (input, &(family, _)) in self.families.iter().enumerate() {
+                let samples = analysis::samples(self.experiment.id, family, variant.id, self.quantity, records).0;
+                if samples.is_empty() {
+                    continue;
+                }
+                let mut curve = self.unnamed_curve(variant, &samples, look_on_input(variant, method, family, input));
+                curve.notes.push(family.replace('_', " "));
+                if let Ok(growth) = self.fit(variant, family, &samples) {
+                    curve.notes.push(self.exponents(&growth));
+                    curve.fit = self.law(&growth).1;
+                }
+                curves.push(curve);
+            }
+        }
+        curves
     }
 
     /// The curve of a variant on a family, if it has samples.
@@ -76,18 +101,13 @@ impl GrowthPlot {
         if samples.is_empty() {
             return None;
         }
-        let mut curve = Curve {
-            name: variant.title.to_owned(),
-            notes: family_name.map(|name| format!("on {name}")).into_iter().collect(),
-            points: samples.iter().map(|&(n, y)| [n, y / self.y_unit]).collect(),
-            fit: Vec::new(),
-            look,
-        };
-        if let Ok(growth) = fit::fit_growth(fit::last_doublings(&samples), self.models(variant, family)) {
-            self.add_fit(&mut curve, &growth);
-        } else if samples.windows(2).all(|pair| pair[0].0 < pair[1].0) {
-            // Points with one value a size that have no law are joined, so that their course is seen.
-            curve.fit = curve.points.clone();
+        let mut curve = self.unnamed_curve(variant, &samples, look);
+        curve.notes.extend(family_name.map(|name| format!("on {name}")));
+        if let Ok(growth) = self.fit(variant, family, &samples) {
+            let (law, points) = self.law(&growth);
+            let sizes = format!("{} = {} to {}", self.letter(), size_name(growth.smallest), size_name(growth.largest));
+            curve.notes.extend([law, self.exponents(&growth), sizes]);
+            curve.fit = points;
         }
         if let Some(other) = self.compared_with.filter(|other| *other != variant.id) {
             let (others, _) = analysis::samples(self.experiment.id, family, other, self.quantity, records);
@@ -102,6 +122,21 @@ impl GrowthPlot {
         Some(curve)
     }
 
+    /// A curve without notes and without a law: points of several sizes are joined by the medians of the sizes, so that
+    /// their course is seen.
+    fn unnamed_curve(&self, variant: &Variant, samples: &[(f64, f64)], look: Look) -> Curve {
+        let in_units = |(n, y): (f64, f64)| [n, y / self.y_unit];
+        let medians: Vec<[f64; 2]> =
+            samples.chunk_by(|a, b| a.0 == b.0).map(|same| in_units((same[0].0, middle(same)))).collect();
+        Curve {
+            name: variant.title.to_owned(),
+            notes: Vec::new(),
+            points: samples.iter().copied().map(in_units).collect(),
+            fit: if medians.len() > 1 { medians } else { Vec::new() },
+            look,
+        }
+    }
+
     /// The look of a variant on a family, which is the curve of this number. The colour is the method's. Where each
     /// method is shown on each of several families, the sign's shape is the family's, and every second method has
     /// hollow signs; else every curve has a shape of its own.
@@ -110,12 +145,12 @@ impl GrowthPlot {
         let is_full = shown().all(|other| self.families.iter().all(|(family, _)| (self.shows)(other.id, family)));
         let color = method_color(variant.id);
         if !is_full || self.families.len() == 1 {
-            return Look { color, shape: number, is_hollow: false };
+            return Look::new(color, number);
         }
         let place = |found: Option<usize>| found.unwrap_or_default();
         let shape = place(self.families.iter().position(|(other, _)| *other == family));
         let is_hollow = place(shown().position(|other| other.id == variant.id)) % 2 == 1;
-        Look { color, shape, is_hollow }
+        Look { is_hollow, ..Look::new(color, shape) }
     }
 
     fn shows_anywhere(&self, variant: &Variant) -> bool {
@@ -130,9 +165,14 @@ impl GrowthPlot {
         self.experiment.fits.iter().find(is_shown).map_or(GrowthModel::RUNNING_TIMES, |plan| plan.models)
     }
 
+    /// The growth over the last doublings, if there are sizes enough.
+    fn fit(&self, variant: &Variant, family: &str, samples: &[(f64, f64)]) -> Result<Growth, FitError> {
+        fit::fit_growth(fit::last_doublings(samples), self.models(variant, family))
+    }
+
     /// The best model if its exponent lies in the interval of the samples', else the power law, which is the middle of
-    /// that interval.
-    fn add_fit(&self, curve: &mut Curve, growth: &Growth) {
+    /// that interval; in words and as points of its curve.
+    fn law(&self, growth: &Growth) -> (String, Vec<[f64; 2]>) {
         let near = growth.best().filter(|best| best.verdict == ModelVerdict::Within);
         let is_inside = |Estimate { low, high, .. }| (low - SHOWN_PRECISION..=high + SHOWN_PRECISION).contains(&0.0);
         let within = near.filter(|best| is_inside(best.excess_exponent));
@@ -155,11 +195,14 @@ impl GrowthPlot {
                 format!("power law, {}", place.unwrap_or_else(among))
             }
         };
-        let [value, low, high] = [exponent.value, exponent.low, exponent.high].map(signed);
-        let exponents = format!("exponent {value} ({low} to {high})");
-        let sizes = format!("{} = {} to {}", self.letter(), size_name(growth.smallest), size_name(growth.largest));
-        curve.notes.extend([law, exponents, sizes]);
-        curve.fit = points.collect();
+        (law, points.collect())
+    }
+
+    /// The exponent with its interval.
+    fn exponents(&self, growth: &Growth) -> String {
+        let Estimate { value, low, high } = growth.exponent;
+        let [value, low, high] = [value, low, high].map(signed);
+        format!("exponent {value} ({low} to {high})")
     }
 
     /// The letter that the horizontal axis gives to the size.
@@ -176,12 +219,41 @@ impl GrowthPlot {
 fn factor_at_largest(samples: &[(f64, f64)], others: &[(f64, f64)]) -> Option<(f64, f64)> {
     let is_common = |n: &f64| others.iter().any(|(other, _)| other == n);
     let n = samples.iter().map(|(n, _)| *n).filter(is_common).max_by(f64::total_cmp)?;
-    let median = |of: &[(f64, f64)]| {
-        let mut values: Vec<f64> = of.iter().filter(|(size, _)| *size == n).map(|(_, y)| *y).collect();
-        values.sort_by(f64::total_cmp);
-        values[values.len() / 2]
+    let at_largest = |of: &[(f64, f64)]| {
+        let values: Vec<(f64, f64)> = of.iter().copied().filter(|(size, _)| *size == n).collect();
+        median(&values)
     };
-    Some((n, median(samples) / median(others)))
+    Some((n, at_largest(samples) / at_largest(others)))
+}
+
+/// The values of some samples, the least first.
+fn sorted_values(samples: &[(f64, f64)]) -> Vec<f64> {
+    let mut values: Vec<f64> = samples.iter().map(|(_, y)| *y).collect();
+    values.sort_by(f64::total_cmp);
+    values
+}
+
+/// The upper median of the values of some samples, at least one.
+fn median(samples: &[(f64, f64)]) -> f64 {
+    sorted_values(samples)[samples.len() / 2]
+}
+
+/// The mean of both medians of the values of some samples, at least one.
+fn middle(samples: &[(f64, f64)]) -> f64 {
+    let values = sorted_values(samples);
+    values[(values.len() - 1) / 2] / 2.0 + values[values.len() / 2] / 2.0
+}
+
+/// The look of the method of this number on the input of this number. Methods that have no colour of their own have
+/// those of series, then the same with hollow signs; so have inputs when their shapes run out.
+fn look_on_input(variant: &Variant, method: usize, family: &str, input: usize) -> Look {
+    let color = find_method_color(variant.id);
+    let turns = input / SHAPE_COUNT + if color.is_some() { 0 } else { method / SERIES.len() };
+    Look {
+        is_hollow: turns % 2 == 1,
+        is_singled_out: own_input(family).is_some(),
+        ..Look::new(color.unwrap_or(SERIES[method % SERIES.len()]), input % SHAPE_COUNT)
+    }
 }
 
 /// Between which models the growth lies, when it is within none.
@@ -263,6 +335,41 @@ mod tests {
         let fast = [(2.0, 3.0), (1.0, 1.0), (4.0, 5.0)];
         assert_eq!(factor_at_largest(&slow, &fast), Some((2.0, 10.0)));
         assert_eq!(factor_at_largest(&slow, &[]), None);
+    }
+
+    /// One look for each method and input, however many there are, and the methods' own colours where they have any.
+    #[test]
+    fn every_method_on_every_input_has_a_look_of_its_own() {
+        for experiment in experiments::catalog::EXPERIMENTS {
+            let mut looks = Vec::new();
+            for (method, variant) in experiment.variants.iter().enumerate() {
+                for input in 0..SHAPE_COUNT {
+                    let look = look_on_input(variant, method, "circle", input);
+                    assert!(!looks.contains(&look), "{}: {} on input {input}", experiment.id, variant.id);
+                    assert!(find_method_color(variant.id).is_none_or(|color| color == look.color));
+                    looks.push(look);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn points_without_a_law_are_joined_at_the_middle_of_each_size_and_one_size_has_no_line() {
+        let experiment = experiments::catalog::find("hull-scaling").expect("it is in the catalog");
+        let plot = GrowthPlot {
+            experiment,
+            quantity: Quantity::AllCounts,
+            families: &[("disc", None)],
+            shows: |_, _| true,
+            x_name: "n",
+            y_name: "operations",
+            y_unit: 2.0,
+            compared_with: None,
+        };
+        let curve = |samples: &[(f64, f64)]| plot.unnamed_curve(&experiment.variants[0], samples, Look::of_series(0));
+        assert_eq!(curve(&[(8.0, 2.0), (8.0, 6.0), (16.0, 8.0)]).fit, [[8.0, 2.0], [16.0, 4.0]]);
+        let single = curve(&[(8.0, 2.0), (8.0, 6.0)]);
+        assert_eq!((single.points.len(), single.fit.len()), (2, 0));
     }
 
     #[test]

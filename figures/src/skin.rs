@@ -1,4 +1,4 @@
-//! A mesh inside of a zonohedron: the triangles that are turned to the eye, shaded, between the hidden edges of the
+//! A mesh inside of a zonohedron: the faces that are turned to the eye, shaded, between the hidden edges of the
 //! body and its faces in front.
 
 use crate::scene::Panel;
@@ -11,37 +11,37 @@ pub const MESH: Paint = Paint::fill(INPUT, 0.85);
 pub const ZONOHEDRON: Paint = Paint::fill(ENCLOSING, 0.1).with_outline(Stroke::new(ENCLOSING, weight::MEDIUM));
 const HIDDEN: Paint = Paint::outline(Stroke::new(GREY, weight::FINE).dashed(Dash::Dotted).faded(0.7));
 
-/// The triangles of a mesh that are turned to the eye, the farthest first.
+/// The faces of a mesh that are turned to the eye, the farthest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skin {
-    triangles: Vec<SeenTriangle>,
+    faces: Vec<SeenFace>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct SeenTriangle {
+struct SeenFace {
     /// The corners on the page.
-    corners: [[f64; 2]; 3],
-    /// How squarely the triangle is turned to the eye.
+    corners: Vec<[f64; 2]>,
+    /// How squarely the face is turned to the eye.
     squareness: f64,
-    /// The sum of the heights of the corners along the rays.
+    /// The mean of the heights of the corners along the rays.
     nearness: f64,
 }
 
 impl Skin {
-    /// What a camera sees of the triangles; their corners run counter-clockwise as seen from outside.
-    pub fn seen(camera: &Camera, vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Self {
-        let seen = |triangle: &[usize; 3]| {
-            let corners = triangle.map(|corner| vertices[corner]);
-            let face = Face::of_triangle(corners);
-            camera.sees(&face).then(|| SeenTriangle {
-                corners: corners.map(|corner| camera.project(corner)),
+    /// What a camera sees of the faces, which are lists of vertices; they run counter-clockwise as seen from outside.
+    pub fn seen(camera: &Camera, vertices: &[[f64; 3]], faces: &[impl AsRef<[usize]>]) -> Self {
+        let seen = |corners: &[usize]| {
+            let face = Face::of_polygon(corners.iter().map(|&corner| vertices[corner]).collect());
+            let heights: f64 = face.corners.iter().map(|&corner| camera.nearness(corner)).sum();
+            camera.sees(&face).then(|| SeenFace {
+                corners: face.corners.iter().map(|&corner| camera.project(corner)).collect(),
                 squareness: camera.squareness(&face),
-                nearness: corners.iter().map(|&corner| camera.nearness(corner)).sum(),
+                nearness: heights / corners.len() as f64,
             })
         };
-        let mut triangles: Vec<SeenTriangle> = triangles.iter().filter_map(seen).collect();
-        triangles.sort_by(|a, b| a.nearness.total_cmp(&b.nearness));
-        Self { triangles }
+        let mut faces: Vec<SeenFace> = faces.iter().filter_map(|corners| seen(corners.as_ref())).collect();
+        faces.sort_by(|a, b| a.nearness.total_cmp(&b.nearness));
+        Self { faces }
     }
 }
 
@@ -51,9 +51,9 @@ pub fn draw_inside(panel: &mut Panel<'_>, camera: &Camera, faces: &[Face], skin:
     for face in faces.iter().filter(|face| !camera.sees(face)) {
         panel.polygon(&place(face), &HIDDEN);
     }
-    for triangle in &skin.triangles {
-        let shade = INPUT.mixed(PAPER, (40.0 + 150.0 * triangle.squareness) as u16);
-        panel.polygon(&triangle.corners, &Paint::fill(shade, 1.0).with_outline(Stroke::new(shade, 0.4)));
+    for face in &skin.faces {
+        let shade = INPUT.mixed(PAPER, (40.0 + 150.0 * face.squareness) as u16);
+        panel.polygon(&face.corners, &Paint::fill(shade, 1.0).with_outline(Stroke::new(shade, 0.4)));
     }
     for face in faces.iter().filter(|face| camera.sees(face)) {
         panel.polygon(&place(face), &ZONOHEDRON);
@@ -70,7 +70,22 @@ mod tests {
         let vertices =
             [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -2.0, 0.0], [1.0, -2.0, 0.0], [0.0, -2.0, 1.0]];
         let seen = Skin::seen(&camera, &vertices, &[[3, 4, 5], [0, 2, 1], [0, 1, 2]]);
-        let depths: Vec<f64> = seen.triangles.iter().map(|triangle| triangle.nearness).collect();
-        assert_eq!(depths, [0.0, 6.0]);
+        let depths: Vec<f64> = seen.faces.iter().map(|face| face.nearness).collect();
+        assert_eq!(depths, [0.0, 2.0]);
+    }
+
+    #[test]
+    fn a_face_with_a_notch_is_one_polygon() {
+        let camera = Camera::from_direction([0.0, -1.0, 0.0]);
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+        for turn in 0..6 {
+            let vertices: Vec<[f64; 3]> = (0..6).map(|k| corners[(k + turn) % 6]).map(|[x, z]| [x, 0.0, z]).collect();
+            let seen = Skin::seen(&camera, &vertices, &[[0, 1, 2, 3, 4, 5]]);
+            assert_eq!(seen.faces.len(), 1);
+            let places: Vec<[f64; 2]> = (0..6).map(|k| corners[(k + turn) % 6]).collect();
+            assert_eq!(seen.faces[0].corners, places);
+            assert!((seen.faces[0].squareness - 1.0).abs() < 1e-12);
+            assert_eq!(Skin::seen(&camera, &vertices, &[[5, 4, 3, 2, 1, 0]]).faces.len(), 0);
+        }
     }
 }

@@ -17,11 +17,14 @@ pub struct Face {
 }
 
 impl Face {
-    /// A triangle whose corners run counter-clockwise as seen from outside.
-    pub fn of_triangle(corners: [[f64; 3]; 3]) -> Self {
-        let [a, b, c] = corners;
-        let arm = |to: [f64; 3]| std::array::from_fn(|i| to[i] - a[i]);
-        Self { corners: corners.to_vec(), normal: cross(arm(b), arm(c)), sides: vec![0, 1, 2] }
+    /// A polygon, convex or not, whose corners run counter-clockwise as seen from outside. The length of the normal is
+    /// twice the area.
+    pub fn of_polygon(corners: Vec<[f64; 3]>) -> Self {
+        let first = corners.first().copied().unwrap_or_default();
+        let arms: Vec<[f64; 3]> = corners.iter().map(|to| std::array::from_fn(|i| to[i] - first[i])).collect();
+        let doubled = arms.windows(2).map(|arm| cross(arm[0], arm[1]));
+        let normal = doubled.fold([0.0; 3], |sum, part| std::array::from_fn(|i| sum[i] + part[i]));
+        Self { sides: (0..corners.len()).collect(), corners, normal }
     }
 }
 

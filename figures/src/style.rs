@@ -62,7 +62,7 @@ pub const SERIES: [Color; 6] = [INPUT, REFLECTED, ENCLOSING, OPTIMUM, SKY, OLIVE
 
 /// The colours of methods: a method has the same one in every plot. Where methods are compared, blue is the one that is
 /// used by default, orange the paper's own, green the next exact one; other colours are for the rest.
-const METHODS: [(&str, Color); 28] = [
+const METHODS: [(&str, Color); 36] = [
     ("by_pruning", INPUT),
     ("by_lad", INPUT),
     ("by_row_generation", INPUT),
@@ -71,21 +71,29 @@ const METHODS: [(&str, Color); 28] = [
     ("cluster", INPUT),
     ("fresh", INPUT),
     ("by_scan", INPUT),
+    ("by_discarding", INPUT),
     ("by_slope_selection", REFLECTED),
     ("papers_program", REFLECTED),
     ("papers_net", REFLECTED),
     ("lemma_5_5", REFLECTED),
     ("by_dynamic_hull", REFLECTED),
     ("walking", REFLECTED),
+    ("randomized", REFLECTED),
+    ("by_cutting", REFLECTED),
+    ("extreme_point_scan", REFLECTED),
     ("by_line_search", ENCLOSING),
     ("by_explicit_faces", ENCLOSING),
     ("support_form", ENCLOSING),
     ("net_of_cells", ENCLOSING),
     ("trees", ENCLOSING),
     ("girard", ENCLOSING),
+    ("by_monotone_chain", ENCLOSING),
+    ("by_lad_location", ENCLOSING),
+    ("by_direction_tree", ENCLOSING),
     ("by_gjk", OPTIMUM),
     ("combastel", OPTIMUM),
     ("warm", OPTIMUM),
+    ("brute_force", OPTIMUM),
     ("clarabel", SKY),
     ("pca", SKY),
     ("microlp", OLIVE),
@@ -95,7 +103,12 @@ const METHODS: [(&str, Color); 28] = [
 
 /// The colour of the method with this id; ink for one that is compared with no other.
 pub fn method_color(id: &str) -> Color {
-    METHODS.iter().find(|(method, _)| *method == id).map_or(INK, |(_, color)| *color)
+    find_method_color(id).unwrap_or(INK)
+}
+
+/// The colour of the method with this id, if it is one of those that are compared.
+pub(crate) fn find_method_color(id: &str) -> Option<Color> {
+    METHODS.iter().find(|(method, _)| *method == id).map(|(_, color)| *color)
 }
 
 /// Line weights, in page units.

@@ -4,24 +4,24 @@
 //! Logarithms come from `libm`, so the bytes are the same on every machine.
 
 mod axis;
+mod legend;
 mod sign;
 
 pub use self::axis::Scale;
 pub use self::sign::Look;
 
 pub(crate) use self::axis::power;
+pub(crate) use self::sign::SHAPE_COUNT;
 
 use self::axis::Axis;
-use self::sign::{inner, sign};
+use self::sign::sign;
 use crate::figure::FigureError;
 use crate::scene::page::decimals;
-use crate::scene::text::{Line, TextStyle};
 use crate::style::{Color, GREY, INK, PALE, PAPER, text_size};
 use plotters::chart::{ChartBuilder, ChartContext};
 use plotters::coord::cartesian::Cartesian2d;
-use plotters::element::{PathElement, Text};
-use plotters::prelude::{DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend};
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::element::PathElement;
+use plotters::prelude::{DrawingBackend, IntoDrawingArea, SVGBackend};
 use plotters::style::{FontFamily, FontStyle, IntoFont, RGBColor, ShapeStyle};
 use std::fmt::Write as _;
 
@@ -55,16 +55,23 @@ pub struct Plot {
     pub y_name: String,
     /// The series, in the order of the legend.
     pub curves: Vec<Curve>,
+    /// How the legend names the series.
+    pub naming: Naming,
+}
+
+/// How a legend names the series of a plot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Naming {
+    /// Each series has its name, with its notes below.
+    Apart,
+    /// Series of one name that follow each other stand below it, a line each, which is made of their notes.
+    Grouped,
 }
 
 /// Units of drawing per unit of page.
 const FINENESS: i32 = 10;
 const PLOT_WIDTH: f64 = 560.0;
 const LEAST_HEIGHT: f64 = 430.0;
-const LEGEND_TOP: f64 = 20.0;
-const LEGEND_LINE: f64 = 17.0;
-/// Between two entries of the legend.
-const LEGEND_GAP: f64 = 10.0;
 
 impl Plot {
     /// The plot as an SVG document.
@@ -80,13 +87,14 @@ impl Plot {
         let x = Axis::around(self.x_scale, all().map(|point| point[0])).ok_or(FigureError::NoSeries)?;
         let y = Axis::around(Scale::Logarithmic, all().map(|point| point[1])).ok_or(FigureError::NoSeries)?;
 
-        let width = PLOT_WIDTH + self.legend_width();
-        let height = self.height();
+        let legend = self.legend();
+        let width = PLOT_WIDTH + legend.width;
+        let height = LEAST_HEIGHT.max(legend.height);
         let size = (to_units(width).unsigned_abs(), to_units(height).unsigned_abs());
         let mut drawn = String::new();
         {
             let root = SVGBackend::with_string(&mut drawn, size).into_drawing_area();
-            let (plot, legend) = root.split_horizontally(to_units(PLOT_WIDTH));
+            let (plot, beside) = root.split_horizontally(to_units(PLOT_WIDTH));
             let mut chart = ChartBuilder::on(&plot)
                 .margin_top(to_units(14.0))
                 .margin_right(to_units(16.0))
@@ -97,10 +105,12 @@ impl Plot {
                 .build_cartesian_2d(x, y)
                 .map_err(FigureError::plot)?;
             self.draw_mesh(&mut chart)?;
-            for curve in &self.curves {
-                draw_curve(&mut chart, curve)?;
+            for is_singled_out in [false, true] {
+                for curve in self.curves.iter().filter(|curve| curve.look.is_singled_out == is_singled_out) {
+                    draw_curve(&mut chart, curve)?;
+                }
             }
-            self.draw_legend(&legend)?;
+            legend.draw(&beside)?;
             root.present().map_err(FigureError::plot)?;
         }
         Ok(self.shown_at_natural_size(&drawn, [width, height]))
@@ -122,57 +132,6 @@ impl Plot {
             .set_all_tick_mark_size(to_units(4.0))
             .draw()
             .map_err(FigureError::plot)
-    }
-
-    fn legend_entries(&self) -> impl Iterator<Item = (&Curve, Vec<(&str, TextStyle)>)> {
-        let name = TextStyle::new(text_size::NOTE, INK).bold();
-        let note = TextStyle::new(text_size::NOTE, GREY);
-        self.curves.iter().map(move |curve| {
-            let notes = curve.notes.iter().map(|text| (text.as_str(), note));
-            let lines = std::iter::once((curve.name.as_str(), name)).chain(notes).collect();
-            (curve, lines)
-        })
-    }
-
-    fn legend_width(&self) -> f64 {
-        let widest = self
-            .legend_entries()
-            .flat_map(|(_, lines)| lines)
-            .map(|(text, style)| Line::parse(text).width(&style))
-            .fold(0.0, f64::max);
-        widest + 44.0
-    }
-
-    fn height(&self) -> f64 {
-        let legend: f64 = self.legend_entries().map(|(_, lines)| LEGEND_LINE * lines.len() as f64 + LEGEND_GAP).sum();
-        LEAST_HEIGHT.max(LEGEND_TOP + legend)
-    }
-
-    fn draw_legend<DB: DrawingBackend>(
-        &self,
-        area: &DrawingArea<DB, plotters::coord::Shift>,
-    ) -> Result<(), FigureError> {
-        let mut top = LEGEND_TOP;
-        for (curve, lines) in self.legend_entries() {
-            let at = [12.0, top];
-            if !curve.fit.is_empty() {
-                let stroke = line(curve.look.color, 2.0);
-                area.draw(&PathElement::new(vec![units([0.0, top]), units([24.0, top])], stroke))
-                    .map_err(FigureError::plot)?;
-            }
-            area.draw(&sign(units(at), curve.look)).map_err(FigureError::plot)?;
-            if curve.look.is_hollow {
-                area.draw(&inner(units(at), curve.look)).map_err(FigureError::plot)?;
-            }
-            for (text, style) in lines {
-                let weight = if style.bold { FontStyle::Bold } else { FontStyle::Normal };
-                let font = font(style.size, style.color, weight).pos(Pos::new(HPos::Left, VPos::Center));
-                area.draw(&Text::new(text, units([32.0, top]), font)).map_err(FigureError::plot)?;
-                top += LEGEND_LINE;
-            }
-            top += LEGEND_GAP;
-        }
-        Ok(())
     }
 
     /// Replaces the head of the drawn document by one that shows it at natural size with a title and a background.
@@ -205,11 +164,9 @@ fn draw_curve<DB: DrawingBackend>(
             .draw_series(std::iter::once(PathElement::new(points, line(curve.look.color, 1.6))))
             .map_err(FigureError::plot)?;
     }
-    let signs = curve.points.iter().map(|&[x, y]| sign((x, y), curve.look));
-    chart.draw_series(signs).map_err(FigureError::plot)?;
-    if curve.look.is_hollow {
-        let inners = curve.points.iter().map(|&[x, y]| inner((x, y), curve.look));
-        chart.draw_series(inners).map_err(FigureError::plot)?;
+    for layer in curve.look.layers() {
+        let signs = curve.points.iter().map(|&[x, y]| sign((x, y), curve.look.shape, layer));
+        chart.draw_series(signs).map_err(FigureError::plot)?;
     }
     Ok(())
 }

@@ -14,6 +14,7 @@ fn plot(points: Vec<[f64; 2]>) -> Plot {
             points,
             look: Look::of_series(0),
         }],
+        naming: Naming::Apart,
     }
 }
 
@@ -53,7 +54,7 @@ fn a_long_legend_makes_the_page_longer() {
     long.curves[0].notes.extend((0..40).map(|line| format!("line {line}")));
     let document = long.draw().expect("positive points");
     let height: f64 = attribute(&document, "<svg", "height").parse().expect("a number");
-    assert!(height > 41.0 * LEGEND_LINE);
+    assert!(height > 41.0 * legend::LINE);
     for y in document.match_indices("<text ").map(|(at, _)| attribute(&document[at..], "<text", "y")) {
         assert!(y.parse::<f64>().expect("a number") < f64::from(FINENESS) * height);
     }
@@ -68,4 +69,21 @@ fn what_has_no_place_is_refused() {
     assert!(linear.draw().is_ok(), "zero has a place on a linear axis");
     let empty = Plot { curves: vec![], ..plot(vec![]) };
     assert!(matches!(empty.draw(), Err(FigureError::NoSeries)));
+}
+
+#[test]
+fn series_of_one_name_stand_below_it_in_columns() {
+    let one = plot(vec![[64.0, 192.0], [128.0, 384.0]]);
+    let member = |method: usize, input: usize| {
+        let mut curve = Curve { name: format!("method {method}"), ..one.curves[0].clone() };
+        curve.notes = vec![format!("input {input}"), "exponent 1".to_owned()];
+        curve
+    };
+    let curves = (0..12).flat_map(|method| (0..7).map(move |input| member(method, input))).collect();
+    let document = Plot { curves, naming: Naming::Grouped, ..one }.draw().expect("positive points");
+    assert_eq!(document.matches("\nmethod 11\n").count(), 1);
+    assert_eq!(document.matches("\ninput 6: exponent 1\n").count(), 12);
+    let [width, height] =
+        ["width", "height"].map(|name| attribute(&document, "<svg", name).parse::<f64>().expect("a number"));
+    assert!(height < 660.0 && width > PLOT_WIDTH + 300.0, "{width} × {height}");
 }

@@ -1,6 +1,6 @@
 //! The ratio of the shortest zonotope around a mesh against its number of generators.
 
-use crate::axes::{Curve, Look, Plot, Scale};
+use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::style::SERIES;
 use experiments::analysis;
@@ -44,7 +44,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
             notes: Vec::new(),
             points: samples.iter().map(|&(most, excess)| [most, excess]).collect(),
             fit: Vec::new(),
-            look: Look { color: SERIES[series % SERIES.len()], shape: series, is_hollow: false },
+            look: Look::new(SERIES[series % SERIES.len()], series),
         };
         if let Ok(growth) = fit_growth(&samples, &[]) {
             add_fit(&mut curve, &growth);
@@ -61,6 +61,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         x_scale: Scale::Logarithmic,
         y_name: "proven ratio − 1".into(),
         curves,
+        naming: Naming::Apart,
     };
     plot.draw()
 }

@@ -1,6 +1,6 @@
 //! How the gap between length and lower bound closes, round by round.
 
-use crate::axes::{Curve, Look, Plot, Scale};
+use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::style::SERIES;
 use experiments::analysis;
@@ -36,7 +36,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
             let points: Vec<[f64; 2]> = REACHED.iter().filter_map(|&(gap, name)| Some([first(name)?, gap])).collect();
             let name = format!("{:.0} points {place}", part * n);
             // The colour tells the circle from the sphere, the sign the number of points.
-            let look = Look { color: SERIES[place_number], shape: curves.len(), is_hollow: false };
+            let look = Look::new(SERIES[place_number], curves.len());
             curves.push(Curve { name, notes: Vec::new(), fit: points.clone(), points, look });
         }
     }
@@ -50,6 +50,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         x_scale: Scale::Linear,
         y_name: "relative gap".into(),
         curves,
+        naming: Naming::Apart,
     };
     plot.draw()
 }

@@ -1,6 +1,6 @@
 //! How near nets and directions found as needed come to the least total length.
 
-use crate::axes::{Curve, Look, Plot, Scale};
+use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::style::{GREY, method_color};
 use experiments::analysis;
@@ -43,7 +43,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         }
         // The colour is the method's, the sign tells the circle from the sphere.
         let shape = usize::from(family != SHOWN[0].1);
-        let look = Look { color: method_color(id), shape, is_hollow: false };
+        let look = Look::new(method_color(id), shape);
         let notes = vec![place.into()];
         curves.push(Curve { name: variant.title.into(), notes, fit: points.clone(), points, look });
     }
@@ -56,7 +56,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         notes: vec!["ε".into()],
         points: asked.clone(),
         fit: asked,
-        look: Look { color: GREY, shape: 2, is_hollow: false },
+        look: Look::new(GREY, 2),
     });
     let plot = Plot {
         title: FIGURE.title.into(),
@@ -65,6 +65,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         x_scale: Scale::Logarithmic,
         y_name: "proven ratio − 1".into(),
         curves,
+        naming: Naming::Apart,
     };
     plot.draw()
 }

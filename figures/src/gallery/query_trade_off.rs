@@ -1,6 +1,6 @@
 //! What a query costs against the space of the structure of Lemma 5.3.
 
-use crate::axes::{Curve, Look, Plot, Scale};
+use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::growth_plot::signed;
 use experiments::analysis;
@@ -56,6 +56,7 @@ fn draw(input: &FigureInput<'_>) -> Result<String, FigureError> {
         x_scale: Scale::Logarithmic,
         y_name: "operations a query".into(),
         curves,
+        naming: Naming::Apart,
     };
     plot.draw()
 }

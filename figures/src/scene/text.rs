@@ -148,14 +148,26 @@ impl Line {
         }
     }
 
-    /// The SVG element. Written in one piece: between the runs white space would show.
+    /// The SVG element; below it one more that is the rim of paper, if the style has one. They are two because not
+    /// every program knows the attribute that paints the rim of a text first.
     pub fn element(&self, place: PagePoint, anchor: Anchor, style: &TextStyle) -> String {
+        let rim = format!(
+            " aria-hidden=\"true\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+            PAPER.hex(),
+            decimals(style.halo)
+        );
+        let below = if style.halo > 0.0 { self.painted(place, anchor, style, PAPER, &rim) } else { String::new() };
+        below + &self.painted(place, anchor, style, style.color, "")
+    }
+
+    /// One element with further attributes. Written in one piece: between the runs white space would show.
+    fn painted(&self, place: PagePoint, anchor: Anchor, style: &TextStyle, color: Color, further: &str) -> String {
         let mut element = format!(
             "<text xml:space=\"preserve\" x=\"{}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\"",
             decimals(place.x),
             decimals(place.y),
             decimals(style.size),
-            style.color.hex()
+            color.hex()
         );
         match anchor {
             Anchor::Start => {}
@@ -165,13 +177,7 @@ impl Line {
         if style.bold {
             element.push_str(" font-weight=\"bold\"");
         }
-        if style.halo > 0.0 {
-            element.push_str(&format!(
-                " paint-order=\"stroke\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                PAPER.hex(),
-                decimals(style.halo)
-            ));
-        }
+        element.push_str(further);
         element.push('>');
         let mut rise = 0.0;
         let mut after_slanted = false;
@@ -259,6 +265,15 @@ mod tests {
             element.ends_with("dy=\"2.6\" font-size=\"9\">1</tspan><tspan dy=\"-2.6\"> ok</tspan></text>"),
             "{element}"
         );
+    }
+
+    #[test]
+    fn the_rim_of_a_text_is_an_element_below_it() {
+        let style = TextStyle::new(10.0, INK).haloed();
+        let elements = Line::parse("$x$").element(PagePoint::new(1.0, 2.0), Anchor::Start, &style);
+        let (rim, letters) = elements.split_once("</text><text").expect("two elements");
+        assert!(rim.contains("fill=\"#ffffff\" aria-hidden=\"true\" stroke=\"#ffffff\" stroke-width=\"3.5\""), "{rim}");
+        assert!(letters.contains("fill=\"#1f242b\"") && !letters.contains("stroke"), "{letters}");
     }
 
     #[test]

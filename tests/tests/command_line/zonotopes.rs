@@ -206,7 +206,7 @@ fn what_is_no_zonotope_is_refused_in_one_line() {
     let folder = folder();
     written(&folder, "cube.json", CUBE);
     let bad = [
-        ("plane.json", r#"{"center":[0,0],"generators":[]}"#, "3 coordinates, not 2"),
+        ("plane.json", r#"{"center":[0,0],"generators":[]}"#, "has 2 coordinates, while cube.json has 3"),
         ("ragged.csv", "1,2,3\n4,5\n", "line 2"),
         ("nan.json", r#"[[0,0,"NaN"]]"#, "[0][2]"),
         ("broken.json", "[[0,0", "line 1"),

@@ -5,6 +5,7 @@ its standard output; so thousands of small questions a second are asked without 
 """
 
 import json
+import math
 import os
 import subprocess
 
@@ -17,13 +18,32 @@ class Refused(Exception):
         self.code = code
 
 
+def encoded(value):
+    """The value as the manual wants it in a question: NaN and infinities are spelled, arrays are lists."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else "Infinity" if value > 0 else "-Infinity"
+    if isinstance(value, (list, tuple)):
+        return [encoded(entry) for entry in value]
+    if isinstance(value, dict):
+        return {name: encoded(entry) for name, entry in value.items()}
+    return value
+
+
 class Workbench:
     """A running `zonobench solve`. It is found by its path, the environment variable ZONOBENCH, or the PATH."""
 
     def __init__(self, program=None):
         program = program or os.environ.get("ZONOBENCH", "zonobench")
         pipe = subprocess.PIPE
-        self._process = subprocess.Popen([program, "solve"], stdin=pipe, stdout=pipe, encoding="utf-8")
+        try:
+            self._process = subprocess.Popen([program, "solve"], stdin=pipe, stdout=pipe, encoding="utf-8")
+        except FileNotFoundError as error:
+            raise FileNotFoundError(
+                f"there is no program {program!r}: set the environment variable ZONOBENCH to its path, or install it by "
+                "`cargo install --path workbench/zonobench`"
+            ) from error
         self._asked = 0
 
     def ask(self, kind, method=None, **question):
@@ -32,10 +52,10 @@ class Workbench:
         Lists of lists and whatever has `tolist`, as NumPy's arrays do, are vectors and matrices. Raises `Refused`.
         """
         self._asked += 1
-        line = {"id": str(self._asked), "kind": kind, "input": question}
+        line = {"id": str(self._asked), "kind": kind, "input": encoded(question)}
         if method is not None:
             line["method"] = method
-        self._process.stdin.write(json.dumps(line, default=lambda array: array.tolist()) + "\n")
+        self._process.stdin.write(json.dumps(line, allow_nan=False) + "\n")
         self._process.stdin.flush()
         answer = self._process.stdout.readline()
         if not answer:

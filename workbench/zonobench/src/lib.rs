@@ -28,6 +28,7 @@ use std::ffi::OsString;
 use std::io;
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser};
 
 use cli::{Cli, Command};
@@ -38,6 +39,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(message) => {
+            let message = nearest_first(message);
             let wrong = message.use_stderr();
             // A reader that has gone away needs no message.
             let _ = message.print();
@@ -74,6 +76,15 @@ fn dispatch(cli: &Cli) -> anyhow::Result<Ending> {
         Command::Completions(options) => commands::shell::completions(options, Cli::command()),
         Command::Man(options) => commands::shell::man(options, Cli::command()),
     }
+}
+
+/// A complaint about a command that there is not, with the commands of similar names the most similar first.
+fn nearest_first(mut message: clap::Error) -> clap::Error {
+    if let Some(ContextValue::Strings(similar)) = message.get(ContextKind::SuggestedSubcommand) {
+        let nearest_first = similar.iter().rev().cloned().collect();
+        message.insert(ContextKind::SuggestedSubcommand, ContextValue::Strings(nearest_first));
+    }
+    message
 }
 
 /// An error with its causes, each told once: many errors tell their cause themselves.

@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
-use anyhow::bail;
+use anyhow::{bail, ensure};
 use batch::json::NonFinite;
 use batch::{Line, Verdict};
 use serde_json::Value;
 
+use super::table::counted;
+use crate::input::Body;
 use crate::output::Outputs;
 
 /// A question with its answer.
@@ -49,6 +51,14 @@ impl Asked {
         }
         Ok(())
     }
+}
+
+/// Refuses two bodies of different dimensions, which have no question in common.
+pub(super) fn check_dimensions([a, b]: [&PathBuf; 2], bodies: &[Body; 2]) -> anyhow::Result<()> {
+    let [in_a, in_b] = bodies.each_ref().map(|body| body.center.len());
+    let coordinates = counted(in_a, "coordinate", "coordinates");
+    ensure!(in_a == in_b, "{}: has {coordinates}, while {} has {in_b}", a.display(), b.display());
+    Ok(())
 }
 
 /// The command that checks an answer which was written to a file, or how to write one.

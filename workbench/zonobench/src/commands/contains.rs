@@ -11,7 +11,7 @@ use super::Ending;
 use super::asked::{Asked, floats, how_to_verify};
 use super::asking::PointOptions;
 use super::table::{ROUNDED, Table, counted, figure};
-use super::usage::check_inputs;
+use super::usage::{check_inputs, check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format, Reading, Wanted};
 use crate::output::{Existing, Outputs};
@@ -47,9 +47,10 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let inputs = [options.body.as_path(), &options.points];
     check_inputs(&inputs)?;
     let source = options.reading.source(&options.points)?;
+    check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let body = BodySource { file: options.body.clone(), format: options.body_format }.read()?;
+    let body = BodySource { file: options.body.clone(), format: options.body_format }.read(tell)?;
     let reading = source.read(Wanted::Any)?;
     reading.check_dimension(&options.points, body.center.len())?;
 

@@ -15,7 +15,7 @@ use zonotope::enclosing::min_area_zonogon::Method;
 
 use super::Ending;
 use super::asking::{Asking, Objective};
-use super::usage::{Usage, check_inputs};
+use super::usage::{Usage, check_inputs, check_names};
 use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
 use crate::input::{Points, Reading};
@@ -56,6 +56,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     }
     let inputs = options.asking.inputs(&options.file);
     check_inputs(&inputs)?;
+    check_names(&[("SVG", options.svg.as_ref()), ("JSON", options.json.as_ref()), ("OBJ", options.obj.as_ref())])?;
     let outputs = [&options.svg, &options.json, &options.obj].into_iter().flatten();
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let progress = Progress::of(3, "reading");

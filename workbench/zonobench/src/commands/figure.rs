@@ -8,7 +8,7 @@ use experiments::runner::{self, RunOptions};
 use figures::figure::FigureInput;
 
 use super::Ending;
-use super::usage::Usage;
+use super::usage::{Usage, check_names};
 use crate::output::{Existing, Outputs};
 use crate::progress::RunProgress;
 
@@ -31,6 +31,7 @@ pub struct Options {
 /// Runs the experiments that the figure shows, in the quick profile, and draws it.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let figure = figures::catalog::find(&options.id).ok_or_else(|| Usage::UnknownId(options.id.clone()))?;
+    check_names(&[("SVG", Some(&options.svg))])?;
     let outputs = Outputs::checked([&options.svg], &[], Existing::from_force(options.force))?;
     let experiments: Vec<&'static Experiment> =
         figure.experiments.iter().filter_map(|id| experiments::catalog::find(id)).collect();

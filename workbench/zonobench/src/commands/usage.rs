@@ -29,6 +29,19 @@ pub enum Usage {
         .0.display()
     )]
     OptionsForQuestions(PathBuf),
+    /// The name of a result ends as that of a file in another format.
+    #[error(
+        "{}: the name is that of another format; {format} is written here, so name it .{extension}",
+        .file.display()
+    )]
+    OtherFormat {
+        /// The file.
+        file: PathBuf,
+        /// The format that is written.
+        format: &'static str,
+        /// The extension of this format.
+        extension: &'static str,
+    },
     /// Two inputs would be read from standard input, which can be read once.
     #[error("-: two inputs cannot both be read from standard input; give the name of a file for one of them")]
     StandardInputTwice,
@@ -39,6 +52,40 @@ impl Usage {
     pub(super) fn not_applicable(option: &'static str, reason: &'static str) -> Self {
         Self::DoesNotApply { option, reason }
     }
+}
+
+/// The formats of results with the extensions that they may have, the usual one first.
+const WRITTEN: [(&str, &[&str]); 6] = [
+    ("SVG", &["svg"]),
+    ("OBJ", &["obj"]),
+    ("PLY", &["ply"]),
+    ("STL", &["stl"]),
+    ("JSON", &["json"]),
+    ("CSV", &["csv", "tsv", "txt"]),
+];
+
+/// Extensions of formats that are read, or that pictures have elsewhere.
+const OTHER_EXTENSIONS: [&str; 12] =
+    ["geojson", "npy", "off", "png", "jpg", "jpeg", "gif", "webp", "tif", "tiff", "pdf", "html"];
+
+/// Refuses results whose names end like files of another known format, each given with the format that is written.
+pub(super) fn check_names(results: &[(&'static str, Option<&PathBuf>)]) -> Result<(), Usage> {
+    for &(format, file) in results {
+        let Some(file) = file else { continue };
+        let Some(named) = file.extension().map(|named| named.to_string_lossy().to_ascii_lowercase()) else { continue };
+        let own = WRITTEN.iter().find(|(written, _)| *written == format).map_or(&[][..], |(_, own)| own);
+        let is_known = OTHER_EXTENSIONS.contains(&&*named) || WRITTEN.iter().any(|(_, all)| all.contains(&&*named));
+        if is_known && !own.contains(&&*named) {
+            let extension = own.first().copied().unwrap_or_default();
+            return Err(Usage::OtherFormat { file: file.clone(), format, extension });
+        }
+    }
+    Ok(())
+}
+
+/// Tells a person on standard error what was understood, where something else may have been meant.
+pub(super) fn tell(line: &str) {
+    eprintln!("zonobench: {line}");
 }
 
 /// Refuses inputs of which more than one is standard input.

@@ -126,6 +126,16 @@ pub enum Problem {
         /// How many there should be.
         wanted: &'static str,
     },
+    /// A row of numbers holds a text as well, so that only some of the columns can be coordinates.
+    #[error("'{text}' is text; choose {wanted} of the {cells} columns with --columns")]
+    TextAmongNumbers {
+        /// The text.
+        text: String,
+        /// Cells in the row.
+        cells: usize,
+        /// How many columns there should be.
+        wanted: &'static str,
+    },
     /// Points of another dimension are needed.
     #[error("holds points with {found} coordinates, not {wanted}")]
     Dimension {
@@ -187,6 +197,9 @@ impl Problem {
                 Self::NoSuchColumn { name: tidy(name), available: on_one_line(&cut(&available, 4 * MESSAGE_LIMIT)) }
             }
             Self::TwoColumns(name) => Self::TwoColumns(tidy(name)),
+            Self::TextAmongNumbers { text, cells, wanted } => {
+                Self::TextAmongNumbers { text: tidy(text), cells, wanted }
+            }
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
             Self::Mesh { format, complaint } => {

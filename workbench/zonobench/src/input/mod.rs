@@ -129,9 +129,9 @@ impl PointSource {
             Format::Json => document::points(file, text, self.columns.as_ref(), wanted)?,
             Format::Npy => npy::points(file, &content, self.columns.as_ref(), wanted)?,
             mesh => {
-                let Mesh { vertices, triangles } = mesh::read(file, text, mesh)?;
+                let Mesh { vertices, faces } = mesh::read(file, text, mesh)?;
                 let left_out = mesh::left_out(text, &vertices, mesh);
-                Reading { triangles, ..Reading::without_columns(Points::Space(vertices), left_out) }
+                Reading { faces, ..Reading::without_columns(Points::Space(vertices), left_out) }
             }
         };
         if reading.points.is_empty() {

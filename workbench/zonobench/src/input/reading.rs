@@ -12,8 +12,8 @@ use super::points::Points;
 pub struct Reading {
     /// The points, in the order of the file.
     pub points: Points,
-    /// The triangles of a mesh, three points each, as far as the file has them; pictures alone show them.
-    pub triangles: Vec<[usize; 3]>,
+    /// The faces of a mesh, three points or more each, as far as the file has them; pictures alone show them.
+    pub faces: Vec<Box<[usize]>>,
     /// The columns that hold the coordinates, in the order of the coordinates; chosen again, they give the same
     /// points. The list is empty for formats without columns, and for a JSON document that mixes lists and objects.
     pub columns: Vec<Column>,
@@ -28,7 +28,7 @@ pub struct Reading {
 impl Reading {
     /// Points from the given columns, of a file that is yet to be named.
     pub(super) fn of(points: Points, (columns, left_out): (Vec<Column>, Vec<String>)) -> Self {
-        Self { points, triangles: Vec::new(), columns, left_out, format: None, sha256: String::new() }
+        Self { points, faces: Vec::new(), columns, left_out, format: None, sha256: String::new() }
     }
 
     /// Points of a file that has no columns.

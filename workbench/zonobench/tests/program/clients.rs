@@ -56,10 +56,32 @@ with Workbench() as workbench:
         workbench.ask('no-such-kind')
     except Refused as refused:
         print(refused.code)
+    try:
+        workbench.ask('support', direction=(1, float('-inf')), center=[0, 0], generators=[])
+    except Refused as refused:
+        print(refused)
     print(workbench.ask('support', direction=[0, 2], center=[0, 1], generators=[[1, 1]])['value'])
 ";
     let Some(Output { stdout, .. }) = run_python(script) else { return };
     let lines = String::from_utf8(stdout).expect("Python writes text");
     let lines: Vec<&str> = lines.lines().collect();
-    assert_eq!((lines.len(), lines[2]), (3, "4.0"), "{lines:?}");
+    let minus_infinity = "non_finite: direction, coordinate 2 is -Infinity";
+    assert_eq!(lines, ["non_finite", "unknown_kind", minus_infinity, "4.0"]);
+}
+
+#[test]
+fn a_program_that_is_not_there_is_told_with_the_remedy() {
+    let script = "
+from zonobench import Workbench
+
+try:
+    Workbench('no-such-program')
+except FileNotFoundError as error:
+    print(error)
+";
+    let Some(Output { stdout, .. }) = run_python(script) else { return };
+    let said = String::from_utf8(stdout).expect("Python writes text");
+    for word in ["'no-such-program'", "ZONOBENCH", "cargo install --path workbench/zonobench"] {
+        assert!(said.contains(word), "{said}");
+    }
 }

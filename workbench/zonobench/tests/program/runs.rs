@@ -138,8 +138,16 @@ fn experiments_run_on_own_files() {
     assert!(counts.lines().next().is_some_and(|line| line.contains("\"family\":\"mine.csv\",")), "{counts}");
     assert!(counts.contains("\"hull_vertices\":3.0"), "{counts}");
     let plot = text("figures/own-hull-scaling-turn.svg");
-    assert!(plot.contains("on mine.csv") && plot.contains("exponent 2.12 (2.08 to 2.16)"), "{plot}");
-    assert!(text("report.html").contains("own-hull-scaling-turn"));
+    assert!(plot.contains("mine.csv") && plot.contains("circle: exponent 2.12 (2.08 to 2.16)"), "{plot}");
+    assert!(!plot.contains("joined") && plot.contains("Own files have large signs"), "the caption says what is drawn");
+    let report = text("report.html");
+    let [own, chapter] =
+        ["id=\"figure-own-hull-scaling-turn\"", "id=\"min-area-zonogon\""].map(|anchor| report.find(anchor));
+    assert!(own.is_some() && own < chapter, "own plots come first: {own:?}, {chapter:?}");
+    for absent in ["More pictures", "italy", "id=\"ledger\"", "href=\"#ledger\""] {
+        assert!(!report.contains(absent), "{absent}");
+    }
+    assert_eq!(outcome.stdout.matches(" claims: ").count(), 1, "{}", outcome.stdout);
     assert!(text("manifest.json").contains("--config my.toml"));
     fs::write(folder.join("my.toml"), config.replace("sizes", "sise")).expect("written");
     let refused = run(folder, &["reproduce", "--config", "my.toml", "--out", "s"]);

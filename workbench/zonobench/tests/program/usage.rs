@@ -109,3 +109,58 @@ fn a_cause_is_told_once() {
     assert!(outcome.stderr.starts_with("zonobench: p.csv/a.json: cannot be written: "), "{}", outcome.stderr);
     assert_eq!(outcome.stderr.matches("os error").count(), 1, "{}", outcome.stderr);
 }
+
+#[test]
+fn the_most_similar_command_is_named_first() {
+    let outcome = run(Path::new("."), &["enclos", "p.csv"]);
+    assert_eq!(outcome.status, 2);
+    let [near, far] = ["'enclose'", "'records'"].map(|name| outcome.stderr.find(name));
+    assert!(near.is_some() && far.is_none_or(|far| near < Some(far)), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_result_is_not_named_as_another_format() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), "x,y\n0,0\n4,0\n0,4\n").expect("written");
+    fs::write(folder.join("z.json"), "[[1,0,0],[0,1,0],[0,0,1]]").expect("written");
+    let cases: [(&[&str], &str); 5] = [
+        (&["enclose", "p.csv", "--svg", "x.png"], "x.png: the name is that of another format; SVG is written here"),
+        (&["enclose", "p.csv", "--json", "x.svg"], "x.svg: the name is that of another format; JSON is written here"),
+        (&["inspect", "z.json", "--obj", "x.STL"], "x.STL: the name is that of another format; OBJ is written here"),
+        (&["figure", "paper-figure-1", "--svg", "x.pdf"], "SVG is written here, so name it .svg"),
+        (&["reduce", "z.json", "--count", "3", "--question", "q.csv"], "JSON is written here, so name it .json"),
+    ];
+    for (words, complaint) in cases {
+        let outcome = run(folder, words);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{words:?}");
+        assert!(outcome.stderr.contains(complaint), "{words:?}: {}", outcome.stderr);
+    }
+    let free = run(folder, &["enclose", "p.csv", "--svg", "picture", "--json", "answer.jsonl"]);
+    assert_eq!(free.status, 0, "{}", free.stderr);
+    assert_eq!(fs::read_dir(folder).expect("listed").count(), 4);
+}
+
+#[test]
+fn bodies_that_are_meant_otherwise_are_told() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("points.csv"), "x,y\n1,0\n0,2\n").expect("written");
+    fs::write(folder.join("rows.csv"), "a,b\n1,0\n0,2\n").expect("written");
+    fs::write(folder.join("b.json"), r#"{"c":[1,1],"G":[[1,0],[0,1]]}"#).expect("written");
+    fs::write(folder.join("space.json"), "[[1,0,0],[0,1,0],[0,0,1]]").expect("written");
+    fs::write(folder.join("L.off"), "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n").expect("written");
+    let told = run(folder, &["intersect", "points.csv", "b.json"]);
+    let advice = "zonobench: points.csv: each row of x, y is read as a generator; `zonobench enclose` makes a body \
+                  around points\n";
+    assert_eq!((told.status, told.stderr.as_str()), (0, advice));
+    let silent = run(folder, &["intersect", "rows.csv", "b.json"]);
+    assert_eq!((silent.status, silent.stderr.as_str()), (0, ""));
+    for command in ["intersect", "distance"] {
+        let refused = run(folder, &[command, "b.json", "space.json"]);
+        let complaint = "zonobench: b.json: has 2 coordinates, while space.json has 3\n";
+        assert_eq!((refused.status, refused.stderr.as_str()), (1, complaint));
+    }
+    let refused = run(folder, &["intersect", "L.off", "b.json"]);
+    assert!(refused.stderr.contains("`zonobench enclose L.off --json body.json` makes one"), "{}", refused.stderr);
+}

@@ -115,9 +115,9 @@ mod tests {
     fn record(asking: &Asking, objective: Objective) -> String {
         let columns = vec![Column::Name("y".into()), Column::Number(3)];
         let points = Points::Plane(vec![[1.0, 2.0]]);
-        let (triangles, left_out) = (Vec::new(), Vec::new());
+        let (faces, left_out) = (Vec::new(), Vec::new());
         let format = Some(Format::Csv);
-        let reading = Reading { points, triangles, columns, left_out, format, sha256: "ab".into() };
+        let reading = Reading { points, faces, columns, left_out, format, sha256: "ab".into() };
         asking.record(&reading, objective).expect("the axes are directions").to_string()
     }
 

@@ -1,7 +1,8 @@
 //! Times of two runs: for every method of an experiment the ratio of the second run to the first.
 //!
 //! A case has the ratio of its medians over the repetitions. The ratio of a method is the geometric mean over its
-//! cases, with the 95 % interval of Student's t for the mean of the logarithms: how much single cases scatter.
+//! cases, with the 95 % interval of Student's t for the mean of the logarithms: how much single cases scatter. Few
+//! cases of one run share whatever else the machine did, and scatter less than two runs differ: they have no interval.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -70,15 +71,24 @@ fn ratio(after: &[u64], before: &[u64]) -> Option<f64> {
     (after > 0.0 && before > 0.0).then_some(after / before)
 }
 
-/// The geometric mean with its interval; a single ratio has none.
+/// Fewer cases than this have no interval.
+const CASES_WITH_INTERVAL: usize = 5;
+
+/// The geometric mean with its interval; of few cases the least and the greatest ratio.
 fn mean(ratios: &[f64]) -> String {
     let logarithms: Vec<f64> = ratios.iter().map(|&ratio| libm::log(ratio)).collect();
     let count = logarithms.len() as f64;
     let mean = logarithms.iter().sum::<f64>() / count;
     let value = libm::exp(mean);
-    let Some(freedom) = logarithms.len().checked_sub(1).filter(|&freedom| freedom > 0) else {
-        return format!("{value:.3}, one case");
-    };
+    if ratios.len() == 1 {
+        return format!("{value:.3}, one case: too few to tell a change");
+    }
+    if ratios.len() < CASES_WITH_INTERVAL {
+        let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+        let greatest = ratios.iter().copied().fold(0.0, f64::max);
+        return format!("{value:.3}, {count} cases from {least:.3} to {greatest:.3}: too few to tell a change");
+    }
+    let freedom = ratios.len() - 1;
     let squares: f64 = logarithms.iter().map(|x| (x - mean) * (x - mean)).sum();
     let half_width = t_quantile_975(freedom) * (squares / freedom as f64 / count).sqrt();
     let [low, high] = [mean - half_width, mean + half_width].map(libm::exp);
@@ -101,17 +111,22 @@ mod tests {
         let first = [row(4, 0, 100), row(4, 1, 300), row(4, 2, 110), row(8, 0, 200)];
         let second = [row(4, 0, 220), row(8, 0, 400), row(16, 0, 1)];
         let told = text(&first, &second);
-        assert!(told.ends_with("  toy: m, total: 2.000 (2.000 to 2.000), 2 cases\n"), "{told}");
+        assert!(
+            told.ends_with("  toy: m, total: 2.000, 2 cases from 2.000 to 2.000: too few to tell a change\n"),
+            "{told}"
+        );
         let told = text(&first, &second[..1]);
-        assert!(told.ends_with("  toy: m, total: 2.000, one case\n"), "{told}");
+        assert!(told.ends_with("  toy: m, total: 2.000, one case: too few to tell a change\n"), "{told}");
         assert!(text(&first, &second[2..]).contains("no time is in both runs"));
     }
 
-    /// Logarithms of 1 and 4: their mean is that of 2, and the quantile for one degree of freedom is 12.7062.
+    /// Logarithms of 1, 1, 2, 4 and 4: their mean is that of 2, their variance that logarithm's square, and the
+    /// quantile for four degrees of freedom is 2.7764.
     #[test]
     fn intervals_are_those_of_the_logarithms() {
-        let half_width = 12.7062 * libm::log(2.0);
+        let half_width = 2.7764 * libm::log(2.0) / 5.0_f64.sqrt();
         let [low, high] = [-1.0, 1.0].map(|sign: f64| 2.0 * libm::exp(sign * half_width));
-        assert_eq!(mean(&[1.0, 4.0]), format!("2.000 ({low:.3} to {high:.3}), 2 cases"));
+        assert_eq!(mean(&[1.0, 4.0, 2.0, 4.0, 1.0]), format!("2.000 ({low:.3} to {high:.3}), 5 cases"));
+        assert_eq!(mean(&[1.0, 4.0]), "2.000, 2 cases from 1.000 to 4.000: too few to tell a change");
     }
 }

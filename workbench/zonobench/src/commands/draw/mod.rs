@@ -10,7 +10,7 @@ use figures::own_data;
 
 use super::Ending;
 use super::asking::PointOptions;
-use super::usage::Usage;
+use super::usage::{Usage, check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Points, Wanted};
 use crate::output::{Existing, Outputs};
@@ -85,6 +85,7 @@ impl fmt::Display for Picture {
 /// Reads the data and draws them.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_usage(options)?;
+    check_names(&[("SVG", Some(&options.svg))])?;
     let outputs = Outputs::checked([&options.svg], &[&options.file], Existing::from_force(options.force))?;
     let name = question_name(&options.file);
     let svg = if shows_body(options) { of_body(options, &name)? } else { of_points(options, &name)? };
@@ -122,7 +123,7 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
 }
 
 fn of_body(options: &Options, name: &str) -> anyhow::Result<String> {
-    let body = BodySource { file: options.file.clone(), format: options.reading.format }.read()?;
+    let body = BodySource { file: options.file.clone(), format: options.reading.format }.read(tell)?;
     let Some((center, generators)) = in_space(&body) else {
         bail!("{}: has {} coordinates; lines and tiles are those of a zonotope with three", name, body.center.len());
     };

@@ -105,7 +105,8 @@ fn summary(
         if let Some(volume) = result["volume"].as_f64() {
             table.row("volume", format!("{}, a local minimum: another zonotope may have less", figure(volume)));
         }
-        for (label, text) in comparison::rows(points, body) {
+        let is_least_length = directions.is_none() && !is_asked("objective");
+        for (label, text) in comparison::rows(points, body, is_least_length) {
             table.row(label, text);
         }
     } else {

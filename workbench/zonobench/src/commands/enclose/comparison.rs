@@ -41,27 +41,30 @@ impl Size {
     }
 }
 
-/// Labels and texts for the summary; none for points that do not have two or three coordinates.
-pub(super) fn rows(points: &Points, body: &Body) -> Vec<(&'static str, String)> {
+/// Labels and texts for the summary; none for points that do not have two or three coordinates. Where the body has the
+/// least length and the box along the axes is smaller, the objective is named that makes the body small.
+pub(super) fn rows(points: &Points, body: &Body, is_least_length: bool) -> Vec<(&'static str, String)> {
     match points {
-        Points::Plane(points) => in_plane(points, body),
-        Points::Space(points) => in_space(points, body),
+        Points::Plane(points) => in_plane(points, body, is_least_length),
+        Points::Space(points) => in_space(points, body, is_least_length),
         Points::Line(_) | Points::Four(_) => Vec::new(),
     }
 }
 
-fn in_plane(points: &[[f64; 2]], body: &Body) -> Vec<(&'static str, String)> {
+fn in_plane(points: &[[f64; 2]], body: &Body, is_least_length: bool) -> Vec<(&'static str, String)> {
     let (points, body) = scaled(points, body);
     let Some((rectangle, hull)) = smallest_rectangle(&points) else { return Vec::new() };
     let zonogon = Size { measure: body.exact_area().to_f64(), length: total_length(body.generators()) };
+    let axis_box = axis_box(&points);
+    let advice = if is_least_length { advice("area", axis_box, zonogon) } else { String::new() };
     vec![
         ("hull", format!("{} times the zonotope's area", ratio(hull, zonogon.measure))),
-        ("axis box", compared("area", axis_box(&points), zonogon)),
+        ("axis box", compared("area", axis_box, zonogon) + &advice),
         ("oriented box", format!("{}; none is smaller", compared("area", rectangle, zonogon))),
     ]
 }
 
-fn in_space(points: &[[f64; 3]], body: &Body) -> Vec<(&'static str, String)> {
+fn in_space(points: &[[f64; 3]], body: &Body, is_least_length: bool) -> Vec<(&'static str, String)> {
     if body.generators.len() > GENERATOR_LIMIT {
         return Vec::new();
     }
@@ -73,9 +76,11 @@ fn in_space(points: &[[f64; 3]], body: &Body) -> Vec<(&'static str, String)> {
         _ => (0.0, hull_corners(&points).unwrap_or_default()),
     };
     let corners: Vec<[f64; 3]> = corners.into_iter().map(|corner| points[corner]).collect();
+    let axis_box = axis_box(&corners);
+    let advice = if is_least_length { advice("volume", axis_box, zonotope) } else { String::new() };
     let mut rows = vec![
         ("hull", format!("{} times the zonotope's volume", ratio(hull, zonotope.measure))),
-        ("axis box", compared("volume", axis_box(&corners), zonotope)),
+        ("axis box", compared("volume", axis_box, zonotope) + &advice),
     ];
     if let Some(found) = small_box(&corners, body.generators()) {
         rows.push(("oriented box", format!("{}; the smallest found", compared("volume", found, zonotope))));
@@ -86,6 +91,15 @@ fn in_space(points: &[[f64; 3]], body: &Body) -> Vec<(&'static str, String)> {
 fn compared(measure: &str, size: Size, body: Size) -> String {
     let [larger, longer] = [ratio(size.measure, body.measure), ratio(size.length, body.length)];
     format!("{larger} times the zonotope's {measure}, {longer} times its length")
+}
+
+/// What to ask for where the box along the axes is smaller than a body of least length; nothing where it is not.
+fn advice(measure: &str, axis_box: Size, body: Size) -> String {
+    if axis_box.measure < body.measure {
+        format!("; the length was asked for and not the {measure}, which is --objective {measure}")
+    } else {
+        String::new()
+    }
 }
 
 fn ratio(value: f64, of: f64) -> String {
@@ -229,6 +243,21 @@ mod tests {
         let found = small_box(&points, &sides).expect("a box");
         assert!((found.measure - 8.0).abs() < 1e-9 && (found.length - 3.5).abs() < 1e-9, "{found:?}");
         assert!(axis_box(&points).measure > 8.5);
+    }
+
+    #[test]
+    fn a_smaller_box_names_the_other_objective() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let body = |generators: Vec<Vec<f64>>| Body { center: vec![0.5, 0.5], generators, is_rounded: false };
+        let of_axis_box = |body: &Body, is_least_length| {
+            let rows = rows(&Points::Plane(square.to_vec()), body, is_least_length);
+            rows.into_iter().find(|(label, _)| *label == "axis box").expect("a row").1
+        };
+        let large = body(vec![vec![1.0, 0.0], vec![0.0, 1.0]]);
+        assert!(of_axis_box(&large, true).ends_with("not the area, which is --objective area"));
+        assert!(!of_axis_box(&large, false).contains("objective"), "nothing else was asked for");
+        let least = body(vec![vec![0.5, 0.0], vec![0.0, 0.5]]);
+        assert!(!of_axis_box(&least, true).contains("objective"), "the box is no smaller");
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! A picture of points in a zonotope: of the plane as they are, of space from a corner, of others by their shadow; of
-//! a mesh with its triangles.
+//! a mesh with its faces.
 
 use figures::scene::page::WorldBox;
 use figures::scene::{LegendEntry, Sample};
@@ -16,8 +16,8 @@ use crate::input::{Body, Points, Reading};
 /// Of bodies with more generators the edges behind are left out.
 const SEEN_THROUGH_LIMIT: usize = 24;
 
-/// Of meshes with more triangles the vertices alone are drawn.
-const TRIANGLE_LIMIT: usize = 20_000;
+/// Of meshes with more faces the vertices alone are drawn.
+const FACE_LIMIT: usize = 20_000;
 
 /// The mesh in the body, if the points are those of a mesh and the body has faces that can be seen; else the points.
 pub(super) fn draw(name: &str, reading: &Reading, body: &Body) -> String {
@@ -27,11 +27,11 @@ pub(super) fn draw(name: &str, reading: &Reading, body: &Body) -> String {
     }
 }
 
-/// The triangles of a mesh between the edges behind and the faces in front, as the gallery draws them.
+/// The faces of a mesh between the edges behind and the faces in front, as the gallery draws them.
 fn mesh_in_body(name: &str, reading: &Reading, body: &Body) -> Option<String> {
     let Points::Space(vertices) = &reading.points else { return None };
-    let triangles = &reading.triangles;
-    if triangles.is_empty() || triangles.len() > TRIANGLE_LIMIT || body.generators.len() > LATTICE_GENERATOR_LIMIT {
+    let mesh = &reading.faces;
+    if mesh.is_empty() || mesh.len() > FACE_LIMIT || body.generators.len() > LATTICE_GENERATOR_LIMIT {
         return None;
     }
     let scale = shrinking(&body.generators);
@@ -44,12 +44,12 @@ fn mesh_in_body(name: &str, reading: &Reading, body: &Body) -> Option<String> {
     }
     let vertices = vertices.iter().map(|vertex| in_space(scale.difference(vertex, &body.center)));
     let camera = Camera::from_direction(EYE);
-    let skin = Skin::seen(&camera, &vertices.collect::<Option<Vec<_>>>()?, triangles);
+    let skin = Skin::seen(&camera, &vertices.collect::<Option<Vec<_>>>()?, mesh);
     let corners: Vec<[f64; 2]> = faces.iter().flat_map(|face| &face.corners).map(|&c| camera.project(c)).collect();
     let title = format!("A zonotope of small total length around {name}");
     let description = format!(
-        "A mesh of {} triangles and an enclosing zonotope with {} generators, seen from a corner.",
-        triangles.len(),
+        "A mesh of {} faces and an enclosing zonotope with {} generators, seen from a corner.",
+        mesh.len(),
         body.generators.len()
     );
     let mut page = Page::new(WorldBox::around(&corners).grown(0.02), 1, &title, &description);

@@ -16,6 +16,7 @@ use zonotope::zonotope::faces::FaceLattice;
 use self::measures::Measures;
 use self::vertices::{VertexFormat, VerticesError};
 use super::Ending;
+use super::usage::{check_names, tell};
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
 use crate::output::{Existing, Outputs};
@@ -62,13 +63,21 @@ pub struct Options {
 
 /// Reads, counts, measures, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    check_names(&[
+        ("SVG", options.svg.as_ref()),
+        ("JSON", options.json.as_ref()),
+        ("JSON", options.question.as_ref()),
+        ("OBJ", options.obj.as_ref()),
+        ("PLY", options.ply.as_ref()),
+        ("STL", options.stl.as_ref()),
+    ])?;
     let meshes = [&options.obj, &options.ply, &options.stl];
     let outputs = [&options.svg, &options.json, &options.question, &options.vertices];
     let outputs = outputs.into_iter().chain(meshes).flatten();
     let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
-    let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
+    let body = BodySource { file: options.file.clone(), format: options.format }.read(tell)?;
     let measures = match body.center.len() {
         1 => Measures::of::<1>(&body),
         2 => Measures::of::<2>(&body),

@@ -10,7 +10,8 @@ use clap::Args;
 
 use self::meeting::Meeting;
 use super::Ending;
-use super::usage::check_inputs;
+use super::asked::check_dimensions;
+use super::usage::{check_inputs, check_names, tell};
 use super::verify::question_name;
 use crate::input::{BodySource, Format};
 use crate::output::{Existing, Outputs};
@@ -44,10 +45,16 @@ pub struct Options {
 /// Reads, solves, checks, and prints the answer with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_inputs(&[&options.a, &options.b])?;
+    check_names(&[
+        ("SVG", options.svg.as_ref()),
+        ("JSON", options.json.as_ref()),
+        ("JSON", options.question.as_ref()),
+    ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &[&options.a, &options.b], Existing::from_force(options.force))?;
-    let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read();
+    let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read(tell);
     let bodies = [read(&options.a)?, read(&options.b)?];
+    check_dimensions([&options.a, &options.b], &bodies)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
     let meeting = Meeting::of(&name, bodies)?;
     let verdict = meeting.asked.verdict();

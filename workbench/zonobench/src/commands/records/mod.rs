@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use super::Ending;
+use super::usage::check_names;
 use crate::output::{Existing, Outputs};
 
 pub use self::reading::RecordsError;
@@ -41,6 +42,7 @@ struct Export {
 /// Reads the records of a run and writes them.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let What::Export(export) = &options.what;
+    check_names(&[("CSV", Some(&export.csv))])?;
     let files = RunRecords::files(&export.run);
     let inputs = files.each_ref().map(PathBuf::as_path);
     let outputs = Outputs::checked([&export.csv], &inputs, Existing::from_force(export.force))?;

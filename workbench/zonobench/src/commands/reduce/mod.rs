@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use super::Ending;
 use super::asked::{Asked, float, floats, how_to_verify};
 use super::table::{ROUNDED, Table, counted, figure, tuple};
+use super::usage::{check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format};
 use crate::output::{Existing, Outputs};
@@ -53,9 +54,14 @@ fn rules() -> PossibleValuesParser {
 
 /// Reads, reduces, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    check_names(&[
+        ("SVG", options.svg.as_ref()),
+        ("JSON", options.json.as_ref()),
+        ("JSON", options.question.as_ref()),
+    ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
-    let body = BodySource { file: options.file.clone(), format: options.format }.read()?;
+    let body = BodySource { file: options.file.clone(), format: options.format }.read(tell)?;
     let name = question_name(&options.file);
     let input = json!({
         "center": vector_to_json(&body.center),

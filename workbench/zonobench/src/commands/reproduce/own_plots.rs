@@ -1,8 +1,10 @@
 //! Plots of experiments that a file has changed: a curve for each of their methods and inputs.
 
+use experiments::data::own_input;
 use experiments::definition::{Experiment, Quantity};
 use experiments::runner::Records;
-use figures::figure::{Figure, FigureError, FigureInput};
+use figures::axes::{Curve, Naming, Plot, Scale};
+use figures::figure::{Figure, FigureError};
 use figures::growth_plot::GrowthPlot;
 
 use crate::report::DrawnFigure;
@@ -14,19 +16,29 @@ pub(super) fn of(experiment: &'static Experiment, records: &Records) -> Vec<Draw
     quantities.dedup();
     let mut plots: Vec<DrawnFigure> = Vec::new();
     for quantity in quantities {
-        let figure = figure(experiment, quantity);
+        let curves = plot(experiment, quantity).curves_of_every_input(records);
+        let figure = figure(experiment, quantity, &curves);
         if plots.iter().any(|plot| plot.figure.id == figure.id) {
             continue;
         }
+        let plot = Plot {
+            title: figure.title.into(),
+            description: figure.caption.into(),
+            x_name: "size n".into(),
+            x_scale: Scale::Logarithmic,
+            y_name: quantity.to_string(),
+            curves,
+            naming: Naming::Grouped,
+        };
         // What is zero or was not recorded has no place on logarithmic axes.
-        if let Ok(svg) = plot(experiment, quantity).draw(&figure, &FigureInput { records: Some(records) }) {
+        if let Ok(svg) = plot.draw() {
             plots.push(DrawnFigure { figure: Box::leak(Box::new(figure)), drawing: Ok(svg) });
         }
     }
     plots
 }
 
-fn figure(experiment: &'static Experiment, quantity: Quantity) -> Figure {
+fn figure(experiment: &'static Experiment, quantity: Quantity, curves: &[Curve]) -> Figure {
     let word: String = quantity
         .to_string()
         .chars()
@@ -35,8 +47,7 @@ fn figure(experiment: &'static Experiment, quantity: Quantity) -> Figure {
     Figure {
         id: format!("own-{}-{word}", experiment.id).leak(),
         title: format!("{}: {quantity}", experiment.title).leak(),
-        caption: "Every method of the experiment on every input that was run, with the growth model that fits best (a \
-                  power law where none does) and the exponent with its 95 % interval, where sizes are enough for it.",
+        caption: caption(curves).leak(),
         claims: &[],
         experiments: Box::leak(Box::new([experiment.id])),
         deterministic: !matches!(quantity, Quantity::Time(_)),
@@ -45,9 +56,32 @@ fn figure(experiment: &'static Experiment, quantity: Quantity) -> Figure {
     }
 }
 
+/// What the curves show, and no more.
+fn caption(curves: &[Curve]) -> String {
+    let has_law = |curve: &Curve| curve.notes.len() > 1;
+    let mut text = "Every method of the experiment on every input that was run: the colour is the method's, the sign \
+                    the input's."
+        .to_owned();
+    if curves.iter().any(|curve| curve.look.is_singled_out) {
+        text.push_str(" Own files have large signs with a dark rim.");
+    }
+    if curves.iter().any(has_law) {
+        text.push_str(
+            " Where sizes are enough for it, the curve is the growth model that fits best, or a power law where none \
+             does, and the legend has the exponent with its 95 % interval.",
+        );
+    }
+    if curves.iter().any(|curve| !has_law(curve) && !curve.fit.is_empty()) {
+        text.push_str(" Sizes that are too few for a law are joined at their medians.");
+    }
+    text
+}
+
+/// The plot of a quantity; own files come first, so that they have the plainest signs.
 fn plot(experiment: &'static Experiment, quantity: Quantity) -> GrowthPlot {
-    let inputs = experiment.families.iter().chain(experiment.real_inputs);
-    let inputs: Vec<(&'static str, Option<&'static str>)> = inputs.map(|&name| (name, Some(name))).collect();
+    let inputs = || experiment.families.iter().chain(experiment.real_inputs);
+    let (own, others): (Vec<_>, Vec<_>) = inputs().partition(|name| own_input(name).is_some());
+    let inputs: Vec<(&'static str, Option<&'static str>)> = own.into_iter().chain(others).map(|&n| (n, None)).collect();
     GrowthPlot {
         experiment,
         quantity,

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::bytes::{read_limited, text};
 use super::document::parse;
-use super::error::{InputError, Place, Problem};
+use super::error::{InputError, Place, Problem, on_one_line};
 use super::{Format, npy, table};
 
 pub use document::body_of_answer;
@@ -34,8 +34,8 @@ pub struct BodySource {
 impl BodySource {
     /// Reads the zonotope: rows of a table or of an array are generators; a document is a list of generators, an object
     /// with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
-    /// `c`, or an answer that holds a body.
-    pub fn read(&self) -> Result<Body, InputError> {
+    /// `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
+    pub fn read(&self, tell: impl FnOnce(&str)) -> Result<Body, InputError> {
         let file = &self.file;
         let format = self
             .format
@@ -43,11 +43,23 @@ impl BodySource {
             .ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
         let content = read_limited(file)?;
         match format {
-            Format::Csv => body(file, None, table::rows(file, text(&content))?),
+            Format::Csv => {
+                let rows = table::rows(file, text(&content))?;
+                if rows.are_named_as_points() {
+                    let (file, names) = (file.display(), rows.names.join(", "));
+                    let advice = "`zonobench enclose` makes a body around points";
+                    tell(&on_one_line(&format!("{file}: each row of {names} is read as a generator; {advice}")));
+                }
+                body(file, None, rows.numbers)
+            }
             Format::Npy => body(file, None, npy::rows(file, &content)?),
             Format::Json => document::body(file, &parse(file, text(&content))?),
             other => {
-                let problem = format!("the format {other} holds no zonotopes; csv, json and npy do");
+                let problem = format!(
+                    "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \
+                     body.json` makes one around its points",
+                    file.display()
+                );
                 Err(Problem::Shape(problem).at(file, Place::File))
             }
         }
@@ -73,7 +85,7 @@ mod tests {
     fn read(name: &str, content: &str) -> Result<Body, String> {
         let file = Path::new(name);
         let read = match Format::of_extension(file) {
-            Some(Format::Csv) => table::rows(file, content.as_bytes()).and_then(|rows| body(file, None, rows)),
+            Some(Format::Csv) => table::rows(file, content.as_bytes()).and_then(|rows| body(file, None, rows.numbers)),
             _ => parse(file, content.as_bytes()).and_then(|tree| document::body(file, &tree)),
         };
         read.map_err(|error| error.to_string())

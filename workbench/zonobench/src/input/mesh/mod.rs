@@ -16,17 +16,16 @@ use super::{Format, push_limited};
 pub(super) struct Mesh {
     /// The vertices, in the order of the file.
     pub(super) vertices: Vec<[f64; 3]>,
-    /// The faces, those of more than three sides cut into triangles.
-    pub(super) triangles: Vec<[usize; 3]>,
+    /// The faces, each a list of three or more vertices.
+    pub(super) faces: Vec<Box<[usize]>>,
 }
 
 impl Mesh {
-    /// Adds a face, cut into triangles from its first corner; one with a corner that is not there is left out.
+    /// Adds a face; one of fewer than three corners, or with a corner that is not there, is left out.
     fn add_face(&mut self, corners: &[usize]) {
         let count = self.vertices.len();
-        let [first, rest @ ..] = corners else { return };
-        if corners.iter().all(|&corner| corner < count) {
-            self.triangles.extend(rest.windows(2).map(|pair| [*first, pair[0], pair[1]]));
+        if corners.len() >= 3 && corners.iter().all(|&corner| corner < count) {
+            self.faces.push(corners.into());
         }
     }
 }

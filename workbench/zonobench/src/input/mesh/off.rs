@@ -47,7 +47,7 @@ pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
         }
         push(&mut vertices, vertex, || Place::Line(number))?;
     }
-    let mut read = Mesh { vertices, triangles: Vec::new() };
+    let mut read = Mesh { vertices, faces: Vec::new() };
     for (_, line) in lines {
         read.add_face(&corners(line).unwrap_or_default());
     }

@@ -93,7 +93,7 @@ pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
             };
             push(&mut vertices, vertex, place)?;
         }
-        let mut read = Mesh { vertices, triangles: Vec::new() };
+        let mut read = Mesh { vertices, faces: Vec::new() };
         // Faces are read where they stand right behind the vertices; a fault there leaves the points as they are.
         if let Some(("face", element)) = header.elements.get_index(number + 1).map(|(name, face)| (&**name, face))
             && element.count <= MAX_POINTS

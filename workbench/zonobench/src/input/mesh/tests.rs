@@ -117,18 +117,17 @@ fn nothing_is_no_mesh_or_has_no_vertices() {
 }
 
 #[test]
-fn faces_are_read_as_triangles_with_their_corners_in_order() {
-    let triangles = |name: &str, content: &[u8]| -> Vec<[[f64; 3]; 3]> {
+fn faces_are_read_with_their_corners_in_order() {
+    let faces = |name: &str, content: &[u8]| -> Vec<Vec<[f64; 3]>> {
         let mesh = mesh(name, content).expect("the mesh is whole");
-        mesh.triangles.iter().map(|triangle| triangle.map(|corner| mesh.vertices[corner])).collect()
+        mesh.faces.iter().map(|face| face.iter().map(|&corner| mesh.vertices[corner]).collect()).collect()
     };
-    let corners = |places: [usize; 3]| places.map(|place| CORNERS[place]);
-    let of_obj = [[0, 2, 1], [0, 1, 3], [1, 2, 3]].map(corners);
-    assert_eq!(triangles("a.obj", OBJ.as_bytes()), of_obj);
-    assert_eq!(triangles("a.ply", PLY.as_bytes()), [corners([0, 1, 2])]);
-    assert_eq!(triangles("a.off", OFF.as_bytes()), [corners([0, 1, 2])]);
-    assert_eq!(triangles("a.stl", ascii_stl().as_bytes()), [[0, 1, 2], [0, 2, 3]].map(corners));
-    let square = "OFF\n4 2 0\n0 0 0\n2 0 0\n0 0.5 0\n0 0 -3\n4 0 1 2 3 255 0 0\n3 0 1 9\n";
-    assert_eq!(triangles("a.off", square.as_bytes()), [[0, 1, 2], [0, 2, 3]].map(corners), "one has no third corner");
-    assert_eq!(triangles("a.ply", &binary_ply("little")), [[[0.0; 3]; 3]; 0], "there are none");
+    let corners = |places: &[usize]| places.iter().map(|&place| CORNERS[place]).collect::<Vec<_>>();
+    assert_eq!(faces("a.obj", OBJ.as_bytes()), [&[0, 2, 1][..], &[0, 1, 3], &[1, 2, 3]].map(corners));
+    assert_eq!(faces("a.ply", PLY.as_bytes()), [corners(&[0, 1, 2])]);
+    assert_eq!(faces("a.off", OFF.as_bytes()), [corners(&[0, 1, 2])]);
+    assert_eq!(faces("a.stl", ascii_stl().as_bytes()), [&[0, 1, 2][..], &[0, 2, 3]].map(corners));
+    let square = "OFF\n4 2 0\n0 0 0\n2 0 0\n0 0.5 0\n0 0 -3\n4 0 1 2 3 255 0 0\n3 0 1 9\n2 0 1\n";
+    assert_eq!(faces("a.off", square.as_bytes()), [corners(&[0, 1, 2, 3])], "others lack a corner");
+    assert!(faces("a.ply", &binary_ply("little")).is_empty(), "there are none");
 }

@@ -41,9 +41,26 @@ pub(super) fn points(
     Ok(reading)
 }
 
+/// The numbers of a table, row by row.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    /// The names of the columns, if there is a header.
+    pub(super) names: Vec<String>,
+    /// The rows, of the same length.
+    pub(super) numbers: Vec<Vec<f64>>,
+}
+
+impl Rows {
+    /// Whether the header names coordinates, so that the rows may be meant as points.
+    pub(super) fn are_named_as_points(&self) -> bool {
+        let has = |name: &str| self.names.iter().any(|other| other.eq_ignore_ascii_case(name));
+        KNOWN_NAMES.iter().any(|pair| pair.iter().all(|name| has(name)))
+    }
+}
+
 /// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as
 /// above.
-pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Vec<Vec<f64>>, InputError> {
+pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Rows, InputError> {
     let text = Text::new(content, 0);
     Table { file, text: &text, columns: Vec::new(), width: 0 }.numbers()
 }
@@ -61,13 +78,14 @@ struct Table<'a> {
 type Start = (ByteRecord, Option<ByteRecord>);
 
 impl Table<'_> {
-    fn numbers(mut self) -> Result<Vec<Vec<f64>>, InputError> {
+    fn numbers(mut self) -> Result<Rows, InputError> {
         let mut records = self.text.rows();
         let Some((first, second)) = self.start(&mut records)? else {
-            return Ok(Vec::new());
+            return Ok(Rows::default());
         };
         self.columns = (0..self.width).collect();
         let is_header = opening(&first, second.as_ref(), &self.columns) == Opening::Header;
+        let names = if is_header { cells(&first) } else { Vec::new() };
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
         let mut rows = Vec::new();
         for row in data.chain(records.map(|row| self.parsed(row))) {
@@ -76,7 +94,7 @@ impl Table<'_> {
                 (0..row.len().max(1)).map(|column| self.number(&row, column)).collect();
             push_limited(&mut rows, numbers?).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
-        Ok(rows)
+        Ok(Rows { names, numbers: rows })
     }
 
     fn points(mut self, columns: Option<&Columns>, skip: Option<u64>, wanted: Wanted) -> Result<Reading, InputError> {
@@ -171,8 +189,16 @@ impl Table<'_> {
         if wanted.takes_all(first.len()) {
             return Ok((0..first.len()).collect());
         }
-        let problem = Problem::ChooseColumns { cells: first.len(), wanted: wanted.in_words() };
-        Err(problem.at(self.file, Place::File))
+        let (cells, wanted) = (first.len(), wanted.in_words());
+        // A row with numbers is no header, so a text in it is data.
+        let is_text = |cell: &[u8]| parse(cell).is_none() && !cell.trim_ascii().is_empty();
+        let has_number = first.iter().any(|cell| parse(cell).is_some());
+        if let Some(column) = first.iter().position(is_text).filter(|_| has_number) {
+            let place = Place::Cell { line: self.text.line(first), column: column as u64 + 1 };
+            let text = names[column].clone();
+            return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));
+        }
+        Err(Problem::ChooseColumns { cells, wanted }.at(self.file, Place::File))
     }
 
     fn number(&self, row: &ByteRecord, column: usize) -> Result<f64, InputError> {

@@ -75,7 +75,14 @@ fn any_number_of_coordinates() {
     assert_eq!(read("id,lon,lat\na,1,2\n", None), Ok(Points::Plane(vec![[1.0, 2.0]])));
     let iris = "150,4,setosa,versicolor,virginica\n5.1,3.5,1.4,0.2,0\n";
     assert_eq!(read(iris, Some("1,2,3,4")), Ok(Points::Four(vec![[5.1, 3.5, 1.4, 0.2]])));
-    assert_eq!(read(iris, None), Err("p.csv: has 5 column(s); choose two to four with --columns".into()));
+    assert_eq!(
+        read(iris, None),
+        Err("p.csv: line 1, column 3: 'setosa' is text; choose two to four of the 5 columns with --columns".into())
+    );
+    let cities = "# no header\n1,2,north\n3,4,south\n";
+    let planar = points(Path::new("p.csv"), cities.as_bytes(), None, None, Wanted::PlaneOrSpace);
+    let refused = "p.csv: line 2, column 3: 'north' is text; choose two to four of the 3 columns with --columns";
+    assert_eq!(planar.map_err(|error| error.to_string()), Err(refused.to_owned()));
 }
 
 /// Three columns x, y, z are a point of space each: none of them is dropped unless the others are chosen.

@@ -39,9 +39,21 @@ pub(super) fn section(part: &Part<'_>, layout: &Layout<'_>, evidence: &Evidence)
     for experiment in &part.experiments {
         text.push_str(&experiment::folded(experiment, evidence));
     }
-    text.push_str(&commands(chapter));
+    // The commands are about the chapter's own examples, which a run with other inputs does not show.
+    if evidence.config.is_none() {
+        text.push_str(&commands(chapter));
+    }
     text.push_str("</section>\n");
     text
+}
+
+/// The plots of experiments that the reader's file has changed, above all else.
+pub(super) fn own_section(layout: &Layout<'_>) -> String {
+    if layout.own_figures.is_empty() {
+        return String::new();
+    }
+    let plots = plates(&layout.own_figures, |drawn| number_of(layout, drawn));
+    format!("<section id=\"own\">\n<h2>Your plots</h2>\n{plots}</section>\n")
 }
 
 /// Figures and experiments that belong to no chapter.

@@ -11,6 +11,8 @@ use crate::report::chapters::CHAPTERS;
 
 /// The report's parts, in their order.
 pub(super) struct Layout<'a> {
+    /// The plots of experiments that the reader's file has changed.
+    pub(super) own_figures: Vec<&'a DrawnFigure>,
     /// The chapters that something was found for.
     pub(super) parts: Vec<Part<'a>>,
     /// Figures that belong to no chapter.
@@ -33,7 +35,10 @@ pub(super) struct Part<'a> {
 impl<'a> Layout<'a> {
     /// The layout of what was found.
     pub(super) fn of(evidence: &'a Evidence) -> Self {
-        let figures = || evidence.figures.iter().filter(|drawn| drawn.figure.deterministic);
+        let shown = || evidence.figures.iter().filter(|drawn| drawn.figure.deterministic);
+        // A run with the reader's own file draws nothing else.
+        let is_own = evidence.config.is_some();
+        let figures = || shown().filter(|_| !is_own);
         let part = |&chapter: &&'static Chapter| {
             let own = || figures().filter(|drawn| home_of_figure(drawn) == Some(chapter.id));
             let picture = |id: &&str| own().find(|drawn| drawn.figure.id == *id);
@@ -48,6 +53,7 @@ impl<'a> Layout<'a> {
         };
         let is_shown = |part: &Part<'_>| evidence.only.is_empty() || part.has_findings();
         Self {
+            own_figures: shown().filter(|_| is_own).collect(),
             parts: CHAPTERS.iter().map(part).filter(is_shown).collect(),
             other_figures: figures().filter(|drawn| home_of_figure(drawn).is_none()).collect(),
             other_experiments: evidence.experiments.iter().copied().filter(|other| home(other).is_none()).collect(),
@@ -57,7 +63,7 @@ impl<'a> Layout<'a> {
     /// The place of a figure among all of the page, from 0.
     pub(super) fn number_of(&self, id: &str) -> Option<usize> {
         let in_parts = self.parts.iter().flat_map(|part| part.pictures.iter().chain(&part.folded));
-        in_parts.chain(&self.other_figures).position(|drawn| drawn.figure.id == id)
+        self.own_figures.iter().chain(in_parts).chain(&self.other_figures).position(|drawn| drawn.figure.id == id)
     }
 }
 

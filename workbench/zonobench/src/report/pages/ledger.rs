@@ -7,8 +7,12 @@ use crate::report::Evidence;
 use crate::report::html::Escaped;
 use crate::report::tables::{claim_table, finding_badge};
 
-/// The ledger, with what the sorts of findings mean and where the corrections stand.
+/// The ledger, with what the sorts of findings mean and where the corrections stand; nothing where no claim was
+/// checked.
 pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
+    if evidence.claims.is_empty() {
+        return String::new();
+    }
     let mut text = String::from(
         "<section id=\"ledger\">\n<h2>The paper's statements, one by one</h2>\n\
          <p>Every statement, figure and open question of the paper, checked where its algorithm exists. Each \

@@ -25,6 +25,7 @@ pub fn report(evidence: &Evidence) -> String {
     let layout = Layout::of(evidence);
     let mut body = String::from("<main>\n");
     body.push_str(&opening::section(&layout, evidence));
+    body.push_str(&chapter_section::own_section(&layout));
     for part in &layout.parts {
         body.push_str(&chapter_section::section(part, &layout, evidence));
     }

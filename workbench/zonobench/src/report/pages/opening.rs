@@ -22,12 +22,17 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     }
     text.push_str("</ul>\n");
     if !evidence.only.is_empty() {
-        text.push_str(&format!(
-            "<p>Only a part was run: {}. Claims that rest on other experiments, or on none, were left out.</p>\n",
-            Escaped(&evidence.only.join(", "))
-        ));
+        let left_out = match evidence.config {
+            Some(_) => "Claims are about the experiments of the catalog, so they were left out.",
+            None => "Claims that rest on other experiments, or on none, were left out.",
+        };
+        let only = evidence.only.join(", ");
+        text.push_str(&format!("<p>Only a part was run: {}. {left_out}</p>\n", Escaped(&only)));
     }
     text.push_str("<nav><h2>Contents</h2>\n<ol>\n");
+    if !layout.own_figures.is_empty() {
+        text.push_str("<li><a href=\"#own\">Your plots</a></li>\n");
+    }
     for part in &layout.parts {
         let (id, title, place) = (part.chapter.id, part.chapter.title, part.chapter.place);
         text.push_str(&format!(
@@ -39,7 +44,9 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     if evidence.only.is_empty() {
         text.push_str("<li><a href=\"#peers\">Beside other libraries</a></li>\n");
     }
-    text.push_str("<li><a href=\"#ledger\">The paper's statements, one by one</a></li>\n");
+    if !evidence.claims.is_empty() {
+        text.push_str("<li><a href=\"#ledger\">The paper's statements, one by one</a></li>\n");
+    }
     text.push_str("<li><a href=\"#reading\">How to read, repeat and cite this</a></li>\n</ol>\n</nav>\n");
     text
 }
