@@ -154,6 +154,9 @@ pub const GAUGE_ACCURACY: f64 = power_of_two(-36);
 /// place.
 pub const NEAREST_GAUGE: f64 = 2.0 * f64::EPSILON;
 
+/// Of a quotient that may be larger by this part of it, less is open than the last rounding takes.
+pub const NARROW_SLACK: f64 = UNIT / 2.0;
+
 /// The displacement between posed centres counts as known in doubles when no coordinate is off by more than this part
 /// of the largest coordinate.
 ///

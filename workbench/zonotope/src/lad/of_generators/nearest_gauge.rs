@@ -20,7 +20,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector};
 use crate::numeric::lanes::absolute_sum_in_pairs;
 use crate::numeric::linear::{cross, dot};
-use crate::numeric::tolerance::{FIVE_ROUNDINGS, NEAREST_GAUGE, UNIT};
+use crate::numeric::tolerance::{FIVE_ROUNDINGS, NARROW_SLACK, NEAREST_GAUGE, UNIT};
 use crate::tally::{Operation, Tally};
 
 /// A vector known by pairs of doubles.
@@ -73,18 +73,15 @@ fn near_optimum(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut d
         let pair = optimum.basis.map(|index| in_pairs(&query.exact_generator(index)));
         let beyond = Beyond::new(&sum, &pair, &in_pairs(&p), &in_pairs(&direction), reach);
         let wide = beyond.slack(1.0);
-        if wide <= NARROW { wide } else { wide.min(beyond.slack(unit_gauge_bound(query, 1))) }
+        if wide <= NARROW_SLACK { wide } else { wide.min(beyond.slack(unit_gauge_bound(query, 1))) }
     };
     // the middle of what the slack leaves open
-    let half = if slack > NARROW { slack / 2.0 } else { 0.0 };
+    let half = if slack > NARROW_SLACK { slack / 2.0 } else { 0.0 };
     let middle = value * (1.0 + half);
     let error = (error + (value + error) * (slack - half) + middle * UNIT) * FIVE_ROUNDINGS;
     // false for NaN as well
     (error <= NEAREST_GAUGE * middle).then_some((middle, error))
 }
-
-/// A slack that leaves less than a rounding open.
-const NARROW: f64 = UNIT / 2.0;
 
 /// What the proof of a vertex of doubles lacks: with S the sum of all generators but a and b with their signs at u =
 /// ±a × b, and λ = S · u / p · u, coefficients δ_a and δ_b make S + δ_a a + δ_b b = λ p. So the gauge of λ p is at most
