@@ -12,7 +12,7 @@ use crate::zonotope::{PreparedBody, Zonotope};
 
 fn check(name: &str, n: usize, found: (f64, f64), truth: f64) {
     let (value, error) = found;
-    if truth.is_finite() && truth >= f64::MIN_POSITIVE && truth < f64::MAX {
+    if (f64::MIN_POSITIVE..f64::MAX).contains(&truth) {
         assert!((value - truth).abs() <= NEAREST_GAUGE * truth, "{name} {n}: {value} ± {error:e}, not {truth}");
         assert!(error <= NEAREST_GAUGE * value + f64::from_bits(1), "{name} {n}: {value} ± {error:e}");
     } else {
