@@ -78,12 +78,6 @@ impl<'q> Facet<'q> {
         self.optimum.gauge()
     }
 
-    /// The gauge within four units in the last place, and a bound of its error; infinite where no multiple of the body
-    /// holds the displacement. One pass.
-    pub fn nearest_value(&self) -> (f64, f64) {
-        nearest_gauge(self.query, &self.optimum, &mut ())
-    }
-
     /// The generators, at most two, that span the facet in which the ray leaves the body; where the ray leaves near
     /// an edge, perhaps those of the facet beside it. O(1).
     pub fn basis(&self) -> &[usize] {
@@ -112,7 +106,7 @@ impl<'q> Facet<'q> {
         Gauge { value, error, location: self.location_counted(tally) }
     }
 
-    /// The same, the gauge as [`nearest_value`](Self::nearest_value) has it, counting its operations.
+    /// [`gauge`](Self::gauge) within four units in the last place, counting its operations.
     pub(super) fn nearest_gauge_counted(&self, tally: &mut dyn Tally) -> Gauge<3> {
         let (value, error) = nearest_gauge(self.query, &self.optimum, tally);
         Gauge { value, error, location: self.location_counted(tally) }

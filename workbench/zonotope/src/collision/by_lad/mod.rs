@@ -128,7 +128,7 @@ pub fn nearest_gauge_counted<const D: usize>(query: &Query<'_, D>, tally: &mut d
     measured(query, |facet, tally| facet.nearest_gauge_counted(tally), tally).with_nearest_basis(query)
 }
 
-/// The gauge of a displacement by way of its facet, in up to three dimensions.
+/// The gauge of a displacement as a function reads it off the facet; one of R^4 as [`by_lad_in_r4`] has it.
 fn measured<const D: usize>(
     query: &Query<'_, D>,
     of: fn(&Facet<'_>, &mut dyn Tally) -> Gauge<3>,
