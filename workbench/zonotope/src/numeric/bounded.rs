@@ -8,6 +8,7 @@ use std::ops::{Add, Mul, Sub};
 
 use super::dyadic::Dyadic;
 use super::exact_sum::exact_sum;
+use super::linear;
 use super::tolerance::{DIFFERENCE_OF_LEADING_DOUBLES, FIVE_ROUNDINGS, PRODUCT_UNDERFLOW, UNIT};
 
 /// An exact value within `error` of `value`.
@@ -119,6 +120,24 @@ pub(crate) fn difference(from: [f64; 3], to: [f64; 3]) -> BoundedVector {
     [difference(0), difference(1), difference(2)]
 }
 
+/// a × b.
+///
+/// Of vectors of doubles the bound is that of six products and three differences, which takes half the operations of
+/// the bound that carries errors of the coordinates on.
+#[inline]
+pub(crate) fn cross(a: &BoundedVector, b: &BoundedVector) -> BoundedVector {
+    if a.iter().chain(b).any(|c| c.error != 0.0) {
+        return linear::cross(a, b);
+    }
+    let minor = |i: usize, j: usize| {
+        let (first, second) = (a[i].value * b[j].value, a[j].value * b[i].value);
+        let value = first - second;
+        let error = UNIT * (first.abs() + second.abs() + value.abs());
+        Bounded { value, error: error * FIVE_ROUNDINGS + 2.0 * PRODUCT_UNDERFLOW }
+    };
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
 /// A bound as it is, infinite where it is NaN.
 pub(crate) fn finite_or_infinity(bound: f64) -> f64 {
     if bound.is_finite() { bound } else { f64::INFINITY }
@@ -128,7 +147,7 @@ pub(crate) fn finite_or_infinity(bound: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::numeric::exact_linear;
-    use crate::numeric::linear::{cross, dot};
+    use crate::numeric::linear::dot;
     use proptest::prelude::*;
 
     proptest! {
@@ -142,7 +161,7 @@ mod tests {
             let [a, b, c] = rows.map(exact);
             let rounded = dot(&cross(&a, &b), &c);
             let [a, b, c] = rows.map(exact_linear::exact);
-            let truth = dot(&cross(&a, &b), &c);
+            let truth = dot(&exact_linear::cross(&a, &b), &c);
             if rounded.error.is_finite() && rounded.value.is_finite() {
                 let off = (truth.clone() - Dyadic::from_f64(rounded.value)).abs();
                 prop_assert!(off <= Dyadic::from_f64(rounded.error));

@@ -40,7 +40,7 @@ macro_rules! keep_lists_of {
 
 pub(crate) use keep_lists_of;
 
-keep_lists_of!(u32, usize, f64, [f64; 2], [f64; 3], (usize, f64));
+keep_lists_of!(u32, u64, usize, f64, [f64; 2], [f64; 3], (usize, f64));
 
 /// A list in memory of the thread, to which the memory returns when the list is dropped.
 #[derive(Debug, PartialEq)]
@@ -132,7 +132,9 @@ pub(crate) struct ReusedBox<T: Kept>(Reused<T>);
 
 impl<T: Kept> ReusedBox<T> {
     pub(crate) fn new(item: T) -> Self {
-        Self([item].into_iter().collect())
+        let mut list = Reused::with_capacity(1);
+        list.push(item);
+        Self(list)
     }
 }
 

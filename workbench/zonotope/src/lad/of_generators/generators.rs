@@ -177,15 +177,11 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// Writes a factor for each generator, with the sign of its product with the centre of a cell.
-    pub(crate) fn signed_factors(&self, cell: &DirectionCone, factor: f64, places: &mut [f64]) {
+    /// Adds a factor for each generator to the end of a list, with the sign of its product with the centre of a cell.
+    pub(crate) fn signed_factors(&self, cell: &DirectionCone, factor: f64, list: &mut Vec<f64>) {
         match self.frame {
-            None => signed_factors(self.rows, &cell.center, factor, places),
-            Some(_) => {
-                for (place, v) in places.iter_mut().zip(self.images()) {
-                    *place = factor.copysign(cell.value(&v));
-                }
-            }
+            None => signed_factors(self.rows, &cell.center, factor, list),
+            Some(_) => self.map_into(list, |v| factor.copysign(cell.value(v))),
         }
     }
 

@@ -52,14 +52,14 @@ use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
 
 /// At most this many generators are searched all at once, without a sample.
-const WHOLE_LIMIT: usize = 128;
+const WHOLE_LIMIT: usize = 320;
 
 /// The vertex descent at the end of a search is given at most this many lines.
 const CELL_LINES_LIMIT: usize = 1200;
 
-/// A direction is tried as a separating one where the gauge of the sample exceeds 1 by more than this relative
-/// amount.
-const CLEAR_OF_ONE: f64 = 0.02;
+/// A direction is tried as a separating one where the gauge of the sample exceeds 1 by more than this times the
+/// standard error of a sampled sum, which is nearly that sum over the root of the sample's size.
+const CLEAR_DEVIATIONS: f64 = 1.0;
 
 /// Generators whose images in doubles may be farther off than this part of their length are left to exact arithmetic.
 const GENERATOR_ERROR_LIMIT: f64 = 1e-9;
@@ -255,8 +255,9 @@ impl Climb<'_, '_> {
         let direction = self.problem.chart.point(self.guess().0.point);
         // the pass over all generators is made only where the sample says that the direction is likely to separate; a
         // sample by length says nothing of that
+        let error = CLEAR_DEVIATIONS / (sample.vectors.len() as f64).sqrt();
         let is_likely = sample.longest < f64::INFINITY
-            || bounded_sum(Rows::new(&sample.vectors), &direction).value < sample.part_of(query) * (1.0 - CLEAR_OF_ONE);
+            || bounded_sum(Rows::new(&sample.vectors), &direction).value < sample.part_of(query) * (1.0 - error);
         if is_likely {
             self.tally.add(Operation::GeneratorRead, query.len() as u64);
             if separates(query, &self.problem.p, &direction) {

@@ -5,25 +5,28 @@ use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::level::level;
 use super::number::product;
-use super::octet::{LANES, reordered, splat, store_first};
+use super::octet::{LANES, reordered, splat};
 use super::rows::Rows;
 
-/// Writes `factor` with the sign of v · direction for each row v.
-pub(crate) fn signed_factors(rows: Rows<'_>, direction: &[f64; 3], factor: f64, places: &mut [f64]) {
-    dispatch!(level(), simd => write(simd, rows, direction, factor, places));
+/// Adds `factor` with the sign of v · direction to the end of a list, for each row v.
+///
+/// The list grows as the pass goes on, so that its memory is written once and not cleared before.
+pub(crate) fn signed_factors(rows: Rows<'_>, direction: &[f64; 3], factor: f64, list: &mut Vec<f64>) {
+    list.reserve(rows.len().next_multiple_of(LANES));
+    let len = list.len() + rows.len();
+    dispatch!(level(), simd => write(simd, rows, direction, factor, list));
+    // what fills up the last eight
+    list.truncate(len);
 }
 
 #[inline(always)]
-fn write<S: Simd>(simd: S, rows: Rows<'_>, direction: &[f64; 3], factor: f64, places: &mut [f64]) {
+fn write<S: Simd>(simd: S, rows: Rows<'_>, direction: &[f64; 3], factor: f64, list: &mut Vec<f64>) {
     let (wide, factor) = (splat(simd, direction), f64x8::splat(simd, factor));
     let octets = rows.octets();
-    let (whole, last) = places.as_chunks_mut::<LANES>();
-    for (k, place) in whole.iter_mut().enumerate() {
-        reordered(simd, factor.copysign(product(&octets.load(simd, k), &wide))).store_slice(place);
-    }
-    if !last.is_empty() {
-        let value = product(&octets.load(simd, octets.len() - 1), &wide);
-        store_first(reordered(simd, factor.copysign(value)), last);
+    for k in 0..octets.len() {
+        let mut factors = [0.0; LANES];
+        reordered(simd, factor.copysign(product(&octets.load(simd, k), &wide))).store_slice(&mut factors);
+        list.extend_from_slice(&factors);
     }
 }
 
@@ -43,9 +46,9 @@ mod tests {
             let known = laid_out(&generators);
             for rows in [Rows::new(&generators), Rows::laid_out(&generators, &known)] {
                 let found = at_each_level(|| {
-                    let mut places = vec![0.0; generators.len()];
-                    signed_factors(rows, &direction, 0.5, &mut places);
-                    places
+                    let mut list = vec![7.0];
+                    signed_factors(rows, &direction, 0.5, &mut list);
+                    list.split_off(1)
                 });
                 prop_assert!(found.iter().all(|places| *places == expected));
             }

@@ -10,7 +10,7 @@ use crate::collision::by_lad::early::combination::well_spread;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::bounded::{Bounded, BoundedVector, approximate};
+use crate::numeric::bounded::{Bounded, BoundedVector, approximate, cross};
 use crate::numeric::linear::{cyclic_cross_products, dot};
 use crate::numeric::tolerance::UNIT;
 use crate::tally::Rung;
@@ -172,7 +172,7 @@ fn prove_by_others(
 
 /// The coefficients of three vectors that make up what is left, if all are certainly within (−1, 1).
 fn solve([a, b, c]: &[BoundedVector; 3], rest: &BoundedVector) -> Option<[f64; 3]> {
-    let normals = cyclic_cross_products(a, b, c);
+    let normals = [cross(b, c), cross(c, a), cross(a, b)];
     let determinant = dot(c, &normals[2]);
     let negative = determinant.sign()? < 0;
     let determinant = if negative { determinant.negated() } else { determinant };

@@ -10,7 +10,7 @@ pub(super) fn fixed_signs(query: &dyn KernelQuery, cone: &DirectionCone, crossin
     let mut signs = Vec::with_capacity(query.len());
     for part in query.parts() {
         let center = part.frame.map_or(cone.center, |frame| frame.pulled_cell(cone).center);
-        let mut factors = vec![0.0; part.rows.len()];
+        let mut factors = Vec::new();
         signed_factors(part.rows, &center, 1.0, &mut factors);
         signs.extend(factors.into_iter().map(|factor| if factor < 0.0 { -1 } else { 1 }));
     }

@@ -7,57 +7,65 @@
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::cells::sign_pass::Places;
-use crate::lad::of_generators::generators::{KernelQuery, generator_of};
+use crate::lad::of_generators::generators::KernelQuery;
+use crate::numeric::lanes::octet::LANES;
 use crate::numeric::reused::{Reused, keep_lists_of};
 
-/// Cells, each within the one before, and for each the generators that cross it and all cells before it.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct NestedCells {
-    steps: Reused<(DirectionCone, Places)>,
+/// A cell, and the generators that cross it and all cells before it.
+#[derive(Debug, Clone)]
+pub(crate) struct NestedCell {
+    pub(crate) cell: DirectionCone,
+    /// The generators by their index in the query, in increasing order, and in doubles.
+    pub(crate) crossing: Places,
+    vectors: Reused<[f64; 3]>,
 }
 
-keep_lists_of!((DirectionCone, Places));
+/// Cells, each within the one before.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NestedCells {
+    steps: Reused<NestedCell>,
+}
+
+keep_lists_of!(NestedCell);
 
 impl NestedCells {
-    /// From cells and the generators that cross each.
-    pub(crate) fn new(steps: impl IntoIterator<Item = (DirectionCone, Places)>) -> Self {
-        Self { steps: steps.into_iter().collect() }
-    }
-
     /// The cells of problems that were reduced one from the other.
     pub(crate) fn of(mut levels: Reused<Reduced>) -> Self {
-        Self::new(levels.drain(..).filter_map(|level| Some((level.cell?, level.indices))))
+        let steps = levels.drain(..).filter_map(|Reduced { cell, indices, vectors, .. }| {
+            Some(NestedCell { cell: cell?, crossing: indices, vectors })
+        });
+        Self { steps: steps.collect() }
     }
 
     /// The cells with the generators that cross them, widest first.
-    pub(crate) fn steps(&self) -> &[(DirectionCone, Places)] {
+    pub(crate) fn steps(&self) -> &[NestedCell] {
         &self.steps
     }
 
     /// The first steps.
     pub(crate) fn up_to(&self, count: usize) -> Self {
-        Self::new(self.steps[..count].iter().cloned())
+        Self { steps: self.steps[..count].iter().cloned().collect() }
     }
 
     /// The sign of one generator, 1 or −1. O(log n).
     pub(crate) fn sign(&self, query: &dyn KernelQuery, last: &DirectionCone, index: usize) -> f64 {
-        let misses = |(_, crossing): &&(DirectionCone, Places)| crossing.binary_search(&(index as u32)).is_err();
-        let cell = self.steps.iter().find(misses).map_or(last, |(cell, _)| cell);
+        let misses = |step: &&NestedCell| step.crossing.binary_search(&(index as u32)).is_err();
+        let cell = self.steps.iter().find(misses).map_or(last, |step| &step.cell);
         if cell.value(&query.generator(index)) < 0.0 { -1.0 } else { 1.0 }
     }
 
     /// The signs of all generators; 0 for those that cross all cells.
     pub(crate) fn signs(&self, query: &dyn KernelQuery) -> Vec<i8> {
         let side = |cell: &DirectionCone, v: &[f64; 3]| if cell.value(v) < 0.0 { -1 } else { 1 };
-        let Some(((first, _), _)) = self.steps.split_first() else { return vec![0; query.len()] };
+        let Some(NestedCell { cell: first, .. }) = self.steps.first() else { return vec![0; query.len()] };
         let mut signs = Vec::with_capacity(query.len());
         for part in query.parts() {
             part.map_into(&mut signs, |v| side(first, v));
         }
-        for (step, (_, crossing)) in self.steps.iter().enumerate() {
-            let next = self.steps.get(step + 1).map(|(cell, _)| cell);
-            for &index in crossing {
-                signs[index as usize] = next.map_or(0, |cell| side(cell, &query.generator(index as usize)));
+        for (place, step) in self.steps.iter().enumerate() {
+            let next = self.steps.get(place + 1).map(|step| &step.cell);
+            for (&index, v) in step.crossing.iter().zip(&step.vectors) {
+                signs[index as usize] = next.map_or(0, |cell| side(cell, v));
             }
         }
         signs
@@ -67,19 +75,15 @@ impl NestedCells {
     /// direction.
     pub(crate) fn coefficients(&self, query: &dyn KernelQuery, last: &DirectionCone, factor: f64) -> Vec<f64> {
         let of = |cell: &DirectionCone, v: &[f64; 3]| factor.copysign(cell.value(v));
-        let first = *self.steps.first().map_or(last, |(cell, _)| cell);
-        let parts = query.parts();
-        let mut coefficients = vec![0.0; query.len()];
-        let mut places = &mut coefficients[..];
-        for part in &parts {
-            let (own, others) = places.split_at_mut(part.rows.len());
-            part.signed_factors(&first, factor, own);
-            places = others;
+        let first = self.steps.first().map_or(last, |step| &step.cell);
+        let mut coefficients = Vec::with_capacity(query.len() + LANES);
+        for part in &query.parts() {
+            part.signed_factors(first, factor, &mut coefficients);
         }
-        for (step, (_, crossing)) in self.steps.iter().enumerate() {
-            let next = self.steps.get(step + 1).map_or(last, |(cell, _)| cell);
-            for &index in crossing {
-                coefficients[index as usize] = of(next, &generator_of(&parts, index as usize));
+        for (place, step) in self.steps.iter().enumerate() {
+            let next = self.steps.get(place + 1).map_or(last, |step| &step.cell);
+            for (&index, v) in step.crossing.iter().zip(&step.vectors) {
+                coefficients[index as usize] = of(next, v);
             }
         }
         coefficients
@@ -97,9 +101,13 @@ mod tests {
         let query = Query::new([0.0; 3], [1.0; 3], &generators).expect("finite");
         let cell = |center, ball| DirectionCone { center, axes: None, ball };
         // 2 and 3 cross the first cell, 3 the second as well
-        let wide = (cell([1.0, 0.1, 0.0], 0.2), [2, 3].into_iter().collect());
-        let narrow = (cell([1.0, 0.1, 0.9], 0.01), [3].into_iter().collect());
-        let cells = NestedCells::new([wide, narrow]);
+        let step = |cell: DirectionCone, crossing: &[u32]| NestedCell {
+            cell,
+            crossing: crossing.iter().copied().collect(),
+            vectors: crossing.iter().map(|&index| generators[index as usize]).collect(),
+        };
+        let (wide, narrow) = (step(cell([1.0, 0.1, 0.0], 0.2), &[2, 3]), step(cell([1.0, 0.1, 0.9], 0.01), &[3]));
+        let cells = NestedCells { steps: [wide, narrow].into_iter().collect() };
         let last = cell([1.0, 0.1, 2.0], 0.0);
         let expected = [1, -1, 1, 1];
         assert_eq!(cells.coefficients(&query, &last, 0.5), expected.map(|sign| 0.5 * f64::from(sign)));

@@ -107,7 +107,16 @@ impl<const AXES: usize> WideCone<AXES> {
     }
 
     fn split(&self, generators: Rows<'_>, ranges: &[Range<usize>], crossing: &mut Places) -> FixedSum {
-        dispatch!(level(), simd => split_at(simd, self, generators, ranges, crossing))
+        // places are listed after the pass: a list that may grow within it would cost the sums their registers
+        let mut words = Reused::with_capacity(ranges.iter().map(|range| range.len().div_ceil(WORD)).sum());
+        let fixed = dispatch!(level(), simd => split_at(simd, self, generators, ranges, &mut words));
+        let (mut words, mut room) = (words.iter(), [0; WORD]);
+        for range in ranges {
+            for (start, &word) in range.clone().step_by(WORD).zip(&mut words) {
+                crossing.extend_from_slice(places_of(word, start as u32, &mut room));
+            }
+        }
+        fixed
     }
 }
 
@@ -181,7 +190,7 @@ fn split_at<S: Simd, const AXES: usize>(
     cone: &WideCone<AXES>,
     generators: Rows<'_>,
     ranges: &[Range<usize>],
-    crossing: &mut Places,
+    words: &mut Vec<u64>,
 ) -> FixedSum {
     let center = splat(simd, &cone.center);
     let mut axes = [center; AXES];
@@ -190,21 +199,16 @@ fn split_at<S: Simd, const AXES: usize>(
     }
     let wide = Splat { center, axes, square: f64x8::splat(simd, cone.square) };
     let mut sums = Sums::new(simd);
-    let mut room = [0; WORD];
     let (mut count, mut blocks) = (0, 0);
     for range in ranges {
-        for (number, block) in generators.part(range.clone()).chunks(BLOCK).enumerate() {
-            for (place, word) in block.chunks(WORD).enumerate() {
+        for block in generators.part(range.clone()).chunks(BLOCK) {
+            for word in block.chunks(WORD) {
                 let octets = word.octets();
                 let mut misses = 0;
                 for k in 0..octets.len() {
                     misses |= sums.read(simd, &wide, &octets.load(simd, k)) << (LANES * k);
                 }
-                let crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
-                if crosses != 0 {
-                    let first = range.start + number * BLOCK + place * WORD;
-                    crossing.extend_from_slice(places_of(crosses, first as u32, &mut room));
-                }
+                words.push(!in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len())));
             }
             sums.end_block(simd);
             blocks += 1;

@@ -23,7 +23,7 @@ impl Near {
     pub(super) fn new(
         level: &Reduced,
         [first, second]: [usize; 2],
-        near: &[usize],
+        near: &[u32],
         direction: &BoundedVector,
         duals: &[BoundedVector; 2],
         fixed: &FixedSum,
@@ -34,12 +34,13 @@ impl Near {
         let product = |v: &[f64; 3], dual: &BoundedVector| dot(v, &dual.map(|c| c.value));
         let own = [product(&level.vectors[first], &duals[0]), product(&level.vectors[second], &duals[1])];
         let plane = |v: &[f64; 3]| [0, 1].map(|k| product(v, &duals[k]) / own[k]);
-        let members: Reused<usize> = near.iter().copied().chain([first, second]).collect();
+        let near = near.iter().map(|&place| place as usize);
+        let members: Reused<usize> = near.clone().chain([first, second]).collect();
         let vectors: Reused<[f64; 2]> = members.iter().map(|&i| plane(&level.vectors[i])).collect();
         let target = plane(&fixed.sum).map(|c| -c);
         let parts = facet_coefficients(&vectors, target).map_err(|place| members[place])?;
         let (mut total, mut shared, mut missing) = ([0.0; 3], 0.0, 0.0);
-        for (&i, part) in near.iter().zip(&parts) {
+        for (i, part) in near.clone().zip(&parts) {
             let v = level.vectors[i];
             for (total, c) in total.iter_mut().zip(v) {
                 *total += part * c;
@@ -52,7 +53,7 @@ impl Near {
         let error = (near.len() + 1) as f64 * (UNIT * shared * slack + f64::MIN_POSITIVE)
             + level.relative_error * shared * slack;
         let sum = [0, 1, 2].map(|k| fixed.bounded()[k] + Bounded { value: total[k], error });
-        let shares = near.iter().zip(&parts).map(|(&i, &part)| (level.indices[i] as usize, part)).collect();
+        let shares = near.zip(&parts).map(|(i, &part)| (level.indices[i] as usize, part)).collect();
         Ok(Self { sum, shares, shared: shared * slack, missing: missing * slack })
     }
 }

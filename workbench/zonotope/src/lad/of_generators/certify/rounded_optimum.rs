@@ -24,9 +24,9 @@ use crate::lad::of_generators::cells::sign_pass::Places;
 use crate::lad::of_generators::certify::near_generators::Near;
 use crate::lad::of_generators::certify::residual::Rest;
 use crate::lad::of_generators::generators::KernelQuery;
-use crate::numeric::bounded::{Bounded, BoundedVector, approximate, exact};
+use crate::numeric::bounded::{Bounded, BoundedVector, approximate, cross, exact};
 use crate::numeric::exact_linear::{self, ExactVector};
-use crate::numeric::linear::{cross, dot};
+use crate::numeric::linear::dot;
 use crate::numeric::reused::{Reused, ReusedBox, keep_lists_of};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, UNIT};
 
@@ -93,7 +93,9 @@ impl RoundedOptimum {
         let error = level.relative_error;
         let [a, b] = vectors.map(|v| approximate(v, error));
         let product = cross(&a, &b);
-        let reversed = dot(&product, p).sign().ok_or(Unproved::Doubt)? < 0;
+        let along = dot(&product, p);
+        let reversed = along.sign().ok_or(Unproved::Doubt)? < 0;
+        let own = if reversed { along.negated() } else { along };
         let vertex = if reversed { product.map(Bounded::negated) } else { product };
         let largest = |of: fn(&Bounded) -> f64| vertex.iter().map(of).fold(0.0f64, f64::max);
         // of the vertex of two lines that are nearly parallel less is known than of a point near it
@@ -103,13 +105,12 @@ impl RoundedOptimum {
         if let Some(place) = levels.iter().position(is_missed) {
             return Err(Unproved::Astray(place));
         }
-        let (along, own) = (dot(&direction, p), dot(&vertex, p));
+        let along = if is_rounded { dot(&direction, p) } else { own };
         let least = (own.value - own.error) * (1.0 - 4.0 * UNIT);
         let cell = DirectionCone::around(&direction);
         let mut near = Places::with_capacity(USUAL_NEAR);
         let fixed = level.plus_fixed_in(&cell, &mut near);
-        let near: Reused<usize> =
-            near.iter().map(|&place| place as usize).filter(|&i| i != first && i != second).collect();
+        near.retain(|&place| place as usize != first && place as usize != second);
         let duals = [cross(&b, p), cross(p, &a)];
         let Near { sum, shares, shared, missing } =
             Near::new(level, [first, second], &near, &direction, &duals, &fixed).map_err(Unproved::Falls)?;

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use crate::lad::by_pruning;
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
-use crate::lad::of_generators::cells::nested::NestedCells;
+use crate::lad::of_generators::cells::nested::{NestedCell, NestedCells};
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::plane::exact_chart::{ChartProblem, ExactChart, Vectors};
 use crate::numeric::dyadic::Dyadic;
@@ -66,17 +66,15 @@ impl ExactOptimum {
         // of the problems that are small enough for exact arithmetic, the widest has the cell that most likely holds
         // the optimum
         let steps = cells.steps();
-        let count = steps
-            .iter()
-            .position(|(_, crossing)| crossing.len() <= EXACT_SOLVE_LIMIT)
-            .map_or(steps.len(), |step| step + 1);
-        let (cell, indices) = steps[..count].last()?;
+        let count =
+            steps.iter().position(|step| step.crossing.len() <= EXACT_SOLVE_LIMIT).map_or(steps.len(), |step| step + 1);
+        let NestedCell { cell, crossing, .. } = steps[..count].last()?;
         tally.add(Operation::ExactFallback, 1);
         tally.add(Operation::GeneratorRead, query.len() as u64);
-        let indices = indices.iter().map(|&index| index as usize).collect();
+        let indices = crossing.iter().map(|&index| index as usize).collect();
         let signs = cells.up_to(count).signs(query);
         let optimum = Self::of_some(query, p, indices, signs, cell.coarse_center(), tally)?;
-        let is_inside = steps[..count].iter().all(|(cell, _)| cell.contains_exactly(&optimum.direction, p));
+        let is_inside = steps[..count].iter().all(|step| step.cell.contains_exactly(&optimum.direction, p));
         is_inside.then_some(optimum)
     }
 

@@ -28,7 +28,7 @@ impl ExactVertex {
         let product = cross(&a, &b);
         let side = dot(&product, p).sign();
         let direction = if side.is_lt() { negated(product) } else { product };
-        let is_within = cells.steps().iter().all(|(cell, _)| cell.contains_exactly(&direction, p));
+        let is_within = cells.steps().iter().all(|step| step.cell.contains_exactly(&direction, p));
         if side.is_eq() || !is_within {
             return None;
         }

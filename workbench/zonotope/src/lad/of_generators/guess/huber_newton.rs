@@ -39,6 +39,16 @@ const STRICT_CHANGE: f64 = 1e-4;
 /// for.
 const SETTLED_CHANGE: f64 = 0.5;
 
+/// The most steps of an approach.
+const APPROACH_STEPS: usize = 2;
+
+/// The least number of lines in the band of a step of an approach.
+const THINNEST_APPROACH: f64 = 8.0;
+
+/// The next band of an approach, in terms of the distance that the lines of this band leave the minimum uncertain by:
+/// the band over the root of their number.
+const BAND_OF_DEVIATIONS: f64 = 2.0;
+
 impl RoundedLines {
     /// A point near the minimum of linear · x + Σ |a x + b y + c|; the search begins at another guess, if there is
     /// one.
@@ -53,6 +63,27 @@ impl RoundedLines {
             None => self.least_squares()?,
         };
         self.by_newton(linear, point, band, aim)
+    }
+
+    /// A point near the minimum of linear · x + Σ |a x + b y + c| among a few lines, without a bound of how near: a
+    /// Newton step for each of some thinner and thinner bands.
+    ///
+    /// A descent from there crosses a few lines, and to cross a line among a hundred takes less than to make sure of
+    /// a better guess.
+    pub(crate) fn approach(&self, linear: [f64; 2], start: Option<&Guess>) -> [f64; 2] {
+        let start = start.map(|guess| (guess.point, guess.band)).or_else(|| self.least_squares());
+        let Some((mut point, mut band)) = start else { return [0.0; 2] };
+        for _ in 0..APPROACH_STEPS {
+            let moments = self.moments(point, band);
+            if moments.count < THINNEST_APPROACH {
+                break;
+            }
+            let gradient = [moments.gradient[0] + linear[0], moments.gradient[1] + linear[1]];
+            let Some(newton) = solve(&moments.hessian, gradient) else { break };
+            point = [point[0] - newton[0], point[1] - newton[1]];
+            band *= (BAND_OF_DEVIATIONS / moments.count.sqrt()).min(0.5);
+        }
+        point
     }
 
     /// The optimal vertex by descent from vertex to vertex: of a part of the lines first where they are many, then of

@@ -9,12 +9,14 @@
 //! | [`huber_newton`] | Newton steps on the objective with rounded-off kinks |
 //! | [`parallel_classes`] | the sums of the generators of each of few directions |
 //! | [`vertex_descent`] | the vertex at which descent along lines ends, in doubles |
+//! | [`line_search`] | the crossing of a line at which the slope along it changes its sign |
 //! | [`crossings`] | the weighted median of the places at which lines are crossed |
 
 pub(crate) mod aim;
 pub(crate) mod crossings;
 pub(crate) mod huber_newton;
 pub(crate) mod huber_sums;
+mod line_search;
 pub(crate) mod parallel_classes;
 pub(crate) mod sample;
 pub(crate) mod vertex_descent;

@@ -7,17 +7,23 @@
 //! sample is added to the sample's objective, which then has the right gradient near the vertex and the sample's
 //! changes of gradient farther off.
 
+use fearless_simd::{Simd, dispatch, f64x8, mask64x8, prelude::*};
+
 use crate::lad::of_generators::cells::reduced::Reduced;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
+use crate::numeric::lanes::level::level;
+use crate::numeric::lanes::number::product;
+use crate::numeric::lanes::octet::{LANES, Octet, slot, splat};
+use crate::numeric::lanes::octets::Octets;
 use crate::numeric::linear::dot;
 use crate::numeric::reused::{Reused, keep_lists_of};
 
 /// The number of generators of the sample that are compared with each other to see whether any are parallel.
-const PROBES: usize = 12;
+const PROBES: usize = 2 * LANES;
 
 /// Generators of more classes than this are not treated by classes.
 const CLASS_LIMIT: usize = 32;
@@ -62,14 +68,7 @@ pub(crate) struct Meeting {
 impl ParallelClasses {
     /// The classes of a sample of a part of all generators, if they are few.
     pub(crate) fn of(sample: &[[f64; 3]], part: f64, chart: &RoundedChart) -> Option<Self> {
-        let step = (sample.len() / PROBES).max(1);
-        let probes: Reused<[f64; 3]> = sample.iter().step_by(step).take(PROBES).filter_map(unit).collect();
-        let is_repeated =
-            |(i, a): (usize, &[f64; 3])| probes[..i].iter().any(|b| sine_square(a, b) < PARALLEL_SINE * PARALLEL_SINE);
-        // in a list that is sorted by direction, those at a distance differ and neighbours are parallel
-        let neighbours = sample.iter().skip(1).step_by(step).take(PROBES).filter_map(unit);
-        let is_followed = |(a, b): (&[f64; 3], [f64; 3])| sine_square(a, &b) < PARALLEL_SINE * PARALLEL_SINE;
-        if !probes.iter().enumerate().any(is_repeated) && !probes.iter().zip(neighbours).any(is_followed) {
+        if !seem_repeated(sample) {
             return None;
         }
         Self::summed_up(sample.iter().copied(), part, chart)
@@ -184,6 +183,51 @@ fn unit(v: &[f64; 3]) -> Option<[f64; 3]> {
 fn sine_square([a, b, c]: &[f64; 3], [d, e, f]: &[f64; 3]) -> f64 {
     let [x, y, z] = [b * f - c * e, c * d - a * f, a * e - b * d];
     x * x + y * y + z * z
+}
+
+/// Whether any of some generators of a sample are parallel to each other or to their neighbours: in a list that is sorted
+/// by direction, those at a distance differ and neighbours are parallel.
+fn seem_repeated(sample: &[[f64; 3]]) -> bool {
+    let step = (sample.len() / PROBES).max(1);
+    let pick = |offset: usize| {
+        let mut picked = [[0.0; 3]; PROBES];
+        for (own, v) in picked.iter_mut().zip(sample.iter().skip(offset).step_by(step)) {
+            *own = *v;
+        }
+        picked
+    };
+    dispatch!(level(), simd => are_repeated(simd, &pick(0), &pick(1)))
+}
+
+/// Whether a probe is parallel to a probe before it or to its neighbour. A probe of zero is parallel to none.
+#[inline(always)]
+fn are_repeated<S: Simd>(simd: S, probes: &[[f64; 3]; PROBES], neighbours: &[[f64; 3]; PROBES]) -> bool {
+    let octets = Octets::new(probes, &[]);
+    let [first, second] = [octets.load(simd, 0), octets.load(simd, 1)];
+    let followers = Octets::new(neighbours, &[]);
+    let mut found = are_parallel(simd, &first, &followers.load(simd, 0)).to_bitmask()
+        | are_parallel(simd, &second, &followers.load(simd, 1)).to_bitmask();
+    for (place, probe) in probes.iter().enumerate() {
+        let probe = splat(simd, probe);
+        let own = 1 << (slot(place) % LANES);
+        if place < LANES {
+            found |= are_parallel(simd, &probe, &first).to_bitmask() & !own;
+            found |= are_parallel(simd, &probe, &second).to_bitmask();
+        } else {
+            found |= are_parallel(simd, &probe, &second).to_bitmask() & !own;
+        }
+    }
+    found != 0
+}
+
+/// Whether the angle of vectors in a lane is that of parallel ones but for noise.
+#[inline(always)]
+fn are_parallel<S: Simd>(simd: S, a: &Octet<S>, b: &Octet<S>) -> mask64x8<S> {
+    let x = a[1] * b[2] - a[2] * b[1];
+    let y = a[2] * b[0] - a[0] * b[2];
+    let z = a[0] * b[1] - a[1] * b[0];
+    let limit = f64x8::splat(simd, PARALLEL_SINE * PARALLEL_SINE);
+    (x * x + y * y + z * z).simd_lt(limit * product(a, a) * product(b, b))
 }
 
 fn is_along(v: &[f64; 3], unit: &[f64; 3]) -> bool {

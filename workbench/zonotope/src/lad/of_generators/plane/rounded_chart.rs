@@ -6,7 +6,7 @@ use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::plane::rounded_lines::{LineBlock, RoundedLines};
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::octet::{LANES, Octet, total};
+use crate::numeric::lanes::octet::{Octet, total};
 use crate::numeric::lanes::octets::Octets;
 use crate::numeric::linear::{dot, sum_norm};
 
@@ -56,34 +56,41 @@ impl RoundedChart {
 
     /// The lines of some vectors, in the place of others: a search writes one list after the other where it stands.
     pub(crate) fn write_lines(&self, vectors: &[[f64; 3]], lines: &mut RoundedLines) {
-        lines.rewrite(vectors.len(), |blocks| dispatch!(level(), simd => self.read_lines(simd, vectors, blocks)));
+        // the axes are known when the loop is compiled, so that coordinates stay where they are
+        lines.rewrite(vectors.len(), |blocks| match self.axes {
+            [1, ..] => dispatch!(level(), simd => self.read_lines::<_, 1, 2, 0>(simd, vectors, blocks)),
+            [2, ..] => dispatch!(level(), simd => self.read_lines::<_, 2, 0, 1>(simd, vectors, blocks)),
+            _ => dispatch!(level(), simd => self.read_lines::<_, 0, 1, 2>(simd, vectors, blocks)),
+        });
     }
 
     /// The lines of vectors, eight by eight; returns the sum of the lengths.
     #[inline(always)]
-    fn read_lines<S: Simd>(&self, simd: S, vectors: &[[f64; 3]], blocks: &mut Vec<LineBlock>) -> f64 {
+    fn read_lines<S: Simd, const I: usize, const J: usize, const K: usize>(
+        &self,
+        simd: S,
+        vectors: &[[f64; 3]],
+        blocks: &mut [LineBlock],
+    ) -> f64 {
         let octets = Octets::new(vectors, &[]);
         let mut lengths = f64x8::splat(simd, 0.0);
-        for k in 0..octets.len() {
-            let (block, own) = self.block(simd, &octets.load(simd, k));
-            blocks.push(block);
-            lengths += own;
+        for (k, block) in blocks.iter_mut().enumerate() {
+            let v = octets.load(simd, k);
+            lengths += self.write_block(simd, [v[I], v[J], v[K]], block);
         }
         total(lengths)
     }
 
     #[inline(always)]
-    fn block<S: Simd>(&self, simd: S, v: &Octet<S>) -> (LineBlock, f64x8<S>) {
-        let [x, y, z] = [v[self.axes[0]], v[self.axes[1]], v[self.axes[2]]];
+    fn write_block<S: Simd>(&self, simd: S, [x, y, z]: Octet<S>, block: &mut LineBlock) -> f64x8<S> {
         let sizes = x.abs() + y.abs() + z.abs();
         let least = f64x8::splat(simd, f64::MIN_POSITIVE);
         let lengths = sizes.simd_gt(least).select(sizes, least);
-        let mut block = LineBlock([[0.0; LANES]; 4]);
         (x - z * self.slopes[0]).store_slice(&mut block.0[0]);
         (y - z * self.slopes[1]).store_slice(&mut block.0[1]);
         (z * self.inverse).store_slice(&mut block.0[2]);
         (f64x8::splat(simd, 1.0) / lengths).store_slice(&mut block.0[3]);
-        (block, lengths)
+        lengths
     }
 
     fn direction(&self, [x, y]: [f64; 2], height: f64) -> [f64; 3] {

@@ -31,11 +31,10 @@ impl RoundedLines {
         Self { blocks: Reused::with_capacity(len.div_ceil(LANES)), len: 0, length: 0.0 }
     }
 
-    /// Lets someone write blocks of which only the first lines count, and return the sum of their lengths; the lines
-    /// that fill up the last block are overwritten.
-    pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut Vec<LineBlock>) -> f64) {
-        self.blocks.clear();
-        self.blocks.reserve(len.div_ceil(LANES));
+    /// Lets someone write as many blocks as so many lines take, and return the sum of their lengths; the lines that fill
+    /// up the last block are overwritten.
+    pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut [LineBlock]) -> f64) {
+        self.blocks.resize(len.div_ceil(LANES), LineBlock([[0.0; LANES]; 4]));
         self.length = write(&mut self.blocks);
         self.len = len;
         for row in len..LANES * self.blocks.len() {
@@ -77,16 +76,24 @@ impl RoundedLines {
     /// [`slope`](Self::slope), and the place along the direction at which the line of each slot is crossed: negative
     /// zero where the point is on the line and the sign is already that behind it, not finite where the line is never
     /// crossed.
-    pub(crate) fn slope_and_crossings(
+    #[inline(always)]
+    pub(crate) fn slope_and_crossings<S: Simd>(
         &self,
+        simd: S,
         linear: [f64; 2],
-        point: [f64; 2],
-        direction: [f64; 2],
-        places: &mut Vec<f64>,
+        [x, y]: [f64; 2],
+        [dx, dy]: [f64; 2],
+        places: &mut [f64],
     ) -> f64 {
-        places.resize(LANES * self.blocks.len(), 0.0);
-        let sum = dispatch!(level(), simd => slope_and_crossings(simd, &self.blocks, point, direction, places));
-        linear[0] * direction[0] + linear[1] * direction[1] + sum
+        let mut sum = f64x8::splat(simd, 0.0);
+        for (block, place) in self.blocks.iter().zip(places.as_chunks_mut::<LANES>().0) {
+            let [a, b, c, _] = load(simd, block);
+            let value = a * x + b * y + c;
+            let rate = a * dx + b * dy;
+            sum += turned(simd, rate, value);
+            (-value / rate).store_slice(place);
+        }
+        linear[0] * dx + linear[1] * dy + total(sum)
     }
 
     /// linear · x + Σ |a x + b y + c|.
@@ -140,25 +147,6 @@ fn slope<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], [dx, dy]: [f6
     total(sum)
 }
 
-#[inline(always)]
-fn slope_and_crossings<S: Simd>(
-    simd: S,
-    blocks: &[LineBlock],
-    [x, y]: [f64; 2],
-    [dx, dy]: [f64; 2],
-    places: &mut [f64],
-) -> f64 {
-    let mut sum = f64x8::splat(simd, 0.0);
-    for (block, place) in blocks.iter().zip(places.as_chunks_mut::<LANES>().0) {
-        let [a, b, c, _] = load(simd, block);
-        let value = a * x + b * y + c;
-        let rate = a * dx + b * dy;
-        sum += turned(simd, rate, value);
-        (-value / rate).store_slice(place);
-    }
-    total(sum)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -174,7 +162,7 @@ mod tests {
         }
         let mut lines = RoundedLines::with_capacity(3);
         lines.rewrite(3, |blocks| {
-            blocks.push(block);
+            blocks[0] = block;
             4.0
         });
         assert_eq!((lines.len(), lines.blocks().len(), lines.length), (3, 1, 4.0));

@@ -15,13 +15,12 @@ use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
 use crate::lad::of_generators::guess::aim::{Aim, Guess};
-use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
 /// At most this many lines are searched from vertex to vertex without a smaller cell.
-const DESCENT_LINES: usize = 40;
+const DESCENT_LINES: usize = 320;
 
 /// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from nearly parallel lines
 /// and is not believed.
@@ -84,8 +83,8 @@ pub(crate) fn narrow(
         smaller.write_lines(chart, &mut lines);
         levels.push(smaller);
     }
-    let least_squares = |lines: &RoundedLines| lines.least_squares().map_or([0.0; 2], |(point, _)| point);
-    let mut point = guess.map_or_else(|| least_squares(&lines), |guess| guess.point);
+    let last = levels.last().expect("there is always the first");
+    let mut point = lines.approach(last.linear(chart), guess.as_ref());
     let mut is_found = false;
     if lines.len() > most_lines {
         return Err(lost);
