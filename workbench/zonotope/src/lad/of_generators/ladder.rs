@@ -39,7 +39,7 @@ use super::search::Searched;
 use super::search::best_pair::{PAIRS_LIMIT, best_pair};
 use super::search::class_meetings::{ClassesFound, search_meetings};
 use super::search::corrected_sample::{CorrectedSample, NotCertified};
-use super::search::narrowing::{Missed, narrow, search_cell};
+use super::search::narrowing::{DESCENT_LINES, Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
 use super::support::separates;
@@ -51,8 +51,8 @@ use crate::numeric::reused::{Reused, ReusedBox};
 use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
 
-/// At most this many generators are searched all at once, without a sample.
-const WHOLE_LIMIT: usize = 320;
+/// At most this many generators are searched all at once, without a sample: as many as the descent takes.
+const WHOLE_LIMIT: usize = DESCENT_LINES;
 
 /// The vertex descent at the end of a search is given at most this many lines.
 const CELL_LINES_LIMIT: usize = 1200;
@@ -66,6 +66,9 @@ const GENERATOR_ERROR_LIMIT: f64 = 1e-9;
 
 /// The size of the second cell in terms of the first where the optimum seemed to be outside of the first cell.
 const STRETCH_AROUND: f64 = 8.0;
+
+/// A cell that fewer lines cross, those of the optimum not among them, was too small.
+const CROSSING_OF_EMPTY: usize = 128;
 
 /// The size of the second cell in terms of the first where few lines crossed the first cell, and the lines of the
 /// optimum were not among them.
@@ -272,7 +275,7 @@ impl Climb<'_, '_> {
         match search_cell(self.problem, &guess, stretch, CELL_LINES_LIMIT, self.tally) {
             Ok(searched) => return self.decide(searched),
             Err(Missed::At(nearer)) => self.guess = Some((nearer, STRETCH_AROUND)),
-            Err(Missed::Lost { crossing }) if crossing < WHOLE_LIMIT => {
+            Err(Missed::Lost { crossing }) if crossing < CROSSING_OF_EMPTY => {
                 self.guess = Some((guess, stretch * STRETCH_OF_EMPTY));
             }
             Err(Missed::Lost { .. }) => return Err(self.after_cells()),

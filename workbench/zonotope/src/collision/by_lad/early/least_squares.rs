@@ -10,7 +10,7 @@ use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
 use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
-use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
+use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT, WHOLE_LIMIT};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
@@ -25,6 +25,9 @@ use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
 /// The number of eights of generators from which it is seen that coefficients will be too large.
 const SAMPLE: usize = 4;
+
+/// Of many generators, coefficients are written where no coefficient of a sample is larger.
+const LIKELY_WITHIN: f64 = 0.9;
 
 /// Above this number of generators the widest instructions are quicker.
 const NARROW_LIMIT: usize = 4 * LANES;
@@ -209,6 +212,10 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     // a flat body has a direction, too
     let y = thick.unwrap_or_else(|| moments.solve(&own).0);
     let along = dot(&own, &y);
+    let is_many = n > WHOLE_LIMIT;
+    if is_many && !is_thick {
+        return Err(Open { y, gauge: f64::NAN, is_thick });
+    }
     if is_thick && n >= 4 * SAMPLE * LANES {
         let step = n / (SAMPLE * LANES);
         let (some, count) = query.over(
@@ -218,14 +225,20 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
         );
         let part = count as f64 / n as f64;
         let gauge = along * part / some.reach;
-        if some.largest > WELL_WITHIN && gauge < INSIDE_GAUGE {
+        // of many generators, a direction that separates is looked for by a sample
+        let limit = if is_many { LIKELY_WITHIN } else { WELL_WITHIN };
+        if some.largest > limit && (gauge < INSIDE_GAUGE || is_many) {
             return Err(Open { y, gauge, is_thick });
         }
     }
     // coefficients take no memory of the heap before it is known that they are asked for
     let mut few = [0.0; OWN_LENGTHS_LIMIT];
-    let mut many = if OWN { Reused::<f64>::new() } else { Reused::with_capacity(n) };
-    let coefficients = if OWN {
+    let mut many = if OWN || is_many { Reused::<f64>::new() } else { Reused::with_capacity(n) };
+    let mut likely = Vec::new();
+    let coefficients = if is_many {
+        likely.resize(n, 0.0);
+        &mut likely[..]
+    } else if OWN {
         &mut few[..n]
     } else {
         many.resize(n, 0.0);
@@ -239,7 +252,7 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     if is_thick && sums.largest <= WELL_WITHIN {
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
         if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
-            let coefficients = coefficients.to_vec();
+            let coefficients = if is_many { likely } else { coefficients.to_vec() };
             return Ok(Clear::Inside(Witness { coefficients, basis }));
         }
     }

@@ -32,7 +32,8 @@ struct Third {
     sign: f64,
     /// The cross products of the three generators, in which coefficients are read off.
     normals: [[f64; 3]; 3],
-    determinant: f64,
+    /// 1 over the determinant of the three; infinite where the third is in the plane of the others.
+    inverse: f64,
 }
 
 /// Three generators and the factor of all others.
@@ -49,17 +50,17 @@ impl Third {
     fn new(optimum: &RoundedOptimum, index: usize, vector: [f64; 3], sign: f64) -> Self {
         let [a, b] = &optimum.vectors;
         let normals = cyclic_cross_products(a, b, &vector);
-        Self { index, vector, sign, normals, determinant: dot(&vector, &normals[2]) }
+        Self { index, vector, sign, normals, inverse: 1.0 / dot(&vector, &normals[2]) }
     }
 
     /// The attempt with a factor, and its margin.
     fn attempt(&self, optimum: &RoundedOptimum, p: &BoundedVector, factor: f64) -> Attempt {
         let rest = |k: usize| p[k].value - (optimum.sum[k].value - self.sign * self.vector[k]) * factor;
         let rest = [rest(0), rest(1), rest(2)];
-        let size = |k: usize| (dot(&rest, &self.normals[k]) / self.determinant).abs();
+        let size = |k: usize| (dot(&rest, &self.normals[k]) * self.inverse).abs();
         let largest = size(0).max(size(1)).max(size(2));
         // none where the third is in the plane of the others
-        let margin = if self.determinant == 0.0 { 0.0 } else { 1.0 - largest };
+        let margin = if self.inverse.is_finite() { 1.0 - largest } else { 0.0 };
         Attempt { third: self.index, sign: self.sign, factor, margin }
     }
 }

@@ -25,6 +25,9 @@ use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZE
 /// addition for each eight generators of its block.
 const BLOCK: usize = 256;
 
+/// A pass over few generators keeps so many words where it stands, and asks for no list of them.
+const STANDING_WORDS: usize = 8;
+
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².
 const SQUARE_SPLIT: f64 = 1.0 / 1024.0;
 
@@ -108,8 +111,24 @@ impl<const AXES: usize> WideCone<AXES> {
 
     fn split(&self, generators: Rows<'_>, ranges: &[Range<usize>], crossing: &mut Places) -> FixedSum {
         // places are listed after the pass: a list that may grow within it would cost the sums their registers
-        let mut words = Reused::with_capacity(ranges.iter().map(|range| range.len().div_ceil(WORD)).sum());
-        let fixed = dispatch!(level(), simd => split_at(simd, self, generators, ranges, &mut words));
+        let count = ranges.iter().map(|range| range.len().div_ceil(WORD)).sum();
+        if count <= STANDING_WORDS {
+            return self.split_in(generators, ranges, &mut [0; STANDING_WORDS], crossing);
+        }
+        let mut words = Reused::with_capacity(count);
+        words.resize(count, 0);
+        self.split_in(generators, ranges, &mut words, crossing)
+    }
+
+    /// [`split`](Self::split), with room for a word for each [`WORD`] of a range.
+    fn split_in(
+        &self,
+        generators: Rows<'_>,
+        ranges: &[Range<usize>],
+        words: &mut [u64],
+        crossing: &mut Places,
+    ) -> FixedSum {
+        let fixed = dispatch!(level(), simd => split_at(simd, self, generators, ranges, words));
         let (mut words, mut room) = (words.iter(), [0; WORD]);
         for range in ranges {
             for (start, &word) in range.clone().step_by(WORD).zip(&mut words) {
@@ -190,7 +209,7 @@ fn split_at<S: Simd, const AXES: usize>(
     cone: &WideCone<AXES>,
     generators: Rows<'_>,
     ranges: &[Range<usize>],
-    words: &mut Vec<u64>,
+    words: &mut [u64],
 ) -> FixedSum {
     let center = splat(simd, &cone.center);
     let mut axes = [center; AXES];
@@ -199,6 +218,7 @@ fn split_at<S: Simd, const AXES: usize>(
     }
     let wide = Splat { center, axes, square: f64x8::splat(simd, cone.square) };
     let mut sums = Sums::new(simd);
+    let mut words = words.iter_mut();
     let (mut count, mut blocks) = (0, 0);
     for range in ranges {
         for block in generators.part(range.clone()).chunks(BLOCK) {
@@ -208,7 +228,9 @@ fn split_at<S: Simd, const AXES: usize>(
                 for k in 0..octets.len() {
                     misses |= sums.read(simd, &wide, &octets.load(simd, k)) << (LANES * k);
                 }
-                words.push(!in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len())));
+                if let Some(crosses) = words.next() {
+                    *crosses = !in_order_of_rows(misses) & (u64::MAX >> (WORD - word.len()));
+                }
             }
             sums.end_block(simd);
             blocks += 1;

@@ -6,7 +6,7 @@
 //!
 //! Newton steps come before descent because a descent from vertex to vertex among n lines takes many line searches of
 //! O(n) each, each of which may stop at the next vertex but one. The smooth objective sees the lines of a whole band
-//! at once: a few steps of one pass each come so near that the cell around them is crossed by a few dozen lines, and
+//! at once: a few steps of one pass each come so near that the cell around them is crossed by a few hundred lines, and
 //! only among these the descent begins.
 
 use super::aim::{Aim, Guess};

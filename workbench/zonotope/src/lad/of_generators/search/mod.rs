@@ -2,7 +2,7 @@
 //!
 //! | search | where it is at home |
 //! |---|---|
-//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few dozen lines |
+//! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few hundred lines |
 //! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
 //! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over all |

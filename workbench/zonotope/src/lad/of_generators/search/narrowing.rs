@@ -1,11 +1,11 @@
-//! The mainstream search: smaller and smaller cells around better and better guesses, until a few dozen lines are
+//! The mainstream search: smaller and smaller cells around better and better guesses, until a few hundred lines are
 //! left.
 //!
 //! 1. One pass over the generators sums up those whose sign is fixed in a cell around the guess (`cells`).
 //! 2. Newton steps on the generators that cross the cell give a better guess (`guess`) and a smaller cell around it,
 //!    which fewer lines cross; and so on.
-//! 3. Among at most [`DESCENT_LINES`] lines the descent goes from vertex to vertex, and the vertex is certified for
-//!    all cells on the way.
+//! 3. Among at most [`DESCENT_LINES`] lines a few Newton steps lead near the optimum; from there the descent goes from
+//!    vertex to vertex, and the vertex is certified for all cells on the way.
 //! 4. Where the vertex seems to be outside the last cell, that cell was too small: the lines of the cell before it
 //!    are searched.
 
@@ -19,8 +19,9 @@ use crate::lad::of_generators::problem::Problem;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
-/// At most this many lines are searched from vertex to vertex without a smaller cell.
-const DESCENT_LINES: usize = 320;
+/// At most this many lines are searched from vertex to vertex without a smaller cell: a pass over them takes less than
+/// to make sure of a guess, to sum lines up and to write the others down again.
+pub(crate) const DESCENT_LINES: usize = 320;
 
 /// A vertex that is farther from the guess than this, in terms of the cell's sides, comes from nearly parallel lines
 /// and is not believed.
