@@ -11,6 +11,7 @@ pub(super) fn reduce(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, S
         center: vector(member(input, "center")?, "center")?,
         generators: vectors(member(input, "generators")?, "generators")?,
         count: Some(index(input, "count")?),
+        epsilon: None,
     };
     checked(&question, result)
 }
@@ -18,7 +19,7 @@ pub(super) fn reduce(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, S
 pub(super) fn approx(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let center = vec![0.0; generators.first().map_or(3, Vec::len)];
-    checked(&Reduction { center, generators, count: None }, result)
+    checked(&Reduction { center, generators, count: None, epsilon: Some(float(input, "epsilon")?) }, result)
 }
 
 fn checked(question: &Reduction, result: Traced<'_>) -> Result<Verdict, String> {
@@ -28,9 +29,20 @@ fn checked(question: &Reduction, result: Traced<'_>) -> Result<Verdict, String> 
         generators: vectors(member(result, "generators")?, "generators")?,
         bounds: [float(distance, "lower")?, float(distance, "upper")?],
         direction: vector(member(distance, "direction")?, "direction")?,
-        shares: certificate.field("shares").map(|list| shares(list, certificate)).transpose()?,
+        shares: proof(certificate)?,
     };
     Ok(check_reduction(question, &answer))
+}
+
+/// The shares; without them every facet normal is tried, whether the certificate says so or nothing.
+fn proof(certificate: Traced<'_>) -> Result<Option<Shares>, String> {
+    if let Some(list) = certificate.field("shares") {
+        return shares(list, certificate).map(Some);
+    }
+    match certificate.field("facet_normals").map(|_| boolean(certificate, "facet_normals")).transpose()? {
+        Some(false) => Err("there are neither `shares` nor `facet_normals`".to_owned()),
+        Some(true) | None => Ok(None),
+    }
 }
 
 fn shares(list: Traced<'_>, certificate: Traced<'_>) -> Result<Shares, String> {
