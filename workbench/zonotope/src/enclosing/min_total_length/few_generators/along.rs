@@ -93,8 +93,8 @@ impl<const D: usize> Along<D> {
         self.directions.iter().zip(&self.coefficients).filter(|(_, c)| **c > least).unzip()
     }
 
-    /// The directions of the generators, and as many more as orthonormal axes have beyond what these span. None is nearly
-    /// parallel to another one: of those that are, the longest generator's is kept.
+    /// The directions of the generators, and as many more as orthonormal axes have beyond what these span. None is
+    /// nearly parallel to another one: of those that are, the longest generator's is kept.
     pub(super) fn completed(&self, axes: &[[f64; D]]) -> Vec<[f64; D]> {
         let mut generators = self.generators();
         generators.sort_by(|a, b| dot(b, b).total_cmp(&dot(a, a)));
