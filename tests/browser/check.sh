@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The pages of a finished `reproduce`, as a browser lays them out: how long the report is, how small its texts are, and
-# whether its links lead somewhere. The limits are those of the table below.
+# The pages of a finished `reproduce`, as a browser lays them out: how long the report is, how small its texts are,
+# whether they stay in their column, and whether its links lead somewhere. The limits are those of the table below.
 #
 #     bash tests/browser/check.sh out/reproduce
 #
@@ -50,6 +50,8 @@ while read -r page width height size; do
   awk -v found="$(value size)" -v least="$size" 'BEGIN { exit !(found + 0.01 >= least) }' ||
     fault "$page at $width: text below $size: $(value smallest)"
   [ "$(value sideways)" -le "$width" ] || fault "$page at $width: scrolls sideways, to $(value sideways)"
+  value beyond | sort -u >"$work/beyond"
+  while read -r words; do fault "$page at $width: beyond its column: $words"; done <"$work/beyond"
   value broken >"$work/broken"
   while read -r link; do fault "$page: no anchor $link"; done <"$work/broken"
   value file >"$work/files"

@@ -163,8 +163,8 @@ fn holds_text(value: &Value) -> bool {
 
 /// Every kind is asked; no answer is wrong, and few are left unchecked.
 fn answers_verify(dimension: usize, count: usize, numbers: &[f64]) -> Result<(), TestCaseError> {
-    // Weights and points that differ by many orders of magnitude leave a gap to the lower bound; a search over all
-    // directions is not repeated.
+    // Weights and points that differ by many orders of magnitude leave a gap to the lower bound; near points of needles
+    // are hard to find.
     let reasons = ["it may not be the least", "the upper bound is not checked"];
     for kind in KINDS {
         let question = question(kind.name, &input(kind.name, dimension, count, numbers));

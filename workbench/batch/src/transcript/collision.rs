@@ -2,28 +2,28 @@
 
 use super::Verdict;
 use super::reading::{boolean, direction, exact_numbers, float, index, indices, member, point, text, vector, vectors};
-use crate::json::Tree;
+use super::traced::Traced;
 use verifier::{
     Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, PenetrationAnswer, Pose, ProximityAnswer,
     ProximityParts, Status, check_gauge, check_location, check_member_batch, check_proximity,
 };
 
-pub(super) fn member_of(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn member_of(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let point = vector(member(input, "point")?, "point")?;
     let body = Placed::read(input, "center")?;
     located(&Displaced::to_point(&body.body(), &point)?, result, "member")
 }
 
-pub(super) fn intersect(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn intersect(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
     located(&Displaced::between(&a.body(), &b.body())?, result, "intersects")
 }
 
-pub(super) fn distance(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn distance(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
     let [nearest, features] = [member(result, "nearest")?, member(result, "features")?];
     let part = |name| result.field(name);
-    let proof = |tree: &Tree| -> Result<_, String> {
+    let proof = |tree: Traced<'_>| -> Result<_, String> {
         Ok((vector(member(tree, "coefficients")?, "coefficients")?, indices(tree, "basis")?))
     };
     let parts = ProximityParts {
@@ -43,7 +43,7 @@ pub(super) fn distance(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     Ok(check_proximity(&a.body(), &b.body(), &answer).in_words())
 }
 
-fn penetration(tree: &Tree) -> Result<PenetrationAnswer, String> {
+fn penetration(tree: Traced<'_>) -> Result<PenetrationAnswer, String> {
     Ok(PenetrationAnswer {
         lower: float(tree, "lower")?,
         upper: float(tree, "upper")?,
@@ -60,7 +60,7 @@ struct Placed {
 
 impl Placed {
     /// The zonotope of an object whose centre goes by the name `center`.
-    fn read(object: &Tree, center: &str) -> Result<Self, String> {
+    fn read(object: Traced<'_>, center: &str) -> Result<Self, String> {
         Ok(Self {
             center: vector(member(object, center)?, center)?,
             generators: vectors(member(object, "generators")?, "generators")?,
@@ -73,7 +73,7 @@ impl Placed {
     }
 }
 
-fn pose(tree: &Tree) -> Result<Pose, String> {
+fn pose(tree: Traced<'_>) -> Result<Pose, String> {
     let of_space = |v: Vec<f64>| <[f64; 3]>::try_from(v).map_err(|_| "the pose is not of space".to_owned());
     let rows: Vec<[f64; 3]> =
         vectors(member(tree, "matrix")?, "matrix")?.into_iter().map(of_space).collect::<Result<_, _>>()?;
@@ -83,7 +83,7 @@ fn pose(tree: &Tree) -> Result<Pose, String> {
     })
 }
 
-fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<Verdict, String> {
+fn located(question: &Displaced, result: Traced<'_>, flag: &str) -> Result<Verdict, String> {
     let answer = location(result)?;
     if boolean(result, flag)? != (answer.status != Status::Outside) {
         return Err(format!("`{flag}` contradicts the status"));
@@ -91,7 +91,7 @@ fn located(question: &Displaced, result: &Tree, flag: &str) -> Result<Verdict, S
     Ok(check_location(question, &answer).in_words())
 }
 
-fn location(result: &Tree) -> Result<LocationAnswer, String> {
+fn location(result: Traced<'_>) -> Result<LocationAnswer, String> {
     Ok(LocationAnswer {
         status: status(text(result, "status")?)?,
         certificate: certificate(member(result, "certificate")?)?,
@@ -102,7 +102,7 @@ fn status(name: &str) -> Result<Status, String> {
     Status::named(name).ok_or_else(|| format!("there is no status `{name}`"))
 }
 
-pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn gauge(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let (body, q) = (Placed::read(input, "p")?, vector(member(input, "q")?, "q")?);
     let answer = GaugeAnswer {
         gauge: float(result, "gauge")?,
@@ -112,11 +112,11 @@ pub(super) fn gauge(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     Ok(check_gauge(&Displaced::to_point(&body.body(), &q)?, &answer).in_words())
 }
 
-pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn member_batch(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let center = vector(member(input, "center")?, "center")?;
     let generators = vectors(member(input, "generators")?, "generators")?;
     let points = vectors(member(input, "points")?, "points")?;
-    let list = |name| member(result, name)?.list().ok_or_else(|| format!("`{name}` is not a list"));
+    let list = |name| member(result, name)?.tree.list().ok_or_else(|| format!("`{name}` is not a list"));
     let (statuses, gauges) = (list("status")?, list("gauge")?);
     for count in ["build", "query"] {
         index(result, count)?;
@@ -133,7 +133,7 @@ pub(super) fn member_batch(input: &Tree, result: &Tree) -> Result<Verdict, Strin
 }
 
 /// A proof of either form.
-fn certificate(tree: &Tree) -> Result<LocationCertificate, String> {
+fn certificate(tree: Traced<'_>) -> Result<LocationCertificate, String> {
     if tree.field("separating_direction").is_some() {
         return Ok(LocationCertificate::Separation(direction(tree, "separating_direction")?));
     }

@@ -2,14 +2,14 @@
 
 use super::Verdict;
 use super::reading::{boolean, exact_numbers, float, index, indices, member, planar, text, vector, vectors};
-use crate::json::Tree;
+use super::traced::Traced;
 use verifier::{
     Certificate, Directed, DirectedAnswer, ExactMinArea, Fraction, MinAreaAnswer, MinLengthAnswer,
     check_exact_min_area, check_measure, check_min_area, check_min_length_all, check_min_length_all_at_any_ratio,
     check_min_length_dirs, check_min_length_dirs_at_any_gap,
 };
 
-pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn min_area(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let points = planar(member(input, "points")?, "points")?;
     let answer = min_area_answer(result)?;
     let verdict = check_min_area(&points, &answer).in_words();
@@ -18,20 +18,20 @@ pub(super) fn min_area(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     Ok(Verdict::Right(format!("{proved}; the exact optimum is one")))
 }
 
-fn exact_min_area(exact: &Tree) -> Result<ExactMinArea, String> {
-    let point = |value: &Tree, name: &str| {
+fn exact_min_area(exact: Traced<'_>) -> Result<ExactMinArea, String> {
+    let point = |value: Traced<'_>, name: &str| {
         let numbers = exact_numbers(value).and_then(|numbers| <[Fraction; 2]>::try_from(numbers).ok());
         numbers.ok_or_else(|| format!("exact: `{name}` holds something else than pairs of exact numbers"))
     };
-    let generators = member(exact, "generators")?.list().ok_or("exact: `generators` is not a list")?;
+    let generators = member(exact, "generators")?.elements().ok_or("exact: `generators` is not a list")?;
     Ok(ExactMinArea {
         area: Fraction::parse(text(exact, "area")?).ok_or("exact: `area` is not an exact number")?,
         center: point(member(exact, "center")?, "center")?,
-        generators: generators.iter().map(|value| point(value, "generators")).collect::<Result<_, _>>()?,
+        generators: generators.map(|value| point(value, "generators")).collect::<Result<_, _>>()?,
     })
 }
 
-fn min_area_answer(result: &Tree) -> Result<MinAreaAnswer, String> {
+fn min_area_answer(result: Traced<'_>) -> Result<MinAreaAnswer, String> {
     let center = vector(member(result, "center")?, "center")?;
     let certificate = member(result, "certificate")?;
     Ok(MinAreaAnswer {
@@ -48,7 +48,7 @@ fn min_area_answer(result: &Tree) -> Result<MinAreaAnswer, String> {
     })
 }
 
-pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn min_length_dirs(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let question = Directed {
         points: vectors(member(input, "points")?, "points")?,
         directions: vectors(member(input, "directions")?, "directions")?,
@@ -76,7 +76,7 @@ pub(super) fn min_length_dirs(input: &Tree, result: &Tree) -> Result<Verdict, St
     Ok(check(&question, &answer).in_words())
 }
 
-pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn min_length_all(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let points = vectors(member(input, "points")?, "points")?;
     let answer = MinLengthAnswer {
         length: float(result, "length")?,
@@ -107,11 +107,11 @@ pub(super) fn min_length_all(input: &Tree, result: &Tree) -> Result<Verdict, Str
 }
 
 /// Points and their multipliers, vectors that the batch interface calls forces.
-fn forces<T>(certificate: &Tree, read: impl Fn(&Tree) -> Option<T>) -> Result<Vec<(usize, T)>, String> {
-    let list = member(certificate, "forces")?.list().ok_or("`forces` is not a list")?;
-    let force = |tree: &Tree| {
+fn forces<T>(certificate: Traced<'_>, read: impl Fn(Traced<'_>) -> Option<T>) -> Result<Vec<(usize, T)>, String> {
+    let list = member(certificate, "forces")?.elements().ok_or("`forces` is not a list")?;
+    let force = |tree: Traced<'_>| {
         let vector = read(member(tree, "vector")?).ok_or("`vector` of a force holds something else than numbers")?;
         Ok((index(tree, "point")?, vector))
     };
-    list.iter().map(force).collect()
+    list.map(force).collect()
 }

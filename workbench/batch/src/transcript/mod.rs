@@ -5,10 +5,12 @@ mod enclosing;
 mod reading;
 mod reduction;
 mod solids;
+mod traced;
 
 use crate::json::{self, MAX_VALUES, Tree};
 use crate::refusal::Code;
 use reading::member;
+use traced::{Reads, Traced};
 
 pub use verifier::Verdict;
 
@@ -55,9 +57,28 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
         }
         return Ok(Verdict::Unchecked(format!("refused: {}: {}", text("code"), text("message"))));
     }
+    let reads = Reads::default();
+    let [question, answer] = [question, answer].map(|tree| Traced::new(tree, &reads));
+    let verdict = by_kind(question, answer)?;
+    let Verdict::Right(proved) = &verdict else { return Ok(verdict) };
+    let unread = answer.unread(&NOT_CLAIMED);
+    Ok(match unread.as_slice() {
+        [] => verdict,
+        [field] => Verdict::Unchecked(format!("the field `{field}` is not checked; the rest: {proved}")),
+        [first, others @ ..] => {
+            let count = others.len();
+            Verdict::Unchecked(format!("the field `{first}` and {count} more are not checked; the rest: {proved}"))
+        }
+    })
+}
+
+/// The fields of an answer that claim nothing about the result: what answers what, and how it came about.
+const NOT_CLAIMED: [&str; 4] = ["id", "kind", "method", "request"];
+
+fn by_kind(question: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> {
     let input = member(question, "input")?;
     let result = member(answer, "result")?;
-    match question.field("kind").and_then(Tree::text).unwrap_or_default() {
+    match question.field("kind").and_then(Traced::text).unwrap_or_default() {
         "min_area" => enclosing::min_area(input, result),
         "min_length_dirs" => enclosing::min_length_dirs(input, result),
         "min_length_all" => enclosing::min_length_all(input, result),

@@ -3,26 +3,27 @@
 use dashu_int::IBig;
 use verifier::{Fraction, whole_direction};
 
+use super::traced::Traced;
 use crate::json::Tree;
 
-pub(super) fn member<'a>(object: &'a Tree, name: &str) -> Result<&'a Tree, String> {
+pub(super) fn member<'a>(object: Traced<'a>, name: &str) -> Result<Traced<'a>, String> {
     object.field(name).ok_or_else(|| format!("`{name}` is missing"))
 }
 
 /// A figure of an answer: possibly an infinity, where the exact value is beyond the range of doubles.
-pub(super) fn float(object: &Tree, name: &str) -> Result<f64, String> {
-    member(object, name)?.float().ok_or_else(|| format!("`{name}` is not a number"))
+pub(super) fn float(object: Traced<'_>, name: &str) -> Result<f64, String> {
+    member(object, name)?.tree.float().ok_or_else(|| format!("`{name}` is not a number"))
 }
 
 /// A point of an answer: coordinates that may be infinite, where the exact ones are beyond the range of doubles.
-pub(super) fn point(value: &Tree, name: &str) -> Result<Vec<f64>, String> {
-    let coordinates = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+pub(super) fn point(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> {
+    let coordinates = value.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     let coordinates = coordinates.iter().map(|x| x.float().filter(|x| !x.is_nan()));
     coordinates.collect::<Option<_>>().ok_or_else(|| format!("`{name}` holds something else than numbers"))
 }
 
-pub(super) fn vector(value: &Tree, name: &str) -> Result<Vec<f64>, String> {
-    let components = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+pub(super) fn vector(value: Traced<'_>, name: &str) -> Result<Vec<f64>, String> {
+    let components = value.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     components
         .iter()
         .map(|component| component.float().filter(|number| number.is_finite()))
@@ -30,12 +31,12 @@ pub(super) fn vector(value: &Tree, name: &str) -> Result<Vec<f64>, String> {
         .ok_or_else(|| format!("`{name}` holds something else than finite numbers"))
 }
 
-pub(super) fn vectors(value: &Tree, name: &str) -> Result<Vec<Vec<f64>>, String> {
-    let rows = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
-    rows.iter().map(|row| vector(row, name)).collect()
+pub(super) fn vectors(value: Traced<'_>, name: &str) -> Result<Vec<Vec<f64>>, String> {
+    let rows = value.elements().ok_or_else(|| format!("`{name}` is not a list"))?;
+    rows.map(|row| vector(row, name)).collect()
 }
 
-pub(super) fn planar(value: &Tree, name: &str) -> Result<Vec<[f64; 2]>, String> {
+pub(super) fn planar(value: Traced<'_>, name: &str) -> Result<Vec<[f64; 2]>, String> {
     let rows = vectors(value, name)?;
     rows.into_iter()
         .map(|row| {
@@ -44,43 +45,43 @@ pub(super) fn planar(value: &Tree, name: &str) -> Result<Vec<[f64; 2]>, String> 
         .collect()
 }
 
-pub(super) fn index(object: &Tree, name: &str) -> Result<usize, String> {
-    member(object, name)?.index().ok_or_else(|| format!("`{name}` is not a whole number"))
+pub(super) fn index(object: Traced<'_>, name: &str) -> Result<usize, String> {
+    member(object, name)?.tree.index().ok_or_else(|| format!("`{name}` is not a whole number"))
 }
 
-pub(super) fn indices(object: &Tree, name: &str) -> Result<Vec<usize>, String> {
-    let list = member(object, name)?.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+pub(super) fn indices(object: Traced<'_>, name: &str) -> Result<Vec<usize>, String> {
+    let list = member(object, name)?.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     list.iter()
         .map(Tree::index)
         .collect::<Option<_>>()
         .ok_or_else(|| format!("`{name}` holds something else than indices"))
 }
 
-pub(super) fn text<'a>(object: &'a Tree, name: &str) -> Result<&'a str, String> {
+pub(super) fn text<'a>(object: Traced<'a>, name: &str) -> Result<&'a str, String> {
     member(object, name)?.text().ok_or_else(|| format!("`{name}` is not a string"))
 }
 
-pub(super) fn boolean(object: &Tree, name: &str) -> Result<bool, String> {
-    match member(object, name)? {
+pub(super) fn boolean(object: Traced<'_>, name: &str) -> Result<bool, String> {
+    match member(object, name)?.tree {
         Tree::Bool(value) => Ok(*value),
         _ => Err(format!("`{name}` is not true or false")),
     }
 }
 
-pub(super) fn fractions(object: &Tree, name: &str) -> Result<Vec<Fraction>, String> {
+pub(super) fn fractions(object: Traced<'_>, name: &str) -> Result<Vec<Fraction>, String> {
     exact_numbers(member(object, name)?).ok_or_else(|| format!("`{name}` is not a list of exact numbers"))
 }
 
 /// A list of exact numbers.
-pub(super) fn exact_numbers(value: &Tree) -> Option<Vec<Fraction>> {
-    value.list()?.iter().map(|value| value.text().and_then(Fraction::parse)).collect()
+pub(super) fn exact_numbers(value: Traced<'_>) -> Option<Vec<Fraction>> {
+    value.elements()?.map(|value| value.text().and_then(Fraction::parse)).collect()
 }
 
 /// A direction as whole numbers: its length says nothing. Components are finite floats, or all of them exact numbers.
-pub(super) fn direction(object: &Tree, name: &str) -> Result<Vec<IBig>, String> {
+pub(super) fn direction(object: Traced<'_>, name: &str) -> Result<Vec<IBig>, String> {
     let wrong = || format!("`{name}` holds something else than finite or exact numbers");
     let value = member(object, name)?;
-    let components = value.list().ok_or_else(|| format!("`{name}` is not a list"))?;
+    let components = value.tree.list().ok_or_else(|| format!("`{name}` is not a list"))?;
     let floats = || components.iter().map(|component| component.float().and_then(Fraction::of_double)).collect();
     let exact: Option<Vec<Fraction>> = exact_numbers(value).or_else(floats);
     exact.map(|exact| whole_direction(&exact)).ok_or_else(wrong)

@@ -2,37 +2,50 @@
 
 use super::Verdict;
 use super::reading::{boolean, float, index, indices, member, vector, vectors};
+use super::traced::Traced;
 use crate::json::Tree;
 use verifier::{HausdorffAnswer, Reduction, ReductionAnswer, Shares, check_hausdorff, check_reduction};
 
-pub(super) fn reduce(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn reduce(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let question = Reduction {
         center: vector(member(input, "center")?, "center")?,
         generators: vectors(member(input, "generators")?, "generators")?,
         count: Some(index(input, "count")?),
+        epsilon: None,
     };
     checked(&question, result)
 }
 
-pub(super) fn approx(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn approx(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let center = vec![0.0; generators.first().map_or(3, Vec::len)];
-    checked(&Reduction { center, generators, count: None }, result)
+    checked(&Reduction { center, generators, count: None, epsilon: Some(float(input, "epsilon")?) }, result)
 }
 
-fn checked(question: &Reduction, result: &Tree) -> Result<Verdict, String> {
+fn checked(question: &Reduction, result: Traced<'_>) -> Result<Verdict, String> {
     let (certificate, distance) = (member(result, "certificate")?, member(result, "hausdorff")?);
     let answer = ReductionAnswer {
         center: vector(member(result, "center")?, "center")?,
         generators: vectors(member(result, "generators")?, "generators")?,
         bounds: [float(distance, "lower")?, float(distance, "upper")?],
         direction: vector(member(distance, "direction")?, "direction")?,
-        shares: certificate.field("shares").map(|list| shares(list, certificate)).transpose()?,
+        shares: proof(certificate)?,
     };
     Ok(check_reduction(question, &answer))
 }
 
-fn shares(list: &Tree, certificate: &Tree) -> Result<Shares, String> {
+/// The shares; without them every facet normal is tried, whether the certificate says so or nothing.
+fn proof(certificate: Traced<'_>) -> Result<Option<Shares>, String> {
+    if let Some(list) = certificate.field("shares") {
+        return shares(list, certificate).map(Some);
+    }
+    match certificate.field("facet_normals").map(|_| boolean(certificate, "facet_normals")).transpose()? {
+        Some(false) => Err("there are neither `shares` nor `facet_normals`".to_owned()),
+        Some(true) | None => Ok(None),
+    }
+}
+
+fn shares(list: Traced<'_>, certificate: Traced<'_>) -> Result<Shares, String> {
     let share = |tree: &Tree| match (tree, tree.list()) {
         (Tree::Null, _) => Ok(None),
         (_, Some([generator, coefficient])) => match (generator.index(), coefficient.float()) {
@@ -41,11 +54,11 @@ fn shares(list: &Tree, certificate: &Tree) -> Result<Shares, String> {
         },
         _ => Err("a share is neither a pair nor null".to_owned()),
     };
-    let list = list.list().ok_or("`shares` is not a list")?;
+    let list = list.tree.list().ok_or("`shares` is not a list")?;
     Ok(Shares { shares: list.iter().map(share).collect::<Result<_, _>>()?, frame: indices(certificate, "frame")? })
 }
 
-pub(super) fn hausdorff(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn hausdorff(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let body = |name| -> Result<(Vec<f64>, Vec<Vec<f64>>), String> {
         let body = member(input, name)?;
         Ok((vector(member(body, "center")?, "center")?, vectors(member(body, "generators")?, "generators")?))

@@ -2,13 +2,14 @@
 
 use super::Verdict;
 use super::reading::{boolean, exact_numbers, float, fractions, index, indices, member, point, text, vector, vectors};
+use super::traced::Traced;
 use crate::json::Tree;
 use verifier::{
     CombinatoricsAnswer, FacetTriple, Fraction, SupportAnswer, check_combinatorics, check_separator,
     check_slope_selection, check_support, check_upper_hull, check_walk,
 };
 
-pub(super) fn support(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn support(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let direction = vector(member(input, "direction")?, "direction")?;
     let center = vector(member(input, "center")?, "center")?;
     let generators = vectors(member(input, "generators")?, "generators")?;
@@ -18,18 +19,16 @@ pub(super) fn support(input: &Tree, result: &Tree) -> Result<Verdict, String> {
     Ok(check_support(&direction, &center, &generators, &answer).in_words())
 }
 
-pub(super) fn slope_selection(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn slope_selection(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let ranks: Vec<u64> = indices(input, "k")?.into_iter().map(|rank| rank as u64).collect();
     Ok(check_slope_selection(&generators, &ranks, &fractions(result, "x")?).in_words())
 }
 
-pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn combinatorics(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
-    let Tree::Object(sizes) = member(result, "facet_sizes")? else {
-        return Err("`facet_sizes` is not an object".to_owned());
-    };
-    let sizes = sizes.iter().map(|(size, count)| Some((size.parse().ok()?, count.index()? as u64)));
+    let sizes = member(result, "facet_sizes")?.fields().ok_or("`facet_sizes` is not an object")?;
+    let sizes = sizes.map(|(size, count)| Some((size.parse().ok()?, count.tree.index()? as u64)));
     let count = |name| index(result, name).map(|count| count as u64);
     let answer = CombinatoricsAnswer {
         affine_dim: index(result, "affine_dim")?,
@@ -42,34 +41,34 @@ pub(super) fn combinatorics(input: &Tree, result: &Tree) -> Result<Verdict, Stri
     Ok(check_combinatorics(&generators, &answer).in_words())
 }
 
-pub(super) fn separator(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn separator(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
-    let chain = member(result, "chain")?.list().ok_or("`chain` is not a list")?;
-    let point = |point: &Tree| <[_; 2]>::try_from(exact_numbers(point)?).ok();
+    let chain = member(result, "chain")?.elements().ok_or("`chain` is not a list")?;
+    let point = |point: Traced<'_>| <[_; 2]>::try_from(exact_numbers(point)?).ok();
     let chain: Vec<_> =
-        chain.iter().map(point).collect::<Option<_>>().ok_or("`chain` holds something else than exact points")?;
+        chain.map(point).collect::<Option<_>>().ok_or("`chain` holds something else than exact points")?;
     let k = index(input, "k")? as u64;
     Ok(check_separator(&generators, k, &chain).in_words())
 }
 
-pub(super) fn walk(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn walk(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let triple = |tree: &Tree| -> Option<FacetTriple> {
         let [first, second, sign] = tree.list()? else { return None };
         let sign = [-1, 1].into_iter().find(|candidate| Some(*candidate as f64) == sign.float())?;
         Some((first.index()?, second.index()?, sign))
     };
-    let facet = triple(member(input, "facet")?).ok_or("`facet` is no facet")?;
-    let list = member(result, "neighbours")?.list().ok_or("`neighbours` is not a list")?;
+    let facet = triple(member(input, "facet")?.tree).ok_or("`facet` is no facet")?;
+    let list = member(result, "neighbours")?.tree.list().ok_or("`neighbours` is not a list")?;
     let neighbours: Vec<FacetTriple> =
         list.iter().map(triple).collect::<Option<_>>().ok_or("a neighbour is no facet")?;
     Ok(check_walk(&generators, facet, &neighbours).in_words())
 }
 
-pub(super) fn upper_hull(input: &Tree, result: &Tree) -> Result<Verdict, String> {
+pub(super) fn upper_hull(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let generators = vectors(member(input, "generators")?, "generators")?;
     let p0 = <[f64; 2]>::try_from(vector(member(input, "p0")?, "p0")?).map_err(|_| "p0 is not a point of the plane")?;
-    let z = match member(result, "z")? {
+    let z = match member(result, "z")?.tree {
         Tree::Null => None,
         value => Some(value.text().and_then(Fraction::parse).ok_or("`z` is neither an exact number nor null")?),
     };

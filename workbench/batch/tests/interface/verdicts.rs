@@ -41,3 +41,47 @@ fn refusals_and_unknown_kinds_are_not_judged() {
     let line = r#"{"id":"t","kind":"weather","input":{},"result":{}}"#;
     assert!(matches!(verdict(line, line), Verdict::Unchecked(_)));
 }
+
+#[test]
+fn what_no_check_reads_is_not_called_right() {
+    let answer = r#"{"id":"t","kind":"min_area","method":"m","request":{"skip":1},"result":{"area":4,"center":[1,1],
+        "generators":[[1,0],[0,1]],"lower_bound":4,
+        "certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
+    let unread = |question: &str, answer: &str| match verdict(question, answer) {
+        Verdict::Unchecked(reason) => reason.split("; the rest: ").next().unwrap_or_default().to_owned(),
+        other => panic!("{other:?}"),
+    };
+    assert!(matches!(verdict(QUESTION, answer), Verdict::Right(_)));
+    let with = |place: &str, claim: &str| answer.replace(place, &format!("{claim},{place}"));
+    for (claimed, place) in [
+        (with("\"area\"", "\"gap\":0"), "result, gap"),
+        (with("\"hull\"", "\"gap\":[{\"x\":0}]"), "result, certificate, gap"),
+        (with("\"method\"", "\"gap\":0"), "gap"),
+    ] {
+        assert_eq!(unread(QUESTION, &claimed), format!("the field `{place}` is not checked"));
+        // What is wrong stays wrong, whatever else is claimed.
+        assert!(matches!(verdict(QUESTION, &claimed.replace("\"area\":4", "\"area\":5")), Verdict::Wrong(_)));
+    }
+    let several = with("\"area\"", "\"gap\":0,\"ratio\":1,\"length\":2");
+    assert_eq!(unread(QUESTION, &several), "the field `result, gap` and 2 more are not checked");
+    // Fields that some answers of the kind have are not checked where they belong to none of this sort.
+    let question = r#"{"id":"t","kind":"member","input":{"point":[3,0],"center":[0,0],"generators":[[1,0],[0,1]]}}"#;
+    let outside = r#"{"id":"t","kind":"member","result":{"member":false,"status":"outside","certificate":
+        {"separating_direction":[1,0]}}}"#;
+    assert!(matches!(verdict(question, outside), Verdict::Right(_)));
+    let both = outside.replace("[1,0]}", "[1,0],\"basis\":[]}");
+    assert_eq!(unread(question, &both), "the field `result, certificate, basis` is not checked");
+}
+
+#[test]
+fn fields_of_the_elements_of_a_list_are_claims_as_well() {
+    let question = r#"{"id":"t","kind":"min_length_dirs","input":{"points":[[0],[2]],"directions":[[1]],
+        "weights":[1]}}"#;
+    let answer = r#"{"id":"t","kind":"min_length_dirs","result":{"status":"optimal","value":1,"center":[1],
+        "coefficients":[1],"lower_bound":1,"certificate":{"forces":[{"point":0,"vector":["-1/2"]},
+        {"point":1,"vector":["1/2"]}]}}}"#;
+    assert!(matches!(verdict(question, answer), Verdict::Right(_)), "{:?}", verdict(question, answer));
+    let claimed = answer.replace("{\"point\":1", "{\"weight\":1,\"point\":1");
+    let Verdict::Unchecked(reason) = verdict(question, &claimed) else { panic!("an invented weight is right") };
+    assert!(reason.starts_with("the field `result, certificate, force"), "{reason}");
+}

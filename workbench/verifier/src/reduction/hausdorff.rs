@@ -1,13 +1,15 @@
-//! Answers to "what is the Hausdorff distance of two zonotopes": the lower bound in the direction that attains it.
+//! Answers to "what is the Hausdorff distance of two zonotopes": the lower bound in the direction that attains it, the
+//! upper one at the vertices.
 //!
-//! The distance is the largest difference |h_a(u) − h_b(u)| over unit vectors u. One direction proves a lower bound;
-//! an upper bound would take a search over all directions, which is not repeated.
+//! The distance is the largest difference |h_a(u) − h_b(u)| over unit vectors u. One direction proves a lower bound.
+//! The upper one holds if every vertex of each body is that near to the other body.
 
 use std::cmp::Ordering;
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
+use super::within::Within;
 use crate::RELATIVE_ERROR;
 use crate::exact::fraction::Fraction;
 use crate::exact::grid::{Grid, check_finite};
@@ -47,6 +49,28 @@ impl BodyPair {
         let displacement = whole(b.0).iter().zip(whole(a.0)).map(|(to, from)| to - from).collect();
         let generators = [a, b].map(|(_, list)| list.iter().map(|g| whole(g)).collect());
         Ok(Self { displacement, generators, exponent: grid.exponent() })
+    }
+
+    pub(super) fn dimension(&self) -> usize {
+        self.displacement.len()
+    }
+
+    /// A length in whole numbers of the unit, in the unit of the input.
+    pub(super) fn in_units(&self, length: &Proportion) -> Proportion {
+        length.times(&Proportion::whole(IBig::ONE, self.exponent))
+    }
+
+    /// Proves that every point of the first body is at most so far from the second.
+    pub(super) fn check_first_within(&self, distance: f64) -> Result<(), Stop> {
+        let offset = self.displacement.iter().map(|c| -c).collect();
+        let [first, second] = &self.generators;
+        Within { offset: &offset, first, second, exponent: self.exponent }.check(distance)
+    }
+
+    /// Proves that every point of the second body is at most so far from the first.
+    fn check_second_within(&self, distance: f64) -> Result<(), Stop> {
+        let [second, first] = &self.generators;
+        Within { offset: &self.displacement, first, second, exponent: self.exponent }.check(distance)
     }
 }
 
@@ -93,18 +117,28 @@ pub struct HausdorffAnswer {
 }
 
 /// Proves the lower bound of the distance of two bodies, each a centre and generators, and whether the second contains
-/// the first; the upper bound is left unchecked.
+/// the first; then the upper bound, of bodies without too many vertices.
 pub fn check_hausdorff(a: (&[f64], &[Vec<f64>]), b: (&[f64], &[Vec<f64>]), answer: &HausdorffAnswer) -> Verdict {
-    match proved(a, b, answer) {
-        Ok(()) => Verdict::Unchecked(
-            "containment and the lower bound of the distance hold; the upper bound is not checked".to_owned(),
-        ),
-        Err(Stop::Wrong(reason)) => Verdict::Wrong(reason),
-        Err(Stop::Unchecked(reason)) => Verdict::Unchecked(reason),
+    let upper = answer.bounds[1];
+    let bounded = proved(a, b, answer).and_then(|pair| {
+        let both = pair.check_first_within(upper).and_then(|()| pair.check_second_within(upper));
+        bounded("containment", answer.bounds, both)
+    });
+    bounded.into()
+}
+
+/// What is said of bounds of which the lower one is proved, after a check of the upper one.
+pub(super) fn bounded(proved: &str, [lower, upper]: [f64; 2], upper_bound: Result<(), Stop>) -> Result<String, Stop> {
+    match upper_bound {
+        Ok(()) => Ok(format!("{proved}; the distance is {lower:?} to {upper:?}")),
+        Err(Stop::Unchecked(reason)) => Err(Stop::Unchecked(format!(
+            "{proved} and the lower bound of the distance are proved; the upper bound is not checked: {reason}"
+        ))),
+        Err(wrong) => Err(wrong),
     }
 }
 
-fn proved(a: Plain<'_>, b: Plain<'_>, answer: &HausdorffAnswer) -> Result<(), Stop> {
+fn proved(a: Plain<'_>, b: Plain<'_>, answer: &HausdorffAnswer) -> Result<BodyPair, Stop> {
     let pair = BodyPair::new(a, b)?;
     let [lower, upper] = answer.bounds;
     check_bounds(&pair, answer.bounds, &answer.direction)?;
@@ -114,7 +148,7 @@ fn proved(a: Plain<'_>, b: Plain<'_>, answer: &HausdorffAnswer) -> Result<(), St
     let [own, others] = &pair.generators;
     let moved: Vec<Vector> = own.iter().cloned().chain([pair.displacement.clone()]).collect();
     match contains_body(pair.displacement.len(), others, &moved) {
-        Ok(is_subset) if is_subset == answer.is_subset => Ok(()),
+        Ok(is_subset) if is_subset == answer.is_subset => Ok(pair),
         Ok(true) => Err("a lies in b".into()),
         Ok(false) => Err("a does not lie in b".into()),
         Err(_) => Err(Stop::Unchecked("b has too many facets to try".to_owned())),
@@ -132,9 +166,9 @@ mod tests {
 
     #[test]
     fn squares_by_hand() {
-        let answer = |bounds, direction: [f64; 2], is_subset| HausdorffAnswer {
-            value: bounds,
-            bounds: [bounds, bounds],
+        let answer = |value: f64, direction: [f64; 2], is_subset| HausdorffAnswer {
+            value,
+            bounds: [value, value * (1.0 + 1e-13)],
             direction: direction.to_vec(),
             is_subset,
         };
@@ -144,8 +178,16 @@ mod tests {
         assert!(is_wrong(0.0, 2.0, &answer(1.5, [1.0, 1.0], true)), "not so far");
         assert!(is_wrong(0.0, 2.0, &answer(root, [1.0, 0.0], true)), "not in this direction");
         assert!(is_wrong(0.0, 2.0, &answer(root, [1.0, 1.0], false)), "it is contained");
-        assert!(!is_wrong(1.0, 2.0, &answer(2.0, [-1.0, 0.0], true)));
+        // moved by 1 as well: the corner (-2, 2) is √5 from the nearest one, (0, 1)
+        let moved = HausdorffAnswer { bounds: [2.0, 2.2361], ..answer(2.0, [-1.0, 0.0], true) };
+        assert!(!is_wrong(1.0, 2.0, &moved));
+        assert!(is_wrong(1.0, 2.0, &HausdorffAnswer { bounds: [2.0, 2.236], ..moved }));
         assert!(is_wrong(1.5, 2.0, &answer(2.0, [-1.0, 0.0], true)), "it is not contained");
         assert!(is_wrong(0.0, 2.0, &HausdorffAnswer { value: 9.0, ..answer(root, [1.0, 1.0], true) }));
+        // in the direction (1, 0) they differ by 1, and the corners by more than that
+        let low = HausdorffAnswer { bounds: [1.0, 1.4], ..answer(1.0, [1.0, 0.0], true) };
+        assert!(is_wrong(0.0, 2.0, &low), "a corner is farther away");
+        let right = HausdorffAnswer { bounds: [1.0, 1.42], ..low };
+        assert!(!is_wrong(0.0, 2.0, &right));
     }
 }

@@ -3,3 +3,4 @@
 pub(crate) mod hausdorff;
 pub(crate) mod reduced;
 pub(crate) mod shares;
+mod within;

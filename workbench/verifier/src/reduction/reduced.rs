@@ -1,12 +1,18 @@
 //! Answers to "a zonotope of few generators around a zonotope".
 //!
 //! That the answer contains the body is proved by shares, or along every facet normal of the answer. Its Hausdorff
-//! distance from the body is at least the difference of the support functions in a direction; that it is not larger
-//! than the claimed upper bound would take a search over all directions, which is not repeated.
+//! distance from the body is at least the difference of the support functions in a direction, and at most the distance
+//! of its farthest vertex.
 
-use super::hausdorff::{BodyPair, check_bounds};
+use std::cmp::Ordering;
+
+use super::hausdorff::{BodyPair, bounded, check_bounds};
 use super::shares::{Shares, check_shares};
+use crate::RELATIVE_ERROR;
+use crate::exact::length::root;
+use crate::exact::proportion::Proportion;
 use crate::faces::containment::contains_body;
+use crate::faces::dual_reach::farthest_squared;
 use crate::verdict::{Stop, Verdict};
 
 /// The question: a body, and at most how many generators the answer may have.
@@ -18,6 +24,8 @@ pub struct Reduction {
     pub generators: Vec<Vec<f64>>,
     /// The most generators of the answer, if that was asked for.
     pub count: Option<usize>,
+    /// The largest distance in diameters of the body, if that was asked for.
+    pub epsilon: Option<f64>,
 }
 
 /// An answer as it was written.
@@ -35,19 +43,40 @@ pub struct ReductionAnswer {
     pub shares: Option<Shares>,
 }
 
-/// Proves that the answer contains the body, and the lower bound of the distance; the upper bound is left unchecked.
+/// Proves that the answer contains the body, and the lower bound of the distance; then the upper bound, of answers
+/// without too many vertices.
 pub fn check_reduction(question: &Reduction, answer: &ReductionAnswer) -> Verdict {
-    match proved(question, answer) {
-        Ok(()) => Verdict::Unchecked(
-            "the body is contained, and the lower bound of the distance holds; the upper bound is not checked"
-                .to_owned(),
-        ),
-        Err(Stop::Wrong(reason)) => Verdict::Wrong(reason),
-        Err(Stop::Unchecked(reason)) => Verdict::Unchecked(reason),
+    let bounded = proved(question, answer).and_then(|pair| {
+        let upper_bound = pair.check_first_within(answer.bounds[1]);
+        let precise = upper_bound.and_then(|()| match question.epsilon {
+            Some(epsilon) => check_precision(&pair, epsilon, answer.bounds),
+            None => Ok(()),
+        });
+        bounded("containment", answer.bounds, precise)
+    });
+    bounded.into()
+}
+
+/// Proves that the bounds of the distance are at most ε times the diameter, the distance of two opposite vertices.
+fn check_precision(pair: &BodyPair, epsilon: f64, [lower, upper]: [f64; 2]) -> Result<(), Stop> {
+    if !epsilon.is_finite() {
+        return Err("epsilon is not finite".into());
+    }
+    let farthest = farthest_squared(pair.dimension(), &pair.generators[1])
+        .map_err(|_| Stop::Unchecked("the body has too many vertices for its diameter".to_owned()))?;
+    let [_, radius] = root(&farthest);
+    let allowed = [2.0, epsilon, 1.0 + RELATIVE_ERROR]
+        .into_iter()
+        .fold(pair.in_units(&radius), |product, factor| product.times(&Proportion::of_double(factor)));
+    let exceeds = |bound: f64| Proportion::of_double(bound.min(f64::MAX)).compare(&allowed) == Ordering::Greater;
+    match (exceeds(lower), exceeds(upper)) {
+        (true, _) => Err("the distance is more than epsilon times the diameter".into()),
+        (_, true) => Err(Stop::Unchecked("it is more than epsilon times the diameter".to_owned())),
+        _ => Ok(()),
     }
 }
 
-fn proved(question: &Reduction, answer: &ReductionAnswer) -> Result<(), Stop> {
+fn proved(question: &Reduction, answer: &ReductionAnswer) -> Result<BodyPair, Stop> {
     if answer.center != question.center {
         return Err("the centre is not that of the body".into());
     }
@@ -63,7 +92,8 @@ fn proved(question: &Reduction, answer: &ReductionAnswer) -> Result<(), Stop> {
             Err(_) => return Err(Stop::Unchecked("the answer has too many facets to try".to_owned())),
         },
     }
-    check_bounds(&pair, answer.bounds, &answer.direction)
+    check_bounds(&pair, answer.bounds, &answer.direction)?;
+    Ok(pair)
 }
 
 #[cfg(test)]
@@ -73,8 +103,8 @@ mod tests {
     /// The octagon of four generators, and the square that contains it.
     fn octagon() -> (Reduction, ReductionAnswer) {
         let generators = [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, -1.0]].map(|g| g.to_vec()).to_vec();
-        let question = Reduction { center: vec![5.0, 0.0], generators, count: Some(2) };
-        // in the direction (1, 1) the square reaches 6, the octagon 4, for a length of √2
+        let question = Reduction { center: vec![5.0, 0.0], generators, count: Some(2), epsilon: None };
+        // in the direction (1, 1) the square reaches 6, the octagon 4, for a length of √2: the corner is that far away
         let answer = ReductionAnswer {
             center: vec![5.0, 0.0],
             generators: vec![vec![3.0, 0.0], vec![0.0, 3.0]],
@@ -103,10 +133,25 @@ mod tests {
         }));
         assert!(is_wrong(|answer| answer.bounds = [1.42, 1.43]));
         assert!(is_wrong(|answer| answer.bounds = [1.4, 1.3]));
+        assert!(is_wrong(|answer| answer.bounds = [1.4, 1.41]), "the corner is farther away");
         assert!(is_wrong(|answer| answer.direction = vec![1.0, 0.0]));
         assert!(is_wrong(|answer| answer.direction = vec![0.0, 0.0]));
         assert!(is_wrong(|answer| answer.center[1] = 1.0));
         assert!(is_wrong(|answer| answer.generators.push(vec![0.0, 0.0])));
+    }
+
+    #[test]
+    fn a_distance_in_diameters() {
+        let (mut question, answer) = octagon();
+        question.count = None;
+        // the farthest vertices of the octagon are (3, 1) and (-3, -1): the diameter is 2 √10, 1.42 of it 0.2245
+        let verdict = |question: &Reduction, epsilon| {
+            check_reduction(&Reduction { epsilon: Some(epsilon), ..question.clone() }, &answer)
+        };
+        assert!(verdict(&question, 0.2246).is_right());
+        assert!(matches!(verdict(&question, 0.2244), Verdict::Unchecked(_)), "the lower bound is less");
+        assert!(verdict(&question, 0.22).is_wrong());
+        assert!(verdict(&question, f64::NAN).is_wrong());
     }
 
     #[test]

@@ -237,3 +237,27 @@ fn many_points_of_space_go_through_their_hull() {
         assert!(row(&summary, "hull").starts_with("1.0000 times"), "{summary}");
     }
 }
+
+/// The box that the summary compares with is among the starts of the search for few generators.
+#[test]
+fn three_generators_are_no_worse_than_the_oriented_box_that_is_told() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    let corners = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]];
+    let turned = |x: f64, y: f64, z: f64| {
+        format!("{},{},{}\n", 2.0 * x - 2.0 * y + z, x + 2.0 * y + 2.0 * z, 2.0 * x + y - 2.0 * z)
+    };
+    let rows: String = corners.iter().flat_map(|[x, y]| [0.0, 1.0].map(|z| turned(*x, *y, z))).collect();
+    fs::write(folder.join("p.csv"), format!("x,y,z\n{rows}")).expect("written");
+    for objective in ["length", "volume"] {
+        let summary = enclosed(folder, "p.csv", &["--max-generators", "3", "--objective", objective]);
+        let told = row(&summary, "oriented box");
+        let ratio = |end: &str| -> f64 {
+            let before = told.split(end).next().and_then(|text| text.rsplit(' ').next());
+            before.and_then(|ratio| ratio.parse().ok()).unwrap_or_else(|| panic!("no ratio in {told}"))
+        };
+        let found = if objective == "length" { ratio(" times its length") } else { ratio(" times the zonotope's") };
+        assert!(found >= 1.0, "{objective}: {told}");
+        assert_eq!(verified(folder, "p.csv", &[]).1[1], "right");
+    }
+}

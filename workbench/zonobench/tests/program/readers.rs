@@ -43,6 +43,33 @@ fn tables() {
     refused("p.csv", b"1,2\n3,\xff\xfe\n", &[], "p.csv: line 2, column 2: is not UTF-8 text");
 }
 
+/// No command takes the first row of a table with a column of text for a header.
+#[test]
+fn a_column_of_text_is_told_at_the_first_row() {
+    let cities = "1,2,north\n3,4,south\n5,7,north\n";
+    let text = "p.csv: line 1, column 3: 'north' is text; choose two to four of the 3 columns with --columns";
+    for more in [&[][..], &["--epsilon", "0.1"], &["--objective", "length"], &["--directions", "axes"]] {
+        refused("p.csv", cities, more, text);
+    }
+    let (outcome, _) = enclose("p.csv", cities.as_bytes(), &["--epsilon", "0.1", "--columns", "1,2"]);
+    assert!(outcome.stdout.contains("points        3 in p.csv"), "{}", outcome.stdout);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), cities).expect("written");
+    fs::write(folder.join("z.csv"), "1,0,0\n0,1,0\n0,0,1\n").expect("written");
+    let number = "p.csv: line 1, column 3: 'north' is not a number";
+    let commands: [(&[&str], &str); 5] = [
+        (&["contains", "z.csv", "p.csv"], text),
+        (&["verify", "p.csv", "z.csv", "--epsilon", "0.1"], text),
+        (&["draw", "zonogon", "p.csv", "--svg", "z.svg"], text),
+        (&["inspect", "p.csv"], number),
+        (&["intersect", "z.csv", "p.csv"], number),
+    ];
+    for (words, expected) in commands {
+        assert_eq!(run(folder, words).stderr, format!("zonobench: {expected}\n"), "{words:?}");
+    }
+}
+
 #[test]
 fn documents() {
     refused("p.json", "", &[], "p.json: line 1, column 0: is not JSON: EOF while parsing a value");

@@ -137,7 +137,12 @@ fn lengths_along_any_direction() {
         "point 1 has 5 coordinates; 1 to 4 are taken",
     );
     let line = format!(r#""points":[{}[0,0,0,0]],"epsilon":0.5"#, "[0,0,0,0],".repeat(20_000));
-    refusal(&line, "too_large", "20001 points, at most 20000 are taken in 4 dimensions");
+    refusal(
+        &line,
+        "too_large",
+        "20001 points, at most 20000 are taken in 4 dimensions; along given directions (min_length_dirs, enclose \
+         --directions) more are",
+    );
     let line =
         r#"{"id":"q","kind":"min_length_all","method":"by_papers_net","input":{"points":[[0,0,0]],"epsilon":0.01}}"#;
     assert_eq!(refusal_of(line), "too_large");

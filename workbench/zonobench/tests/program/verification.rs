@@ -114,3 +114,24 @@ fn a_data_file_is_verified_against_the_answer_of_enclose() {
     assert_eq!(other.status, 1, "{}", other.stdout);
     assert!(other.stdout.starts_with("p.csv\t-\tunchecked\tthe options ask for something else"), "{}", other.stdout);
 }
+
+/// A claim that no check knows is neither right nor wrong.
+#[test]
+fn an_invented_claim_is_not_called_right() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("p.csv"), "x,y\n0,0\n2,0\n0,2\n").expect("written");
+    for words in [&[][..], &["--exact"], &["--epsilon", "0.1"], &["--directions", "net:2"]] {
+        let enclosed = [&["enclose", "p.csv", "--json", "a.json", "--force"], words].concat();
+        assert_eq!(run(folder, &enclosed).status, 0);
+        assert!(run(folder, &["verify", "p.csv", "a.json"]).stdout.contains("\tright\t"), "{words:?}");
+        let text = fs::read_to_string(folder.join("a.json")).expect("written");
+        let mut answer: Value = serde_json::from_str(&text).expect("an answer is JSON");
+        answer["result"]["gap"] = json!(0);
+        fs::write(folder.join("a.json"), answer.to_string()).expect("written");
+        let outcome = run(folder, &["verify", "p.csv", "a.json"]);
+        let expected = "\tunchecked\tthe field `result, gap` is not checked; the rest: ";
+        assert!(outcome.stdout.contains(expected), "{words:?}: {}", outcome.stdout);
+        assert_eq!(outcome.status, 0, "{words:?}");
+    }
+}

@@ -7,8 +7,9 @@
 //! | [`min_area_zonogon`] | the zonogon of least area around points of the plane (4.1) |
 //! | [`fixed_directions`] | the smallest zonotope along given directions around points of any dimension (4.2) |
 //! | [`min_total_length`] | the zonotope of least total length around points of any dimension (4.3) |
+//! | [`oriented_box`] | a small box, which others are compared with |
 //!
-//! The last three have a function each that asks the default method, and one shape of answer, [`Enclosing`]: a body,
+//! Three of them have a function each that asks the default method, and one shape of answer, [`Enclosing`]: a body,
 //! the value that is minimised, a lower bound of it, what proves the bound, and the work done.
 //!
 //! | function | problem | proof |
@@ -31,6 +32,7 @@ mod front;
 mod half_turn;
 pub mod min_area_zonogon;
 pub mod min_total_length;
+pub mod oriented_box;
 mod outward;
 
 pub use answer::{Effort, Enclosing};

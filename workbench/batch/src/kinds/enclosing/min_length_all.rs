@@ -73,7 +73,11 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Method) -> Result<Found
     let count = fields.optional_count("max_generators")?;
     let most = POINT_LIMITS[D - 1];
     if points.len() > most {
-        let message = format!("{}, at most {most} are taken in {D} dimensions", outer.described());
+        let message = format!(
+            "{}, at most {most} are taken in {D} dimensions; along given directions (min_length_dirs, enclose \
+             --directions) more are",
+            outer.described()
+        );
         return Err(Refusal::new(Code::TooLarge, message));
     }
     let found = method.solve(points, epsilon, &mut ()).and_then(|answer| match count {

@@ -1,5 +1,7 @@
 //! Plots of experiments that a file has changed: a curve for each of their methods and inputs.
 
+mod zeros;
+
 use experiments::data::own_input;
 use experiments::definition::{Experiment, Quantity};
 use experiments::runner::Records;
@@ -7,38 +9,46 @@ use figures::axes::{Curve, Naming, Plot, Scale};
 use figures::figure::{Figure, FigureError};
 use figures::growth_plot::GrowthPlot;
 
+use self::zeros::Placed;
 use crate::report::DrawnFigure;
 
-/// A plot for every quantity that an experiment records at positive numbers: what its fits look at, and all operations.
+/// A plot for every quantity that an experiment records: what its fits look at, and all operations. Quantities that are
+/// 0 in all runs have none, which the caption of the first plot says.
 pub(super) fn of(experiment: &'static Experiment, records: &Records) -> Vec<DrawnFigure> {
     let mut quantities: Vec<Quantity> = vec![Quantity::AllCounts];
-    quantities.extend(experiment.fits.iter().map(|plan| plan.quantity));
-    quantities.dedup();
-    let mut plots: Vec<DrawnFigure> = Vec::new();
-    for quantity in quantities {
-        let curves = plot(experiment, quantity).curves_of_every_input(records);
-        let figure = figure(experiment, quantity, &curves);
-        if plots.iter().any(|plot| plot.figure.id == figure.id) {
-            continue;
+    for plan in experiment.fits {
+        if !quantities.contains(&plan.quantity) {
+            quantities.push(plan.quantity);
         }
+    }
+    let placed = |quantity| (quantity, Placed::of(plot(experiment, quantity).curves_of_every_input(records)));
+    let (drawn, others): (Vec<_>, Vec<_>) =
+        quantities.into_iter().map(placed).partition(|(_, placed)| !placed.curves.is_empty());
+    let always_zero = others.iter().filter(|(_, placed)| !placed.left_out().is_empty());
+    let mut without_plot: Vec<String> = always_zero.map(|(quantity, _)| quantity.to_string()).collect();
+    let draw = |(quantity, placed): (Quantity, Placed)| {
+        let mut caption = caption(&placed.curves) + &placed.left_out();
+        if !without_plot.is_empty() {
+            let names = std::mem::take(&mut without_plot).join(", ");
+            caption.push_str(&format!(" Without a plot, as they are 0 in all runs: {names}."));
+        }
+        let figure = figure(experiment, quantity, caption);
         let plot = Plot {
             title: figure.title.into(),
             description: figure.caption.into(),
             x_name: "size n".into(),
             x_scale: Scale::Logarithmic,
             y_name: quantity.to_string(),
-            curves,
+            curves: placed.into_curves(),
             naming: Naming::Grouped,
         };
-        // What is zero or was not recorded has no place on logarithmic axes.
-        if let Ok(svg) = plot.draw() {
-            plots.push(DrawnFigure { figure: Box::leak(Box::new(figure)), drawing: Ok(svg) });
-        }
-    }
-    plots
+        let drawing = plot.draw().map_err(|error| error.to_string());
+        DrawnFigure { figure: Box::leak(Box::new(figure)), drawing }
+    };
+    drawn.into_iter().map(draw).collect()
 }
 
-fn figure(experiment: &'static Experiment, quantity: Quantity, curves: &[Curve]) -> Figure {
+fn figure(experiment: &'static Experiment, quantity: Quantity, caption: String) -> Figure {
     let word: String = quantity
         .to_string()
         .chars()
@@ -47,7 +57,7 @@ fn figure(experiment: &'static Experiment, quantity: Quantity, curves: &[Curve])
     Figure {
         id: format!("own-{}-{word}", experiment.id).leak(),
         title: format!("{}: {quantity}", experiment.title).leak(),
-        caption: caption(curves).leak(),
+        caption: caption.leak(),
         claims: &[],
         experiments: Box::leak(Box::new([experiment.id])),
         deterministic: !matches!(quantity, Quantity::Time(_)),

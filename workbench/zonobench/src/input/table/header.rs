@@ -14,18 +14,41 @@ pub(super) enum Opening {
 }
 
 /// What the first row is, of which the given columns are read.
+///
+/// Text in a row with numbers makes no header of it where the second row has text in the same column, or where there is
+/// no second row: then that is a column of text, and the row is data with it.
 pub(super) fn opening(first: &ByteRecord, second: Option<&ByteRecord>, chosen: &[usize]) -> Opening {
-    let cells = || chosen.iter().filter_map(|&column| first.get(column));
-    let has_number = cells().any(|cell| parse(cell).is_some());
-    if cells().any(|cell| is_broken_number(cell, has_number)) {
+    let has_number = first.iter().any(|cell| parse(cell).is_some());
+    let cell = |column: usize| first.get(column).unwrap_or_default();
+    let is_data = |&column: &usize| {
+        is_broken_number(cell(column), has_number) || has_number && is_column_of_text(first, second, column)
+    };
+    if chosen.iter().any(is_data) {
         return Opening::Data;
     }
-    if cells().any(|cell| parse(cell).is_none() && !cell.trim_ascii().is_empty()) {
+    if chosen.iter().any(|&column| is_text(cell(column))) {
         return Opening::Header;
     }
     let mut pairs = first.iter().zip(second.into_iter().flatten());
-    let is_text = |cell: &[u8]| parse(cell).is_none() && !cell.trim_ascii().is_empty();
     if pairs.any(|(above, below)| is_text(above) && parse(below).is_some()) { Opening::Unclear } else { Opening::Data }
+}
+
+/// The first column of text beside numbers, if the first row is one of data; a broken number is no text.
+pub(super) fn column_of_text(first: &ByteRecord, second: Option<&ByteRecord>) -> Option<usize> {
+    let has_number = first.iter().any(|cell| parse(cell).is_some());
+    let is_text = |&column: &usize| is_column_of_text(first, second, column) && !is_broken_number(&first[column], true);
+    (0..first.len()).find(is_text).filter(|_| has_number)
+}
+
+/// Whether the rows have text in a column: the second one, too, if there is one.
+fn is_column_of_text(first: &ByteRecord, second: Option<&ByteRecord>, column: usize) -> bool {
+    let has_text = |row: &ByteRecord| row.get(column).is_some_and(is_text);
+    has_text(first) && second.is_none_or(has_text)
+}
+
+/// Whether a cell holds something else than a number.
+pub(super) fn is_text(cell: &[u8]) -> bool {
+    parse(cell).is_none() && !cell.trim_ascii().is_empty()
 }
 
 /// The number in a cell, not necessarily finite.
@@ -64,5 +87,15 @@ mod tests {
         }
         assert_eq!(told(&["150", "4", "setosa"], &["5.1", "3.5", "0"], &[0, 1]), Opening::Unclear);
         assert_eq!(told(&["150", "4", "setosa"], &["5.1", "3.5", "virginica"], &[0, 1]), Opening::Data);
+        let told = |first: &[&str], second: Option<&[&str]>| {
+            let second = second.map(|second| ByteRecord::from(second.to_vec()));
+            opening(&ByteRecord::from(first.to_vec()), second.as_ref(), &[0, 1])
+        };
+        assert_eq!(told(&["5", "north"], Some(&["6", "south"])), Opening::Data);
+        assert_eq!(told(&["5", "north"], None), Opening::Data);
+        assert_eq!(told(&["5", "north"], Some(&["6", "7"])), Opening::Header);
+        assert_eq!(told(&["city", "size"], Some(&["Rome", "7"])), Opening::Header);
+        assert_eq!(told(&["city", "size"], None), Opening::Header);
+        assert_eq!(told(&["5km", "2nd", "7"], Some(&["6", "7", "8"])), Opening::Data);
     }
 }

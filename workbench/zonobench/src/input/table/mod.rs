@@ -7,7 +7,7 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
-use self::header::{Opening, opening, parse};
+use self::header::{Opening, column_of_text, is_text, opening, parse};
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
@@ -26,8 +26,9 @@ const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
 /// Reads the points of a table.
 ///
 /// The first row is a header if the chosen columns are named, or if it cannot be data: some chosen cell is text that
-/// does not look like a broken number. Where the chosen cells are numbers and another column speaks for a header, the
-/// caller says by `skip`, the number of lines to leave out at the start, which it is.
+/// does not look like a broken number, and the row below does not have text there as well, beside numbers. Where the
+/// chosen cells are numbers and another column speaks for a header, the caller says by `skip`, the number of lines to
+/// leave out at the start, which it is.
 pub(super) fn points(
     file: &Path,
     content: &[u8],
@@ -102,7 +103,7 @@ impl Table<'_> {
         let Some((first, second)) = self.start(&mut records)? else {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
-        self.columns = self.chosen(&first, columns, wanted)?;
+        self.columns = self.chosen(&first, second.as_ref(), columns, wanted)?;
 
         let mut points = Points::of_dimension(self.columns.len()).expect("no more columns are chosen than are read");
         let is_named = columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
@@ -161,7 +162,13 @@ impl Table<'_> {
         row
     }
 
-    fn chosen(&self, first: &ByteRecord, columns: Option<&Columns>, wanted: Wanted) -> Result<Vec<usize>, InputError> {
+    fn chosen(
+        &self,
+        first: &ByteRecord,
+        second: Option<&ByteRecord>,
+        columns: Option<&Columns>,
+        wanted: Wanted,
+    ) -> Result<Vec<usize>, InputError> {
         let names = cells(first);
         let position = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
         if let Some(Columns(chosen)) = columns {
@@ -186,14 +193,16 @@ impl Table<'_> {
                 None => Ok(columns),
             };
         }
-        if wanted.takes_all(first.len()) {
+        let numbers = first.iter().filter(|cell| parse(cell).is_some()).count();
+        // There is something to choose only where numbers are left beside the text.
+        let of_text = column_of_text(first, second).filter(|_| numbers >= 2);
+        if wanted.takes_all(first.len()) && of_text.is_none() {
             return Ok((0..first.len()).collect());
         }
         let (cells, wanted) = (first.len(), wanted.in_words());
         // A row with numbers is no header, so a text in it is data.
-        let is_text = |cell: &[u8]| parse(cell).is_none() && !cell.trim_ascii().is_empty();
-        let has_number = first.iter().any(|cell| parse(cell).is_some());
-        if let Some(column) = first.iter().position(is_text).filter(|_| has_number) {
+        let text = of_text.or(first.iter().position(is_text).filter(|_| numbers >= 1));
+        if let Some(column) = text {
             let place = Place::Cell { line: self.text.line(first), column: column as u64 + 1 };
             let text = names[column].clone();
             return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));

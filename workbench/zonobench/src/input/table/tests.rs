@@ -184,3 +184,33 @@ fn first_lines_are_skipped_when_they_are_told() {
     assert_eq!(read("7\n1,2\n3,z\n", Some(1)), Err("p.csv: line 3, column 2: 'z' is not a number".to_owned()));
     assert_eq!(read(flowers, Some(9)), Ok((plane(&[]), Some("left out: the first 3 lines".to_owned()))));
 }
+
+#[test]
+fn a_column_of_text_makes_no_header_of_the_first_row() {
+    let complaint = |content: &str, wanted: Wanted| {
+        let reading = points(Path::new("p.csv"), content.as_bytes(), None, None, wanted);
+        reading.map(|reading| reading.points).map_err(|error| error.to_string())
+    };
+    let cities = "1,2,north\n3,4,south\n5,6,north\n";
+    for (content, wanted) in [(cities, Wanted::Any), (cities, Wanted::PlaneOrSpace), ("1,2,north\n", Wanted::Any)] {
+        let refused = "p.csv: line 1, column 3: 'north' is text; choose two to four of the 3 columns with --columns";
+        assert_eq!(complaint(content, wanted), Err(refused.to_owned()), "{content} {wanted:?}");
+    }
+    for wanted in [Wanted::Any, Wanted::Planar] {
+        for content in ["5,north\n6,south\n", "5,north\n"] {
+            let refused = "p.csv: line 1, column 2: 'north' is not a number";
+            assert_eq!(complaint(content, wanted), Err(refused.to_owned()), "{content} {wanted:?}");
+        }
+    }
+    let broken = "p.csv: line 1, column 3: '3km' is not a number";
+    assert_eq!(complaint("1,2,3km\n4,5,6km\n", Wanted::Any), Err(broken.to_owned()));
+    let refused = "p.csv: line 1, column 3: 'north' is not a number";
+    let generators = rows(Path::new("p.csv"), cities.as_bytes()).map(|rows| rows.numbers);
+    assert_eq!(generators.map_err(|error| error.to_string()), Err(refused.to_owned()));
+    let columns = "1,2,3".parse().expect("well formed");
+    let chosen = points(Path::new("p.csv"), cities.as_bytes(), Some(&columns), None, Wanted::Any);
+    assert_eq!(chosen.map_err(|error| error.to_string()), Err(refused.to_owned()));
+    let columns = "1,2".parse().expect("well formed");
+    let chosen = points(Path::new("p.csv"), cities.as_bytes(), Some(&columns), None, Wanted::Any).expect("numbers");
+    assert_eq!(chosen.points, Points::Plane(vec![[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]));
+}

@@ -31,6 +31,14 @@ pub(super) fn independent<const D: usize>(rank: usize, vectors: &[[f64; D]]) -> 
     chosen
 }
 
+/// By how much the generators are lengthened along their directions when a basis is chosen, relative to the longest: so
+/// a short generator with a direction of its own is preferred to a long one in nearly the span of others.
+const USED_LENGTH: f64 = 1e-3;
+
+/// The same for directions without a generator: they are chosen only where the others nearly lie in a subspace, as a
+/// coefficient that makes up for rounding would be a generator as short as rounding there.
+const UNUSED_LENGTH: f64 = 1e-6;
+
 /// A basis of directions, preferably with long generators, proven independent by exact elimination. If those that
 /// floating point chooses are dependent, exact elimination chooses the first independent ones.
 pub(in crate::enclosing::fixed_directions) fn long_basis<const D: usize>(
@@ -42,7 +50,11 @@ pub(in crate::enclosing::fixed_directions) fn long_basis<const D: usize>(
     let lengthened: Vec<[f64; D]> = generators
         .iter()
         .zip(&scaled.directions)
-        .map(|(g, d)| std::array::from_fn(|c| g[c] / longest + 1e-3 * d.vector[c]))
+        .map(|(g, d)| {
+            let is_used = g.iter().any(|c| *c != 0.0);
+            let more = if is_used { USED_LENGTH } else { UNUSED_LENGTH };
+            std::array::from_fn(|c| g[c] / longest + more * d.vector[c])
+        })
         .collect();
     let basis = independent(scaled.rank, &lengthened);
     let exactly = |basis: &[usize]| {

@@ -13,6 +13,9 @@ const NEGLIGIBLE_LENGTH: f64 = 1e-12;
 /// No direction costs less than this, relative to the most expensive one: the program is bounded then.
 const LEAST_RELATIVE_COST: f64 = 1e-6;
 
+/// A direction at less than this angle to the span of others counts as one of the span.
+const LEAST_ANGLE_OFF_SPAN: f64 = 1e-3;
+
 /// The search ends after so much work, which takes a few seconds.
 const WORK_LIMIT: f64 = 3e8;
 
@@ -90,14 +93,72 @@ impl<const D: usize> Along<D> {
         self.directions.iter().zip(&self.coefficients).filter(|(_, c)| **c > least).unzip()
     }
 
+    /// The directions of the generators, and as many more as orthonormal axes have beyond what these span. None is
+    /// nearly parallel to another one: of those that are, the longest generator's is kept.
+    pub(super) fn completed(&self, axes: &[[f64; D]]) -> Vec<[f64; D]> {
+        let mut generators = self.generators();
+        generators.sort_by(|a, b| dot(b, b).total_cmp(&dot(a, a)));
+        let mut completed: Vec<[f64; D]> = Vec::new();
+        let mut span: Vec<[f64; D]> = Vec::new();
+        for direction in generators.iter().filter_map(unit) {
+            if completed.iter().all(|kept| is_off(&off(&[*kept], &direction))) {
+                completed.push(direction);
+                span.extend(Some(off(&span, &direction)).filter(is_off).as_ref().and_then(unit));
+            }
+        }
+        while span.len() < axes.len() {
+            let rests = axes.iter().map(|axis| off(&span, axis));
+            let farthest = rests.max_by(|a, b| dot(a, a).total_cmp(&dot(b, b)));
+            let Some(next) = farthest.as_ref().and_then(unit) else { break };
+            span.push(next);
+            completed.push(next);
+        }
+        completed
+    }
+
     /// How many generators are longer than rounding.
     pub(super) fn count(&self) -> usize {
         self.coefficients.iter().filter(|c| **c > NEGLIGIBLE_LENGTH * self.length).count()
     }
 }
 
+/// What is left of a vector off the span of orthonormal ones.
+fn off<const D: usize>(span: &[[f64; D]], v: &[f64; D]) -> [f64; D] {
+    span.iter().fold(*v, |rest, u| {
+        let along = dot(&rest, u);
+        std::array::from_fn(|c| rest[c] - along * u[c])
+    })
+}
+
+/// Whether a unit vector of which this is left counts as off the span.
+fn is_off<const D: usize>(rest: &[f64; D]) -> bool {
+    dot(rest, rest).sqrt() > LEAST_ANGLE_OFF_SPAN
+}
+
 /// The vector of length 1 along a vector; `None` where there is none in floating point.
 pub(super) fn unit<const D: usize>(v: &[f64; D]) -> Option<[f64; D]> {
     let length = dot(v, v).sqrt();
     (length > 1e-150 && length.is_finite()).then(|| v.map(|c| c / length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_directions_lack_is_orthogonal_to_them() {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let completed = |directions: &[[f64; 3]]| {
+            let coefficients = (0..directions.len()).map(|i| 1.0 - 0.1 * i as f64).collect();
+            Along { length: 1.0, center: [0.0; 3], coefficients, directions: directions.to_vec() }.completed(&axes)
+        };
+        let two = [[0.0, 0.6, 0.8], [1.0, 0.0, 0.0]];
+        let three = completed(&two);
+        assert_eq!((three.len(), &three[..2]), (3, &two[..]));
+        assert!(two.iter().all(|v| dot(v, &three[2]).abs() < 1e-15));
+        // of two directions that are nearly one the longer generator's is kept
+        let nearly = completed(&[[0.0, 0.0, 1.0], [1e-5, 0.0, 1.0]]);
+        assert_eq!((nearly.len(), nearly[0]), (3, [0.0, 0.0, 1.0]));
+        assert_eq!(completed(&axes), axes);
+    }
 }

@@ -9,6 +9,8 @@ use crate::numeric::linear::dot;
 /// The order in which generators are merged, down to one.
 pub(super) struct Merging<const D: usize> {
     generators: Vec<[f64; D]>,
+    /// The length that the first merger loses; infinite where there is none.
+    least_loss: f64,
     /// Pairs of places: the generator at the second joins that at the first.
     pairs: Vec<[usize; 2]>,
 }
@@ -19,6 +21,7 @@ impl<const D: usize> Merging<D> {
         let mut sums = generators.clone();
         let mut is_left = vec![true; sums.len()];
         let mut nearest: Vec<(f64, usize)> = (0..sums.len()).map(|i| cheapest_partner(&sums, &is_left, i)).collect();
+        let least_loss = nearest.iter().map(|(loss, _)| *loss).fold(f64::INFINITY, f64::min);
         let mut pairs = Vec::with_capacity(sums.len());
         for _ in 1..sums.len() {
             let places = (0..sums.len()).filter(|&i| is_left[i]);
@@ -41,12 +44,17 @@ impl<const D: usize> Merging<D> {
                 }
             }
         }
-        Self { generators, pairs }
+        Self { generators, least_loss, pairs }
     }
 
     /// How many generators there are before any are merged.
     pub(super) fn len(&self) -> usize {
         self.generators.len()
+    }
+
+    /// The length that is lost when the two generators are merged that lose least; infinite of a single one.
+    pub(super) fn least_loss(&self) -> f64 {
+        self.least_loss
     }
 
     /// The generators merged until `count` are left.
@@ -88,7 +96,8 @@ mod tests {
     #[test]
     fn nearly_parallel_generators_are_merged_first() {
         let merging = Merging::new(vec![[1.0, 0.0], [0.0, 1.0], [-1.0, 0.1], [0.1, 0.0]]);
-        assert_eq!(merging.len(), 4);
+        assert_eq!((merging.len(), merging.least_loss()), (4, 0.0));
+        assert_eq!(Merging::new(vec![[1.0, 0.0]]).least_loss(), f64::INFINITY);
         assert_eq!(merging.down_to(4).len(), 4);
         let two = merging.down_to(2);
         assert_eq!(two.len(), 2);

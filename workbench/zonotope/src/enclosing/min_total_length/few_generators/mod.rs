@@ -4,7 +4,8 @@
 //! Input: points of R^D and an answer of one of the methods of [`min_total_length`](super): a zonotope around the
 //! points and a lower bound of all total lengths, with its proof. Output: the same with a zonotope of few generators.
 //! [`fewest`] keeps the ratio of length and bound within 1 + ε and looks for few generators; [`shortest_of_few`] keeps
-//! the number of generators within a count and looks for a small ratio; [`of_less_volume`] keeps neither and looks for
+//! the number of generators within a count and looks for a small ratio, and merges nearby ones where that costs a tenth
+//! of ε at most; [`of_less_volume`] keeps neither and looks for
 //! a small volume in space, a local minimum. The zonotope contains every point exactly, and the ratio is proven as
 //! before, for the bound is the same. That no zonotope has fewer generators, or a smaller ratio with as many, is not
 //! proven: it is the best that a local search found. What cannot be made sparser is returned as it was: one point, a
@@ -18,10 +19,10 @@
 //! # Method
 //! 1. Merge the generators of the answer pair by pair (`merging`), the pair first whose sum is least shorter than both.
 //! 2. Solve the linear program along the merged directions (`along`) and search for the least number of them that
-//!    suffices (`search`). Nets of directions, a box, and the differences of few points are tried beside them.
+//!    suffices (`search`). Nets of directions, three boxes, and the differences of few points are tried beside them.
 //! 3. Merge generators of the sparsest zonotope further, and move the directions (`moving`) until it is short enough.
 //! 4. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
-//!    the volume (`volume`), from the answer and from two boxes.
+//!    the volume (`volume`), from the answer and from three boxes.
 //! 5. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
 //!    few units in the last place for that, and no generators are added: a zonotope whose generators span the space
 //!    makes up for rounding by itself. A plane of space that no doubles span takes one generator off the plane, as
@@ -61,6 +62,7 @@
 //! ```
 
 mod along;
+mod boxes;
 mod exactly;
 mod merging;
 mod moving;
@@ -79,6 +81,10 @@ use exactly::exactly_around;
 /// The share of ε within which the search keeps the ratio: what is left is for rounding.
 const SHARE_OF_EPSILON: f64 = 0.999;
 
+/// Where the number of generators is given, nearby ones are merged if the zonotope is longer by no more than this share
+/// of ε then.
+const NEARBY_SHARE_OF_EPSILON: f64 = 0.1;
+
 /// The relative precision of the last linear program, along the directions that were found.
 const LAST_PRECISION: f64 = 1e-14;
 
@@ -88,11 +94,12 @@ const VOLUME_PRECISION: f64 = 1e-9;
 /// The descent does not begin at a zonotope of more generators: a step takes time as the cube of their number.
 const VOLUME_GENERATORS: usize = 60;
 
-/// The points that may be on the boundary, their frame, and the generators of an answer in it.
+/// The points that may be on the boundary, their frame, and in it the generators of an answer and the sides of boxes.
 struct Search<const D: usize> {
     kept: Vec<[f64; D]>,
     frame: Frame<D>,
     dense: Vec<[f64; D]>,
+    boxes: Vec<Vec<[f64; D]>>,
 }
 
 impl<const D: usize> Search<D> {
@@ -101,7 +108,8 @@ impl<const D: usize> Search<D> {
         let frame = Frame::new(&kept);
         let scaled = |g: &[f64; D]| frame.inside(&g.map(|c| scale_by_power_of_two(c, -frame.exponent)));
         let dense = answer.body.generators().iter().map(scaled).collect();
-        Self { kept, frame, dense }
+        let boxes = boxes::boxes(&kept, &frame);
+        Self { kept, frame, dense, boxes }
     }
 
     /// The answer with the zonotope along the directions that were found, solved more precisely and made exact.
@@ -109,8 +117,8 @@ impl<const D: usize> Search<D> {
         let programs = Programs::new(&self.frame, LAST_PRECISION);
         let used = found.used().0;
         // Along a thin side of the points the search may have left out all generators.
-        let with_long = || programs.along(&[used.as_slice(), &self.frame.long].concat());
-        let precise = programs.along(&used).or_else(with_long).unwrap_or(found);
+        let completed = || programs.along(&found.completed(&self.frame.long));
+        let precise = programs.along(&used).or_else(completed).unwrap_or(found);
         let (body, value) = exactly_around(&self.kept, &self.frame, &precise)?;
         Some(MinLengthZonotope { body, value, ..answer.clone() })
     }
@@ -119,13 +127,26 @@ impl<const D: usize> Search<D> {
 /// The answer with few generators, its ratio at most 1 + ε as before; the answer itself where none with fewer is found.
 #[inline(never)]
 pub fn fewest<const D: usize>(points: &[[f64; D]], answer: MinLengthZonotope<D>, epsilon: f64) -> MinLengthZonotope<D> {
+    sparser(points, answer, epsilon, f64::INFINITY)
+}
+
+/// The answer with fewer generators, its ratio at most 1 + ε as before and longer by no more than `slack`; the answer
+/// itself where none with fewer is found.
+fn sparser<const D: usize>(
+    points: &[[f64; D]],
+    answer: MinLengthZonotope<D>,
+    epsilon: f64,
+    slack: f64,
+) -> MinLengthZonotope<D> {
     if answer.value == 0.0 || answer.proof.outcome == Outcome::EndedBefore {
         return answer;
     }
     let search = Search::new(points, &answer);
-    let limit = f64::max((1.0 + SHARE_OF_EPSILON * epsilon) * answer.lower_bound, answer.value);
+    let within_ratio = (1.0 + SHARE_OF_EPSILON * epsilon) * answer.lower_bound;
+    let limit = within_ratio.min(answer.value + slack).max(answer.value);
     let length = scale_by_power_of_two(limit, -search.frame.exponent);
-    let sparse = search::fewest(&search.frame, search.dense.clone(), length, epsilon)
+    let sparse = search
+        .fewest(length, epsilon)
         .and_then(|found| search.concluded(found, &answer))
         .filter(|sparse| sparse.ratio() <= 1.0 + epsilon);
     match sparse {
@@ -151,18 +172,20 @@ pub fn shortest_of_few<const D: usize>(
     epsilon: f64,
     count: usize,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    let slack = NEARBY_SHARE_OF_EPSILON * epsilon * answer.lower_bound;
     if answer.body.generators().len() <= count {
-        return Ok(answer);
+        return Ok(sparser(points, answer, epsilon, slack));
     }
     let dimension = spanned_dimension(points);
     if count < dimension {
         return Err(MinLengthError::TooFewGenerators { count, needed: dimension });
     }
     let search = Search::new(points, &answer);
+    let slack = scale_by_power_of_two(slack, -search.frame.exponent);
     // Generators that are needed off the frame: as many as the points span beyond it, or as the space does.
     let off = [dimension.saturating_sub(search.frame.rank()), D - search.frame.rank()];
     let with_off = |off: usize| {
-        let found = search::shortest_of_few(&search.frame, search.dense.clone(), count.checked_sub(off)?)?;
+        let found = search.shortest_of_few(count.checked_sub(off)?, slack)?;
         search.concluded(found, &answer).filter(|sparse| sparse.body.generators().len() <= count)
     };
     let sparse = with_off(off[0]).or_else(|| with_off(off[1]));
@@ -182,7 +205,7 @@ pub fn of_less_volume(points: &[[f64; 3]], answer: MinLengthZonotope<3>, epsilon
         return answer;
     }
     let own = Some(search.dense.clone()).filter(|dense| dense.len() <= VOLUME_GENERATORS);
-    let starts = own.into_iter().chain(search::boxes(&search.frame));
+    let starts = own.into_iter().chain(search.boxes.iter().cloned());
     let found = starts.filter_map(|start| {
         let programs = Programs::new(&search.frame, VOLUME_PRECISION);
         programs.along(&start).map(|start| volume::of_less_volume(&programs, start))

@@ -4,9 +4,13 @@
 //! short enough, and bisects; nets, and differences of few points, are tried beside them. Then it merges the generators
 //! of the sparsest zonotope further, a quarter at first and one by one at last, and lets the directions move after each
 //! merger: they end where one generator less makes the zonotope too long.
+//!
+//! The search for the shortest of so many directions begins with those of boxes and nets and with merged generators,
+//! and moves them. Of those that it ends with, it merges nearby ones where that costs hardly any length.
 
 use std::cmp::Ordering;
 
+use super::Search;
 use super::along::{Along, Programs, unit};
 use super::merging::Merging;
 use super::moving::{Aim, moved};
@@ -44,34 +48,91 @@ const QUICK_STEPS: usize = 4;
 /// The directions move by so many steps once the number of generators is the one that is asked for.
 const LAST_STEPS: usize = 12;
 
-/// The sparsest zonotope found that is no longer than `length`, in units of the frame, from the generators of a
-/// zonotope that is nearly the shortest.
-pub(super) fn fewest<const D: usize>(
-    frame: &Frame<D>,
-    dense: Vec<[f64; D]>,
-    length: f64,
-    epsilon: f64,
-) -> Option<Along<D>> {
-    let precision = PRECISION_SHARE_OF_EPSILON * epsilon.clamp(1e-10, 1e-4);
-    let programs = Programs::new(frame, precision);
-    let along = |vectors: &[[f64; D]]| programs.along(vectors).filter(|found| found.length <= length);
-    let merged = fewest_merged(&Merging::new(dense), frame.rank(), along);
-    let best = merged.into_iter().chain(starts(frame).find_map(|vectors| along(&vectors)));
-    let mut best = best.chain(differences(frame).and_then(|vectors| along(&vectors))).min_by(fewer)?;
-    let aim = Aim { length, steps: QUICK_STEPS };
-    let mut step = (best.count() / 4).max(1);
-    while best.count() > frame.rank() {
-        let count = best.count();
-        let less = count.saturating_sub(step).max(frame.rank());
-        let merged = Merging::new(best.generators()).down_to(less);
-        let found = programs.along(&merged).map(|start| moved(&programs, start, aim));
-        match found.filter(|found| found.length <= length && found.count() < count) {
-            Some(found) => best = found,
-            None if step == 1 => break,
-            None => step = step.div_ceil(2).min(step - 1),
+impl<const D: usize> Search<D> {
+    /// The sparsest zonotope found that is no longer than `length`, in units of the frame.
+    pub(super) fn fewest(&self, length: f64, epsilon: f64) -> Option<Along<D>> {
+        let frame = &self.frame;
+        let precision = PRECISION_SHARE_OF_EPSILON * epsilon.clamp(1e-10, 1e-4);
+        let programs = Programs::new(frame, precision);
+        let along = |vectors: &[[f64; D]]| programs.along(vectors).filter(|found| found.length <= length);
+        let merged = fewest_merged(&Merging::new(self.dense.clone()), frame.rank(), along);
+        let best = merged.into_iter().chain(self.starts().find_map(|vectors| along(&vectors)));
+        let mut best = best.chain(differences(frame).and_then(|vectors| along(&vectors))).min_by(fewer)?;
+        let aim = Aim { length, steps: QUICK_STEPS };
+        let mut step = (best.count() / 4).max(1);
+        while best.count() > frame.rank() {
+            let count = best.count();
+            let less = count.saturating_sub(step).max(frame.rank());
+            let merged = Merging::new(best.generators()).down_to(less);
+            let found = programs.along(&merged).map(|start| moved(&programs, start, aim));
+            match found.filter(|found| found.length <= length && found.count() < count) {
+                Some(found) => best = found,
+                None if step == 1 => break,
+                None => step = step.div_ceil(2).min(step - 1),
+            }
+        }
+        Some(best)
+    }
+
+    /// The shortest zonotope found with at most `count` generators; nearby ones are merged where that makes it longer
+    /// by no more than `slack`, in units of the frame. `None` if `count` is less than the rank, or if all programs
+    /// fail.
+    pub(super) fn shortest_of_few(&self, count: usize, slack: f64) -> Option<Along<D>> {
+        let frame = &self.frame;
+        let programs = Programs::new(frame, PRECISION);
+        let along = |vectors: &[[f64; D]]| programs.along(vectors);
+        let starts = self.starts().take_while(|vectors| vectors.len() <= NET_SIZE_FACTOR * count);
+        let given = starts.chain(differences(frame)).filter_map(|vectors| along(&vectors));
+        let mut found: Vec<Along<D>> = given.filter(|given| given.count() <= count).collect();
+        let merging = Merging::new(self.dense.clone());
+        let last = Aim { length: 0.0, steps: LAST_STEPS };
+        let quick = Aim { steps: QUICK_STEPS, ..last };
+        if let Some(shortest) = found.iter().min_by(|a, b| a.length.total_cmp(&b.length)) {
+            found.push(moved(&programs, shortest.clone(), last));
+        }
+        found.extend(along(&merging.down_to(count)).map(|start| moved(&programs, start, last)));
+        // Half as many again, merged step by step.
+        let mut current = along(&merging.down_to(count + count / 2));
+        while let Some(from) = current.take() {
+            if from.count() <= count {
+                found.push(moved(&programs, from, last));
+            } else {
+                let next = (from.count() - (from.count() / 6).max(1)).max(count);
+                let merged = Merging::new(from.generators()).down_to(next);
+                current = along(&merged).map(|start| moved(&programs, start, quick));
+            }
+        }
+        let found = found.into_iter().filter(|found| found.count() <= count);
+        let shortest = found.min_by(|a, b| a.length.total_cmp(&b.length))?;
+        let length = shortest.length + slack;
+        Some(with_nearby_merged(&programs, shortest, length))
+    }
+
+    /// Directions that know nothing of a zonotope: those of boxes, then the corners of nets of more and more cells.
+    fn starts(&self) -> impl Iterator<Item = Vec<[f64; D]>> {
+        let rank = self.frame.rank();
+        let nets = (2..=NET_CELLS).map(move |cells| net(rank, cells)).take_while(|net| net.len() <= NET_LIMIT);
+        self.boxes.iter().cloned().chain(nets)
+    }
+}
+
+/// The zonotope with its nearest generators merged, one pair after the other, while it is no longer than `length` then.
+fn with_nearby_merged<const D: usize>(programs: &Programs<'_, D>, start: Along<D>, length: f64) -> Along<D> {
+    let mut best = start;
+    while best.count() > programs.frame.rank() {
+        let merging = Merging::new(best.generators());
+        // What two generators lose when they are merged, the others have to make up for.
+        if best.length + merging.least_loss() > length {
+            break;
+        }
+        let aim = Aim { length: best.length, steps: QUICK_STEPS };
+        let merged = programs.along(&merging.down_to(best.count() - 1)).map(|start| moved(programs, start, aim));
+        match merged.filter(|merged| merged.length <= length && merged.count() < best.count()) {
+            Some(merged) => best = merged,
+            None => break,
         }
     }
-    Some(best)
+    best
 }
 
 /// The zonotope along the fewest merged generators that `along` accepts, their number doubled from the rank on and then
@@ -99,53 +160,6 @@ fn fewest_merged<const D: usize>(
         }
     }
     Some(best)
-}
-
-/// The shortest zonotope found with at most `count` generators, from the generators of a zonotope that is nearly the
-/// shortest. `None` if `count` is less than the rank, or if all programs fail.
-pub(super) fn shortest_of_few<const D: usize>(
-    frame: &Frame<D>,
-    dense: Vec<[f64; D]>,
-    count: usize,
-) -> Option<Along<D>> {
-    let programs = Programs::new(frame, PRECISION);
-    let along = |vectors: &[[f64; D]]| programs.along(vectors);
-    let given = starts(frame).take_while(|vectors| vectors.len() <= NET_SIZE_FACTOR * count).chain(differences(frame));
-    let given = given.filter_map(|vectors| along(&vectors));
-    let mut found: Vec<Along<D>> = given.filter(|given| given.count() <= count).collect();
-    let merging = Merging::new(dense);
-    let last = Aim { length: 0.0, steps: LAST_STEPS };
-    let quick = Aim { steps: QUICK_STEPS, ..last };
-    if let Some(shortest) = found.iter().min_by(|a, b| a.length.total_cmp(&b.length)) {
-        found.push(moved(&programs, shortest.clone(), last));
-    }
-    found.extend(along(&merging.down_to(count)).map(|start| moved(&programs, start, last)));
-    // Half as many again, merged step by step.
-    let mut current = along(&merging.down_to(count + count / 2));
-    while let Some(from) = current.take() {
-        if from.count() <= count {
-            found.push(moved(&programs, from, last));
-        } else {
-            let next = (from.count() - (from.count() / 6).max(1)).max(count);
-            let merged = Merging::new(from.generators()).down_to(next);
-            current = along(&merged).map(|start| moved(&programs, start, quick));
-        }
-    }
-    found.into_iter().filter(|found| found.count() <= count).min_by(|a, b| a.length.total_cmp(&b.length))
-}
-
-/// Directions that know nothing of a zonotope: those of [`boxes`], then the corners of nets of more and more cells.
-fn starts<const D: usize>(frame: &Frame<D>) -> impl Iterator<Item = Vec<[f64; D]>> {
-    let nets = (2..=NET_CELLS).map(|cells| net(frame.rank(), cells)).take_while(|net| net.len() <= NET_LIMIT);
-    boxes(frame).chain(nets)
-}
-
-/// The directions of the sides of two boxes: along [`Frame::long`], and along the axes of the points, where these span
-/// the space.
-pub(super) fn boxes<const D: usize>(frame: &Frame<D>) -> impl Iterator<Item = Vec<[f64; D]>> {
-    let axis = |axis: usize| frame.inside(&std::array::from_fn(|c| f64::from(u8::from(c == axis))));
-    let axes = (frame.rank() == D).then(|| (0..D).map(axis).collect());
-    std::iter::once(frame.long.clone()).chain(axes)
 }
 
 /// The differences of points, each line once; `None` where there are too many.

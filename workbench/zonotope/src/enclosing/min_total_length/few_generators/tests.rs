@@ -2,6 +2,7 @@
 
 use super::{fewest, of_less_volume, shortest_of_few};
 use crate::enclosing::min_total_length::{Method, MinLengthError, MinLengthZonotope, Outcome};
+use crate::enclosing::oriented_box::small_box;
 
 fn answered<const D: usize>(points: &[[f64; D]], epsilon: f64) -> MinLengthZonotope<D> {
     Method::default().solve(points, epsilon, &mut ()).expect("finite points")
@@ -108,9 +109,63 @@ fn flat_tiny_and_huge_points() {
         let found = sparse(&points, 1e-2);
         assert!(found.ratio() <= 1.01 && found.body.generators().len() <= 16);
     }
-    // so thin in two directions that the answer stays as it was
-    let needle: Vec<[f64; 3]> = spiral(12, 1.0).iter().map(|p| [1e-5 * p[0], 1e-9 * p[1], p[2]]).collect();
-    assert!(sparse(&needle, 1e-3).ratio() <= 1.001);
+}
+
+/// Whether no two generators are less than two degrees from parallel.
+fn least_angle_is_wide(generators: &[[f64; 3]]) -> bool {
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let is_wide = |(a, b): (&[f64; 3], &[f64; 3])| dot(a, b).abs() < 0.9994 * (dot(a, a) * dot(b, b)).sqrt();
+    generators.iter().enumerate().all(|(i, a)| generators[..i].iter().all(|b| is_wide((a, b))))
+}
+
+/// Needles have few generators, none nearly parallel to another one.
+#[test]
+fn needles_have_few_generators() {
+    for [width, height] in [[1e-3, 1e-3], [1e-5, 1e-9], [1e-8, 1e-8]] {
+        let straight = |p: &[f64; 3]| [width * p[0], height * p[1], p[2]];
+        let turned = |p: &[f64; 3]| {
+            let [x, y, z] = straight(p);
+            [0.6 * x - 0.48 * z, 0.8 * y + 0.36 * z, 0.8 * x + 0.42 * z]
+        };
+        for needle in [spiral(12, 1.0).iter().map(straight).collect(), spiral(12, 1.0).iter().map(turned).collect()] {
+            let needle: Vec<[f64; 3]> = needle;
+            let found = sparse(&needle, 1e-2);
+            assert!(found.body.generators().len() <= 4 && found.ratio() <= 1.01, "{:?}", found.body);
+            assert!(least_angle_is_wide(found.body.generators()), "{:?}", found.body);
+            let few = shortest_of_few(&needle, answered(&needle, 1e-2), 1e-2, 8).expect("enough generators");
+            assert!(few.body.generators().len() <= 5, "{width:e} {height:e}");
+        }
+    }
+}
+
+#[test]
+fn no_two_generators_are_nearly_parallel() {
+    let points = spiral(24, 4.0);
+    let answer = answered(&points, 1e-2);
+    for count in [8, 16, 60] {
+        let found = shortest_of_few(&points, answer.clone(), 1e-2, count).expect("enough generators");
+        assert!(least_angle_is_wide(found.body.generators()), "{count}: {:?}", found.body);
+    }
+}
+
+/// The best oriented box is among the starts, wherever its sides point.
+#[test]
+fn three_generators_are_no_worse_than_the_oriented_box() {
+    let turned = |p: &[f64; 3]| {
+        let [x, y, z] = *p;
+        [(2.0 * x - 2.0 * y + z) / 3.0, (x + 2.0 * y + 2.0 * z) / 3.0, (2.0 * x + y - 2.0 * z) / 3.0]
+    };
+    for points in [prism_over_an_l().iter().map(turned).collect(), spiral(30, 2.0), spiral(9, 0.5)] {
+        let points: Vec<[f64; 3]> = points;
+        let best = small_box(&points).expect("they span space");
+        let answer = answered(&points, 1e-3);
+        let found = shortest_of_few(&points, answer, 1e-3, 3).expect("three span space");
+        let length: f64 = best.half_sides.iter().sum();
+        assert!(found.value <= length * (1.0 + 1e-12), "{} {length}", found.value);
+        let smaller = of_less_volume(&points, found, 1e-3);
+        let volume = 8.0 * best.half_sides.iter().product::<f64>();
+        assert!(smaller.body.exact_volume().to_f64() <= volume * (1.0 + 1e-12));
+    }
 }
 
 #[test]

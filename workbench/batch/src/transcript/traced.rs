@@ -1,0 +1,81 @@
+//! The values of a question and an answer, which note the fields that a check reads: a claim of the answer that no
+//! check has read is not proved, whatever the others are.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::ptr;
+
+use crate::json::Tree;
+use crate::place::{Place, Step};
+
+/// The values of fields that were read, each by its address.
+#[derive(Debug, Default)]
+pub(super) struct Reads(RefCell<BTreeSet<*const Tree>>);
+
+/// A value whose fields are noted as they are read.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Traced<'a> {
+    pub(super) tree: &'a Tree,
+    reads: &'a Reads,
+}
+
+impl<'a> Traced<'a> {
+    pub(super) fn new(tree: &'a Tree, reads: &'a Reads) -> Self {
+        Self { tree, reads }
+    }
+
+    /// The field of an object, which is noted.
+    pub(super) fn field(self, name: &str) -> Option<Self> {
+        let value = self.tree.field(name)?;
+        self.reads.0.borrow_mut().insert(ptr::from_ref(value));
+        Some(Self::new(value, self.reads))
+    }
+
+    /// The elements of a list.
+    pub(super) fn elements(self) -> Option<impl Iterator<Item = Self>> {
+        Some(self.tree.list()?.iter().map(move |element| Self::new(element, self.reads)))
+    }
+
+    /// All fields of an object whose names are part of what it says; they are noted.
+    pub(super) fn fields(self) -> Option<impl Iterator<Item = (&'a str, Self)>> {
+        let Tree::Object(fields) = self.tree else { return None };
+        let noted = move |(name, _): &'a (String, Tree)| Some((name.as_str(), self.field(name)?));
+        Some(fields.iter().filter_map(noted))
+    }
+
+    pub(super) fn text(self) -> Option<&'a str> {
+        self.tree.text()
+    }
+
+    /// The places of the fields below this object that were not read, but for those of the object itself with the
+    /// given names.
+    pub(super) fn unread(self, expected: &[&str]) -> Vec<Place> {
+        let mut unread = Vec::new();
+        self.search(&Place::default(), &mut unread);
+        let is_expected =
+            |place: &Place| matches!(&place.0[..], [Step::Field(name)] if expected.contains(&name.as_str()));
+        unread.retain(|place| !is_expected(place));
+        unread
+    }
+
+    fn search(self, place: &Place, unread: &mut Vec<Place>) {
+        let deeper = |value: &'a Tree| Self::new(value, self.reads);
+        match self.tree {
+            Tree::Object(fields) => {
+                for (name, value) in fields {
+                    let place = place.field(name);
+                    if self.reads.0.borrow().contains(&ptr::from_ref(value)) {
+                        deeper(value).search(&place, unread);
+                    } else {
+                        unread.push(place);
+                    }
+                }
+            }
+            Tree::List(elements) => {
+                let nested = (0..).zip(elements).filter(|(_, value)| matches!(value, Tree::Object(_) | Tree::List(_)));
+                nested.for_each(|(at, value)| deeper(value).search(&place.then(Step::Element(at)), unread));
+            }
+            Tree::Null | Tree::Bool(_) | Tree::Number(_) | Tree::Text(_) => {}
+        }
+    }
+}
