@@ -15,19 +15,16 @@ use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::lanes::body_sums::squares_at;
+use crate::numeric::lanes::body_sums::{sizes, squares_at};
 use crate::numeric::lanes::level::{level, level_for_few};
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{dot, euclidean_norm};
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
 /// The number of eights of generators from which it is seen that coefficients will be too large.
 const SAMPLE: usize = 4;
-
-/// Of many generators, coefficients are written where no coefficient of a sample is larger.
-const LIKELY_WITHIN: f64 = 0.9;
 
 /// Above this number of generators the widest instructions are quicker.
 const NARROW_LIMIT: usize = 4 * LANES;
@@ -213,7 +210,9 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     let y = thick.unwrap_or_else(|| moments.solve(&own).0);
     let along = dot(&own, &y);
     let is_many = n > WHOLE_LIMIT;
-    if is_many && !is_thick {
+    // a generator along y may be as long as the longest; false for NaN as well
+    let is_likely = !is_many || euclidean_norm(&y) * sizes(query.rows())[0] < WELL_WITHIN;
+    if !is_likely || (is_many && !is_thick) {
         return Err(Open { y, gauge: f64::NAN, is_thick });
     }
     if is_thick && n >= 4 * SAMPLE * LANES {
@@ -226,8 +225,7 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
         let part = count as f64 / n as f64;
         let gauge = along * part / some.reach;
         // of many generators, a direction that separates is looked for by a sample
-        let limit = if is_many { LIKELY_WITHIN } else { WELL_WITHIN };
-        if some.largest > limit && (gauge < INSIDE_GAUGE || is_many) {
+        if some.largest > WELL_WITHIN && (gauge < INSIDE_GAUGE || is_many) {
             return Err(Open { y, gauge, is_thick });
         }
     }
