@@ -185,8 +185,8 @@ fn sine_square([a, b, c]: &[f64; 3], [d, e, f]: &[f64; 3]) -> f64 {
     x * x + y * y + z * z
 }
 
-/// Whether any of some generators of a sample are parallel to each other or to their neighbours: in a list that is sorted
-/// by direction, those at a distance differ and neighbours are parallel.
+/// Whether any of some generators of a sample are parallel to each other or to their neighbours: in a list that is
+/// sorted by direction, those at a distance differ and neighbours are parallel.
 fn seem_repeated(sample: &[[f64; 3]]) -> bool {
     let step = (sample.len() / PROBES).max(1);
     let pick = |offset: usize| {

@@ -31,8 +31,8 @@ impl RoundedLines {
         Self { blocks: Reused::with_capacity(len.div_ceil(LANES)), len: 0, length: 0.0 }
     }
 
-    /// Lets someone write as many blocks as so many lines take, and return the sum of their lengths; the lines that fill
-    /// up the last block are overwritten.
+    /// Lets someone write as many blocks as so many lines take, and return the sum of their lengths; the lines that
+    /// fill up the last block are overwritten.
     pub(crate) fn rewrite(&mut self, len: usize, write: impl FnOnce(&mut [LineBlock]) -> f64) {
         self.blocks.resize(len.div_ceil(LANES), LineBlock([[0.0; LANES]; 4]));
         self.length = write(&mut self.blocks);
