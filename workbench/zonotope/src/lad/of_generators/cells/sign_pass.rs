@@ -25,7 +25,7 @@ use crate::numeric::tolerance::{CONE_ROUNDING, PRODUCT_UNDERFLOW, SQUARABLE_SIZE
 /// addition for each eight generators of its block.
 const BLOCK: usize = 256;
 
-/// A pass over few generators keeps so many words where it stands, and asks for no list of them.
+/// The words of a pass that has at most this many are kept on the stack: a list takes longer than the pass itself.
 const STANDING_WORDS: usize = 8;
 
 /// (a + b)² ≤ (1 + SQUARE_SPLIT) a² + (1 + 1 / SQUARE_SPLIT) b².

@@ -34,7 +34,7 @@ pub(super) struct Outlook {
     slope: f64,
 }
 
-/// The search along one line after the other, with the places at which the line of the day is crossed.
+/// The search along one line after the other, with the places at which the line that is searched is crossed.
 pub(super) struct LineSearch<'l> {
     lines: &'l RoundedLines,
     linear: [f64; 2],
@@ -230,7 +230,7 @@ impl<S: Simd> Lanes<S> {
     }
 }
 
-/// Turns the places round if the search goes the other way, puts those behind out of reach, and finds the nearest.
+/// Negates the places if the search goes against the direction, makes those behind infinite, and finds the nearest.
 #[inline(always)]
 fn keep_those_ahead<S: Simd>(simd: S, places: &mut [f64], is_turned: bool) -> Nearest {
     let (one, never) = (f64x8::splat(simd, 1.0), f64x8::splat(simd, f64::INFINITY));
