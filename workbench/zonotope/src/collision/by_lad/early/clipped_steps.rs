@@ -65,6 +65,16 @@ impl State {
         Self { y: y.map(|c| c * state.aim()), ..state }
     }
 
+    /// From a y whose clipped coefficients make up a point beyond p, nearly.
+    pub(super) fn at(y: [f64; 3], gauge: f64) -> Self {
+        Self { y, gauge, at: None }
+    }
+
+    /// Where the steps are.
+    pub(super) fn y(&self) -> [f64; 3] {
+        self.y
+    }
+
     /// The factor by which the coefficients are made for a point beyond p, half the way to the boundary, so that they
     /// can be made smaller.
     fn aim(&self) -> f64 {

@@ -15,7 +15,7 @@ use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::BoundedVector;
 use crate::numeric::lanes::level::level;
-use crate::numeric::lanes::number::{Number, Units, clipped, product, size};
+use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{LANES, Octet, reordered, splat, store_first, total, totals};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, dot, sum_norm};
@@ -129,12 +129,17 @@ impl Combination {
         (lengths.largest(among, generators, &z) <= limit).then_some(Self::linear(z, lengths))
     }
 
-    fn linear(z: [f64; 3], lengths: Lengths) -> Self {
+    pub(crate) fn linear(z: [f64; 3], lengths: Lengths) -> Self {
         Self::new(&[0.0; 3], z, 0.0, lengths)
     }
 
     pub(crate) fn new(y: &[f64; 3], z: [f64; 3], factor: f64, lengths: Lengths) -> Self {
         Self { y: *y, z, factor, lengths, limit: WELL_WITHIN }
+    }
+
+    /// Products with z, clipped.
+    pub(crate) fn clipped(z: &[f64; 3], lengths: Lengths, limit: f64) -> Self {
+        Self { limit, ..Self::linear(*z, lengths) }
     }
 
     /// Nearly the same coefficients with one product for each: those of μ y + z, clipped to μ.
@@ -167,13 +172,26 @@ impl Combination {
 
     fn write(&self, rows: Rows<'_>, stretches: &Stretches, places: &mut [f64]) -> Written {
         let (at, is_linear) = ((rows, stretches), self.factor == 0.0);
-        match self.lengths {
-            Lengths::Own if is_linear => dispatch!(level(), simd => write::<_, true, true>(simd, self, at, places)),
-            Lengths::Own => dispatch!(level(), simd => write::<_, true, false>(simd, self, at, places)),
-            Lengths::Even(_) if is_linear => {
-                dispatch!(level(), simd => write::<_, false, true>(simd, self, at, places))
+        let level = level();
+        match (self.lengths, rows.sums()) {
+            (Lengths::Own, _) if is_linear => {
+                dispatch!(level, simd => write::<_, true, true, true>(simd, self, at, places))
             }
-            Lengths::Even(_) => dispatch!(level(), simd => write::<_, false, false>(simd, self, at, places)),
+            (Lengths::Own, _) => dispatch!(level, simd => write::<_, true, false, true>(simd, self, at, places)),
+            (Lengths::Even(_), None) if is_linear => {
+                dispatch!(level, simd => write::<_, false, true, true>(simd, self, at, places))
+            }
+            (Lengths::Even(_), None) => {
+                dispatch!(level, simd => write::<_, false, false, true>(simd, self, at, places))
+            }
+            (Lengths::Even(_), Some(sums)) => {
+                let written = if is_linear {
+                    dispatch!(level, simd => write::<_, false, true, false>(simd, self, at, places))
+                } else {
+                    dispatch!(level, simd => write::<_, false, false, false>(simd, self, at, places))
+                };
+                Written { magnitude: sums.magnitude(), ..written }
+            }
         }
     }
 }
@@ -184,6 +202,7 @@ struct Wide<S: Simd> {
     z: Octet<S>,
     factor: f64x8<S>,
     limit: f64x8<S>,
+    least: f64x8<S>,
     units: Units<f64x8<S>>,
 }
 
@@ -205,13 +224,13 @@ impl<S: Simd> Wide<S> {
             let others = magnitude.if_less(one, coefficient, zero);
             coefficient = self.factor * magnitude.if_less(one, t, one.signed_as(t)) + others;
         }
-        [clipped(coefficient, self.limit), length]
+        [coefficient.min(self.limit).max(self.least), length]
     }
 }
 
 /// Writes coefficients and sums them up, about [`BLOCK`] of them at a time.
 #[inline(always)]
-fn write<S: Simd, const OWN: bool, const LINEAR: bool>(
+fn write<S: Simd, const OWN: bool, const LINEAR: bool, const SIZED: bool>(
     simd: S,
     combination: &Combination,
     (rows, stretches): (Rows<'_>, &Stretches),
@@ -224,6 +243,7 @@ fn write<S: Simd, const OWN: bool, const LINEAR: bool>(
         z: splat(simd, &z),
         factor: f64x8::splat(simd, combination.factor),
         limit: f64x8::splat(simd, combination.limit),
+        least: f64x8::splat(simd, -combination.limit),
         units: Units::wide(simd),
     };
     let (mut sums, mut fresh) = (WideSums::new(simd), 0);
@@ -231,14 +251,26 @@ fn write<S: Simd, const OWN: bool, const LINEAR: bool>(
     let octets = rows.octets();
     let (whole, last) = places.as_chunks_mut::<LANES>();
     for start in (0..rows.len()).step_by(stretches.period) {
-        let (first, end) = ((start + stretches.range.start) / LANES, (start + stretches.range.end) / LANES);
-        for k in first..end.min(octets.len()) {
-            let coefficients = sums.read::<OWN, LINEAR>(simd, &wide, &octets.load(simd, k));
-            match whole.get_mut(k) {
-                Some(place) => coefficients.store_slice(place),
-                None => store_first(coefficients, last),
+        let [first, end] = [stretches.range.start, stretches.range.end].map(|place| (start + place) / LANES);
+        let own = first.min(whole.len())..end.min(whole.len());
+        fresh += LANES * own.len();
+        match rows.blocks() {
+            Some(blocks) => {
+                for (place, block) in whole[own.clone()].iter_mut().zip(&blocks[own]) {
+                    sums.read::<OWN, LINEAR, SIZED>(simd, &wide, &block.load(simd)).store_slice(place);
+                }
             }
-            fresh += LANES.min(rows.len() - LANES * k);
+            None => {
+                for k in own {
+                    let octet = octets.load(simd, k);
+                    sums.read::<OWN, LINEAR, SIZED>(simd, &wide, &octet).store_slice(&mut whole[k]);
+                }
+            }
+        }
+        if !last.is_empty() && (first..end).contains(&whole.len()) {
+            let octet = octets.load(simd, whole.len());
+            store_first(sums.read::<OWN, LINEAR, SIZED>(simd, &wide, &octet), last);
+            fresh += last.len();
         }
         if fresh >= BLOCK {
             written = written.with(&sums.total(fresh));
@@ -263,12 +295,19 @@ impl<S: Simd> WideSums<S> {
 
     /// The coefficients of eight generators, in the order of their rows.
     #[inline(always)]
-    fn read<const OWN: bool, const LINEAR: bool>(&mut self, simd: S, wide: &Wide<S>, v: &Octet<S>) -> f64x8<S> {
+    fn read<const OWN: bool, const LINEAR: bool, const SIZED: bool>(
+        &mut self,
+        simd: S,
+        wide: &Wide<S>,
+        v: &Octet<S>,
+    ) -> f64x8<S> {
         let [coefficient, length] = wide.coefficients::<OWN, LINEAR>(v);
         for (sum, c) in self.sum.iter_mut().zip(v) {
             *sum += coefficient * *c;
         }
-        self.sizes += length;
+        if SIZED {
+            self.sizes += length;
+        }
         reordered(simd, coefficient)
     }
 

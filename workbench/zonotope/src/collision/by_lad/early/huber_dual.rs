@@ -27,7 +27,7 @@ pub(crate) const WELL_WITHIN: f64 = 0.9999;
 const DIAGONAL_SHIFT: f64 = 4e-15;
 
 /// How much larger than those of some generators the coefficients of all are taken to be.
-const SAMPLE_MARGIN: f64 = 1.15;
+pub(crate) const SAMPLE_MARGIN: f64 = 1.15;
 
 /// Where a part of the coefficients need not be exact, clipped ones may move by so much.
 pub(crate) const ROUGH_EXCESS: f64 = 0.3;
@@ -177,15 +177,17 @@ impl<T: Number> Sums<T> {
 
 /// The sums over all rows with one length, or with their own.
 #[inline(always)]
-fn moments<S: Simd, const OWN: bool>(simd: S, runs: Runs<'_>, y: &[f64; 3], length: f64) -> Moments {
+fn moments<S: Simd, const OWN: bool>(simd: S, (runs, share): (Runs<'_>, usize), y: &[f64; 3], length: f64) -> Moments {
     let y = [y[0] / length, y[1] / length, y[2] / length];
     let (wide, units) = (splat(simd, &y), Units::wide(simd));
     let (mut sums, mut few) = (Sums::new(&units), Sums::new(&Units::SINGLE));
     for run in runs {
         let (octets, rest) = run.octets().whole_and_rest();
-        for k in 0..octets.len() {
+        for k in (share - 1..octets.len()).step_by(share) {
             sums.read::<OWN>(&units, &octets.load(simd, k), &wide);
         }
+        // the octet that is not full has its turn as well
+        let rest = if octets.len() % share == share - 1 { rest } else { &[] };
         for v in rest {
             few.read::<OWN>(&Units::SINGLE, v, &y);
         }
@@ -245,10 +247,13 @@ impl Moments {
     }
 
     #[inline(always)]
-    pub(crate) fn at(generators: &(impl Passes + ?Sized), lengths: Lengths, y: &[f64; 3]) -> Self {
-        generators.over([y], |runs, _, [y]| match lengths {
-            Lengths::Own => dispatch!(level(), simd => moments::<_, true>(simd, runs, &y, 1.0)),
-            Lengths::Even(length) => dispatch!(level(), simd => moments::<_, false>(simd, runs, &y, length)),
+    pub(crate) fn at<G: Passes + ?Sized>(generators: &G, lengths: Lengths, y: &[f64; 3]) -> Self {
+        generators.over([y], |runs, _, [y]| {
+            let read = (runs, G::SHARE);
+            match lengths {
+                Lengths::Own => dispatch!(level(), simd => moments::<_, true>(simd, read, &y, 1.0)),
+                Lengths::Even(length) => dispatch!(level(), simd => moments::<_, false>(simd, read, &y, length)),
+            }
         })
     }
 

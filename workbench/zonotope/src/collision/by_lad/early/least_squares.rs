@@ -10,16 +10,16 @@ use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
 use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
-use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT, WHOLE_LIMIT};
+use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
 use crate::collision::{Query, Witness};
 use crate::lad::of_generators::linear_map::LinearMap;
 use crate::lad::of_generators::span::flat::SimplePlane;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::lanes::body_sums::{sizes, squares_at};
+use crate::numeric::lanes::body_sums::squares_at;
 use crate::numeric::lanes::level::{level, level_for_few};
 use crate::numeric::lanes::number::{Number, Units, product, size};
 use crate::numeric::lanes::octet::{self, LANES, reordered, splat, total, totals};
-use crate::numeric::linear::{dot, euclidean_norm};
+use crate::numeric::linear::dot;
 use crate::numeric::reused::Reused;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNDERFLOW, UNIT};
 
@@ -209,12 +209,6 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     // a flat body has a direction, too
     let y = thick.unwrap_or_else(|| moments.solve(&own).0);
     let along = dot(&own, &y);
-    let is_many = n > WHOLE_LIMIT;
-    // a generator along y may be as long as the longest; false for NaN as well
-    let is_likely = !is_many || euclidean_norm(&y) * sizes(query.rows())[0] < WELL_WITHIN;
-    if !is_likely || (is_many && !is_thick) {
-        return Err(Open { y, gauge: f64::NAN, is_thick });
-    }
     if is_thick && n >= 4 * SAMPLE * LANES {
         let step = n / (SAMPLE * LANES);
         let (some, count) = query.over(
@@ -224,19 +218,14 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
         );
         let part = count as f64 / n as f64;
         let gauge = along * part / some.reach;
-        // of many generators, a direction that separates is looked for by a sample
-        if some.largest > WELL_WITHIN && (gauge < INSIDE_GAUGE || is_many) {
+        if some.largest > WELL_WITHIN && gauge < INSIDE_GAUGE {
             return Err(Open { y, gauge, is_thick });
         }
     }
     // coefficients take no memory of the heap before it is known that they are asked for
     let mut few = [0.0; OWN_LENGTHS_LIMIT];
-    let mut many = if OWN || is_many { Reused::<f64>::new() } else { Reused::with_capacity(n) };
-    let mut likely = Vec::new();
-    let coefficients = if is_many {
-        likely.resize(n, 0.0);
-        &mut likely[..]
-    } else if OWN {
+    let mut many = if OWN { Reused::<f64>::new() } else { Reused::with_capacity(n) };
+    let coefficients = if OWN {
         &mut few[..n]
     } else {
         many.resize(n, 0.0);
@@ -250,8 +239,7 @@ fn tell_at<S: Simd, const OWN: bool>(simd: S, query: &impl EarlyQuery, p: &Bound
     if is_thick && sums.largest <= WELL_WITHIN {
         let rest = rest(p, &sums.sum, n / 2 + 16, magnitude, n);
         if let Some(basis) = correcting_basis(query, coefficients, rest, magnitude) {
-            let coefficients = if is_many { likely } else { coefficients.to_vec() };
-            return Ok(Clear::Inside(Witness { coefficients, basis }));
+            return Ok(Clear::Inside(Witness { coefficients: coefficients.to_vec(), basis }));
         }
     }
     let reach = sums.reach;

@@ -7,6 +7,8 @@
 //! | [`clipped_steps`] | Newton steps on the smooth problem, for a sample or for all generators |
 //! | [`combination`] | coefficients written, summed up and proved |
 //! | [`stratified_pass`] | many generators: coefficients in one pass, steered by a sample |
+//! | [`known_sums`] | many generators of prepared bodies: what a sample of the least coefficients tells |
+//! | [`scaled_products`] | that sample |
 //! | [`passes`] | what all of these ask of the generators: passes, and how their sums are carried over a matrix |
 //! | [`posed`] | generators under the matrices of poses |
 //!
@@ -17,9 +19,11 @@
 mod clipped_steps;
 pub(crate) mod combination;
 pub(crate) mod huber_dual;
+mod known_sums;
 pub(crate) mod least_squares;
 pub(crate) mod passes;
 pub(crate) mod posed;
+mod scaled_products;
 pub(crate) mod stratified_pass;
 
 use self::clipped_steps::{Effort, SAMPLE_STEPS, Sign, State, inside, outside};
@@ -81,7 +85,8 @@ pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut dyn Tally) -> Option<C
     let p = query.displacement_in_doubles();
     let n = query.count();
     if n > WHOLE_LIMIT {
-        return locate_by_known_sums(query, &p, tally).or_else(|| locate_by_sample(query, &p, tally));
+        let locate = if known_sums::are_known(query) { known_sums::locate } else { locate_by_sample };
+        return locate(query, &p, tally);
     }
     tally.add(Operation::GeneratorRead, n as u64);
     let told = if n <= OWN_LENGTHS_LIMIT { tell::<true>(query, &p) } else { tell::<false>(query, &p) };
@@ -92,19 +97,6 @@ pub(crate) fn locate(query: &impl EarlyQuery, tally: &mut dyn Tally) -> Option<C
         }
         Err(open) => locate_by_steps(query, &p, &open, tally),
     }
-}
-
-/// The same of many generators, of which sums are known from before: the coefficients of least size take one pass then,
-/// and a sample says beforehand whether they will be small enough.
-fn locate_by_known_sums(query: &impl EarlyQuery, p: &BoundedVector, tally: &mut dyn Tally) -> Option<Clear> {
-    let is_known = query.rows().iter().all(|rows| rows.is_empty() || rows.sums().is_some());
-    if !is_known || Lengths::of(query) == Lengths::Own {
-        return None;
-    }
-    let told = tell::<false>(query, p).ok()?;
-    tally.add(Operation::GeneratorRead, query.count() as u64);
-    tally.answered_by(Rung::LeastSquares);
-    Some(told)
 }
 
 /// The same of a member of a body that seems to be flat.

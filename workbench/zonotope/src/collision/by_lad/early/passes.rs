@@ -35,6 +35,9 @@ pub(crate) trait Carried {
 
 /// Generators over which passes are made; those that are rows of doubles say no more than which rows.
 pub(crate) trait Passes {
+    /// Of so many octets of rows in turn only the last is read where sums at some y are taken.
+    const SHARE: usize = 1;
+
     /// The rows of the generators.
     fn rows(&self) -> Runs<'_>;
 
@@ -76,6 +79,27 @@ pub(crate) trait EarlyQuery: Passes {
 
     /// The query as it was put, if its generators are rows of doubles.
     fn as_rows(&self) -> Option<Query<'_, 3>>;
+}
+
+/// Every fourth octet of the generators, the last of each four.
+pub(crate) struct Quarter<'a, Q>(pub(crate) &'a Q);
+
+impl<Q: EarlyQuery> Passes for Quarter<'_, Q> {
+    const SHARE: usize = 4;
+
+    #[inline(always)]
+    fn rows(&self) -> Runs<'_> {
+        self.0.rows()
+    }
+
+    #[inline(always)]
+    fn over<const K: usize, T: Carried>(
+        &self,
+        directions: [&[f64; 3]; K],
+        pass: impl FnMut(Runs<'_>, Range<usize>, [[f64; 3]; K]) -> T,
+    ) -> T {
+        self.0.over(directions, pass)
+    }
 }
 
 impl Passes for [[f64; 3]] {
