@@ -7,7 +7,8 @@
 
 use fearless_simd::{Level, Simd, dispatch, f64x8, prelude::*};
 
-use crate::collision::by_lad::early::combination::{correcting_basis, correcting_pair, rest};
+use crate::collision::by_lad::early::combination::rest;
+use crate::collision::by_lad::early::correcting_basis::{correcting_basis, correcting_pair};
 use crate::collision::by_lad::early::huber_dual::{Moments, WELL_WITHIN};
 use crate::collision::by_lad::early::passes::{Carried, EarlyQuery, Runs, len};
 use crate::collision::by_lad::early::{Clear, INSIDE_GAUGE, OWN_LENGTHS_LIMIT};
