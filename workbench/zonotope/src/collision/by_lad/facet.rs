@@ -57,7 +57,7 @@ use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
-use crate::lad::of_generators::solve;
+use crate::lad::of_generators::{solve, solve_from};
 use crate::tally::Tally;
 
 /// Where the ray along a displacement leaves the zonotope: the gauge and the status at once, the full proof on demand.
@@ -71,6 +71,11 @@ impl<'q> Facet<'q> {
     /// Finds the facet, or a separating direction if the goal allows that and one is found first.
     pub(super) fn find(query: &'q dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> Self {
         Self { query, optimum: solve(query, goal, tally) }
+    }
+
+    /// Finds the facet, or a proof of the location, by a search that begins at a vertex, if there is one.
+    pub(super) fn find_proof(query: &'q dyn KernelQuery, vertex: Option<[usize; 2]>, tally: &mut dyn Tally) -> Self {
+        Self { query, optimum: solve_from(query, Goal::Proof, vertex, tally) }
     }
 
     /// The gauge within a bound of its error; infinite where no multiple of the body holds the displacement. O(1).
@@ -120,6 +125,14 @@ impl<'q> Facet<'q> {
     /// [`location`](Self::location), counting its operations.
     pub fn location_counted(&self, tally: &mut dyn Tally) -> Location<3> {
         proof::location(self.query, &self.optimum, tally)
+    }
+
+    /// Where the displacement lies, with the proof that was found in the place of a facet, if one was.
+    pub(super) fn into_location(self, tally: &mut dyn Tally) -> Location<3> {
+        match self.optimum {
+            Optimum::Told(told) => proof::of_told(told, tally),
+            optimum => proof::location(self.query, &optimum, tally),
+        }
     }
 
     /// The gauge by exact arithmetic on all generators: the truth that the others are held to.

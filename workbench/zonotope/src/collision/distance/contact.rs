@@ -152,7 +152,7 @@ fn facet_normal(query: &dyn KernelQuery) -> Option<ExactVector> {
     match solve(query, Goal::Gauge, &mut ()) {
         Optimum::Rounded(decided) => Some(ladder::exact_of(query, &query.exact(), &decided, &mut ()).direction),
         Optimum::Exact(exact) => Some(exact.direction),
-        Optimum::Centre | Optimum::Separated(_) | Optimum::Flat(_) => None,
+        Optimum::Centre | Optimum::Told(_) | Optimum::Flat(_) => None,
     }
 }
 

@@ -7,4 +7,6 @@ pub(crate) enum Goal {
     Gauge,
     /// Only whether the gauge is below, at or above 1: a separating direction ends the search.
     Location,
+    /// The same with a proof: one that does without the optimum ends the search.
+    Proof,
 }

@@ -33,7 +33,7 @@ use super::goal::Goal;
 use super::guess::aim::{Aim, Guess};
 use super::guess::parallel_classes::ParallelClasses;
 use super::guess::sample::Sample;
-use super::optimum::{FlatOptimum, Optimum};
+use super::optimum::{FlatOptimum, Optimum, Told};
 use super::problem::Problem;
 use super::search::Searched;
 use super::search::best_pair::{PAIRS_LIMIT, best_pair};
@@ -52,7 +52,7 @@ use crate::numeric::tolerance::MODERATE_SIZES;
 use crate::tally::{Operation, Rung, Tally};
 
 /// At most this many generators are searched all at once, without a sample: as many as the descent takes.
-const WHOLE_LIMIT: usize = DESCENT_LINES;
+pub(crate) const WHOLE_LIMIT: usize = DESCENT_LINES;
 
 /// The vertex descent at the end of a search is given at most this many lines.
 const CELL_LINES_LIMIT: usize = 1200;
@@ -77,12 +77,17 @@ const STRETCH_OF_EMPTY: f64 = 8.0;
 /// The optimum of a query, and the rung that answered.
 ///
 /// A displacement that doubles round to zero is not zero unless its error is zero, too.
-pub(crate) fn climb(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> (Optimum, Rung) {
+pub(crate) fn climb(
+    query: &dyn KernelQuery,
+    goal: Goal,
+    vertex: Option<[usize; 2]>,
+    tally: &mut dyn Tally,
+) -> (Optimum, Rung) {
     let p = query.rounded_displacement();
     if p.iter().all(|c| c.value == 0.0 && c.error == 0.0) {
         return (Optimum::Centre, Rung::ZeroDisplacement);
     }
-    let problem = Problem::new(query, p, goal);
+    let problem = Problem { vertex, ..Problem::new(query, p, goal) };
     let mut climb = Climb { problem: &problem, tally, sample: None, guess: None, known: Known::default() };
     let size = p.iter().fold(0.0f64, |m, c| m.max(c.value.abs()));
     // where the generators are known to few digits, doubles have nothing to say of them
@@ -238,7 +243,7 @@ impl Climb<'_, '_> {
             && let Some(classes) = ParallelClasses::of(&sample.vectors, sample.part_of(query), chart)
         {
             return match search_meetings(self.problem, classes, self.tally) {
-                Some(ClassesFound::Separated(direction)) => Ok(Optimum::Separated(direction)),
+                Some(ClassesFound::Separated(direction)) => Ok(Optimum::Told(Told::Separated(direction))),
                 Some(ClassesFound::Searched(searched)) => self.decide(searched),
                 None => Err(Rung::CorrectedSample),
             };
@@ -248,7 +253,7 @@ impl Climb<'_, '_> {
         self.guess = guess.map(|guess| (guess, 1.0));
         Err(match (guess, self.problem.goal) {
             (None, _) => Rung::CorrectedSample,
-            (Some(_), Goal::Location) => Rung::SeparatingGuess,
+            (Some(_), Goal::Location | Goal::Proof) => Rung::SeparatingGuess,
             (Some(_), Goal::Gauge) => Rung::SampledCell,
         })
     }
@@ -264,7 +269,7 @@ impl Climb<'_, '_> {
         if is_likely {
             self.tally.add(Operation::GeneratorRead, query.len() as u64);
             if separates(query, &self.problem.p, &direction) {
-                return Ok(Optimum::Separated(direction));
+                return Ok(Optimum::Told(Told::Separated(direction)));
             }
         }
         Err(Rung::SampledCell)
@@ -320,7 +325,7 @@ impl Climb<'_, '_> {
         let query = query.as_query().ok_or(Rung::ExactVertex)?;
         let axis = spare_axis(&query, &query.exact()).ok_or(Rung::ExactVertex)?;
         let prism = Prism::without(axis, &query);
-        let (optimum, _) = climb(&prism.query(), goal, self.tally);
+        let (optimum, _) = climb(&prism.query(), goal, None, self.tally);
         Ok(Optimum::Flat(Box::new(FlatOptimum { axis, prism, optimum })))
     }
 
@@ -331,6 +336,7 @@ impl Climb<'_, '_> {
                 self.known = Known { cells, vertex: vertex.map(Vertex::Likely) };
                 return Err(Rung::FlatBody);
             }
+            Searched::Told(told) => return Ok(Optimum::Told(told)),
             Searched::Certified(optimum, cells) => (optimum, cells),
         };
         match DecidedOptimum::new(self.problem.query, optimum, cells, self.problem.goal) {

@@ -53,7 +53,17 @@ use crate::tally::Tally;
 
 /// The optimum of a query, counted under the rung that answered. Expected O(n).
 pub(crate) fn solve(query: &dyn KernelQuery, goal: Goal, tally: &mut dyn Tally) -> Optimum {
-    let (optimum, rung) = ladder::climb(query, goal, tally);
+    solve_from(query, goal, None, tally)
+}
+
+/// [`solve`], with a vertex at which a search in doubles has ended.
+pub(crate) fn solve_from(
+    query: &dyn KernelQuery,
+    goal: Goal,
+    vertex: Option<[usize; 2]>,
+    tally: &mut dyn Tally,
+) -> Optimum {
+    let (optimum, rung) = ladder::climb(query, goal, vertex, tally);
     tally.answered_by(rung);
     optimum
 }

@@ -10,14 +10,28 @@ use super::span::prism::Prism;
 pub(crate) enum Optimum {
     /// The displacement is zero.
     Centre,
-    /// A direction that separates was found before the optimum, and the location was all that was asked.
-    Separated([f64; 3]),
+    /// The location was all that was asked, and a proof of it was found before the optimum.
+    Told(Told),
     /// An optimum that is proved in doubles.
     Rounded(DecidedOptimum),
     /// An optimum that was solved for in exact arithmetic.
     Exact(Box<ExactOptimum>),
     /// The optimum of the prism over a flat body from which a coordinate was dropped.
     Flat(Box<FlatOptimum>),
+}
+
+/// A location that is proved without the optimum.
+#[derive(Debug, Clone)]
+pub(crate) enum Told {
+    /// A direction that separates.
+    Separated([f64; 3]),
+    /// Coefficients in [−1, 1] that combine to the displacement, which is inside.
+    Combined {
+        /// One for each generator.
+        coefficients: Vec<f64>,
+        /// The three generators whose coefficients make up for all rounding.
+        basis: Vec<usize>,
+    },
 }
 
 /// The optimum for a body in a plane, by way of a prism.
@@ -34,7 +48,7 @@ impl Optimum {
     pub(crate) fn gauge(&self) -> (f64, f64) {
         match self {
             Self::Centre => (0.0, 0.0),
-            Self::Separated(_) => (f64::INFINITY, f64::INFINITY),
+            Self::Told(_) => (f64::INFINITY, f64::INFINITY),
             Self::Rounded(decided) => decided.gauge(),
             Self::Exact(exact) => exact.gauge(),
             Self::Flat(flat) => flat.optimum.gauge(),
@@ -45,7 +59,7 @@ impl Optimum {
     /// an edge, perhaps those of the facet beside it. O(1).
     pub(crate) fn basis(&self) -> &[usize] {
         match self {
-            Self::Centre | Self::Separated(_) => &[],
+            Self::Centre | Self::Told(_) => &[],
             Self::Rounded(decided) => &decided.optimum.basis,
             Self::Exact(exact) => &exact.basis,
             Self::Flat(flat) => flat.basis(),
@@ -55,7 +69,7 @@ impl Optimum {
     /// Whether [`basis`](Self::basis) is that of the facet for sure, not only nearly. O(1).
     pub(crate) fn is_sharp(&self) -> bool {
         match self {
-            Self::Centre | Self::Separated(_) => false,
+            Self::Centre | Self::Told(_) => false,
             Self::Rounded(decided) => decided.optimum.is_vertex(),
             Self::Exact(_) => true,
             Self::Flat(flat) => flat.optimum.is_sharp(),
@@ -65,8 +79,8 @@ impl Optimum {
     /// Whether the displacement is in the closed body. O(1).
     pub(crate) fn is_member(&self) -> bool {
         match self {
-            Self::Centre => true,
-            Self::Separated(_) => false,
+            Self::Centre | Self::Told(Told::Combined { .. }) => true,
+            Self::Told(Told::Separated(_)) => false,
             Self::Rounded(decided) => decided.order.is_le(),
             Self::Exact(exact) => exact.along <= exact.reach,
             Self::Flat(flat) => flat.optimum.is_member(),

@@ -1,11 +1,17 @@
 //! The kernel's problem for one query: minimise h(u) = Σ |v_i · u| over the plane of directions u with u · p = 1.
 
+use super::certify::facet_of_pair::location_by_pair;
 use super::certify::gauge_interval::compare;
 use super::certify::rounded_optimum::RoundedOptimum;
 use super::goal::Goal;
+use super::optimum::Told;
 use super::plane::rounded_chart::RoundedChart;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
+
+/// Of more generators than this, a vertex is certified before a location is proved from it: for a separating direction,
+/// the proof takes a pass more than the certificate.
+const PROOF_LIMIT: usize = 1024;
 
 /// A query with what every stage needs of it: the rounded displacement and coordinates of the plane of directions.
 pub(crate) struct Problem<'q> {
@@ -14,12 +20,20 @@ pub(crate) struct Problem<'q> {
     pub(crate) p: BoundedVector,
     pub(crate) chart: RoundedChart,
     pub(crate) goal: Goal,
+    /// A vertex at which a search among all generators has ended, and from which nothing was proved.
+    pub(crate) vertex: Option<[usize; 2]>,
 }
 
 impl<'q> Problem<'q> {
     /// The problem of a query whose displacement, here in doubles, is not zero.
     pub(crate) fn new(query: &'q dyn KernelQuery, p: BoundedVector, goal: Goal) -> Self {
-        Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal }
+        Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal, vertex: None }
+    }
+
+    /// Where the displacement lies, if a proof is all that is asked, and the facet of two generators gives one.
+    pub(crate) fn location_by_pair(&self, pair: [usize; 2]) -> Option<Told> {
+        let query = Some(self.query).filter(|query| self.goal == Goal::Proof && query.len() <= PROOF_LIMIT)?;
+        location_by_pair(&query.as_query()?, &self.p, pair)
     }
 
     /// Whether an optimum that doubles prove answers what the caller wants to know.

@@ -28,7 +28,7 @@ use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::ladder;
-use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
+use crate::lad::of_generators::optimum::{FlatOptimum, Optimum, Told};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};
@@ -37,13 +37,24 @@ use crate::tally::{Rung, Tally};
 pub(in crate::collision) fn location(query: &dyn KernelQuery, optimum: &Optimum, tally: &mut dyn Tally) -> Location<3> {
     match optimum {
         Optimum::Centre => of_center(query),
-        Optimum::Separated(direction) => {
-            tally.answered_by(Rung::RoundedDirection);
-            Location::Outside(Separation::Rounded(*direction))
-        }
+        Optimum::Told(told) => of_told(told.clone(), tally),
         Optimum::Rounded(decided) => of_decided(query, decided, tally),
         Optimum::Exact(exact) => of_exact(query, exact, &query.exact(), tally),
         Optimum::Flat(flat) => of_flat(flat, tally),
+    }
+}
+
+/// The location that was proved without an optimum.
+pub(crate) fn of_told(told: Told, tally: &mut dyn Tally) -> Location<3> {
+    match told {
+        Told::Separated(direction) => {
+            tally.answered_by(Rung::RoundedDirection);
+            Location::Outside(Separation::Rounded(direction))
+        }
+        Told::Combined { coefficients, basis } => {
+            tally.answered_by(Rung::RoundedCoefficients);
+            Location::Inside(Witness { coefficients, basis })
+        }
     }
 }
 

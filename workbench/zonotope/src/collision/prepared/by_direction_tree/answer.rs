@@ -157,7 +157,7 @@ impl Located<'_> {
 pub(super) fn is_strict(optimum: &Optimum) -> Option<bool> {
     match optimum {
         Optimum::Centre => Some(true),
-        Optimum::Separated(_) => None,
+        Optimum::Told(_) => None,
         Optimum::Rounded(decided) => (decided.order == Ordering::Less).then_some(true),
         Optimum::Exact(exact) => match exact.along.cmp(&exact.reach) {
             Ordering::Less => Some(true),

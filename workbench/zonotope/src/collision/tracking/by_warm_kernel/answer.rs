@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::collision::by_lad::{locate_posed, proof};
 use crate::collision::{Location, Separation, Status};
 use crate::lad::of_generators::generators::Posed;
-use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::optimum::{Optimum, Told};
 use crate::zonotope::posed_query::PosedQuery;
 
 /// How two bodies meet in a frame.
@@ -74,7 +74,7 @@ impl Found {
     /// What an optimum says; one that doubles do not prove is written out, since its status takes the proof.
     pub(super) fn of_optimum(query: &PosedQuery<'_>, optimum: Optimum) -> Self {
         match optimum {
-            Optimum::Separated(direction) => Self::Separated(direction),
+            Optimum::Told(Told::Separated(direction)) => Self::Separated(direction),
             Optimum::Rounded(decided) if decided.order != Ordering::Equal => Self::Rounded(Optimum::Rounded(decided)),
             other => Self::Located(proof::location(&Posed::new(query), &other, &mut ())),
         }

@@ -89,7 +89,7 @@ use crate::collision::by_lad::early::{self, Clear};
 use crate::lad::of_generators::cells::direction_cone::DirectionCone;
 use crate::lad::of_generators::generators::{Generators, KernelQuery, Posed};
 use crate::lad::of_generators::goal::Goal;
-use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::optimum::{Optimum, Told};
 use crate::lad::of_generators::solve;
 use crate::numeric::bounded;
 use crate::numeric::exact_linear::rounded_direction;
@@ -210,7 +210,7 @@ impl<'b> WarmTracker<'b> {
         } else {
             let optimum = solve(&warm, Goal::Location, tally);
             self.learn(&warm, &optimum);
-            if matches!(optimum, Optimum::Separated(_)) {
+            if matches!(optimum, Optimum::Told(_)) {
                 // the cell was missed by far
                 self.prediction = None;
             }
@@ -256,7 +256,7 @@ impl<'b> WarmTracker<'b> {
         tally: &mut dyn Tally,
     ) -> Option<Kept> {
         match optimum {
-            Optimum::Separated(direction) => Some(Self::separating(query, posed, *direction, tally)),
+            Optimum::Told(Told::Separated(direction)) => Some(Self::separating(query, posed, *direction, tally)),
             _ => Kept::of_optimum(query, optimum, &self.extents),
         }
     }
@@ -282,7 +282,7 @@ fn vertex_of(optimum: &Optimum) -> Option<([f64; 3], Option<[usize; 2]>)> {
     match optimum {
         Optimum::Rounded(decided) => Some((decided.optimum.direction.map(|c| c.value), Some(decided.optimum.basis))),
         Optimum::Exact(exact) => Some((rounded_direction(&exact.direction), exact.basis[..].try_into().ok())),
-        Optimum::Centre | Optimum::Separated(_) | Optimum::Flat(_) => None,
+        Optimum::Centre | Optimum::Told(_) | Optimum::Flat(_) => None,
     }
 }
 

@@ -28,25 +28,28 @@ pub(crate) fn best_pair(problem: &Problem<'_>, tally: &mut dyn Tally) -> Option<
     if reduced.vectors.len() < 2 {
         return None;
     }
-    let p = [problem.p[0].value, problem.p[1].value, problem.p[2].value];
-    let Found { pair, octets } = steepest(&reduced.vectors, &p);
-    // each eight of pairs is tried with all generators
-    tally.add(Operation::GeneratorRead, reduced.vectors.len() as u64 * octets as u64);
+    let pair = problem.vertex.unwrap_or_else(|| {
+        let p = [problem.p[0].value, problem.p[1].value, problem.p[2].value];
+        let Found { pair, octets } = steepest(&reduced.vectors, &p);
+        // each eight of pairs is tried with all generators
+        tally.add(Operation::GeneratorRead, reduced.vectors.len() as u64 * octets as u64);
+        pair
+    });
     let optimum = RoundedOptimum::at(&[reduced], &problem.p, pair).ok()?;
     let is_answer = optimum.is_vertex() || problem.is_answered_by(&optimum);
     is_answer.then(|| Searched::Certified(optimum, NestedCells::default()))
 }
 
 /// The best pair that was found.
-struct Found {
-    pair: [usize; 2],
+pub(crate) struct Found {
+    pub(crate) pair: [usize; 2],
     /// How many eights of pairs were tried.
-    octets: usize,
+    pub(crate) octets: usize,
 }
 
 /// The pair at whose normal |u · p| / h(u) is largest, as far as doubles tell; a generator with itself where no pair
 /// has a normal, which no certificate accepts.
-fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> Found {
+pub(crate) fn steepest(vectors: &[[f64; 3]], p: &[f64; 3]) -> Found {
     let mut columns = [[0.0; PAIRS_LIMIT]; 3];
     for (place, v) in vectors.iter().cycle().take(PAIRS_LIMIT).enumerate() {
         for (column, c) in columns.iter_mut().zip(v) {

@@ -38,7 +38,7 @@ pub(crate) fn search_meetings(
     let mut is_whole = false;
     for round in 0..MEETINGS {
         let meeting = classes.meeting(chart)?;
-        if problem.goal == Goal::Location && round == 0 {
+        if problem.goal != Goal::Gauge && round == 0 {
             tally.add(Operation::GeneratorRead, query.len() as u64);
             let direction = chart.point(meeting.guess.point);
             if separates(query, &problem.p, &direction) {

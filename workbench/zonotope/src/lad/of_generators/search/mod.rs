@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`narrowing`] | most bodies: smaller and smaller cells around a guess, then descent among a few hundred lines |
 //! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
+//! | [`likely_vertex`] | a few hundred generators: the pair or the end of the descent, for proofs without a certificate |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
 //! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over all |
 //! | [`certified_descent`] | the end of the last three: descent from vertex to vertex until one is certified |
@@ -12,15 +13,19 @@ pub(crate) mod best_pair;
 pub(crate) mod certified_descent;
 pub(crate) mod class_meetings;
 pub(crate) mod corrected_sample;
+pub(crate) mod likely_vertex;
 pub(crate) mod narrowing;
 
 use super::cells::nested::NestedCells;
 use super::certify::rounded_optimum::RoundedOptimum;
+use super::optimum::Told;
 use crate::numeric::reused::ReusedBox;
 
 /// What a search in doubles leaves.
 #[derive(Debug)]
 pub(crate) enum Searched {
+    /// A proof of the location that does without the optimum.
+    Told(Told),
     /// A vertex that is the optimum or so near to it that the gauge is bounded, and the cells on the way to it.
     Certified(ReusedBox<RoundedOptimum>, NestedCells),
     /// Cells that probably hold the optimum, of which doubles cannot say more; no cells where the search has made no

@@ -14,7 +14,10 @@ use super::certified_descent::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
+use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::guess::aim::{Aim, Guess};
+use crate::lad::of_generators::guess::vertex_descent::descend;
+use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
 use crate::lad::of_generators::problem::Problem;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
@@ -85,10 +88,22 @@ pub(crate) fn narrow(
         levels.push(smaller);
     }
     let last = levels.last().expect("there is always the first");
-    let mut point = lines.approach(last.linear(chart), guess.as_ref());
+    let mut point = match problem.vertex {
+        Some(vertex) => met(&lines, vertex).unwrap_or_default(),
+        None => lines.approach(last.linear(chart), guess.as_ref()),
+    };
     let mut is_found = false;
     if lines.len() > most_lines {
         return Err(lost);
+    }
+    if problem.goal == Goal::Proof
+        && problem.vertex.is_none()
+        && let Some(vertex) = descend(&lines, last.linear(chart), point)
+    {
+        if let Some(told) = problem.location_by_pair(last.indices_of(vertex)) {
+            return Ok(Searched::Told(told));
+        }
+        point = met(&lines, vertex).unwrap_or(point);
     }
     loop {
         let level = levels.last().expect("the first problem is never taken away");
@@ -117,4 +132,9 @@ pub(crate) fn narrow(
         levels.pop();
         levels[levels.len() - 1].write_lines(chart, &mut lines);
     }
+}
+
+/// The point in which two lines meet, if doubles have one.
+fn met(lines: &RoundedLines, [first, second]: [usize; 2]) -> Option<[f64; 2]> {
+    Some(lines.meet(first, second)).filter(|point| point.iter().all(|c| c.is_finite()))
 }
