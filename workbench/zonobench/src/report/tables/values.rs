@@ -7,7 +7,7 @@ use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow}
 
 use super::totals::total_table;
 use super::variant::variant_title;
-use crate::report::html::{Escaped, grouped, table};
+use crate::report::html::{Escaped, grouped, prose, table};
 
 /// The values put together as the experiment says. Empty without values.
 pub(in crate::report) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
@@ -98,13 +98,13 @@ fn middle(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.get(numbers.len() / 2).copied()
 }
 
-/// Whole numbers as they are, others in a few digits.
-fn significant(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        format!("{value}")
+/// Whole numbers in groups of digits, others in a few digits.
+pub(super) fn significant(value: f64) -> String {
+    if value.fract() == 0.0 && (0.0..1e15).contains(&value) {
+        grouped(value as u64)
     } else if (1e-3..1e6).contains(&value.abs()) {
         format!("{value:.5}")
     } else {
-        format!("{value:.3e}")
+        prose(&format!("{value:.3e}"))
     }
 }
