@@ -134,10 +134,14 @@ pub(super) fn page(title: &str, body: &str) -> String {
     )
 }
 
+/// The most columns of a table whose rows are lines on a wide page.
+const MOST_COLUMNS: usize = 14;
+
 /// A table with a header row; cells are markup already. Each has the name of its column, which is shown where the page
-/// is so narrow that rows take several lines.
+/// is so narrow, or the columns are so many, that rows take several lines.
 pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> String {
-    let mut text = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">\n<thead><tr>");
+    let many = if header.len() > MOST_COLUMNS { " many" } else { "" };
+    let mut text = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}{many}\">\n<thead><tr>");
     for cell in header {
         text.push_str(&format!("<th scope=\"col\">{cell}</th>"));
     }
@@ -145,7 +149,8 @@ pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> Strin
     for row in rows {
         text.push_str("<tr>");
         for (name, cell) in header.iter().zip(row) {
-            text.push_str(&format!("<td><span class=\"name\">{name}</span>{cell}</td>"));
+            let none = if cell == "–" { " class=\"none\"" } else { "" };
+            text.push_str(&format!("<td{none}><span class=\"name\">{name}</span>{cell}</td>"));
         }
         text.push_str("</tr>\n");
     }
