@@ -14,6 +14,7 @@
 //! | [`prepared`] | a body prepared for many questions |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
+//! | `total_length` | the sum of the half-lengths, rounded up |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
 
 mod cleanup;
@@ -31,6 +32,7 @@ pub mod posed_query;
 pub mod prepared;
 pub mod query;
 pub(crate) mod ray_exit;
+pub(crate) mod total_length;
 pub mod zonogon;
 
 pub use combinatorics::{Combinatorics, combinatorics};

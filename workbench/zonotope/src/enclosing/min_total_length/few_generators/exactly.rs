@@ -12,10 +12,10 @@
 
 use super::along::{Along, unit};
 use crate::enclosing::fixed_directions::{FixedDirections, contained};
-use crate::enclosing::min_total_length::contain::length_above;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
+use crate::zonotope::total_length::length_above;
 
 /// Generators are made longer than the linear program has them by the share 16^k · 2^−52, with the least k from 1 to
 /// this one that is enough; thin bodies need more than others.
