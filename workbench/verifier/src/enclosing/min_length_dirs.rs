@@ -136,7 +136,8 @@ pub fn check_min_length_dirs_bounds(question: &Directed, answer: &DirectedAnswer
     checked_bounds(question, answer).map(|bounds| bounds.unwrap_or((f64::INFINITY, 0.0))).into()
 }
 
-/// The value, which agrees with the exact one, and the exact gap, rounded; `None` for a proof that there is no zonotope.
+/// The value, which agrees with the exact one, and the exact gap, rounded; `None` for a proof that there is no
+/// zonotope.
 fn checked_bounds(question: &Directed, answer: &DirectedAnswer) -> Result<Option<(f64, f64)>, String> {
     let dimension = question.points.first().ok_or("there is no point to enclose")?.len();
     let is_even = |v: &Vec<f64>| v.len() == dimension;

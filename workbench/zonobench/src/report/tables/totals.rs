@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use experiments::definition::Experiment;
 use experiments::record::{CountOutcome, CountRow};
 
-use super::values::significant;
+use super::number::significant;
 use super::variant::variant_title;
 use crate::report::html::{Escaped, grouped, table};
 

@@ -5,9 +5,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use experiments::definition::{Experiment, Tabulated};
 use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow};
 
+use super::number::significant;
 use super::totals::total_table;
 use super::variant::variant_title;
-use crate::report::html::{Escaped, grouped, prose, table};
+use crate::report::html::{Escaped, grouped, table};
 
 /// The values put together as the experiment says. Empty without values.
 pub(in crate::report) fn value_table(experiment: &Experiment, rows: &[CountRow]) -> String {
@@ -96,15 +97,4 @@ fn values(row: &CountRow) -> &BTreeMap<String, f64> {
 fn middle(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);
     numbers.get(numbers.len() / 2).copied()
-}
-
-/// Whole numbers in groups of digits, others in a few digits.
-pub(super) fn significant(value: f64) -> String {
-    if value.fract() == 0.0 && (0.0..1e15).contains(&value) {
-        grouped(value as u64)
-    } else if (1e-3..1e6).contains(&value.abs()) {
-        format!("{value:.5}")
-    } else {
-        prose(&format!("{value:.3e}"))
-    }
 }
