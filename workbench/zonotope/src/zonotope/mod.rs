@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! |---|---|
-//! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex |
+//! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex; total length |
 //! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
@@ -14,7 +14,6 @@
 //! | [`prepared`] | a body prepared for many questions |
 //! | [`query`] | a displacement and the generators that it is compared with: what membership, intersection and gauge ask |
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
-//! | `total_length` | the sum of the half-lengths, rounded up |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
 
 mod cleanup;
@@ -32,7 +31,6 @@ pub mod posed_query;
 pub mod prepared;
 pub mod query;
 pub(crate) mod ray_exit;
-pub(crate) mod total_length;
 pub mod zonogon;
 
 pub use combinatorics::{Combinatorics, combinatorics};

@@ -10,7 +10,6 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::outward::{at_least, axis_generators};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
-use crate::zonotope::total_length::length_above;
 
 mod coefficients;
 
@@ -90,7 +89,7 @@ pub(super) fn around<const D: usize>(
         }
     }
     generators.extend(axis_generators(lost.each_ref().map(at_least)));
-    let length = length_above(&generators);
     let zonotope = Zonotope::new(outer, generators).ok()?;
+    let length = zonotope.total_length();
     length.is_finite().then_some((zonotope, length))
 }
