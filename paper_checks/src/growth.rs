@@ -1,7 +1,7 @@
 //! Evidence on how operation counts grow.
 
 use crate::claim::{CheckContext, Claim, Measurement, Verdict};
-use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
+use experiments::fit::{GrowthModel, ModelVerdict, fit_growth, in_decimals};
 use zonotope::tally::{Operation, OperationCounts};
 
 /// A sample (n, operations of all kinds).
@@ -20,10 +20,8 @@ pub(crate) fn evidence_on(quantity: &str, samples: &[(f64, f64)], model: GrowthM
     let growth = fit_growth(samples, &[model]).map_err(|error| error.to_string())?;
     let fit = growth.model(model).ok_or("the model was not fitted")?;
     let excess = fit.excess_exponent;
-    let sentence = format!(
-        "{quantity}, over {model}, grow with exponent {:.2} in [{:.2}, {:.2}]",
-        excess.value, excess.low, excess.high
-    );
+    let [value, low, high] = [excess.value, excess.low, excess.high].map(|number| in_decimals(number, 2));
+    let sentence = format!("{quantity}, over {model}, grow with exponent {value} in [{low}, {high}]");
     if fit.verdict == ModelVerdict::Above { Err(sentence) } else { Ok(sentence) }
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The pages of a finished `reproduce`, as a browser lays them out: how long the report is, how small its texts are,
-# whether they stay in their column, and whether its links lead somewhere. The limits are those of the table below.
+# whether they stay in their column, whether its tables are wider than it, and whether its links lead somewhere. The limits are those of the table below.
 #
 #     bash tests/browser/check.sh out/reproduce
 #
@@ -52,6 +52,8 @@ while read -r page width height size; do
   [ "$(value sideways)" -le "$width" ] || fault "$page at $width: scrolls sideways, to $(value sideways)"
   value beyond | sort -u >"$work/beyond"
   while read -r words; do fault "$page at $width: beyond its column: $words"; done <"$work/beyond"
+  value wide | sort -u >"$work/wide"
+  while read -r columns; do fault "$page at $width: a table is wider than the page: $columns"; done <"$work/wide"
   value broken >"$work/broken"
   while read -r link; do fault "$page: no anchor $link"; done <"$work/broken"
   value file >"$work/files"

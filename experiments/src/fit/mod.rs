@@ -214,6 +214,15 @@ fn verdict(excess: Estimate) -> ModelVerdict {
     }
 }
 
+/// A number with so many decimals; one that rounds to zero has no sign.
+pub fn in_decimals(number: f64, decimals: usize) -> String {
+    let text = format!("{number:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(zero) if zero.bytes().all(|letter| matches!(letter, b'0' | b'.')) => zero.to_owned(),
+        _ => text,
+    }
+}
+
 /// `m` ln(RSS / m) + 2k + 2k(k + 1) / (m - k - 1); the last term is left out where its denominator is not positive.
 fn aicc(samples: usize, residual_squares: f64, parameters: usize) -> f64 {
     let (m, k) = (samples as f64, parameters as f64);

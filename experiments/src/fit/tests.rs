@@ -100,3 +100,11 @@ fn unusable_samples_are_refused() {
     let zero = [(4.0, 1.0), (8.0, 0.0), (16.0, 2.0), (32.0, 3.0)];
     assert_eq!(fit_growth(&zero, &[]), Err(FitError::OutOfRange { index: 1, n: 8.0, y: 0.0 }));
 }
+
+#[test]
+fn what_rounds_to_zero_has_no_sign() {
+    assert_eq!(in_decimals(-0.004, 2), "0.00");
+    assert_eq!(in_decimals(-0.0, 0), "0");
+    assert_eq!(in_decimals(-0.006, 2), "-0.01");
+    assert_eq!(in_decimals(1.25, 1), "1.2");
+}

@@ -6,7 +6,7 @@ use crate::style::SERIES;
 use experiments::analysis;
 use experiments::definition::Quantity;
 use experiments::definitions::few_generators::{EXPERIMENT, MESHES, most_generators};
-use experiments::fit::{Growth, fit_growth};
+use experiments::fit::{Growth, fit_growth, in_decimals};
 
 /// The ratios.
 pub const FIGURE: Figure = Figure {
@@ -70,7 +70,7 @@ fn add_fit(curve: &mut Curve, growth: &Growth) {
     let exponent = growth.exponent;
     let at = |most: f64| [most, growth.constant * libm::pow(most, exponent.value)];
     curve.fit = vec![at(growth.smallest), at(growth.largest)];
-    let numbers = [exponent.value, exponent.low, exponent.high].map(|number| format!("{number:.2}").replace('-', "−"));
+    let numbers = [exponent.value, exponent.low, exponent.high].map(|number| in_decimals(number, 2).replace('-', "−"));
     curve.notes.push(format!("exponent {} ({} to {})", numbers[0], numbers[1], numbers[2]));
     curve.notes.push(format!("K = {} to {}", growth.smallest, growth.largest));
 }

@@ -30,6 +30,16 @@ impl Place {
     pub(super) fn element(&self, index: usize) -> Self {
         self.then(Step::Element(index))
     }
+
+    /// Whether this is the place of a field with one of the names, in the object that the fields `within` lead to.
+    pub(super) fn is_field_of(&self, within: &[&str], names: &[&str]) -> bool {
+        let is_named =
+            |step: &Step, names: &[&str]| matches!(step, Step::Field(name) if names.contains(&name.as_str()));
+        let Some((last, above)) = self.0.split_last() else { return false };
+        let leads_there =
+            above.len() == within.len() && above.iter().zip(within).all(|(step, &name)| is_named(step, &[name]));
+        leads_there && is_named(last, names)
+    }
 }
 
 impl fmt::Display for Place {

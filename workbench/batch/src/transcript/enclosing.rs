@@ -88,7 +88,11 @@ pub(super) fn min_length_all(input: Traced<'_>, result: Traced<'_>) -> Result<Ve
         forces: forces(member(result, "certificate")?, |tree| vector(tree, "vector").ok())?,
     };
     let epsilon = float(input, "epsilon")?;
-    let is_volume = input.field("objective").is_some_and(|objective| objective.text() == Some("volume"));
+    let is_volume = match input.field("objective").map(Traced::text) {
+        None | Some(Some("length")) => false,
+        Some(Some("volume")) => true,
+        Some(_) => return Ok(Verdict::Unchecked("the question's `objective` is neither length nor volume".to_owned())),
+    };
     let is_counted = input.field("max_generators").is_some();
     // Who bounds the number of generators, or wants a small volume, gets the ratio that is found, whatever it is.
     if !is_volume && !is_counted {

@@ -8,6 +8,8 @@ mod solids;
 mod traced;
 
 use crate::json::{self, MAX_VALUES, Tree};
+use crate::kinds::{KINDS, Kind};
+use crate::place::Place;
 use crate::refusal::Code;
 use reading::member;
 use traced::{Reads, Traced};
@@ -61,19 +63,39 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     let [question, answer] = [question, answer].map(|tree| Traced::new(tree, &reads));
     let verdict = by_kind(question, answer)?;
     let Verdict::Right(proved) = &verdict else { return Ok(verdict) };
-    let unread = answer.unread(&NOT_CLAIMED);
-    Ok(match unread.as_slice() {
-        [] => verdict,
-        [field] => Verdict::Unchecked(format!("the field `{field}` is not checked; the rest: {proved}")),
+    let unknown = question.unread().into_iter().filter(|place| !is_known_in_question(place, question));
+    let unclaimed = answer.unread().into_iter().filter(|place| !place.is_field_of(&[], &NOT_CLAIMED));
+    let unread: Vec<Place> = unknown.chain(unclaimed).collect();
+    Ok(unchecked_beside(&unread, proved).map_or(verdict, Verdict::Unchecked))
+}
+
+/// What is said where a check has proved something but has not read some fields; nothing if it has read all.
+fn unchecked_beside(unread: &[Place], proved: &str) -> Option<String> {
+    match unread {
+        [] => None,
+        [field] => Some(format!("the field `{field}` is not checked; the rest: {proved}")),
         [first, others @ ..] => {
             let count = others.len();
-            Verdict::Unchecked(format!("the field `{first}` and {count} more are not checked; the rest: {proved}"))
+            Some(format!("the field `{first}` and {count} more are not checked; the rest: {proved}"))
         }
-    })
+    }
 }
 
 /// The fields of an answer that claim nothing about the result: what answers what, and how it came about.
 const NOT_CLAIMED: [&str; 4] = ["id", "kind", "method", "request"];
+
+/// The fields of a question beside its input.
+const ENVELOPE: [&str; 3] = ["id", "kind", "method"];
+
+/// Whether a field of a question that no check reads is one that such a question may have: what is asked for is right
+/// whatever it says.
+fn is_known_in_question(place: &Place, question: Traced<'_>) -> bool {
+    let name = question.field("kind").and_then(Traced::text);
+    let kind = KINDS.iter().find(|kind| Some(kind.name) == name);
+    let is_of_kind =
+        |kind: &Kind| [kind.fields, kind.optional].iter().any(|names| place.is_field_of(&["input"], names));
+    place.is_field_of(&[], &ENVELOPE) || kind.is_some_and(is_of_kind)
+}
 
 fn by_kind(question: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> {
     let input = member(question, "input")?;

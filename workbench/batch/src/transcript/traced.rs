@@ -1,5 +1,5 @@
 //! The values of a question and an answer, which note the fields that a check reads: a claim of the answer that no
-//! check has read is not proved, whatever the others are.
+//! check has read is not proved, whatever the others are, and neither is what a question asks beyond them.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -47,14 +47,10 @@ impl<'a> Traced<'a> {
         self.tree.text()
     }
 
-    /// The places of the fields below this object that were not read, but for those of the object itself with the
-    /// given names.
-    pub(super) fn unread(self, expected: &[&str]) -> Vec<Place> {
+    /// The places of the fields below this object that were not read.
+    pub(super) fn unread(self) -> Vec<Place> {
         let mut unread = Vec::new();
         self.search(&Place::default(), &mut unread);
-        let is_expected =
-            |place: &Place| matches!(&place.0[..], [Step::Field(name)] if expected.contains(&name.as_str()));
-        unread.retain(|place| !is_expected(place));
         unread
     }
 
@@ -72,10 +68,15 @@ impl<'a> Traced<'a> {
                 }
             }
             Tree::List(elements) => {
-                let nested = (0..).zip(elements).filter(|(_, value)| matches!(value, Tree::Object(_) | Tree::List(_)));
+                let nested = (0..).zip(elements).filter(|(_, value)| holds_fields(value));
                 nested.for_each(|(at, value)| deeper(value).search(&place.then(Step::Element(at)), unread));
             }
             Tree::Null | Tree::Bool(_) | Tree::Number(_) | Tree::Text(_) => {}
         }
     }
+}
+
+/// Whether there is an object in a value; rows of numbers, of which there may be millions, hold none.
+fn holds_fields(value: &Tree) -> bool {
+    matches!(value, Tree::Object(_)) || value.list().is_some_and(|elements| elements.iter().any(holds_fields))
 }

@@ -85,3 +85,46 @@ fn fields_of_the_elements_of_a_list_are_claims_as_well() {
     let Verdict::Unchecked(reason) = verdict(question, &claimed) else { panic!("an invented weight is right") };
     assert!(reason.starts_with("the field `result, certificate, force"), "{reason}");
 }
+
+#[test]
+fn what_a_question_asks_beyond_its_kind_is_not_called_answered() {
+    let answer = r#"{"id":"t","kind":"min_area","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]],
+        "lower_bound":4,"certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
+    let reason = |question: &str, answer: &str| match verdict(question, answer) {
+        Verdict::Unchecked(reason) => reason.split("; the rest: ").next().unwrap_or_default().to_owned(),
+        other => panic!("{other:?}"),
+    };
+    assert!(matches!(verdict(QUESTION, answer), Verdict::Right(_)));
+    let weighed = QUESTION.replace("\"points\"", "\"weights\":[1,2,3],\"points\"");
+    assert_eq!(reason(&weighed, answer), "the field `input, weights` is not checked");
+    assert!(matches!(verdict(&weighed, &answer.replace("\"area\":4", "\"area\":5")), Verdict::Wrong(_)));
+    let hurried = QUESTION.replace("\"kind\"", "\"seconds\":1,\"kind\"");
+    assert_eq!(reason(&hurried, answer), "the field `seconds` is not checked");
+    let both = answer.replace("\"area\"", "\"gap\":0,\"area\"");
+    assert_eq!(reason(&weighed, &both), "the field `input, weights` and 1 more are not checked");
+    let by_method = QUESTION.replace("\"kind\"", "\"method\":\"m\",\"kind\"");
+    assert!(matches!(verdict(&by_method, answer), Verdict::Right(_)));
+
+    let apart = r#"{"id":"t","kind":"intersect","result":{"intersects":false,"status":"outside","certificate":
+        {"separating_direction":[1,0]}}}"#;
+    let bodies = r#"{"id":"t","kind":"intersect","input":{"a":{"center":[0,0],"generators":[[1,0],[0,1]]},
+        "b":{"center":[5,0],"generators":[[1,0]]}}}"#;
+    let moved = bodies.replace("[[1,0]]", "[[1,0]],\"velocity\":[1,0]");
+    assert!(matches!(verdict(bodies, apart), Verdict::Right(_)), "{:?}", verdict(bodies, apart));
+    assert_eq!(reason(&moved, apart), "the field `input, b, velocity` is not checked");
+}
+
+/// A rule says how few generators are looked for, and a reduction by another one would be as right.
+#[test]
+fn what_a_question_may_have_need_not_be_read() {
+    let question = r#"{"id":"t","kind":"reduce","input":{"center":[0,0,0],"generators":[[1,0,0],[0,1,0],[0,0,1]],
+        "count":3,"rule":"pca"}}"#;
+    let answer = batch::answer(question);
+    assert!(matches!(verify(question, &answer), Verdict::Right(_)), "{answer}: {:?}", verify(question, &answer));
+    let volume = r#"{"id":"t","kind":"min_length_all","input":{"points":[[0,0],[2,0]],"epsilon":0.1,
+        "objective":"weight"}}"#;
+    let answer = batch::answer(&volume.replace("weight", "length"));
+    assert!(matches!(verify(&volume.replace("weight", "length"), &answer), Verdict::Right(_)));
+    let expected = "the question's `objective` is neither length nor volume";
+    assert_eq!(verify(volume, &answer), Verdict::Unchecked(expected.to_owned()));
+}

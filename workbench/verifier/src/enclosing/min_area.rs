@@ -65,7 +65,7 @@ pub struct Certificate {
 /// What was proved of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MinAreaProof {
-    /// The exact area of the zonogon, rounded.
+    /// The answer's area, which agrees with the exact one.
     pub area: f64,
     /// The largest lower bound that the certificate proves, rounded.
     pub proven_bound: f64,
@@ -149,7 +149,7 @@ fn proved(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, S
         ));
     }
     Ok(MinAreaProof {
-        area: area.nearest(),
+        area: answer.area,
         proven_bound: bound.nearest(),
         gap: area.minus(&bound).over(&area).map_or(0.0, |gap| gap.nearest()),
         points: points.len(),

@@ -44,11 +44,11 @@ pub struct MinLengthAnswer {
 pub struct MinLengthProof {
     /// How many points there are.
     pub points: usize,
-    /// The exact length, rounded.
+    /// The answer's total length, which agrees with the exact one.
     pub length: f64,
     /// The largest lower bound that the forces prove, rounded.
     pub proven_bound: f64,
-    /// The length over that bound, rounded; 1 when both are 0.
+    /// The answer's ratio, which agrees with that of its length and its lower bound.
     pub ratio: f64,
     /// Whether the length is at most 1 + ε times the lower bound.
     pub is_within: bool,
@@ -160,9 +160,8 @@ fn proved(
             );
         }
     }
-    let ratio = length.over(&bound).map_or(1.0, |ratio| ratio.nearest());
-    let [length, proven_bound] = [length, bound].map(|exact| exact.nearest());
-    Ok(MinLengthProof { points: points.len(), length, proven_bound, ratio, is_within })
+    let (length, ratio) = (answer.length, answer.ratio);
+    Ok(MinLengthProof { points: points.len(), length, proven_bound: bound.nearest(), ratio, is_within })
 }
 
 fn check_ratio(answer: &MinLengthAnswer) -> Result<(), String> {

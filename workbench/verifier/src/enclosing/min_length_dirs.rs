@@ -68,7 +68,7 @@ pub enum DirectedProof {
     Optimal {
         /// How many points the zonotope contains.
         points: usize,
-        /// The exact value, rounded.
+        /// The answer's value, which agrees with the exact one.
         value: f64,
         /// The exact gap, rounded; 0 when both are 0.
         gap: f64,
@@ -136,7 +136,8 @@ pub fn check_min_length_dirs_bounds(question: &Directed, answer: &DirectedAnswer
     checked_bounds(question, answer).map(|bounds| bounds.unwrap_or((f64::INFINITY, 0.0))).into()
 }
 
-/// The exact value and its gap, rounded; `None` for a proof that there is no zonotope.
+/// The value, which agrees with the exact one, and the exact gap, rounded; `None` for a proof that there is no
+/// zonotope.
 fn checked_bounds(question: &Directed, answer: &DirectedAnswer) -> Result<Option<(f64, f64)>, String> {
     let dimension = question.points.first().ok_or("there is no point to enclose")?.len();
     let is_even = |v: &Vec<f64>| v.len() == dimension;
@@ -174,7 +175,7 @@ fn checked_bounds(question: &Directed, answer: &DirectedAnswer) -> Result<Option
             let bound = proven_bound(question, forces)?;
             check_bound(*lower_bound, &bound)?;
             let gap = cost.minus(&bound).over(&cost).map_or(0.0, |gap| gap.nearest());
-            Ok(Some((cost.nearest(), gap)))
+            Ok(Some((*value, gap)))
         }
     }
 }

@@ -107,9 +107,25 @@ pub enum Problem {
     /// Points of the plane are wanted, but the columns are those of points of space.
     #[error("has the columns x, y and z, so its points are in space; choose two columns with --columns")]
     ThirdCoordinate,
-    /// The first line may be a header or data: the chosen cells are numbers, another one is text above a number.
-    #[error("may be a header or data; --skip 1 leaves the line out, --skip 0 reads it as data")]
-    HeaderOrData,
+    /// A text stands beside numbers and above one, in a column that is read.
+    #[error("'{text}' is not a number, but below it is one; if this line is a header, --skip {skip} leaves it out")]
+    TextAboveNumber {
+        /// The text.
+        text: String,
+        /// The lines to skip: this one and those above it.
+        skip: u64,
+    },
+    /// The first row may be a header or data: the chosen cells are numbers, another one is text above a number.
+    #[error(
+        "'{text}' stands beside numbers and above one; if this line is a header, --skip {skip} leaves it out, and \
+         --skip {} reads it as data", skip - 1
+    )]
+    HeaderOrData {
+        /// The text.
+        text: String,
+        /// The lines to skip: this one and those above it.
+        skip: u64,
+    },
     /// A numbered column does not exist.
     #[error("there is no column {number}; the row has {cells} cells")]
     NoColumnNumber {
@@ -200,6 +216,8 @@ impl Problem {
             Self::TextAmongNumbers { text, cells, wanted } => {
                 Self::TextAmongNumbers { text: tidy(text), cells, wanted }
             }
+            Self::TextAboveNumber { text, skip } => Self::TextAboveNumber { text: tidy(text), skip },
+            Self::HeaderOrData { text, skip } => Self::HeaderOrData { text: tidy(text), skip },
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
             Self::Mesh { format, complaint } => {

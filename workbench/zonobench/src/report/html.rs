@@ -24,7 +24,7 @@ impl fmt::Display for Escaped<'_> {
     }
 }
 
-/// Text with a little mathematics as markup: `` `code` ``, n^2 and k^(d-1), P_t and P_{t+1}.
+/// Text with a little mathematics as markup: `` `code` ``, n^2 and k^(d-1), P_t and P_{t+1}, 2.5e-3.
 pub(super) fn prose(text: &str) -> String {
     text.split('`')
         .enumerate()
@@ -43,7 +43,7 @@ fn formulas(text: &str) -> String {
         let mut letters = before.trim_end_matches('\'').chars().rev();
         let lone =
             letters.next().is_some_and(char::is_alphabetic) && !letters.next().is_some_and(char::is_alphanumeric);
-        markup.push_str(&Escaped(before).to_string());
+        markup.push_str(&with_powers_of_ten(before));
         match script(after).filter(|_| mark == "^" || lone) {
             Some(length) => {
                 let tag = if mark == "^" { "sup" } else { "sub" };
@@ -58,7 +58,36 @@ fn formulas(text: &str) -> String {
             }
         }
     }
-    markup + &Escaped(rest).to_string()
+    markup + &with_powers_of_ten(rest)
+}
+
+/// Sets 1e-9 and 2.5e-3 with powers of ten; the rest is escaped.
+fn with_powers_of_ten(text: &str) -> String {
+    let is_of_number = |c: char| c.is_alphanumeric() || matches!(c, '.' | '-' | '−' | '+');
+    let mut markup = String::new();
+    for piece in text.split_inclusive(|c| !is_of_number(c)) {
+        let word = piece.trim_end_matches(|c| !is_of_number(c) || c == '.');
+        match power_of_ten(word) {
+            Some(power) => markup.push_str(&format!("{power}{}", Escaped(&piece[word.len()..]))),
+            None => markup.push_str(&Escaped(piece).to_string()),
+        }
+    }
+    markup
+}
+
+/// The markup of a number like 2.5e-3, if the word is one.
+fn power_of_ten(word: &str) -> Option<String> {
+    let (factor, exponent) = word.split_once('e')?;
+    let (sign, digits) = match exponent.strip_prefix(['-', '−']) {
+        Some(digits) => ("−", digits),
+        None => ("", exponent.strip_prefix('+').unwrap_or(exponent)),
+    };
+    let is_number = factor.ends_with(|c: char| c.is_ascii_digit()) && factor.parse::<f64>().is_ok();
+    if !is_number || digits.is_empty() || !digits.bytes().all(|digit| digit.is_ascii_digit()) {
+        return None;
+    }
+    let factor = if factor == "1" { String::new() } else { format!("{}·", factor.replace('-', "−")) };
+    Some(format!("{factor}10<sup>{sign}{digits}</sup>"))
 }
 
 /// The length of what is raised or lowered: a group in braces or brackets, or digits, or letters and the group that
@@ -105,17 +134,23 @@ pub(super) fn page(title: &str, body: &str) -> String {
     )
 }
 
-/// A table with a header row; cells are markup already.
+/// The most columns of a table whose rows are lines on a wide page.
+const MOST_COLUMNS: usize = 14;
+
+/// A table with a header row; cells are markup already. Each has the name of its column, which is shown where the page
+/// is so narrow, or the columns are so many, that rows take several lines.
 pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> String {
-    let mut text = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">\n<thead><tr>");
+    let many = if header.len() > MOST_COLUMNS { " many" } else { "" };
+    let mut text = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}{many}\">\n<thead><tr>");
     for cell in header {
         text.push_str(&format!("<th scope=\"col\">{cell}</th>"));
     }
     text.push_str("</tr></thead>\n<tbody>\n");
     for row in rows {
         text.push_str("<tr>");
-        for cell in row {
-            text.push_str(&format!("<td>{cell}</td>"));
+        for (name, cell) in header.iter().zip(row) {
+            let none = if cell == "–" { " class=\"none\"" } else { "" };
+            text.push_str(&format!("<td{none}><span class=\"name\">{name}</span>{cell}</td>"));
         }
         text.push_str("</tr>\n");
     }
@@ -153,6 +188,8 @@ mod tests {
         assert_eq!(prose("P_{t+1} p_ij P'_{a'_s}"), "P<sub>t+1</sub> p<sub>ij</sub> P'<sub>a'<sub>s</sub></sub>");
         assert_eq!(prose("min_area, k^O(d), a^ (b_"), "min_area, k<sup>O(d)</sup>, a^ (b_");
         assert_eq!(prose("eps^(-(d-1)^2)"), "eps<sup>(-(d-1)<sup>2</sup>)</sup>");
+        assert_eq!(prose("gaps of 1e-9, or 2.5e-3."), "gaps of 10<sup>−9</sup>, or 2.5·10<sup>−3</sup>.");
+        assert_eq!(prose("1e, e5, 1ex, a1e5, 2^16"), "1e, e5, 1ex, a1e5, 2<sup>16</sup>");
         assert_eq!(grouped(0), "0");
         assert_eq!(grouped(999), "999");
         assert_eq!(grouped(1_048_576), "1\u{202f}048\u{202f}576");

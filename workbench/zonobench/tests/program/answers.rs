@@ -99,7 +99,11 @@ fn skipped_lines_are_recorded() {
     let folder = folder.path();
     fs::write(folder.join("p.csv"), "3,2,north,south\n# rows\n0,0,0,\n2,0,1,\n0,2,1,\n").expect("written");
     let refused = run(folder, &["enclose", "p.csv", "--columns", "1,2"]);
-    assert!(refused.stderr.contains("line 1: may be a header or data; --skip 1"), "{}", refused.stderr);
+    assert!(
+        refused.stderr.contains("line 1, column 3: 'north' stands beside numbers and above one; if"),
+        "{}",
+        refused.stderr
+    );
     let summary = enclosed(folder, "p.csv", &["--columns", "1,2", "--skip", "1"]);
     assert_eq!(row(&summary, "columns"), "1, 2; left out: column 3, the first line, 1 line that begins with #");
     assert_eq!(verified(folder, "p.csv", &[]).1[1], "right");

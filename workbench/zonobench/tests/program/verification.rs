@@ -126,12 +126,14 @@ fn an_invented_claim_is_not_called_right() {
         assert_eq!(run(folder, &enclosed).status, 0);
         assert!(run(folder, &["verify", "p.csv", "a.json"]).stdout.contains("\tright\t"), "{words:?}");
         let text = fs::read_to_string(folder.join("a.json")).expect("written");
-        let mut answer: Value = serde_json::from_str(&text).expect("an answer is JSON");
-        answer["result"]["gap"] = json!(0);
-        fs::write(folder.join("a.json"), answer.to_string()).expect("written");
-        let outcome = run(folder, &["verify", "p.csv", "a.json"]);
-        let expected = "\tunchecked\tthe field `result, gap` is not checked; the rest: ";
-        assert!(outcome.stdout.contains(expected), "{words:?}: {}", outcome.stdout);
-        assert_eq!(outcome.status, 0, "{words:?}");
+        for place in ["result", "request"] {
+            let mut answer: Value = serde_json::from_str(&text).expect("an answer is JSON");
+            answer[place]["gap"] = json!(0);
+            fs::write(folder.join("a.json"), answer.to_string()).expect("written");
+            let outcome = run(folder, &["verify", "p.csv", "a.json"]);
+            let expected = format!("\tunchecked\tthe field `{place}, gap` is not checked; the rest: ");
+            assert!(outcome.stdout.contains(&expected), "{words:?}: {}", outcome.stdout);
+            assert_eq!(outcome.status, 0, "{words:?}");
+        }
     }
 }

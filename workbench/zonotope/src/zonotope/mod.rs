@@ -2,7 +2,7 @@
 //!
 //! | file | what it holds |
 //! |---|---|
-//! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex |
+//! | [`Zonotope`] | centre and generators, validated; support function and extreme vertex; total length |
 //! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |

@@ -15,7 +15,16 @@ pub(crate) struct Recorded {
     pub(crate) asking: Asking,
     /// The SHA-256 of the data.
     pub(crate) sha256: String,
+    /// The first field that no request has.
+    pub(crate) unknown: Option<String>,
 }
+
+/// The command whose answers record requests.
+const COMMAND: &str = "enclose";
+
+/// The fields of a request.
+const FIELDS: [&str; 9] =
+    ["command", "objective", "format", "columns", "skip", "directions", "epsilon", "max_generators", "sha256"];
 
 /// A `request` that cannot be read.
 #[derive(Debug, Error, PartialEq, Eq)]
@@ -26,7 +35,7 @@ impl Asking {
     /// The `request` of an answer about the points that were read.
     pub(crate) fn record(&self, reading: &Reading, objective: Objective) -> anyhow::Result<Value> {
         let mut request = Map::new();
-        request.insert("command".to_owned(), "enclose".into());
+        request.insert("command".to_owned(), COMMAND.into());
         let objective_name = objective.to_possible_value().expect("no objective is hidden from the command line");
         request.insert("objective".to_owned(), objective_name.get_name().into());
         if let Some(format) = reading.format {
@@ -88,7 +97,12 @@ fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
         })?,
     };
     let sha256 = field(request, "sha256", |value| value.text().map(str::to_owned))?;
-    Ok(Recorded { asking, sha256: sha256.ok_or(RecordError("sha256"))? })
+    field(request, "command", |value| value.text().filter(|command| *command == COMMAND).map(str::to_owned))?;
+    let unknown = match request {
+        Tree::Object(fields) => fields.iter().map(|(name, _)| name).find(|name| !FIELDS.contains(&name.as_str())),
+        _ => None,
+    };
+    Ok(Recorded { asking, sha256: sha256.ok_or(RecordError("sha256"))?, unknown: unknown.cloned() })
 }
 
 fn columns(value: &Tree) -> Option<Columns> {
@@ -140,7 +154,7 @@ mod tests {
             assert!(text.contains(fields), "{text}");
             let request = read(text.as_bytes(), MAX_VALUES).expect("JSON");
             let again = recorded(&request).expect("a record is readable");
-            assert_eq!(again.sha256, "ab");
+            assert_eq!((again.sha256.as_str(), again.unknown), ("ab", None));
             assert_eq!(record(&again.asking, Objective::Length), text);
         }
     }
@@ -151,6 +165,7 @@ mod tests {
         assert_eq!(complaint(r#"{"sha256":"ab"}"#), Ok(()));
         assert_eq!(complaint("{}"), Err(RecordError("sha256")));
         for (name, value) in [
+            ("command", "\"weigh\""),
             ("columns", "[0]"),
             ("columns", "7"),
             ("format", "\"x\""),
@@ -161,5 +176,12 @@ mod tests {
         ] {
             assert_eq!(complaint(&format!(r#"{{"{name}":{value},"sha256":"ab"}}"#)), Err(RecordError(name)), "{value}");
         }
+    }
+
+    #[test]
+    fn a_field_that_no_request_has_is_told() {
+        let text = r#"{"command":"enclose","weights":[1,2],"sha256":"ab","padding":1}"#;
+        let recorded = recorded(&read(text.as_bytes(), MAX_VALUES).expect("JSON")).expect("a record is readable");
+        assert_eq!(recorded.unknown.as_deref(), Some("weights"));
     }
 }

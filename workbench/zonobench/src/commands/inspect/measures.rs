@@ -28,12 +28,13 @@ impl Measures {
         let generators: Vec<[f64; D]> = body.generators.iter().map(fixed).collect();
         let zeros = generators.iter().filter(|generator| **generator == [0.0; D]).count();
         let directions = Directions::new(&generators).expect("the file was read as finite numbers").len();
-        let bounds = (0..D).map(|axis| {
+        let side = |axis: usize| {
             let sum = |sum: Dyadic, generator: &[f64; D]| sum + Dyadic::from_f64(generator[axis]).abs();
             let reach = generators.iter().fold(Dyadic::zero(), sum);
             let center = Dyadic::from_f64(body.center[axis]);
             [(&center - &reach).to_f64(), (&center + &reach).to_f64()]
-        });
+        };
+        let bounds = (0..D).map(side).collect();
         let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();
         let in_space: Option<Vec<[f64; 3]>> =
             if generators.len() <= PAIRED_GENERATOR_LIMIT { body.generators.iter().map(space).collect() } else { None };
@@ -41,13 +42,8 @@ impl Measures {
             .filter(|_| D == 3)
             .and_then(|generators| Zonotope::new([0.0; 3], generators).ok())
             .map(|body| body.surface_area().value);
-        let total_length = generators.iter().fold(0.0, |sum, generator| sum + length(generator));
-        Self { bounds: bounds.collect(), zeros, directions, total_length, surface_area }
+        let body = Zonotope::new([0.0; D], generators).expect("the file was read as finite numbers");
+        let total_length = body.total_length();
+        Self { bounds, zeros, directions, total_length, surface_area }
     }
-}
-
-/// The length of a vector, whose squares neither overflow nor vanish.
-fn length(v: &[f64]) -> f64 {
-    let largest = v.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
-    if largest == 0.0 { 0.0 } else { largest * v.iter().map(|x| (x / largest) * (x / largest)).sum::<f64>().sqrt() }
 }

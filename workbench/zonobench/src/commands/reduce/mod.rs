@@ -17,6 +17,7 @@ use crate::input::{Body, BodySource, Format};
 use crate::output::{Existing, Outputs};
 use batch::Verdict;
 use batch::json::{rows_to_json, vector_to_json};
+use zonotope::Zonotope;
 use zonotope::reduction::Method;
 
 /// Options of `reduce`.
@@ -81,6 +82,24 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
+/// The total length of generators, of a body that was reduced: those of more than six dimensions are refused.
+fn total_length(dimension: usize, generators: &[Vec<f64>]) -> f64 {
+    match dimension {
+        1 => total_length_in::<1>(generators),
+        2 => total_length_in::<2>(generators),
+        3 => total_length_in::<3>(generators),
+        4 => total_length_in::<4>(generators),
+        5 => total_length_in::<5>(generators),
+        _ => total_length_in::<6>(generators),
+    }
+}
+
+fn total_length_in<const D: usize>(generators: &[Vec<f64>]) -> f64 {
+    let fixed = |g: &Vec<f64>| -> [f64; D] { std::array::from_fn(|axis| g.get(axis).copied().unwrap_or_default()) };
+    let body = Zonotope::new([0.0; D], generators.iter().map(fixed).collect::<Vec<[f64; D]>>());
+    body.map_or(f64::INFINITY, |body| body.total_length())
+}
+
 fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, verdict: &Verdict) -> String {
     let mut table = Table::default();
     let count = counted(body.generators.len(), "generator", "generators");
@@ -97,8 +116,8 @@ fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, 
             figure(float(&distance["upper"]))
         ),
     );
-    let length = |rows: &[Vec<f64>]| rows.iter().map(|row| row.iter().map(|x| x * x).sum::<f64>().sqrt()).sum::<f64>();
-    table.row("total length", format!("{}, of the body {}", figure(length(reduced)), figure(length(&body.generators))));
+    let lengths = [reduced, &body.generators].map(|generators| figure(total_length(body.center.len(), generators)));
+    table.row("total length", format!("{}, of the body {}", lengths[0], lengths[1]));
     table.row(
         "certificate",
         match verdict {

@@ -26,6 +26,8 @@ pub(super) struct AboutData {
     question: Result<Tree, String>,
     /// Why an answer that fails the check may be right for another question, or for other data.
     doubt: Option<&'static str>,
+    /// A field of the answer's request that says nothing to this program.
+    unknown: Option<String>,
 }
 
 /// The question that `enclose` was asked about the file, if the file holds data and no questions.
@@ -44,14 +46,14 @@ pub(super) fn question(options: &Options, answer: Option<&Tree>) -> anyhow::Resu
     asking.stated_objective(file)?;
     Ok(Some(match recorded {
         None => without_record(asking, file)?,
-        Some(Err(error)) => AboutData { question: Err(error.to_string()), doubt: None },
+        Some(Err(error)) => AboutData::without_question(error.to_string()),
         Some(Ok(recorded)) => with_record(asking, &recorded, file)?,
     }))
 }
 
 fn without_record(asking: &Asking, file: &Path) -> anyhow::Result<AboutData> {
     let (question, _) = asking.question(&question_name(file), file)?;
-    Ok(AboutData { question: Ok(question), doubt: Some(NO_RECORD) })
+    Ok(AboutData { question: Ok(question), doubt: Some(NO_RECORD), unknown: None })
 }
 
 fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Result<AboutData> {
@@ -59,23 +61,28 @@ fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Res
     let (question, reading) = match recorded.asking.question(&name, file) {
         Ok(question) => question,
         Err(error) => {
-            let question = Err(format!("the question that the answer records cannot be asked: {error:#}"));
-            return Ok(AboutData { question, doubt: None });
+            let reason = format!("the question that the answer records cannot be asked: {error:#}");
+            return Ok(AboutData::without_question(reason));
         }
     };
     if !asking.is_empty() {
         let asked = asking.or(&recorded.asking).question(&name, file).map(|(question, _)| question);
         if !asked.is_ok_and(|asked| asked == question) {
-            let question = Err("the options ask for something else than the answer records".to_owned());
-            return Ok(AboutData { question, doubt: None });
+            let reason = "the options ask for something else than the answer records".to_owned();
+            return Ok(AboutData::without_question(reason));
         }
     }
     let has_changed = reading.sha256 != recorded.sha256;
     let doubt = has_changed.then_some(OTHER_DATA);
-    Ok(AboutData { question: Ok(question), doubt })
+    Ok(AboutData { question: Ok(question), doubt, unknown: recorded.unknown.clone() })
 }
 
 impl AboutData {
+    /// Nothing can be judged, for the given reason.
+    fn without_question(reason: String) -> Self {
+        Self { question: Err(reason), doubt: None, unknown: None }
+    }
+
     /// The question, if it can be asked.
     pub(super) fn question(&self) -> Option<&Tree> {
         self.question.as_ref().ok()
@@ -93,7 +100,16 @@ impl AboutData {
                 (Verdict::Unchecked(format!("{doubt}: {complaint}")), Ending::Bad)
             }
             (verdict @ Verdict::Wrong(_), None) => (verdict, Ending::Bad),
-            (verdict, _) => (verdict, Ending::Good),
+            (Verdict::Right(proved), _) => (self.beside_what_is_unknown(proved), Ending::Good),
+            (verdict @ Verdict::Unchecked(_), _) => (verdict, Ending::Good),
+        }
+    }
+
+    /// What is said of an answer for which something has been proved.
+    fn beside_what_is_unknown(&self, proved: String) -> Verdict {
+        match &self.unknown {
+            None => Verdict::Right(proved),
+            Some(name) => Verdict::Unchecked(format!("the field `request, {name}` is not checked; the rest: {proved}")),
         }
     }
 }

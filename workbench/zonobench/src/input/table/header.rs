@@ -9,41 +9,44 @@ pub(super) enum Opening {
     Header,
     /// Data, broken ones included.
     Data,
-    /// Data as far as the chosen columns tell, but another column has text here and a number below.
-    Unclear,
 }
 
-/// What the first row is, of which the given columns are read.
-///
-/// Text in a row with numbers makes no header of it where the second row has text in the same column, or where there is
-/// no second row: then that is a column of text, and the row is data with it.
-pub(super) fn opening(first: &ByteRecord, second: Option<&ByteRecord>, chosen: &[usize]) -> Opening {
-    let has_number = first.iter().any(|cell| parse(cell).is_some());
+/// What the first row is, of which the given columns are read. A number anywhere in it makes it data.
+pub(super) fn opening(first: &ByteRecord, chosen: &[usize]) -> Opening {
     let cell = |column: usize| first.get(column).unwrap_or_default();
-    let is_data = |&column: &usize| {
-        is_broken_number(cell(column), has_number) || has_number && is_column_of_text(first, second, column)
-    };
-    if chosen.iter().any(is_data) {
-        return Opening::Data;
-    }
-    if chosen.iter().any(|&column| is_text(cell(column))) {
-        return Opening::Header;
-    }
-    let mut pairs = first.iter().zip(second.into_iter().flatten());
-    if pairs.any(|(above, below)| is_text(above) && parse(below).is_some()) { Opening::Unclear } else { Opening::Data }
+    let has_number = has_number(first);
+    let is_data = has_number || chosen.iter().any(|&column| is_broken_number(cell(column), has_number));
+    if !is_data && chosen.iter().any(|&column| is_text(cell(column))) { Opening::Header } else { Opening::Data }
+}
+
+/// The first of the columns, counted from 0, in which the first row has text and the second one a number, so that the
+/// first row may be meant as a header; a broken number is no text where there are numbers in the row.
+pub(super) fn text_above_number(
+    first: &ByteRecord,
+    second: Option<&ByteRecord>,
+    mut columns: impl Iterator<Item = usize>,
+) -> Option<usize> {
+    let has_number = has_number(first);
+    let has_text = |column| first.get(column).is_some_and(|cell| is_text(cell) && !is_broken_number(cell, has_number));
+    let is_above_number = |column| second.and_then(|second| parse(second.get(column)?)).is_some();
+    columns.find(|&column| has_text(column) && is_above_number(column))
 }
 
 /// The first column of text beside numbers, if the first row is one of data; a broken number is no text.
 pub(super) fn column_of_text(first: &ByteRecord, second: Option<&ByteRecord>) -> Option<usize> {
-    let has_number = first.iter().any(|cell| parse(cell).is_some());
     let is_text = |&column: &usize| is_column_of_text(first, second, column) && !is_broken_number(&first[column], true);
-    (0..first.len()).find(is_text).filter(|_| has_number)
+    (0..first.len()).find(is_text).filter(|_| has_number(first))
 }
 
 /// Whether the rows have text in a column: the second one, too, if there is one.
 fn is_column_of_text(first: &ByteRecord, second: Option<&ByteRecord>, column: usize) -> bool {
     let has_text = |row: &ByteRecord| row.get(column).is_some_and(is_text);
     has_text(first) && second.is_none_or(has_text)
+}
+
+/// Whether some cell of a row is a number.
+pub(super) fn has_number(row: &ByteRecord) -> bool {
+    row.iter().any(|cell| parse(cell).is_some())
 }
 
 /// Whether a cell holds something else than a number.
@@ -74,28 +77,39 @@ mod tests {
 
     #[test]
     fn a_header_cannot_be_data() {
-        let told = |first: &[&str], second: &[&str], chosen: &[usize]| {
-            opening(&ByteRecord::from(first.to_vec()), Some(&ByteRecord::from(second.to_vec())), chosen)
-        };
-        for header in [["x", "y"], ["", "y"], ["1st", "2nd"], ["north", "5"], ["e1", "e2"], ["-", "+"]] {
-            assert_eq!(told(&header, &["1", "2"], &[0, 1]), Opening::Header, "{header:?}");
+        let told = |first: &[&str], chosen: &[usize]| opening(&ByteRecord::from(first.to_vec()), chosen);
+        for header in [["x", "y"], ["", "y"], ["1st", "2nd"], ["e1", "e2"], ["-", "+"], ["city", "size"]] {
+            assert_eq!(told(&header, &[0, 1]), Opening::Header, "{header:?}");
         }
-        for data in
-            [["1", "2"], ["1.2.3", "4"], ["1,5e", "2,5e"], ["1.5m", "2"], ["", "2"], ["nan", "inf"], ["-.5.", "1e"]]
-        {
-            assert_eq!(told(&data, &["1", "2"], &[0, 1]), Opening::Data, "{data:?}");
+        for data in [
+            ["1", "2"],
+            ["1.2.3", "4"],
+            ["1,5e", "2,5e"],
+            ["1.5m", "2"],
+            ["", "2"],
+            ["nan", "inf"],
+            ["-.5.", "1e"],
+            ["north", "5"],
+            ["5", "north"],
+        ] {
+            assert_eq!(told(&data, &[0, 1]), Opening::Data, "{data:?}");
         }
-        assert_eq!(told(&["150", "4", "setosa"], &["5.1", "3.5", "0"], &[0, 1]), Opening::Unclear);
-        assert_eq!(told(&["150", "4", "setosa"], &["5.1", "3.5", "virginica"], &[0, 1]), Opening::Data);
-        let told = |first: &[&str], second: Option<&[&str]>| {
-            let second = second.map(|second| ByteRecord::from(second.to_vec()));
-            opening(&ByteRecord::from(first.to_vec()), second.as_ref(), &[0, 1])
+        assert_eq!(told(&["150", "4", "setosa"], &[0, 1]), Opening::Data);
+        assert_eq!(told(&["5km", "2nd", "7"], &[0, 1]), Opening::Data);
+        assert_eq!(told(&["north", "south", "2024"], &[0, 1]), Opening::Data);
+    }
+
+    #[test]
+    fn text_above_a_number_may_be_a_header() {
+        let told = |first: &[&str], second: &[&str]| {
+            let (first, second) = (ByteRecord::from(first.to_vec()), ByteRecord::from(second.to_vec()));
+            text_above_number(&first, Some(&second), 0..first.len())
         };
-        assert_eq!(told(&["5", "north"], Some(&["6", "south"])), Opening::Data);
-        assert_eq!(told(&["5", "north"], None), Opening::Data);
-        assert_eq!(told(&["5", "north"], Some(&["6", "7"])), Opening::Header);
-        assert_eq!(told(&["city", "size"], Some(&["Rome", "7"])), Opening::Header);
-        assert_eq!(told(&["city", "size"], None), Opening::Header);
-        assert_eq!(told(&["5km", "2nd", "7"], Some(&["6", "7", "8"])), Opening::Data);
+        assert_eq!(told(&["1", "2", "north"], &["3", "4", "5"]), Some(2));
+        assert_eq!(told(&["1", "2", "north"], &["3", "4", "south"]), None);
+        assert_eq!(told(&["1", "2", "north"], &["3", "4"]), None);
+        assert_eq!(told(&["1", "2", "3km"], &["3", "4", "5"]), None);
+        let alone = ByteRecord::from(vec!["5", "north"]);
+        assert_eq!(text_above_number(&alone, None, 0..2), None);
     }
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use csv::ByteRecord;
 
-use self::header::{Opening, column_of_text, is_text, opening, parse};
+use self::header::{Opening, column_of_text, is_text, opening, parse, text_above_number};
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
@@ -25,10 +25,10 @@ const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// Reads the points of a table.
 ///
-/// The first row is a header if the chosen columns are named, or if it cannot be data: some chosen cell is text that
-/// does not look like a broken number, and the row below does not have text there as well, beside numbers. Where the
-/// chosen cells are numbers and another column speaks for a header, the caller says by `skip`, the number of lines to
-/// leave out at the start, which it is.
+/// The first row is a header if the chosen columns are named, or if it cannot be data: it has no number, and some
+/// chosen cell is text that does not look like a broken number. Where a row with numbers has text above a number, it
+/// is refused: in a chosen column the text is no number, elsewhere the caller says by `skip`, the number of lines to
+/// leave out at the start, whether it is a header.
 pub(super) fn points(
     file: &Path,
     content: &[u8],
@@ -85,7 +85,7 @@ impl Table<'_> {
             return Ok(Rows::default());
         };
         self.columns = (0..self.width).collect();
-        let is_header = opening(&first, second.as_ref(), &self.columns) == Opening::Header;
+        let is_header = opening(&first, &self.columns) == Opening::Header;
         let names = if is_header { cells(&first) } else { Vec::new() };
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
         let mut rows = Vec::new();
@@ -103,18 +103,18 @@ impl Table<'_> {
         let Some((first, second)) = self.start(&mut records)? else {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
+        let is_named = columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
+        if columns.is_none() {
+            let all: Vec<usize> = (0..first.len()).collect();
+            self.refuse_text_above_number(&first, second.as_ref(), &all, skip)?;
+        }
         self.columns = self.chosen(&first, second.as_ref(), columns, wanted)?;
+        if columns.is_some() && !is_named {
+            self.refuse_text_above_number(&first, second.as_ref(), &self.columns, skip)?;
+        }
 
         let mut points = Points::of_dimension(self.columns.len()).expect("no more columns are chosen than are read");
-        let is_named = columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
-        let has_header = match opening(&first, second.as_ref(), &self.columns) {
-            _ if is_named => true,
-            Opening::Header => true,
-            Opening::Unclear if skip.is_none() => {
-                return Err(Problem::HeaderOrData.at(self.file, self.place(&first)));
-            }
-            Opening::Data | Opening::Unclear => false,
-        };
+        let has_header = is_named || opening(&first, &self.columns) == Opening::Header;
         let names: Vec<String> = if has_header { cells(&first) } else { vec![String::new(); first.len()] };
         let data = (!has_header).then_some(first).into_iter().chain(second).map(Ok);
         for row in data.chain(records.map(|row| self.parsed(row))) {
@@ -160,6 +160,32 @@ impl Table<'_> {
             row.truncate(self.width);
         }
         row
+    }
+
+    /// Refuses a first row of data, as far as the given columns tell, with text above a number: it may be meant as a
+    /// header.
+    fn refuse_text_above_number(
+        &self,
+        first: &ByteRecord,
+        second: Option<&ByteRecord>,
+        columns: &[usize],
+        skip: Option<u64>,
+    ) -> Result<(), InputError> {
+        if opening(first, columns) == Opening::Header {
+            return Ok(());
+        }
+        let line = self.text.line(first);
+        let refused = |column: usize, problem: fn(String, u64) -> Problem| {
+            let text = cells(first).swap_remove(column);
+            Err(problem(text, line).at(self.file, Place::Cell { line, column: column as u64 + 1 }))
+        };
+        if let Some(column) = text_above_number(first, second, columns.iter().copied()) {
+            return refused(column, |text, skip| Problem::TextAboveNumber { text, skip });
+        }
+        match text_above_number(first, second, 0..first.len()) {
+            Some(column) if skip.is_none() => refused(column, |text, skip| Problem::HeaderOrData { text, skip }),
+            _ => Ok(()),
+        }
     }
 
     fn chosen(

@@ -74,11 +74,14 @@ fn any_number_of_coordinates() {
     assert_eq!(read("1,2,3,4\n", None), Ok(Points::Four(vec![[1.0, 2.0, 3.0, 4.0]])));
     assert_eq!(read("id,lon,lat\na,1,2\n", None), Ok(Points::Plane(vec![[1.0, 2.0]])));
     let iris = "150,4,setosa,versicolor,virginica\n5.1,3.5,1.4,0.2,0\n";
-    assert_eq!(read(iris, Some("1,2,3,4")), Ok(Points::Four(vec![[5.1, 3.5, 1.4, 0.2]])));
-    assert_eq!(
-        read(iris, None),
-        Err("p.csv: line 1, column 3: 'setosa' is text; choose two to four of the 5 columns with --columns".into())
-    );
+    let refused = "p.csv: line 1, column 3: 'setosa' is not a number, but below it is one; if this line is a header, \
+                   --skip 1 leaves it out";
+    for columns in [None, Some("1,2,3,4")] {
+        assert_eq!(read(iris, columns), Err(refused.to_owned()));
+    }
+    let columns: Columns = "1,2,3,4".parse().expect("well formed");
+    let skipped = points(Path::new("p.csv"), iris.as_bytes(), Some(&columns), Some(1), Wanted::Any);
+    assert_eq!(skipped.expect("numbers").points, Points::Four(vec![[5.1, 3.5, 1.4, 0.2]]));
     let cities = "# no header\n1,2,north\n3,4,south\n";
     let planar = points(Path::new("p.csv"), cities.as_bytes(), None, None, Wanted::PlaneOrSpace);
     let refused = "p.csv: line 2, column 3: 'north' is text; choose two to four of the 3 columns with --columns";
@@ -171,7 +174,8 @@ fn first_lines_are_skipped_when_they_are_told() {
         reading.map(|reading| (reading.points.clone(), reading.in_words())).map_err(|error| error.to_string())
     };
     let flowers = "150,4,setosa\n1,2,0\n3,4,0\n";
-    let unclear = "p.csv: line 1: may be a header or data; --skip 1 leaves the line out, --skip 0 reads it as data";
+    let unclear = "p.csv: line 1, column 3: 'setosa' stands beside numbers and above one; if this line is a header, \
+                   --skip 1 leaves it out, and --skip 0 reads it as data";
     assert_eq!(read(flowers, None), Err(unclear.to_owned()));
     let plane = |points: &[[f64; 2]]| Points::Plane(points.to_vec());
     let told = Some("1, 2; left out: column 3, the first line".to_owned());
@@ -213,4 +217,42 @@ fn a_column_of_text_makes_no_header_of_the_first_row() {
     let columns = "1,2".parse().expect("well formed");
     let chosen = points(Path::new("p.csv"), cities.as_bytes(), Some(&columns), None, Wanted::Any).expect("numbers");
     assert_eq!(chosen.points, Points::Plane(vec![[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]));
+}
+
+/// A row with a number is no header; where its text stands above a number, the error says what a header takes.
+#[test]
+fn a_number_in_the_first_row_makes_it_data() {
+    let complaint = |content: &str, columns: Option<&str>, skip: Option<u64>, wanted: Wanted| {
+        let columns = columns.map(|columns| columns.parse().expect("well formed"));
+        let reading = points(Path::new("p.csv"), content.as_bytes(), columns.as_ref(), skip, wanted);
+        reading.expect_err("the table is wrong").to_string()
+    };
+    let text = |place: &str, text: &str, skip: u64| {
+        format!(
+            "p.csv: {place}: '{text}' is not a number, but below it is one; if this line is a header, --skip {skip} \
+             leaves it out"
+        )
+    };
+    let mixed = "1,2,north\n3,4,5\n";
+    for wanted in [Wanted::Any, Wanted::PlaneOrSpace, Wanted::Planar] {
+        assert_eq!(complaint(mixed, None, None, wanted), text("line 1, column 3", "north", 1));
+    }
+    assert_eq!(complaint(mixed, Some("1,3"), None, Wanted::Planar), text("line 1, column 3", "north", 1));
+    assert_eq!(complaint(mixed, Some("1,3"), Some(0), Wanted::Planar), text("line 1, column 3", "north", 1));
+    let below = "# a comment\n\nx,2024\n3,4\n";
+    assert_eq!(complaint(below, None, None, Wanted::Planar), text("line 3, column 1", "x", 3));
+    assert_eq!(complaint("x,y,2024\n3,4,5\n", None, None, Wanted::Planar), text("line 1, column 1", "x", 1));
+    // What the error says is what helps.
+    let reading = points(Path::new("p.csv"), below.as_bytes(), None, Some(3), Wanted::Planar).expect("a point");
+    assert_eq!(reading.points, Points::Plane(vec![[3.0, 4.0]]));
+    let columns = "x,2024".parse().expect("well formed");
+    let named = points(Path::new("p.csv"), b"x,2024\n3,4\n", Some(&columns), None, Wanted::Planar);
+    assert!(named.is_err(), "2024 is the number of a column");
+    let columns = "x,y".parse().expect("well formed");
+    let named = points(Path::new("p.csv"), b"x,y,2024\n3,4,5\n", Some(&columns), None, Wanted::Planar);
+    assert_eq!(named.expect("a header with both names").points, Points::Plane(vec![[3.0, 4.0]]));
+    // Generators have no lines to skip: the text is no number.
+    let generators = rows(Path::new("p.csv"), mixed.as_bytes()).map(|rows| rows.numbers);
+    let refused = "p.csv: line 1, column 3: 'north' is not a number";
+    assert_eq!(generators.map_err(|error| error.to_string()), Err(refused.to_owned()));
 }

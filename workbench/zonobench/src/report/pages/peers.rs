@@ -2,7 +2,7 @@
 
 use experiments::peers::{PeersRecord, Table, median};
 
-use crate::report::html::{Escaped, grouped, table};
+use crate::report::html::{Escaped, grouped, prose, table};
 
 /// The placements of questions near contact.
 const NEAR_CONTACT: [&str; 2] = ["inside_1e-9", "outside_1e-9"];
@@ -19,15 +19,15 @@ pub(super) fn section() -> String {
          <p><small>Recorded once, on one machine ({}; {}), by <code>cargo run --release -p peers --features \
          others</code>; committed as <code>experiments/data/peers.json</code> with every raw sample.</small></p>\n",
         lesson(&record).map_or_else(String::new, |lesson| {
-            format!("<p class=\"lesson\"><b>What we learned.</b> {}</p>\n", Escaped(&lesson))
+            format!("<p class=\"lesson\"><b>What we learned.</b> {}</p>\n", prose(&lesson))
         }),
         Escaped(&environment.cpu),
         Escaped(&environment.toolchain),
     );
     for (index, shown) in experiments::peers::tables(&record).iter().enumerate() {
         text.push_str(&match index {
-            0 => format!("<p>{}</p>\n{}", Escaped(&shown.caption), markup(shown)),
-            _ => format!("<details>\n<summary>{}</summary>\n{}</details>\n", Escaped(&shown.caption), markup(shown)),
+            0 => format!("<p>{}</p>\n{}", prose(&shown.caption), markup(shown)),
+            _ => format!("<details>\n<summary>{}</summary>\n{}</details>\n", prose(&shown.caption), markup(shown)),
         });
     }
     text.push_str("</section>\n");
@@ -35,9 +35,9 @@ pub(super) fn section() -> String {
 }
 
 fn markup(shown: &Table) -> String {
-    let head: Vec<&str> = shown.head.iter().map(String::as_str).collect();
-    let rows: Vec<Vec<String>> =
-        shown.rows.iter().map(|row| row.iter().map(|cell| Escaped(cell).to_string()).collect()).collect();
+    let head: Vec<String> = shown.head.iter().map(|cell| prose(cell)).collect();
+    let head: Vec<&str> = head.iter().map(String::as_str).collect();
+    let rows: Vec<Vec<String>> = shown.rows.iter().map(|row| row.iter().map(|cell| prose(cell)).collect()).collect();
     table("peers", &head, &rows)
 }
 

@@ -2,11 +2,11 @@
 
 use experiments::analysis::FittedGrowth;
 use experiments::catalog;
-use experiments::fit::{Estimate, Growth, GrowthModel, ModelVerdict};
+use experiments::fit::{Estimate, Growth, GrowthModel, ModelVerdict, in_decimals};
 use paper_checks::Measurement;
 
 use super::variant::variant_title;
-use crate::report::html::{Escaped, badge, grouped, table};
+use crate::report::html::{Escaped, badge, grouped, prose, table};
 use crate::report::measured::range;
 
 /// What the fits of each method in each experiment say of its bound, in one sentence, leaving out what a clock says.
@@ -23,16 +23,15 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     let first = fits.first()?;
     let bound = first.bound?;
     let growths: Vec<&Growth> = fits.iter().filter_map(|fit| fit.growth.as_ref().ok()).collect();
-    let [low, high] = range(growths.iter().map(|growth| growth.exponent.value))?;
+    let [low, high] = range(growths.iter().map(|growth| growth.exponent.value))?.map(|end| in_decimals(end, 3));
     let [smallest, largest] = range(growths.iter().flat_map(|growth| [growth.smallest, growth.largest]))?;
     let excess = growths.iter().filter_map(|growth| growth.model(bound)).map(|model| model.excess_exponent.high);
     let summary = format!(
-        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low:.3} to {high:.3}, beyond {bound} at most \
-         {:.3}",
+        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low} to {high}, beyond {bound} at most {}",
         first.quantity,
         first.variant,
         fits.len(),
-        excess.fold(f64::NEG_INFINITY, f64::max),
+        in_decimals(excess.fold(f64::NEG_INFINITY, f64::max), 3),
     );
     let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
     let (experiment, method) = (first.experiment.to_owned(), first.variant.to_owned());
@@ -60,7 +59,7 @@ pub(in crate::report) fn growth_summary(fits: &[&FittedGrowth]) -> String {
 fn summary_row(fits: &[&FittedGrowth]) -> Option<Vec<String>> {
     let first = fits.first()?;
     let growths = || fits.iter().filter_map(|fit| fit.growth.as_ref().ok());
-    let [low, high] = range(growths().map(|growth| growth.exponent.value))?;
+    let [low, high] = range(growths().map(|growth| growth.exponent.value))?.map(|end| in_decimals(end, 2));
     let [smallest, largest] = range(growths().flat_map(|growth| [growth.smallest, growth.largest]))?;
     let mut inputs: Vec<&str> = fits.iter().map(|fit| fit.family).collect();
     inputs.sort_unstable();
@@ -82,7 +81,7 @@ fn summary_row(fits: &[&FittedGrowth]) -> Option<Vec<String>> {
         method_title(first),
         input,
         format!("{} … {}", grouped(smallest as u64), grouped(largest as u64)),
-        format!("{low:.2} to {high:.2}").replace('-', "−"),
+        format!("{low} to {high}").replace('-', "−"),
         first.bound.map_or("–".to_owned(), model_name),
         found,
     ])
@@ -90,7 +89,8 @@ fn summary_row(fits: &[&FittedGrowth]) -> Option<Vec<String>> {
 
 /// A number with its interval.
 fn interval(estimate: Estimate) -> String {
-    format!("{:.3} [{:.3}, {:.3}]", estimate.value, estimate.low, estimate.high).replace('-', "−")
+    let [value, low, high] = [estimate.value, estimate.low, estimate.high].map(|number| in_decimals(number, 3));
+    format!("{value} [{low}, {high}]").replace('-', "−")
 }
 
 /// The laws as a table; empty without any.
@@ -107,7 +107,7 @@ pub(in crate::report) fn growth_table(fits: &[&FittedGrowth]) -> String {
 }
 
 fn row(fit: &FittedGrowth) -> Vec<String> {
-    let quantity = Escaped(&fit.quantity.to_string()).to_string();
+    let quantity = Escaped(&fit.quantity.to_string().replace('_', " ")).to_string();
     let mut cells = vec![quantity, method_title(fit), Escaped(&fit.family.replace('_', " ")).to_string()];
     let growth = match &fit.growth {
         Ok(growth) => growth,
@@ -148,5 +148,5 @@ fn method_title(fit: &FittedGrowth) -> String {
 }
 
 fn model_name(model: GrowthModel) -> String {
-    model.to_string().replace("^2", "²")
+    prose(&model.to_string())
 }

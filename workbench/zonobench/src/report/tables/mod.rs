@@ -2,6 +2,7 @@
 
 mod claims;
 mod growth;
+mod number;
 mod totals;
 mod values;
 mod variant;

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use experiments::definition::Experiment;
 use experiments::record::{CountOutcome, CountRow};
 
+use super::number::significant;
 use super::variant::variant_title;
 use crate::report::html::{Escaped, grouped, table};
 
@@ -38,7 +39,7 @@ fn tabulated(experiment: &Experiment, rows: &[CountRow], by_input: bool) -> Stri
         let input = total.family.map_or("all".to_owned(), |family| Escaped(&family.replace('_', " ")).to_string());
         let [smallest, largest] = total.sizes.map(|n| grouped(n as u64));
         let mut cells = vec![input, format!("{smallest} … {largest}"), variant_title(experiment, total.method)];
-        cells.extend(names.iter().map(|name| total.sums.get(name).map_or("–".to_owned(), f64::to_string)));
+        cells.extend(names.iter().map(|name| total.sums.get(name).map_or("–".to_owned(), |&sum| significant(sum))));
         cells
     };
     let titles: Vec<String> = names.iter().map(|name| Escaped(&name.replace('_', " ")).to_string()).collect();

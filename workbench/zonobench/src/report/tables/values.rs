@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use experiments::definition::{Experiment, Tabulated};
 use experiments::record::{CaseKey, CountOutcome, CountRow, TimeOutcome, TimeRow};
 
+use super::number::significant;
 use super::totals::total_table;
 use super::variant::variant_title;
 use crate::report::html::{Escaped, grouped, table};
@@ -96,15 +97,4 @@ fn values(row: &CountRow) -> &BTreeMap<String, f64> {
 fn middle(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);
     numbers.get(numbers.len() / 2).copied()
-}
-
-/// Whole numbers as they are, others in a few digits.
-fn significant(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 {
-        format!("{value}")
-    } else if (1e-3..1e6).contains(&value.abs()) {
-        format!("{value:.5}")
-    } else {
-        format!("{value:.3e}")
-    }
 }

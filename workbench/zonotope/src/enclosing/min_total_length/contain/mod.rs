@@ -7,7 +7,6 @@
 //! the axes add to the length about what the generators miss of the points, which is rounding.
 
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::linear::dot;
 use crate::numeric::outward::{at_least, axis_generators};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
@@ -90,32 +89,7 @@ pub(super) fn around<const D: usize>(
         }
     }
     generators.extend(axis_generators(lost.each_ref().map(at_least)));
-    let length = length_above(&generators);
     let zonotope = Zonotope::new(outer, generators).ok()?;
+    let length = zonotope.total_length();
     length.is_finite().then_some((zonotope, length))
-}
-
-/// The total length Σ |g_i|, rounded up.
-pub(super) fn length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
-    let lengths = generators.iter().map(|g| {
-        let largest = g.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
-        let axes = g.iter().filter(|c| **c != 0.0).count();
-        if axes <= 1 {
-            return Dyadic::from_f64(largest);
-        }
-        let unit = g.map(|c| c / largest);
-        let factor = dot(&unit, &unit).sqrt() * (1.0 + 8.0 * D as f64 * UNIT);
-        // The product is exact: as a double it might be denormal, with few bits.
-        &Dyadic::from_f64(largest) * &Dyadic::from_f64(factor)
-    });
-    let length = at_least(&lengths.fold(Dyadic::zero(), |sum, length| sum + length));
-    if length < f64::MIN_POSITIVE { tiny_length_above(generators) } else { length }
-}
-
-/// The total length rounded up, for generators as short as the least doubles: these are so far apart that a factor
-/// above 1 may cost a whole step between them, so each length is the root of an exact square.
-fn tiny_length_above<const D: usize>(generators: &[[f64; D]]) -> f64 {
-    let square = |g: &[f64; D]| g.iter().map(|c| Dyadic::from_f64(*c)).fold(Dyadic::zero(), |sum, c| sum + &c * &c);
-    let length = generators.iter().map(|g| square(g).root_above()).fold(Dyadic::zero(), |sum, length| sum + length);
-    at_least(&length)
 }

@@ -12,7 +12,6 @@
 
 use super::along::{Along, unit};
 use crate::enclosing::fixed_directions::{FixedDirections, contained};
-use crate::enclosing::min_total_length::contain::length_above;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::scaling::scale_by_power_of_two;
 use crate::zonotope::Zonotope;
@@ -46,11 +45,9 @@ pub(super) fn exactly_around<const D: usize>(
         let weights = unweighted(generators.len());
         let problem = FixedDirections::new(points, &generators, &weights).ok()?;
         let needed = contained(&problem, center, &vec![1.0 - share / 2.0; generators.len()])?;
-        let length = length_above(&generators);
-        if needed.iter().any(|c| *c > 1.0) || !length.is_finite() {
-            return None;
-        }
-        Some((Zonotope::new(center, generators).ok()?, length))
+        let body = Zonotope::new(center, generators).ok()?;
+        let length = body.total_length();
+        (needed.iter().all(|c| *c <= 1.0) && length.is_finite()).then_some((body, length))
     })
 }
 
