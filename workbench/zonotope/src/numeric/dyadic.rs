@@ -188,31 +188,56 @@ pub fn remove_common_factor(numbers: &mut [Dyadic]) {
     }
 }
 
-fn aligned(a: &Dyadic, b: &Dyadic, combine: impl Fn(IBig, IBig) -> IBig) -> Dyadic {
-    if a.is_zero() {
-        return Dyadic::new(combine(IBig::ZERO, b.mantissa.clone()), b.exponent);
+/// By how many places the mantissa of the first of two numbers is shifted up to have the unit of the second, and the
+/// other way round: one of both stays as it is. Zero takes any unit.
+fn shifts(a: &Dyadic, b: &Dyadic) -> [usize; 2] {
+    if a.is_zero() || b.is_zero() {
+        return [0; 2];
     }
-    if b.is_zero() {
-        return Dyadic::new(combine(a.mantissa.clone(), IBig::ZERO), a.exponent);
-    }
-    let exponent = a.exponent.min(b.exponent);
-    let lift = |x: &Dyadic| x.mantissa.clone() << (x.exponent - exponent) as usize;
-    Dyadic::new(combine(lift(a), lift(b)), exponent)
+    [(a.exponent - b.exponent).max(0) as usize, (b.exponent - a.exponent).max(0) as usize]
 }
 
-impl Add for &Dyadic {
-    type Output = Dyadic;
-    fn add(self, other: &Dyadic) -> Dyadic {
-        aligned(self, other, |a, b| a + b)
+/// The exponent of the unit in which both are whole numbers.
+fn common_exponent(a: &Dyadic, b: &Dyadic) -> i64 {
+    match (a.is_zero(), b.is_zero()) {
+        (true, _) => b.exponent,
+        (_, true) => a.exponent,
+        _ => a.exponent.min(b.exponent),
     }
 }
 
-impl Sub for &Dyadic {
-    type Output = Dyadic;
-    fn sub(self, other: &Dyadic) -> Dyadic {
-        aligned(self, other, |a, b| a - b)
-    }
+/// Sums and differences of numbers that are owned or not: a mantissa that need not be shifted is not copied.
+macro_rules! combine_aligned {
+    ($operation:ident, $function:ident, $operator:tt) => {
+        impl $operation for &Dyadic {
+            type Output = Dyadic;
+            fn $function(self, other: &Dyadic) -> Dyadic {
+                let mantissa = match shifts(self, other) {
+                    [0, 0] => &self.mantissa $operator &other.mantissa,
+                    [0, up] => &self.mantissa $operator (&other.mantissa << up),
+                    [up, _] => (&self.mantissa << up) $operator &other.mantissa,
+                };
+                Dyadic::new(mantissa, common_exponent(self, other))
+            }
+        }
+
+        impl $operation for Dyadic {
+            type Output = Dyadic;
+            fn $function(self, other: Dyadic) -> Dyadic {
+                let exponent = common_exponent(&self, &other);
+                let mantissa = match shifts(&self, &other) {
+                    [0, 0] => self.mantissa $operator other.mantissa,
+                    [0, up] => self.mantissa $operator (other.mantissa << up),
+                    [up, _] => (self.mantissa << up) $operator other.mantissa,
+                };
+                Dyadic::new(mantissa, exponent)
+            }
+        }
+    };
 }
+
+combine_aligned!(Add, add, +);
+combine_aligned!(Sub, sub, -);
 
 impl Mul for &Dyadic {
     type Output = Dyadic;
@@ -225,20 +250,6 @@ impl Neg for Dyadic {
     type Output = Dyadic;
     fn neg(self) -> Dyadic {
         Dyadic::new(-self.mantissa, self.exponent)
-    }
-}
-
-impl Add for Dyadic {
-    type Output = Dyadic;
-    fn add(self, other: Dyadic) -> Dyadic {
-        &self + &other
-    }
-}
-
-impl Sub for Dyadic {
-    type Output = Dyadic;
-    fn sub(self, other: Dyadic) -> Dyadic {
-        &self - &other
     }
 }
 

@@ -9,26 +9,31 @@
 //!
 //! Every bound is in terms of coordinates and not of lengths: a body that is thin along an axis is as good as another.
 
+use std::cmp::Ordering;
+
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
+use crate::numeric::combined_sum::combined_sum;
+use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{LANES, reordered, splat, total, totals};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, cyclic_cross_products, dot};
 use crate::numeric::reused::Reused;
-use crate::numeric::tolerance::{CUBABLE_SIZES, LONG_SUM, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNIT};
+use crate::numeric::tolerance::{CUBABLE_SIZES, FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNIT};
 use crate::zonotope::query::Query;
 
 /// How many generators are looked at for the third of a basis where the two of the facet make up for everything in its
 /// plane.
 const THIRD_CANDIDATES: usize = 8;
 
-/// A generator whose product with u is smaller than this part of its terms is taken for one of the facet.
-const FACET_ROUNDING: f64 = 64.0 * UNIT;
+/// A factor nearer to 1 than so many of its own roundings is not worth pairs of doubles: the point is likely to be on
+/// the boundary.
+const ROOM_FOR_PAIRS: f64 = 8.0;
 
 /// Sums over generators with the signs of their products with a direction, in lanes or not.
 struct Signed<T> {
@@ -115,7 +120,11 @@ pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [u
         (p[k].error + (roundings + 16.0 * UNIT) * size) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW
     };
     let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors: [off(0), off(1), off(2)] };
-    facet.combined_by_pair(&mut signs).or_else(|| facet.combined_by_shares(&mut signs))
+    let told = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
+    if told.is_some() || 1.0 - factor < ROOM_FOR_PAIRS * roundings {
+        return told;
+    }
+    facet.combined_in_pairs(&signs)
 }
 
 /// A facet that p may be below, with the sum of all generators with their signs.
@@ -134,7 +143,7 @@ struct Facet<'a> {
 impl Facet<'_> {
     /// The proof in which the two of the facet make up for everything in its plane.
     #[inline]
-    fn combined_by_pair(&self, signs: &mut [f64]) -> Option<Told> {
+    fn combined_by_pair(&self, signs: &[f64]) -> Option<Told> {
         let third = self.third(THIRD_CANDIDATES)?;
         let [a, b] = self.pair;
         let left = self.without([a, b, third].into_iter(), signs);
@@ -168,6 +177,25 @@ impl Facet<'_> {
         self.combined(third, left, signs)
     }
 
+    /// Either proof in pairs of doubles, where doubles leave a doubt of it.
+    fn combined_in_pairs(&self, shares: &[f64]) -> Option<Told> {
+        let third = self.third(self.query.len())?;
+        let basis = [self.pair[0], self.pair[1], third];
+        let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
+        basis.iter().for_each(|&i| coefficients[i] = 0.0);
+        let [first, second] = self.query.rows().map(Rows::list);
+        let (own, others) = coefficients.split_at(first.len());
+        let (own, others) = (combined_sum(first, own), combined_sum(second, others));
+        let of = BoundedDoubleDouble::exact;
+        let (from, to) = (self.query.from(), self.query.to());
+        let rest = [0, 1, 2].map(|k| of(to[k]) - of(from[k]) - own[k] - others[k]);
+        let own = solve_in_pairs(basis.map(|i| self.query.generator(i).map(of)), &rest)?;
+        for (coefficient, i) in own.into_iter().zip(basis) {
+            coefficients[i] = coefficient;
+        }
+        Some(told(coefficients, basis))
+    }
+
     /// The generator that is farthest from the facet's plane, as one of so many shows.
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
@@ -195,10 +223,14 @@ impl Facet<'_> {
         for (coefficient, i) in own.into_iter().zip(basis) {
             coefficients[i] = coefficient;
         }
-        let mut basis = basis.to_vec();
-        basis.sort_unstable();
-        Some(Told::Combined { coefficients, basis })
+        Some(told(coefficients, basis))
     }
+}
+
+fn told(coefficients: Vec<f64>, basis: [usize; 3]) -> Told {
+    let mut basis = basis.to_vec();
+    basis.sort_unstable();
+    Told::Combined { coefficients, basis }
 }
 
 #[inline]
@@ -231,6 +263,26 @@ fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Optio
             return None;
         }
         *coefficient = numerator / determinant;
+    }
+    Some(coefficients)
+}
+
+/// [`solve`] in pairs of doubles.
+fn solve_in_pairs([a, b, c]: [[BoundedDoubleDouble; 3]; 3], rest: &[BoundedDoubleDouble; 3]) -> Option<[f64; 3]> {
+    type Vector = [BoundedDoubleDouble; 3];
+    let product = |a: &Vector, b: &Vector| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let normal =
+        |a: &Vector, b: &Vector| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let normals = [normal(&b, &c), normal(&c, &a), normal(&a, &b)];
+    let determinant = product(&c, &normals[2]);
+    determinant.sign()?;
+    let mut coefficients = [0.0; 3];
+    for (coefficient, normal) in coefficients.iter_mut().zip(&normals) {
+        let numerator = product(rest, normal);
+        if numerator.abs().certain_order(&determinant.abs()) != Some(Ordering::Less) {
+            return None;
+        }
+        *coefficient = (numerator.high / determinant.high).clamp(-1.0, 1.0);
     }
     Some(coefficients)
 }

@@ -22,7 +22,7 @@ pub(crate) fn likely_vertex(runs: [Rows<'_>; 2], p: &BoundedVector, tally: &mut 
         vectors[first.len()..n].copy_from_slice(second);
         let Found { pair, octets } = steepest(&vectors[..n], &p);
         // each eight of pairs is tried with all generators
-        tally.add(Operation::GeneratorRead, (n * octets) as u64);
+        tally.add(Operation::GeneratorRead, n as u64 * octets as u64);
         return Some(pair);
     }
     tally.add(Operation::GeneratorRead, n as u64);
