@@ -333,6 +333,9 @@ impl Climb<'_, '_> {
     fn decide(&mut self, searched: Searched) -> Attempt {
         let (optimum, cells) = match searched {
             Searched::Doubtful { cells, vertex } => {
+                if let Some(told) = vertex.and_then(|vertex| self.told_by(vertex)) {
+                    return Ok(Optimum::Told(told));
+                }
                 self.known = Known { cells, vertex: vertex.map(Vertex::Likely) };
                 return Err(Rung::FlatBody);
             }
@@ -342,10 +345,22 @@ impl Climb<'_, '_> {
         match DecidedOptimum::new(self.problem.query, optimum, cells, self.problem.goal) {
             Ok(decided) => Ok(Optimum::Rounded(decided)),
             Err((optimum, cells)) => {
+                if let Some(told) = self.told_by(optimum.basis) {
+                    return Ok(Optimum::Told(told));
+                }
                 self.known = Known { cells, vertex: Some(Vertex::Found(optimum)) };
                 Err(Rung::ExactVertex)
             }
         }
+    }
+
+    /// The proof by a vertex of which doubles certify too little, if none was looked for before the certificate.
+    fn told_by(&mut self, vertex: [usize; 2]) -> Option<Told> {
+        if self.problem.goal != Goal::Proof || self.problem.is_proved_first() {
+            return None;
+        }
+        self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
+        self.problem.location_by_pair(vertex)
     }
 
     fn sample(&self) -> &Sample {

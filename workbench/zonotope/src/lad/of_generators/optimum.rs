@@ -32,6 +32,13 @@ pub(crate) enum Told {
         /// The three generators whose coefficients make up for all rounding.
         basis: Vec<usize>,
     },
+    /// The same of a displacement on the boundary.
+    Touching {
+        /// One for each generator.
+        coefficients: Vec<f64>,
+        /// The three generators whose coefficients make up for all rounding.
+        basis: Vec<usize>,
+    },
 }
 
 /// The optimum for a body in a plane, by way of a prism.
@@ -79,7 +86,7 @@ impl Optimum {
     /// Whether the displacement is in the closed body. O(1).
     pub(crate) fn is_member(&self) -> bool {
         match self {
-            Self::Centre | Self::Told(Told::Combined { .. }) => true,
+            Self::Centre | Self::Told(Told::Combined { .. } | Told::Touching { .. }) => true,
             Self::Told(Told::Separated(_)) => false,
             Self::Rounded(decided) => decided.order.is_le(),
             Self::Exact(exact) => exact.along <= exact.reach,

@@ -30,9 +30,14 @@ impl<'q> Problem<'q> {
         Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal, vertex: None }
     }
 
-    /// Where the displacement lies, if a proof is all that is asked, and the facet of two generators gives one.
+    /// Whether a location is proved from a vertex before the vertex is certified.
+    pub(crate) fn is_proved_first(&self) -> bool {
+        self.goal == Goal::Proof && self.query.len() <= PROOF_LIMIT
+    }
+
+    /// Where the displacement lies, if a proof is all that is asked, and the facet of two generators gives one. O(n).
     pub(crate) fn location_by_pair(&self, pair: [usize; 2]) -> Option<Told> {
-        let query = Some(self.query).filter(|query| self.goal == Goal::Proof && query.len() <= PROOF_LIMIT)?;
+        let query = Some(self.query).filter(|_| self.goal == Goal::Proof)?;
         location_by_pair(&query.as_query()?, &self.p, pair)
     }
 

@@ -55,6 +55,10 @@ pub(crate) fn of_told(told: Told, tally: &mut dyn Tally) -> Location<3> {
             tally.answered_by(Rung::RoundedCoefficients);
             Location::Inside(Witness { coefficients, basis })
         }
+        Told::Touching { coefficients, basis } => {
+            tally.answered_by(Rung::ScaledSigns);
+            Location::Boundary(Witness { coefficients, basis })
+        }
     }
 }
 

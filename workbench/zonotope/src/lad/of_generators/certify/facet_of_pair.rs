@@ -14,6 +14,7 @@ use std::cmp::Ordering;
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::facet_coefficients::facet_coefficients;
+use super::touching_facet::touching;
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::combined_sum::combined_sum;
@@ -105,21 +106,23 @@ pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [u
     let roundings = UNIT * (n / 2 + 16) as f64;
     let terms = dot(&sums.sizes, &u.map(f64::abs));
     let error = (roundings * sums.reach + 4.0 * UNIT * terms) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW;
-    let along = dot(p, &bounded::exact(u));
-    if (along - Bounded { value: sums.reach, error }).is_positive() {
+    let (along, reach) = (dot(p, &bounded::exact(u)), Bounded { value: sums.reach, error });
+    if (along - reach).is_positive() {
         return Some(Told::Separated(u));
     }
     let factor = along.value / sums.reach;
-    // false for NaN as well
-    let is_member = factor < 1.0;
-    if !is_member {
+    if !factor.is_finite() {
         return None;
     }
     let off = |k: usize| {
         let size = sums.sizes[k] + own[k].abs();
         (p[k].error + (roundings + 16.0 * UNIT) * size) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW
     };
-    let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors: [off(0), off(1), off(2)] };
+    let errors = [off(0), off(1), off(2)];
+    if !(reach - along).is_positive() {
+        return touching(query, pair, &u, &mut signs, &errors);
+    }
+    let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors };
     let told = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
     if told.is_some() || 1.0 - factor < ROOM_FOR_PAIRS * roundings {
         return told;
@@ -219,8 +222,9 @@ impl Facet<'_> {
         let basis = [self.pair[0], self.pair[1], third];
         let rest = [0, 1, 2].map(|k| self.p[k] - self.factor * left[k]);
         let own = solve(&basis.map(|i| self.query.generator(i)), &rest, &self.errors)?;
+        let [Some(first), Some(second), Some(last)] = own else { return None };
         let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
-        for (coefficient, i) in own.into_iter().zip(basis) {
+        for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
             coefficients[i] = coefficient;
         }
         Some(told(coefficients, basis))
@@ -233,15 +237,16 @@ fn told(coefficients: Vec<f64>, basis: [usize; 3]) -> Told {
     Told::Combined { coefficients, basis }
 }
 
+/// A sum less a multiple of a vector.
 #[inline]
-fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
+pub(super) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
     [sum[0] - factor * v[0], sum[1] - factor * v[1], sum[2] - factor * v[2]]
 }
 
-/// The coefficients of three vectors that make up a rest whose coordinates are off by at most so much, if they are
-/// certainly within (−1, 1).
+/// The coefficients of three vectors that make up a rest whose coordinates are off by at most so much: those that are
+/// certainly within (−1, 1). `None` if the three may be dependent.
 #[inline]
-fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 3]> {
+pub(super) fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Option<[Option<f64>; 3]> {
     let normals = cyclic_cross_products(a, b, c);
     let areas = [cross_terms(b, c), cross_terms(c, a), cross_terms(a, b)];
     let determinant = dot(c, &normals[2]);
@@ -254,17 +259,13 @@ fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Optio
     }
     // each term of the product of the rest with a normal goes through seven roundings
     let off = [0, 1, 2].map(|k| errors[k] + 16.0 * UNIT * rest[k].abs());
-    let mut coefficients = [0.0; 3];
-    for ((coefficient, normal), area) in coefficients.iter_mut().zip(&normals).zip(&areas) {
-        let numerator = dot(rest, normal);
-        let error = dot(&off, area) * LONG_SUM + PRODUCT_UNDERFLOW;
+    let coefficient = |k: usize| {
+        let numerator = dot(rest, &normals[k]);
+        let error = dot(&off, &areas[k]) * LONG_SUM + PRODUCT_UNDERFLOW;
         let is_within = (numerator.abs() + error) * THIRTY_ROUNDINGS < least;
-        if !is_within {
-            return None;
-        }
-        *coefficient = numerator / determinant;
-    }
-    Some(coefficients)
+        is_within.then_some(numerator / determinant)
+    };
+    Some([coefficient(0), coefficient(1), coefficient(2)])
 }
 
 /// [`solve`] in pairs of doubles.
@@ -289,7 +290,7 @@ fn solve_in_pairs([a, b, c]: [[BoundedDoubleDouble; 3]; 3], rest: &[BoundedDoubl
 
 /// The sums of the magnitudes of the terms of a cross product, with room for what underflows.
 #[inline]
-fn cross_terms(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+pub(super) fn cross_terms(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     let terms = |i: usize, j: usize| (a[i] * b[j]).abs() + (a[j] * b[i]).abs() + PRODUCT_UNDERFLOW;
     [terms(1, 2), terms(2, 0), terms(0, 1)]
 }
@@ -319,8 +320,8 @@ mod tests {
         assert_eq!(told(&cube, [0.3, 0.2, 1.001], [0, 1]), Some("outside"));
         // the ray leaves through another side, and still the coefficients are in [−1, 1]
         assert_eq!(told(&cube, [0.9, 0.0, 0.1], [0, 1]), Some("inside"));
-        // on the boundary; beyond another side; a pair without a normal
-        assert_eq!(told(&cube, [0.3, 0.2, 1.0], [0, 1]), None);
+        assert_eq!(told(&cube, [0.3, 0.2, 1.0], [0, 1]), Some("boundary"));
+        // beyond another side; a pair without a normal
         assert_eq!(told(&cube, [1.2, 0.0, 0.1], [0, 1]), None);
         assert_eq!(told(&cube, [0.3, 0.2, 0.5], [0, 0]), None);
     }

@@ -6,6 +6,7 @@
 //! | [`residual`] | what the vertex leaves of λ p, for coefficients in [−1, 1] |
 //! | [`near_generators`] | the sum of the generators whose sign at the vertex is not certain |
 //! | [`facet_of_pair`] | where the displacement lies, from a vertex of which nothing is known |
+//! | [`touching_facet`] | the displacement is exactly on the facet of such a vertex |
 //! | [`facet_coefficients`] | the coefficients of many generators of one facet, by a weighted median |
 //! | [`unit_gauge_bound`] | how thick the body is at least |
 //! | [`gauge_interval`] | on which side of the boundary the displacement ends |
@@ -16,4 +17,5 @@ pub(crate) mod gauge_interval;
 mod near_generators;
 mod residual;
 pub(crate) mod rounded_optimum;
+mod touching_facet;
 pub(crate) mod unit_gauge_bound;

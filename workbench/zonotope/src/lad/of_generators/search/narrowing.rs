@@ -14,7 +14,6 @@ use super::certified_descent::{Ended, descend_and_certify};
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
 use crate::lad::of_generators::certify::rounded_optimum::Unproved;
-use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::guess::aim::{Aim, Guess};
 use crate::lad::of_generators::guess::vertex_descent::descend;
 use crate::lad::of_generators::plane::rounded_lines::RoundedLines;
@@ -96,7 +95,7 @@ pub(crate) fn narrow(
     if lines.len() > most_lines {
         return Err(lost);
     }
-    if problem.goal == Goal::Proof
+    if problem.is_proved_first()
         && problem.vertex.is_none()
         && let Some(vertex) = descend(&lines, last.linear(chart), point)
     {
