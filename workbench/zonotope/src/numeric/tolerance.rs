@@ -75,8 +75,8 @@ pub const DETERMINANT_OF_IMAGES: f64 = 32.0 * UNIT;
 /// A generator whose product with the computed normal of two others is smaller than this part of the product's terms is
 /// tried as one of their facet.
 ///
-/// Of exactly coplanar generators the product is off by the eight roundings of a [determinant](DETERMINANT_OF_ROWS), in
-/// terms of numbers that cancel in the normal as well; eight times that finds those of lattices. It decides no answer: a
+/// Of exactly coplanar generators the product is off by the roundings of a [determinant](DETERMINANT_OF_ROWS), in terms
+/// of numbers that cancel in the normal as well; eight times that finds those of lattices. It decides no answer: a
 /// proof is bounded whatever generators take part in it.
 pub const FACET_ROUNDING: f64 = 64.0 * UNIT;
 

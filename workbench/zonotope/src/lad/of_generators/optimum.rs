@@ -50,6 +50,23 @@ pub(crate) struct FlatOptimum {
     pub(crate) optimum: Optimum,
 }
 
+impl Told {
+    /// The proof of a displacement that is inside, with the basis in any order.
+    pub(crate) fn combined(coefficients: Vec<f64>, basis: [usize; 3]) -> Self {
+        Self::Combined { coefficients, basis: in_order(basis) }
+    }
+
+    /// The proof of a displacement on the boundary, with the basis in any order.
+    pub(crate) fn touching(coefficients: Vec<f64>, basis: [usize; 3]) -> Self {
+        Self::Touching { coefficients, basis: in_order(basis) }
+    }
+}
+
+fn in_order(mut basis: [usize; 3]) -> Vec<usize> {
+    basis.sort_unstable();
+    basis.to_vec()
+}
+
 impl Optimum {
     /// The gauge with a bound for its error; infinite where no multiple of the body holds the displacement. O(1).
     pub(crate) fn gauge(&self) -> (f64, f64) {

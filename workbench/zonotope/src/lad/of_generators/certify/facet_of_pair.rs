@@ -9,23 +9,21 @@
 //!
 //! Every bound is in terms of coordinates and not of lengths: a body that is thin along an axis is as good as another.
 
-use std::cmp::Ordering;
-
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::facet_coefficients::facet_coefficients;
+use super::facet_in_pairs::combined_in_pairs;
+use super::three_coefficients::{minus, solve};
 use super::touching_facet::touching;
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
-use crate::numeric::combined_sum::combined_sum;
-use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
 use crate::numeric::lanes::octet::{LANES, reordered, splat, total, totals};
 use crate::numeric::lanes::rows::Rows;
-use crate::numeric::linear::{cross, cyclic_cross_products, dot};
+use crate::numeric::linear::{cross, dot};
 use crate::numeric::reused::Reused;
-use crate::numeric::tolerance::{CUBABLE_SIZES, FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, THIRTY_ROUNDINGS, UNIT};
+use crate::numeric::tolerance::{FACET_ROUNDING, LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
 use crate::zonotope::query::Query;
 
 /// How many generators are looked at for the third of a basis where the two of the facet make up for everything in its
@@ -127,7 +125,7 @@ pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [u
     if told.is_some() || 1.0 - factor < ROOM_FOR_PAIRS * roundings {
         return told;
     }
-    facet.combined_in_pairs(&signs)
+    combined_in_pairs(query, [pair[0], pair[1], facet.third(n)?], &u, &mut signs)
 }
 
 /// A facet that p may be below, with the sum of all generators with their signs.
@@ -180,25 +178,6 @@ impl Facet<'_> {
         self.combined(third, left, signs)
     }
 
-    /// Either proof in pairs of doubles, where doubles leave a doubt of it.
-    fn combined_in_pairs(&self, shares: &[f64]) -> Option<Told> {
-        let third = self.third(self.query.len())?;
-        let basis = [self.pair[0], self.pair[1], third];
-        let mut coefficients: Vec<f64> = shares.iter().map(|share| self.factor * share).collect();
-        basis.iter().for_each(|&i| coefficients[i] = 0.0);
-        let [first, second] = self.query.rows().map(Rows::list);
-        let (own, others) = coefficients.split_at(first.len());
-        let (own, others) = (combined_sum(first, own), combined_sum(second, others));
-        let of = BoundedDoubleDouble::exact;
-        let (from, to) = (self.query.from(), self.query.to());
-        let rest = [0, 1, 2].map(|k| of(to[k]) - of(from[k]) - own[k] - others[k]);
-        let own = solve_in_pairs(basis.map(|i| self.query.generator(i).map(of)), &rest)?;
-        for (coefficient, i) in own.into_iter().zip(basis) {
-            coefficients[i] = coefficient;
-        }
-        Some(told(coefficients, basis))
-    }
-
     /// The generator that is farthest from the facet's plane, as one of so many shows.
     #[inline]
     fn third(&self, candidates: usize) -> Option<usize> {
@@ -227,72 +206,8 @@ impl Facet<'_> {
         for (coefficient, i) in [first, second, last].into_iter().zip(basis) {
             coefficients[i] = coefficient;
         }
-        Some(told(coefficients, basis))
+        Some(Told::combined(coefficients, basis))
     }
-}
-
-fn told(coefficients: Vec<f64>, basis: [usize; 3]) -> Told {
-    let mut basis = basis.to_vec();
-    basis.sort_unstable();
-    Told::Combined { coefficients, basis }
-}
-
-/// A sum less a multiple of a vector.
-#[inline]
-pub(super) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
-    [sum[0] - factor * v[0], sum[1] - factor * v[1], sum[2] - factor * v[2]]
-}
-
-/// The coefficients of three vectors that make up a rest whose coordinates are off by at most so much: those that are
-/// certainly within (−1, 1). `None` if the three may be dependent.
-#[inline]
-pub(super) fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Option<[Option<f64>; 3]> {
-    let normals = cyclic_cross_products(a, b, c);
-    let areas = [cross_terms(b, c), cross_terms(c, a), cross_terms(a, b)];
-    let determinant = dot(c, &normals[2]);
-    // each of its terms goes through five roundings
-    let least = determinant.abs() - 8.0 * UNIT * dot(&c.map(f64::abs), &areas[2]) - PRODUCT_UNDERFLOW;
-    // false for NaN as well
-    let is_spanning = least > CUBABLE_SIZES.start * CUBABLE_SIZES.start * CUBABLE_SIZES.start;
-    if !is_spanning {
-        return None;
-    }
-    // each term of the product of the rest with a normal goes through seven roundings
-    let off = [0, 1, 2].map(|k| errors[k] + 16.0 * UNIT * rest[k].abs());
-    let coefficient = |k: usize| {
-        let numerator = dot(rest, &normals[k]);
-        let error = dot(&off, &areas[k]) * LONG_SUM + PRODUCT_UNDERFLOW;
-        let is_within = (numerator.abs() + error) * THIRTY_ROUNDINGS < least;
-        is_within.then_some(numerator / determinant)
-    };
-    Some([coefficient(0), coefficient(1), coefficient(2)])
-}
-
-/// [`solve`] in pairs of doubles.
-fn solve_in_pairs([a, b, c]: [[BoundedDoubleDouble; 3]; 3], rest: &[BoundedDoubleDouble; 3]) -> Option<[f64; 3]> {
-    type Vector = [BoundedDoubleDouble; 3];
-    let product = |a: &Vector, b: &Vector| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let normal =
-        |a: &Vector, b: &Vector| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    let normals = [normal(&b, &c), normal(&c, &a), normal(&a, &b)];
-    let determinant = product(&c, &normals[2]);
-    determinant.sign()?;
-    let mut coefficients = [0.0; 3];
-    for (coefficient, normal) in coefficients.iter_mut().zip(&normals) {
-        let numerator = product(rest, normal);
-        if numerator.abs().certain_order(&determinant.abs()) != Some(Ordering::Less) {
-            return None;
-        }
-        *coefficient = (numerator.high / determinant.high).clamp(-1.0, 1.0);
-    }
-    Some(coefficients)
-}
-
-/// The sums of the magnitudes of the terms of a cross product, with room for what underflows.
-#[inline]
-pub(super) fn cross_terms(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    let terms = |i: usize, j: usize| (a[i] * b[j]).abs() + (a[j] * b[i]).abs() + PRODUCT_UNDERFLOW;
-    [terms(1, 2), terms(2, 0), terms(0, 1)]
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The exact proof that a displacement is on the facet of two generators.
 //!
 //! Let u = ± v_a × v_b, exactly, and S the sum of the generators off the plane of the two, with the signs of their
-//! products with u. Then p is in the plane of the facet just when u · (p − S) = 0, which is the sign of one determinant,
-//! and on the facet if the generators in its plane combine to p − S with coefficients in [−1, 1]. Those of all but two
+//! products with u. Then p is in the plane of the facet just when u · (p − S) = 0, the sign of one determinant, and on
+//! the facet if the generators in its plane combine to p − S with coefficients in [−1, 1]. Those of all but two
 //! may be any doubles, as the two make up for what is left of a vector of their plane. So a contact takes one exact sum
 //! and one exact determinant, where a search in exact arithmetic takes hundreds of operations. At an edge
 //! or a corner of the facet some coefficients are exactly 1 or −1: there the two are solved for exactly.
@@ -10,7 +10,7 @@
 use std::cmp::Ordering;
 
 use super::facet_coefficients::facet_coefficients;
-use super::facet_of_pair::{cross_terms, minus, solve};
+use super::three_coefficients::{cross_terms, minus, solve};
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
@@ -82,9 +82,7 @@ pub(super) fn touching(
     for (i, coefficient) in pair.into_iter().zip(of_pair) {
         coefficients[i] = coefficient;
     }
-    let mut basis = vec![pair[0], pair[1], third];
-    basis.sort_unstable();
-    Some(Told::Touching { coefficients, basis })
+    Some(Told::touching(coefficients, [pair[0], pair[1], third]))
 }
 
 /// The two generators of the facet that make up for what the others leave: where all shares but one are at their ends,
@@ -113,7 +111,7 @@ struct Touched<'a, I> {
 }
 
 impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
-    /// The coefficients of the two for a sum of the facet's generators, if doubles are certain that they are in (−1, 1).
+    /// The coefficients of the two for a sum of the facet's generators, if they are certainly in (−1, 1).
     fn coefficients(&self, sum: &[f64; 3], errors: &[f64; 3]) -> Option<[f64; 2]> {
         let start = minus(*sum, -self.signs[self.third], &self.query.generator(self.third));
         let rest = self.others.clone().fold(start, |rest, i| minus(rest, self.signs[i], &self.query.generator(i)));
