@@ -56,9 +56,9 @@ impl<T: Number> Signed<T> {
         let along = product(v, u);
         let sign = units.one.signed_as(along);
         self.reach += along.magnitude();
-        for k in 0..3 {
-            self.sum[k] += sign * v[k];
-            self.sizes[k] += v[k].magnitude();
+        for ((sum, size), c) in self.sum.iter_mut().zip(&mut self.sizes).zip(v) {
+            *sum += sign * *c;
+            *size += c.magnitude();
         }
         sign
     }
