@@ -20,6 +20,9 @@
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
 //! | `ExactWhole` | | always answers |
 //!
+//! Where a proof of the location is all that is asked ([`Goal::Proof`]), a rung that finds a vertex may end with the
+//! proof that the vertex gives by itself, and its answer is no optimum.
+//!
 //! Displacements of a size outside [`MODERATE_SIZES`], for which products of doubles leave their range, begin at
 //! `FlatBody`.
 

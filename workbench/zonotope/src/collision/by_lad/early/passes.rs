@@ -35,7 +35,8 @@ pub(crate) trait Carried {
 
 /// Generators over which passes are made; those that are rows of doubles say no more than which rows.
 pub(crate) trait Passes {
-    /// Of so many octets of rows in turn only the last is read where sums at some y are taken.
+    /// The period in which sums at some y read the octets of rows: they read the last octet of each period, and all
+    /// octets where it is 1.
     const SHARE: usize = 1;
 
     /// The rows of the generators.
@@ -81,7 +82,7 @@ pub(crate) trait EarlyQuery: Passes {
     fn as_rows(&self) -> Option<Query<'_, 3>>;
 }
 
-/// Every fourth octet of the generators, the last of each four.
+/// The generators of a query of which sums read the fourth octet of each four, a quarter of all.
 pub(crate) struct Quarter<'a, Q>(pub(crate) &'a Q);
 
 impl<Q: EarlyQuery> Passes for Quarter<'_, Q> {
