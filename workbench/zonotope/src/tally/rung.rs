@@ -47,6 +47,8 @@ pub enum Rung {
     WiderCell,
     /// The optimum of a sample whose gradient a pass over all generators corrects.
     CorrectedSample,
+    /// Three pieces of the objective that close in on the optimum between them.
+    CuttingPlanes,
     /// Doubles prove the vertex but not on which side of it the displacement ends: its exact coordinates do.
     ExactVertex,
     /// A flat body, without one of its coordinates.
@@ -75,7 +77,7 @@ pub enum Rung {
 
 impl Rung {
     /// All rungs, each stage's in the order in which they are tried.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 26] = [
         Self::LeastSquares,
         Self::LeastSquaresInPlane,
         Self::SampledDirection,
@@ -89,6 +91,7 @@ impl Rung {
         Self::SampledCell,
         Self::WiderCell,
         Self::CorrectedSample,
+        Self::CuttingPlanes,
         Self::ExactVertex,
         Self::FlatBody,
         Self::ExactInCells,
@@ -119,6 +122,7 @@ impl Rung {
             Self::SampledCell => "sampled_cell",
             Self::WiderCell => "wider_cell",
             Self::CorrectedSample => "corrected_sample",
+            Self::CuttingPlanes => "cutting_planes",
             Self::ExactVertex => "exact_vertex",
             Self::FlatBody => "flat_body",
             Self::ExactInCells => "exact_in_cells",

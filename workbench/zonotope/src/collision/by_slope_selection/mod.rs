@@ -93,6 +93,8 @@ use super::{Location, Query, Separation, Witness};
 use crate::arrangement::DualArrangement;
 use crate::arrangement::dual::Upward;
 use crate::collision::by_lad::proof::separation::separation;
+use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
+use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::span::prism::Prism;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
@@ -249,7 +251,9 @@ impl<'a> Search<'a> {
         let independent = |upward: &&&Upward| !is_zero(&cross(&exact(upward.vector), &exact(facet[0].vector)));
         let span: Vec<usize> =
             facet.iter().take(1).chain(facet.iter().find(independent)).map(|v| v.generator as usize).collect();
-        separation(self.question, &self.p, &normal, &span)
+        let question: &dyn KernelQuery = self.question;
+        let signs = DirectionSigns::new(question, &normal).all(&normal);
+        separation(question, &self.p, &normal, &span, &question.signed_sum(&signs))
     }
 
     /// The proof from the facet above p, which it is in, or is above the facet below it.

@@ -14,7 +14,8 @@
 //! | `SampledCell` | a sample has a smooth optimum, or the query a likely cell | `WiderCell` where the optimum seems near, else as below |
 //! | `WiderCell` | once | `CorrectedSample`; `ParallelClasses` where no sample was drawn |
 //! | `CorrectedSample` | where guesses fail | `FlatBody` |
-//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `ExactVertex` |
+//! | `FlatBody` | doubles leave a doubt and all generators lie in a plane with the displacement | `CuttingPlanes` of more than [`WHOLE_LIMIT`] generators, else `ExactVertex` |
+//! | `CuttingPlanes` | where the search by samples leaves a doubt, too | `ExactVertex` |
 //! | `ExactVertex` | a search in doubles proved too little of the vertex at which it ended, or found none | `ExactInCells` |
 //! | `ExactInCells` | cells are known | `LongestFirst` |
 //! | `LongestFirst` | at least [`super::exact::longest_first::LEAST_COUNT`] generators | `ExactWhole` |
@@ -42,6 +43,7 @@ use super::search::Searched;
 use super::search::best_pair::{PAIRS_LIMIT, best_pair};
 use super::search::class_meetings::{ClassesFound, search_meetings};
 use super::search::corrected_sample::{CorrectedSample, NotCertified};
+use super::search::cutting_planes::cutting_planes;
 use super::search::narrowing::{DESCENT_LINES, Missed, narrow, search_cell};
 use super::span::flat::spare_axis;
 use super::span::prism::Prism;
@@ -59,6 +61,9 @@ pub(crate) const WHOLE_LIMIT: usize = DESCENT_LINES;
 
 /// The vertex descent at the end of a search is given at most this many lines.
 const CELL_LINES_LIMIT: usize = 1200;
+
+/// The vertex descent at the end of the last search in doubles is given at most this many lines.
+const LAST_LINES_LIMIT: usize = 4096;
 
 /// A direction is tried as a separating one where the gauge of the sample exceeds 1 by more than this times the
 /// standard error of a sampled sum, which is nearly that sum over the root of the sample's size.
@@ -109,6 +114,7 @@ pub(crate) fn climb(
             Rung::SeparatingGuess => climb.separating_guess(),
             Rung::SampledCell => climb.sampled_cell(),
             Rung::WiderCell => climb.wider_cell(),
+            Rung::CuttingPlanes => climb.cutting_planes(),
             Rung::CorrectedSample => climb.corrected_sample(),
             Rung::ExactVertex => climb.exact_vertex(),
             Rung::FlatBody => climb.flat_body(),
@@ -299,6 +305,13 @@ impl Climb<'_, '_> {
         }
     }
 
+    fn cutting_planes(&mut self) -> Attempt {
+        let start = self.guess.map_or([0.0; 2], |(guess, _)| guess.point);
+        let searched = cutting_planes(self.problem, start, LAST_LINES_LIMIT, self.tally);
+        // the body is not flat
+        searched.map_or(Err(Rung::ExactVertex), |searched| self.decide(searched)).map_err(|_| Rung::ExactVertex)
+    }
+
     fn corrected_sample(&mut self) -> Attempt {
         let sample = self.sample.as_ref().expect("a sample was taken by the rung of parallel classes");
         let (problem, tally) = (self.problem, &mut *self.tally);
@@ -325,8 +338,10 @@ impl Climb<'_, '_> {
 
     fn flat_body(&mut self) -> Attempt {
         let Problem { query, goal, .. } = *self.problem;
-        let query = query.as_query().ok_or(Rung::ExactVertex)?;
-        let axis = spare_axis(&query, &query.exact()).ok_or(Rung::ExactVertex)?;
+        // of few generators, or of sizes that are not moderate, planes tell no more than the search before
+        let next = if self.sample.is_some() { Rung::CuttingPlanes } else { Rung::ExactVertex };
+        let query = query.as_query().ok_or(next)?;
+        let axis = spare_axis(&query, &query.exact()).ok_or(next)?;
         let prism = Prism::without(axis, &query);
         let (optimum, _) = climb(&prism.query(), goal, None, self.tally);
         Ok(Optimum::Flat(Box::new(FlatOptimum { axis, prism, optimum })))

@@ -4,6 +4,7 @@
 use super::certify::gauge_interval::DecidedOptimum;
 use super::exact::solve::ExactOptimum;
 use super::span::prism::Prism;
+use crate::collision::Separation;
 
 /// The optimum of a query, or a direction that made it unnecessary.
 #[derive(Debug)]
@@ -25,6 +26,9 @@ pub(crate) enum Optimum {
 pub(crate) enum Told {
     /// A direction that separates.
     Separated([f64; 3]),
+    /// A direction that separates though rounding leaves no room for it in doubles: the exact normal of a facet that
+    /// the displacement is beyond, or doubles near it.
+    Beyond(Separation<3>),
     /// Coefficients in [−1, 1] that combine to the displacement, which is inside.
     Combined {
         /// One for each generator.
@@ -104,7 +108,7 @@ impl Optimum {
     pub(crate) fn is_member(&self) -> bool {
         match self {
             Self::Centre | Self::Told(Told::Combined { .. } | Told::Touching { .. }) => true,
-            Self::Told(Told::Separated(_)) => false,
+            Self::Told(Told::Separated(_) | Told::Beyond(_)) => false,
             Self::Rounded(decided) => decided.order.is_le(),
             Self::Exact(exact) => exact.along <= exact.reach,
             Self::Flat(flat) => flat.optimum.is_member(),

@@ -30,6 +30,11 @@ impl<'q> Problem<'q> {
         Self { query, p, chart: RoundedChart::new(p.map(|c| c.value)), goal, vertex: None }
     }
 
+    /// Whether the search among all generators has ended at this vertex already.
+    pub(crate) fn is_known(&self, [first, second]: [usize; 2]) -> bool {
+        self.vertex.is_some_and(|vertex| vertex == [first, second] || vertex == [second, first])
+    }
+
     /// Whether a location is proved from a vertex before the vertex is certified.
     pub(crate) fn is_proved_first(&self) -> bool {
         self.goal == Goal::Proof && self.query.len() <= PROOF_LIMIT

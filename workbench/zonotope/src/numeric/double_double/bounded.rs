@@ -108,6 +108,11 @@ impl BoundedDoubleDouble {
         Self { high: -self.high, low: -self.low, ..self }
     }
 
+    /// A double that the absolute value does not exceed.
+    pub(crate) fn largest(self) -> Self {
+        Self::within(DoubleDouble::from((self.high.abs() + self.low.abs() + self.error) * DOUBLE_DOUBLE_BOUND), 0.0)
+    }
+
     /// The absolute value.
     pub(crate) fn abs(self) -> Self {
         if self.high < 0.0 { self.negated() } else { self }

@@ -24,6 +24,7 @@ use self::member_from_exact::Combination;
 use self::member_in_doubles::witness;
 use self::pivot_to_doubles::walk;
 use crate::collision::{Location, Separation, Witness};
+use crate::lad::of_generators::certify::facet_of_pair::location_by_pair;
 use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::generators::KernelQuery;
@@ -51,6 +52,10 @@ pub(crate) fn of_told(told: Told, tally: &mut dyn Tally) -> Location<3> {
             tally.answered_by(Rung::RoundedDirection);
             Location::Outside(Separation::Rounded(direction))
         }
+        Told::Beyond(separation) => {
+            tally.answered_by(exact_rung(&separation));
+            Location::Outside(separation)
+        }
         Told::Combined { coefficients, basis } => {
             tally.answered_by(Rung::RoundedCoefficients);
             Location::Inside(Witness { coefficients, basis })
@@ -59,6 +64,14 @@ pub(crate) fn of_told(told: Told, tally: &mut dyn Tally) -> Location<3> {
             tally.answered_by(Rung::ScaledSigns);
             Location::Boundary(Witness { coefficients, basis })
         }
+    }
+}
+
+/// The rung of a direction that is proved without rounding.
+fn exact_rung(separation: &Separation<3>) -> Rung {
+    match separation {
+        Separation::Rounded(_) => Rung::DirectionOfDoubles,
+        Separation::Exact(_) => Rung::RationalDirection,
     }
 }
 
@@ -72,7 +85,7 @@ fn of_center(query: &dyn KernelQuery) -> Location<3> {
     }
 }
 
-/// The proof in doubles, or that of the exact optimum where rounding leaves no room for it.
+/// The proof in doubles or in pairs of them, or that of the exact optimum where rounding leaves no room for either.
 fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn Tally) -> Location<3> {
     let p = query.rounded_displacement();
     let found = match decided.order {
@@ -85,6 +98,11 @@ fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn
         tally.answered_by(rung);
         return location;
     }
+    // the facet may leave room in pairs of doubles
+    let of_pair = |query| location_by_pair(&query, &p, decided.optimum.basis);
+    if let Some(told) = query.as_query().and_then(of_pair) {
+        return of_told(told, tally);
+    }
     let exact = query.exact();
     let optimum = ladder::exact_of(query, &exact, decided, tally);
     of_exact(query, &optimum, &exact, tally)
@@ -94,11 +112,8 @@ fn of_decided(query: &dyn KernelQuery, decided: &DecidedOptimum, tally: &mut dyn
 fn of_exact(query: &dyn KernelQuery, optimum: &ExactOptimum, p: &ExactVector, tally: &mut dyn Tally) -> Location<3> {
     match optimum.along.cmp(&optimum.reach) {
         Ordering::Greater => {
-            let separation = separation::separation(query, p, &optimum.direction, &optimum.basis);
-            tally.answered_by(match separation {
-                Separation::Rounded(_) => Rung::DirectionOfDoubles,
-                Separation::Exact(_) => Rung::RationalDirection,
-            });
+            let separation = separation::separation(query, p, &optimum.direction, &optimum.basis, &optimum.sum);
+            tally.answered_by(exact_rung(&separation));
             Location::Outside(separation)
         }
         order => {

@@ -12,7 +12,7 @@
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
 use super::facet_coefficients::facet_coefficients;
-use super::facet_in_pairs::combined_in_pairs;
+use super::facet_in_pairs::location_in_pairs;
 use super::three_coefficients::{minus, solve};
 use super::touching_facet::touching;
 use crate::lad::of_generators::optimum::Told;
@@ -30,9 +30,8 @@ use crate::zonotope::query::Query;
 /// plane.
 const THIRD_CANDIDATES: usize = 8;
 
-/// A factor nearer to 1 than so many of its own roundings is not worth pairs of doubles: the point is likely to be on
-/// the boundary.
-const ROOM_FOR_PAIRS: f64 = 8.0;
+/// A point whose gauge by the facet differs from 1 by no more than so many roundings is probably on the boundary.
+const LIKELY_CONTACT: f64 = 8.0;
 
 /// Sums over generators with the signs of their products with a direction, in lanes or not.
 struct Signed<T> {
@@ -117,15 +116,20 @@ pub(crate) fn location_by_pair(query: &Query<'_, 3>, p: &BoundedVector, pair: [u
         (p[k].error + (roundings + 16.0 * UNIT) * size) * LONG_SUM + n as f64 * PRODUCT_UNDERFLOW
     };
     let errors = [off(0), off(1), off(2)];
-    if !(reach - along).is_positive() {
-        return touching(query, pair, &u, &mut signs, &errors);
+    if (reach - along).is_positive() {
+        let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors };
+        let told = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
+        if told.is_some() {
+            return told;
+        }
     }
-    let facet = Facet { query, p: own, pair, u, sum: sums.sum, factor, errors };
-    let told = facet.combined_by_pair(&signs).or_else(|| facet.combined_by_shares(&mut signs));
-    if told.is_some() || 1.0 - factor < ROOM_FOR_PAIRS * roundings {
-        return told;
+    let exactly = |signs: &mut [f64]| touching(query, pair, &u, signs, &errors);
+    let in_pairs = |signs: &[f64]| location_in_pairs(query, pair, &u, reversed, signs);
+    if (along.value - reach.value).abs() < LIKELY_CONTACT * UNIT * sums.reach {
+        exactly(&mut signs).or_else(|| in_pairs(&signs))
+    } else {
+        in_pairs(&signs).or_else(|| exactly(&mut signs))
     }
-    combined_in_pairs(query, [pair[0], pair[1], facet.third(n)?], &u, &mut signs)
 }
 
 /// A facet that p may be below, with the sum of all generators with their signs.

@@ -16,6 +16,32 @@ keep_lists_of!(LineBlock);
 /// What fills the last block up: a line without normal that is far from every point.
 const NO_LINE: [f64; 4] = [0.0, 0.0, 1.0, f64::MAX];
 
+/// A plane over the plane of the lines: slope · x + height at the point x.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Plane {
+    pub(crate) slope: [f64; 2],
+    pub(crate) height: f64,
+}
+
+impl Plane {
+    /// The plane a x + b y + c.
+    pub(crate) fn of([a, b, c]: [f64; 3]) -> Self {
+        Self { slope: [a, b], height: c }
+    }
+
+    pub(crate) fn value(&self, [x, y]: [f64; 2]) -> f64 {
+        self.slope[0] * x + self.slope[1] * y + self.height
+    }
+
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self { slope: [0, 1].map(|k| self.slope[k] + other.slope[k]), height: self.height + other.height }
+    }
+
+    pub(crate) fn minus(&self, other: &Self) -> Self {
+        Self { slope: [0, 1].map(|k| self.slope[k] - other.slope[k]), height: self.height - other.height }
+    }
+}
+
 /// The lines of generators. A line has the number of its generator's row; its [`slot`] says where in the blocks it is.
 #[derive(Debug)]
 pub(crate) struct RoundedLines {
@@ -107,6 +133,18 @@ impl RoundedLines {
         [[1.0, 0.0], [0.0, 1.0]].map(|direction| self.slope([0.0; 2], point, direction))
     }
 
+    /// The piece of Σ |a x + b y + c| at a point (x, y, 1), or far out in a direction (x, y, 0).
+    pub(crate) fn piece(&self, place: [f64; 3]) -> Plane {
+        let whole = self.len / LANES;
+        let [mut a, mut b, mut c] = dispatch!(level(), simd => piece(simd, &self.blocks[..whole], place));
+        for row in LANES * whole..self.len {
+            let [p, q, r, _] = self.line(row);
+            let sign = f64::copysign(1.0, p * place[0] + q * place[1] + r * place[2]);
+            (a, b, c) = (a + sign * p, b + sign * q, c + sign * r);
+        }
+        Plane::of([a, b, c])
+    }
+
     /// A part that stands for all lines: eight lines in every `8 share`.
     pub(crate) fn part(&self, share: usize) -> Self {
         let blocks: Reused<LineBlock> = self.blocks[..self.len / LANES].iter().step_by(share).copied().collect();
@@ -145,6 +183,19 @@ fn slope<S: Simd>(simd: S, blocks: &[LineBlock], [x, y]: [f64; 2], [dx, dy]: [f6
         sum += turned(simd, a * dx + b * dy, value);
     }
     total(sum)
+}
+
+#[inline(always)]
+fn piece<S: Simd>(simd: S, blocks: &[LineBlock], [x, y, w]: [f64; 3]) -> [f64; 3] {
+    let mut sums = [f64x8::splat(simd, 0.0); 3];
+    for block in blocks {
+        let [a, b, c, _] = load(simd, block);
+        let value = a * x + b * y + c * w;
+        for (sum, part) in sums.iter_mut().zip([a, b, c]) {
+            *sum += turned(simd, part, value);
+        }
+    }
+    sums.map(total)
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ use crate::numeric::reused::{Reused, ReusedBox};
 use crate::tally::{Operation, Tally};
 
 /// How often a sample is corrected.
-const CORRECTIONS: usize = 5;
+const CORRECTIONS: usize = 3;
 
 /// At most this many lines of a level are searched without a sample of them.
 const DESCENT_LINES: usize = 1200;
@@ -124,14 +124,8 @@ impl CorrectedSample<'_, '_> {
         for round in 0..CORRECTIONS {
             let Some(vertex) = part.lines.optimum(part.linear, point) else { return outside };
             point = found.take().filter(|found| part.is_likely(*found, vertex)).unwrap_or(vertex);
-            let is_last = round + 1 == CORRECTIONS && depth == 0;
-            if is_last {
-                self.tally.add(Operation::GeneratorRead, self.problem.query.len() as u64);
-                let all = self.problem.chart.lines(&self.problem.query.generators().collect::<Reused<_>>());
-                point = all.optimum([0.0; 2], point).unwrap_or(point);
-            }
             let cell = match part.lines.guess_at(point, before, part.aim) {
-                Some(guess) => self.problem.chart.cell(&guess, if is_last { 0.0 } else { 1.0 }),
+                Some(guess) => self.problem.chart.cell(&guess, 1.0),
                 None => {
                     let center = self.problem.chart.point(point);
                     let ball = PARALLEL_CELL * center.iter().fold(0.0f64, |m, c| m.max(c.abs()));

@@ -6,6 +6,7 @@
 //! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
 //! | [`likely_vertex`] | a few hundred generators: the pair or the end of the descent, for proofs without a certificate |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
+//! | [`cutting_planes`] | all others: the optimum is between three pieces of the objective, which close in on it |
 //! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over all |
 //! | [`certified_descent`] | the end of the last three: descent from vertex to vertex until one is certified |
 
@@ -13,6 +14,7 @@ pub(crate) mod best_pair;
 pub(crate) mod certified_descent;
 pub(crate) mod class_meetings;
 pub(crate) mod corrected_sample;
+pub(crate) mod cutting_planes;
 pub(crate) mod likely_vertex;
 pub(crate) mod narrowing;
 

@@ -68,12 +68,22 @@ pub(crate) fn narrow(
     start: Option<&Guess>,
     most_lines: usize,
 ) -> Result<Searched, Missed> {
-    let chart = &problem.chart;
-    let lost = Missed::Lost { crossing: reduced.vectors.len() };
+    let lines = reduced.lines(&problem.chart);
     let mut levels = Reused::with_capacity(USUAL_LEVELS);
     levels.push(reduced);
-    let mut guess = start.copied();
-    let mut lines = levels[0].lines(chart);
+    narrow_last(problem, levels, lines, start.copied(), most_lines)
+}
+
+/// The same from the last of some problems, each reduced from the one before, and its lines.
+pub(crate) fn narrow_last(
+    problem: &Problem<'_>,
+    mut levels: Reused<Reduced>,
+    mut lines: RoundedLines,
+    mut guess: Option<Guess>,
+    most_lines: usize,
+) -> Result<Searched, Missed> {
+    let chart = &problem.chart;
+    let lost = Missed::Lost { crossing: lines.len() };
     while lines.len() > DESCENT_LINES {
         let last = levels.last().expect("there is always the first");
         let aim = Aim::new(lines.len(), lines.len(), BAND_DEVIATIONS);
@@ -96,10 +106,12 @@ pub(crate) fn narrow(
         return Err(lost);
     }
     if problem.is_proved_first()
-        && problem.vertex.is_none()
         && let Some(vertex) = descend(&lines, last.linear(chart), point)
     {
-        if let Some(told) = problem.location_by_pair(last.indices_of(vertex)) {
+        let generators = last.indices_of(vertex);
+        if !problem.is_known(generators)
+            && let Some(told) = problem.location_by_pair(generators)
+        {
             return Ok(Searched::Told(told));
         }
         point = met(&lines, vertex).unwrap_or(point);
