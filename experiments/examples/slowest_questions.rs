@@ -1,7 +1,7 @@
 //! The slowest questions of collision, beside the usual ones: for each family and size of bodies, the median time of
 //! the kernel over questions at every placement, and the questions that take longest, with the rungs that answered.
 //!
-//! `cargo run --release -p experiments --example slowest_questions -- 1010 [family]` asks so many questions of each
+//! `cargo run --release -p experiments --example slowest_questions -- 1050 [family]` asks so many questions of each
 //! family and size, a tenth of a million in all. Each is asked three times, of which the least time counts: what a
 //! busy machine adds is not the question's. An answer that contradicts the construction ends the program.
 
@@ -31,7 +31,7 @@ struct Asked {
 fn main() {
     let mut arguments = env::args().skip(1);
     let count =
-        arguments.next().map_or(1010, |text| text.parse().expect("the first argument is a number of questions"));
+        arguments.next().map_or(1050, |text| text.parse().expect("the first argument is a number of questions"));
     let family = arguments.next();
     for family in BODY_FAMILIES.iter().filter(|known| family.as_ref().is_none_or(|id| id == known.id)) {
         for size in SIZES {

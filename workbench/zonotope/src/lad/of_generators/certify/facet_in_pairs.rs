@@ -19,8 +19,8 @@ use crate::numeric::linear::{cross, cyclic_cross_products, dot, max_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_ROWS, PRODUCT_UNDERFLOW};
 use crate::zonotope::query::Query;
 
-/// Where p lies, with its proof, from the computed normal u of two generators, which is a × b or, if it is reversed, its
-/// opposite, and the signs of the products of all others with u, or shares in [−1, 1]. O(n).
+/// Where p lies, with its proof, from the computed normal u of two generators, which is a × b or, if it is reversed,
+/// its opposite, and the signs of the products of all others with u, or shares in [−1, 1]. O(n).
 pub(super) fn location_in_pairs(
     query: &Query<'_, 3>,
     pair: [usize; 2],

@@ -20,6 +20,7 @@ use crate::lad::of_generators::cells::reduced::{Reduced, USUAL_LEVELS};
 use crate::lad::of_generators::guess::aim::Guess;
 use crate::lad::of_generators::plane::rounded_lines::{Plane, RoundedLines};
 use crate::lad::of_generators::problem::Problem;
+use crate::numeric::linear::cross;
 use crate::numeric::reused::Reused;
 use crate::tally::{Operation, Tally};
 
@@ -65,7 +66,7 @@ pub(crate) fn cutting_planes(
         if !is_met && !portal.replace(piece) {
             break;
         }
-        let Some(triangle) = Triangle::below(&portal, least) else { break };
+        let Some(triangle) = Triangle::under(&portal, least) else { break };
         let before = *area.get_or_insert(triangle.area());
         if !is_met && triangle.area() > SHRINKING * before {
             continue;
@@ -162,7 +163,7 @@ struct Triangle {
 }
 
 impl Triangle {
-    fn below(portal: &Portal, value: f64) -> Option<Self> {
+    fn under(portal: &Portal, value: f64) -> Option<Self> {
         let [a, b, c] = portal.planes.each_ref().map(|plane| Plane { height: plane.height - value, ..*plane });
         Some(Self { corners: [zero_of(&a, &b)?, zero_of(&b, &c)?, zero_of(&c, &a)?] })
     }
@@ -186,15 +187,79 @@ impl Triangle {
 
 /// The point at which two planes are zero, if doubles have one.
 fn zero_of(a: &Plane, b: &Plane) -> Option<[f64; 2]> {
-    let determinant = area(&a.slope, &b.slope);
-    let point = [
-        (a.slope[1] * b.height - a.height * b.slope[1]) / determinant,
-        (a.height * b.slope[0] - a.slope[0] * b.height) / determinant,
-    ];
+    let coordinates = |plane: &Plane| [plane.slope[0], plane.slope[1], plane.height];
+    let [x, y, scale] = cross(&coordinates(a), &coordinates(b));
+    let point = [x / scale, y / scale];
     point.iter().all(|c| c.is_finite()).then_some(point)
 }
 
 /// Twice the area of the triangle between two vectors of the plane.
 fn area(a: &[f64; 2], b: &[f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::brute_force;
+    use crate::lad::of_generators::goal::Goal;
+    use crate::numeric::bounded::exact;
+    use crate::zonotope::query::Query;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    /// Generators of four kinds: even; around a cone; of lengths from 1 to thousands; nine in ten nearly in a plane.
+    fn body(kind: usize, n: usize, random: &mut Pcg64Mcg) -> Vec<[f64; 3]> {
+        let generator = |i: usize| {
+            let v = [0, 1, 2].map(|_| random.random_range(-1.0..1.0f64));
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * i as f64 / n as f64);
+            match kind {
+                0 => v,
+                1 => [cos, sin, 0.5],
+                2 => v.map(|c| c / (1.0 - random.random_range(0.0..1.0f64))),
+                _ if i.is_multiple_of(10) => v,
+                _ => [v[0], v[1], v[0] + 1e-6 * v[2]],
+            }
+        };
+        (0..n).map(generator).collect()
+    }
+
+    #[test]
+    fn the_optimum_is_found_from_any_point() {
+        let random = &mut Pcg64Mcg::seed_from_u64(4);
+        for kind in 0..4 {
+            for n in [40, 900] {
+                let mut found = 0;
+                for _ in 0..10 {
+                    let body = body(kind, n, random);
+                    let p = [0, 1, 2].map(|_| random.random_range(-1.0..1.0));
+                    let start = [0, 1].map(|_| random.random_range(-1.0..1.0));
+                    let query = Query::new([0.0; 3], p, &body).expect("finite");
+                    let problem = Problem::new(&query, exact(p), Goal::Gauge);
+                    if let Ok(Searched::Certified(optimum, _)) = cutting_planes(&problem, start, 2 * n, &mut ()) {
+                        let gauge = optimum.along.value / optimum.reach.value;
+                        if n < 100 {
+                            let truth = brute_force::gauge(&query).value;
+                            assert!((gauge - truth).abs() <= 1e-9 * truth, "kind {kind}: {gauge} {truth}");
+                        }
+                        found += 1;
+                    }
+                }
+                assert!(found >= 8, "kind {kind}, {n} generators: {found} of 10");
+            }
+        }
+    }
+
+    #[test]
+    fn a_triangle_worked_out_by_hand() {
+        let plane = |x: f64, y: f64| Plane { slope: [x, y], height: 0.0 };
+        let mut portal = Portal { planes: [plane(1.0, 0.0), plane(-1.0, 1.0), plane(-1.0, -1.0)] };
+        assert_eq!(portal.minimum(), Some([0.0, 0.0]));
+        // x < 1, y < 1 + x and −y < 1 + x
+        let triangle = Triangle::under(&portal, 1.0).expect("three corners");
+        assert_eq!((triangle.corners, triangle.area()), ([[1.0, 2.0], [-1.0, 0.0], [1.0, -2.0]], 8.0));
+        // the origin is between the new slope and the last two
+        assert!(portal.replace(plane(2.0, 0.5)));
+        assert_eq!(portal.planes.map(|plane| plane.slope), [[2.0, 0.5], [-1.0, 1.0], [-1.0, -1.0]]);
+    }
 }
