@@ -6,9 +6,9 @@
 //! | [`best_pair`] | a few generators: h(u) at the normals of their pairs, all of them or along lines |
 //! | [`likely_vertex`] | a few hundred generators: the pair or the end of the descent, for proofs without a certificate |
 //! | [`class_meetings`] | generators of few directions: the optimum is where two classes of parallel generators meet |
-//! | [`cutting_planes`] | all others: the optimum is between three pieces of the objective, which close in on it |
 //! | [`corrected_sample`] | lines that nearly meet, uneven lengths: a sample whose gradient is corrected by passes over all |
-//! | [`certified_descent`] | the end of the last three: descent from vertex to vertex until one is certified |
+//! | [`cutting_planes`] | where these leave a doubt: three pieces of the objective close in on the optimum between them |
+//! | [`certified_descent`] | the end of most: descent from vertex to vertex until one is certified |
 
 pub(crate) mod best_pair;
 pub(crate) mod certified_descent;
