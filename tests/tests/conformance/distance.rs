@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use tests::body_families::{Asked, asked, families};
 use tests::numbers::moved_by_ulps;
 use tests::runner::for_all;
-use zonotope::collision::distance::penetration::{self, Penetration, by_branch_and_bound, by_facet_normals};
+use zonotope::collision::distance::penetration::{self, Penetration, by_facet_normals, by_inner_polytope};
 use zonotope::collision::distance::{FeatureKind, Method, brute_force, by_support_simplex};
 use zonotope::collision::{Query, Status, brute_force as location_twin, by_lad};
 use zonotope::interop::verifier::check_distance;
@@ -101,7 +101,7 @@ fn is_as_deep<const D: usize>(asked: &Asked<D>) -> Result<(), TestCaseError> {
     let depth = penetration::of_query(&query);
     prop_assert!(holds(&depth, &truth), "{:?}, exactly {:?}", depth, exact);
     // a hundredth of the least doubles is none
-    prop_assert!(depth.is_within(by_branch_and_bound::ACCURACY) || depth.upper < 1e-320, "{:?}", depth);
+    prop_assert!(depth.is_within(by_inner_polytope::ACCURACY) || depth.upper < 1e-320, "{:?}", depth);
     prop_assert_eq!(depth.upper > 0.0, is_inside);
     Ok(())
 }

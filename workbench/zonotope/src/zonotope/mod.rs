@@ -6,7 +6,6 @@
 //! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
-//! | `direction_search` | the least value of a function of directions, by branch and bound over cells of directions |
 //! | `operations`, `cleanup` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
@@ -18,7 +17,6 @@
 
 mod cleanup;
 mod combinatorics;
-pub(crate) mod direction_search;
 pub mod directions;
 pub mod faces;
 mod implicit;

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use zonotope::collision::distance::by_support_simplex::{proximity, proximity_posed};
-use zonotope::collision::distance::penetration::{self, by_branch_and_bound::penetration_posed};
+use zonotope::collision::distance::penetration::{self, by_inner_polytope::penetration_posed};
 use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact, contact_posed};
 use zonotope::collision::{Location, PosedQuery, Query, Status, Witness, by_lad};
 
@@ -28,7 +28,7 @@ const METHOD: &str = Method::BySupportSimplex.id();
 const INTERIOR: &str = "interior";
 
 /// The most generators of bodies that overlap, in 1, 2, … dimensions: how deep they overlap takes more than one pass.
-const OVERLAP_LIMITS: [usize; 3] = [2_000_000, 2_000, 100_000];
+const OVERLAP_LIMITS: [usize; 3] = [2_000_000, 200_000, 100_000];
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];

@@ -19,8 +19,8 @@ impl<const D: usize> Zonotope<D> {
     }
 
     /// How deep two bodies overlap: the length of the shortest translation after which they only touch, within a
-    /// hundredth, and its direction; 0 for bodies without a common inner point. In space O(n) for each of some hundred
-    /// cells of directions, elsewhere O(n^D) exact operations.
+    /// hundredth, and its direction; 0 for bodies without a common inner point. In space O(n) for each of some ten to
+    /// some hundred vertices, in the plane O(n log n), elsewhere O(n^D) exact operations.
     pub fn penetration(&self, other: &Self) -> Penetration<D> {
         penetration::of_query(&Query::between(self, other))
     }
@@ -39,10 +39,10 @@ impl PosedZonotope<'_> {
         }
     }
 
-    /// How deep two bodies overlap where their poses put them, within a hundredth. O(n) for each of some hundred cells
-    /// of directions.
+    /// How deep two bodies overlap where their poses put them, within a hundredth. O(n) for each of some ten to some
+    /// hundred vertices.
     pub fn penetration<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Penetration<3> {
         let other = other.into();
-        penetration::by_branch_and_bound::penetration_posed(&self.query(&other))
+        penetration::by_inner_polytope::penetration_posed(&self.query(&other))
     }
 }

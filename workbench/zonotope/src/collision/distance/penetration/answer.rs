@@ -17,6 +17,12 @@ impl<const D: usize> Penetration<D> {
     /// The bodies do not overlap: they touch, or they are disjoint.
     pub(super) const NONE: Self = Self { lower: 0.0, upper: 0.0, direction: [0.0; D] };
 
+    /// The same answer under the name of its dimension.
+    pub(super) fn in_dimension<const E: usize>(&self) -> Penetration<E> {
+        let Self { lower, upper, direction } = *self;
+        Penetration { lower, upper, direction: std::array::from_fn(|k| direction[k]) }
+    }
+
     /// Whether the bounds differ by at most so much of the upper one.
     pub fn is_within(&self, relative: f64) -> bool {
         self.upper - self.lower <= relative * self.upper

@@ -45,55 +45,23 @@
 //! ```
 
 use super::Penetration;
-use crate::collision::distance::answer::rounded_length;
+use super::nearest_plane::NearestPlane;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{hyperplane_normal, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
 use crate::zonotope::query::Query;
 
-/// The plane of a facet, as far as it has been found to be the nearest.
-struct Nearest {
-    normal: Vec<Dyadic>,
-    /// The distance of the plane times the length of the normal.
-    along: Dyadic,
-    /// The square of the length of the normal.
-    square: Dyadic,
-}
-
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration<const D: usize>(query: &Query<'_, D>) -> Penetration<D> {
     let generators: Vec<[Dyadic; D]> = query.generators().map(|g| g.map(Dyadic::from_f64)).collect();
-    of_exact(&query.exact(), &generators)
-}
-
-/// The same for exact vectors.
-pub(super) fn of_exact<const D: usize>(p: &[Dyadic; D], generators: &[[Dyadic; D]]) -> Penetration<D> {
-    let mut best: Option<Nearest> = None;
-    let mut is_inside = true;
+    let mut nearest = NearestPlane::of(query.exact());
     for_each_subset(generators.len(), D.saturating_sub(1), |subset| {
         let members: Vec<&[Dyadic; D]> = subset.iter().map(|&i| &generators[i]).collect();
         let normal = hyperplane_normal(&members);
-        if !is_inside || D == 0 || normal.iter().all(Dyadic::is_zero) {
-            return;
-        }
-        let reach = generators.iter().fold(Dyadic::zero(), |sum, g| sum + sum_of_products(&normal, g).abs());
-        let level = sum_of_products(&normal, p);
-        let is_opposite = level.sign().is_lt();
-        let along = reach - level.abs();
-        is_inside &= along.sign().is_gt();
-        let square = sum_of_products(&normal, &normal);
-        let is_nearer = |best: &Nearest| &(&along * &along) * &best.square < &(&best.along * &best.along) * &square;
-        if best.as_ref().is_none_or(is_nearer) {
-            let normal = if is_opposite { normal.into_iter().map(|c| -c).collect() } else { normal };
-            best = Some(Nearest { normal, along, square });
+        if nearest.is_inside() && normal.iter().any(|c| !c.is_zero()) {
+            let reach = generators.iter().fold(Dyadic::zero(), |sum, g| sum + sum_of_products(&normal, g).abs());
+            nearest.compare(normal, reach);
         }
     });
-    let Some(Nearest { normal, along, square }) = best.filter(|_| is_inside) else { return Penetration::NONE };
-    let depth = rounded_length(&along, &square);
-    let exponent = normal.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
-    Penetration {
-        lower: depth.next_down().next_down().max(0.0),
-        upper: depth.next_up().next_up(),
-        direction: std::array::from_fn(|k| normal[k].clone().scaled(-exponent).to_f64()),
-    }
+    nearest.depth()
 }

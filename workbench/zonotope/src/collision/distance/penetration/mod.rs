@@ -7,15 +7,17 @@
 //!
 //! | method | dimensions | cost for n generators | what it is |
 //! |---|---|---|---|
-//! | [`by_branch_and_bound`] (default in space) | 3 | O(n) for each of some cells | bounds on cells of directions |
+//! | [`by_inner_polytope`] (default in space) | 3 | O(n) for each of some ten to some hundred vertices | a polytope that grows within the body |
+//! | [`by_sides`] (default in the plane) | 2 | O(n log n), exact | a walk along the sides of the zonogon |
 //! | [`by_facet_normals`] (default elsewhere) | any D | O(n^D), exact | every facet normal in exact arithmetic |
 //! | [`brute_force`] | any D | O(n^D), exact rationals | the truth: every normal of D − 1 generators |
 
 mod answer;
 pub mod brute_force;
-pub mod by_branch_and_bound;
 pub mod by_facet_normals;
-mod depth_in_cells;
+pub mod by_inner_polytope;
+pub mod by_sides;
+mod nearest_plane;
 #[cfg(test)]
 mod tests;
 
@@ -26,11 +28,11 @@ use crate::zonotope::query::Query;
 /// How deep the displacement of a query lies in the zonotope, by the default method of the dimension.
 #[inline(never)]
 pub fn of_query<const D: usize>(query: &Query<'_, D>) -> Penetration<D> {
-    match query.in_dimension::<3>() {
-        Some(query) => {
-            let Penetration { lower, upper, direction } = by_branch_and_bound::penetration(&query);
-            Penetration { lower, upper, direction: std::array::from_fn(|k| direction[k]) }
-        }
-        None => by_facet_normals::penetration(query),
+    if let Some(query) = query.in_dimension::<3>() {
+        return by_inner_polytope::penetration(&query).in_dimension();
     }
+    if let Some(query) = query.in_dimension::<2>() {
+        return by_sides::penetration(&query).in_dimension();
+    }
+    by_facet_normals::penetration(query)
 }

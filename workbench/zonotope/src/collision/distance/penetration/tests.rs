@@ -6,7 +6,8 @@ use super::*;
 use crate::collision::Query;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
-use by_branch_and_bound::ACCURACY;
+use crate::numeric::linear::{cross, dot};
+use by_inner_polytope::ACCURACY;
 
 fn holds<const D: usize>(depth: &Penetration<D>, squared: &Rational) -> bool {
     let square = |v: f64| Dyadic::from_f64(v).to_rational() * Dyadic::from_f64(v).to_rational();
@@ -25,7 +26,7 @@ fn check(query: &Query<'_, 3>) -> Result<(), TestCaseError> {
     let truth = brute_force::squared_depth(query).unwrap_or(Rational::ZERO);
     let exact = by_facet_normals::penetration(query);
     prop_assert!(holds(&exact, &truth), "{:?}", exact);
-    let depth = by_branch_and_bound::penetration(query);
+    let depth = by_inner_polytope::penetration(query);
     prop_assert!(holds(&depth, &truth), "{:?} {:?}", depth, exact);
     let is_subnormal = exact.upper < 1e-300;
     prop_assert!(depth.is_within(ACCURACY) || is_subnormal, "{:?}", depth);
@@ -70,8 +71,10 @@ proptest! {
         let inner = inner_point(&generators, &coefficients);
         let query = Query::new([0.0; 2], inner, &generators).expect("finite");
         let truth = brute_force::squared_depth(&query).unwrap_or(Rational::ZERO);
-        let depth = by_facet_normals::penetration(&query);
-        prop_assert!(holds(&depth, &truth), "{:?}", depth);
+        for depth in [by_facet_normals::penetration(&query), by_sides::penetration(&query)] {
+            prop_assert!(holds(&depth, &truth), "{:?}", depth);
+            prop_assert_eq!(depth.upper == 0.0, truth == Rational::ZERO);
+        }
     }
 }
 
@@ -87,7 +90,7 @@ fn balls_need_cells_everywhere() {
         let generators: Vec<[f64; 3]> = (0..count).map(|_| [unit(), unit(), unit()]).collect();
         for to in [[0.0; 3], [0.1 * count as f64, 0.0, 0.0]] {
             let query = Query::new([0.0; 3], to, &generators).expect("finite");
-            let depth = by_branch_and_bound::penetration(&query);
+            let depth = by_inner_polytope::penetration(&query);
             let exact = by_facet_normals::penetration(&query);
             assert!(depth.is_within(ACCURACY) && depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?}");
         }
@@ -100,7 +103,75 @@ fn needles_and_plates() {
     let sizes = [1.0, f64::EPSILON.sqrt(), f64::EPSILON * 2.0f64.powi(-8)];
     let turned = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
     let generators: Vec<[f64; 3]> = turned.iter().zip(sizes).map(|(v, s)| v.map(|c| c * s)).collect();
-    let depth = by_branch_and_bound::penetration(&Query::new([0.0; 3], [0.0; 3], &generators).expect("finite"));
+    let depth = by_inner_polytope::penetration(&Query::new([0.0; 3], [0.0; 3], &generators).expect("finite"));
     assert!(depth.lower <= sizes[2] && sizes[2] <= depth.upper && depth.is_within(ACCURACY), "{depth:?}");
     assert_eq!(depth.direction.map(f64::abs), [0.0, 0.0, 1.0]);
+}
+
+/// A point of the facet of the first two generators, moved toward the centre by a part of its distance.
+fn beneath_a_facet(generators: &[[f64; 3]], part: f64) -> [f64; 3] {
+    let normal = cross(&generators[0], &generators[1]);
+    let on_facet = generators[2..].iter().fold([0.0; 3], |sum, g| {
+        let sign = f64::copysign(1.0, dot(&normal, g));
+        std::array::from_fn(|k| sum[k] + sign * g[k])
+    });
+    on_facet.map(|c| c * (1.0 - part))
+}
+
+fn random_generators(count: usize, seed: u64) -> Vec<[f64; 3]> {
+    let mut state = seed;
+    let mut unit = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
+    };
+    (0..count).map(|_| [unit(), unit(), unit()]).collect()
+}
+
+#[test]
+fn overlaps_far_smaller_than_the_bodies_are_within_a_hundredth() {
+    for count in [20, 300, 1000] {
+        let generators = random_generators(count, count as u64);
+        for part in [1e-3, 1e-9, 1e-13, 1e-15] {
+            let to = beneath_a_facet(&generators, part);
+            let query = Query::new([0.0; 3], to, &generators).expect("finite");
+            let depth = by_inner_polytope::penetration(&query);
+            assert!(depth.is_within(ACCURACY), "{count} {part} {depth:?}");
+            if count == 20 {
+                let exact = by_facet_normals::penetration(&query);
+                assert!(depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?} {exact:?}");
+            }
+        }
+    }
+}
+
+/// Bodies whose facets have many generators, so that many vertices of the polytope lie in one plane.
+#[test]
+fn prisms_lattices_and_sums_of_boxes() {
+    let disc = |count: usize| (0..count).map(move |i| [(i as f64 * 0.37).cos(), (i as f64 * 0.37).sin(), 0.0]);
+    let prism: Vec<[f64; 3]> = disc(40).chain([[0.0, 0.0, 3.0]]).collect();
+    let lattice: Vec<[f64; 3]> =
+        (0..60).map(|i| [f64::from(i % 3 - 1), f64::from(i / 3 % 5 - 2), f64::from(i % 4 - 1)]).collect();
+    let boxes: Vec<[f64; 3]> =
+        (0..30).map(|i| std::array::from_fn(|k| if i % 3 == k { 1.0 + i as f64 } else { 0.0 })).collect();
+    for generators in [prism, lattice, boxes] {
+        for to in [[0.0; 3], [0.5, 0.25, 0.125], [3.0, 0.0, 0.0], [0.0, 0.0, 2.5]] {
+            let query = Query::new([0.0; 3], to, &generators).expect("finite");
+            let (depth, exact) = (by_inner_polytope::penetration(&query), by_facet_normals::penetration(&query));
+            assert!(depth.is_within(ACCURACY) && depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?}");
+        }
+    }
+}
+
+/// Coordinates that no two doubles hold together: the exact polytope decides.
+#[test]
+fn lengths_that_differ_by_all_exponents() {
+    let generators =
+        [[1e300, 0.0, 1.0], [0.0, 1e-300, 1e-300], [1.0, 0.0, 5e-324], [0.0, 1.0, 1e150], [1e-200, 1e10, 0.0]];
+    for scale in [0.0, 0.5, 0.999] {
+        let to = inner_point(&generators, &[scale; 5]);
+        let query = Query::new([0.0; 3], to, &generators).expect("finite");
+        let (depth, exact) = (by_inner_polytope::penetration(&query), by_facet_normals::penetration(&query));
+        assert!(depth.lower <= exact.upper && exact.lower <= depth.upper, "{depth:?} {exact:?}");
+        assert!(depth.is_within(ACCURACY) || exact.upper < 1e-300, "{depth:?} {exact:?}");
+    }
 }
