@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
+use super::frame::Frame;
 use super::points::{Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
 use super::{geojson, names};
@@ -28,8 +29,13 @@ pub(super) fn points(
             return geojson::points_of(file, &document, columns, skipping);
         }
         (None, None) => {
+            let frame = Frame::of(&document);
+            let table = frame.map(|frame| frame.points(file, columns, wanted, skipping)).transpose()?;
+            if let Some(reading) = table.flatten() {
+                return Ok(reading);
+            }
             let problem = Problem::Shape(format!(
-                "expected a list of points, or an object with a list `points`, found {}",
+                "expected a list of points, or an object with a list `points` or with columns `x` and `y`, found {}",
                 document.describe()
             ));
             return Err(problem.at(file, Place::File));
@@ -190,6 +196,7 @@ mod tests {
         assert_eq!(read("[{\"x\":1,\"y\":2},{\"y\":4,\"x\":3}]", None), expected);
         assert_eq!(read("[{\"a\":1,\"b\":2},{\"a\":3,\"b\":4}]", Some("a,b")), expected);
         assert_eq!(read("[]", None), Ok(vec![]));
+        assert_eq!(read("{\"x\":[1,3],\"y\":[2,4]}", None), expected);
         assert_eq!(read("[{\"Lat\":2,\"LON\":1},{\"lon\":3,\"lat\":4,\"id\":7}]", None), expected);
         assert_eq!(read("[{\"northing\":2,\"easting\":1},{\"easting\":3,\"northing\":4}]", None), expected);
         assert_eq!(read("[{\"x\":1,\"X\":1,\"y\":2}]", None).expect_err("two names"), TWO_NAMES);

@@ -103,6 +103,9 @@ pub enum Problem {
     /// Spaces separate the cells, and commas may do so as well.
     #[error("'{0}' may be one number with a decimal comma or two numbers; separate the cells by semicolons or tabs")]
     CommaBesideSpaces(String),
+    /// A cell between commas joins two numbers, so that the commas may be decimal ones.
+    #[error("'{0}' is not a number; if commas are decimal ones, separate the cells by semicolons or tabs")]
+    BetweenCommas(String),
     /// All commas of a table may be decimal ones or separate thousands.
     #[error("the comma of '{0}' may be a decimal one or separate thousands; write decimal points, or no thousands")]
     AmbiguousComma(String),
@@ -279,6 +282,7 @@ impl Problem {
             Self::OutOfRange(cell) => Self::OutOfRange(tidy(cell)),
             Self::DecimalComma(cell) => Self::DecimalComma(tidy(cell)),
             Self::CommaBesideSpaces(cell) => Self::CommaBesideSpaces(tidy(cell)),
+            Self::BetweenCommas(cell) => Self::BetweenCommas(tidy(cell)),
             Self::AmbiguousComma(cell) => Self::AmbiguousComma(tidy(cell)),
             Self::CommasAndPoints(cell) => Self::CommasAndPoints(tidy(cell)),
             Self::Thousands(cell) => Self::Thousands(tidy(cell)),

@@ -10,14 +10,15 @@ use super::error::{InputError, Place, Problem};
 /// The file formats that hold points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Format {
-    /// A table of comma-, semicolon-, tab- or space-separated cells, with or without a header line.
+    /// A table of comma-, semicolon-, tab-, bar- or space-separated cells, with or without a header line.
     Csv,
     /// A cloud of points as scanners write it: a table whose columns are x, y, z and perhaps others.
     Xyz,
     /// Any GeoJSON object; every position in it is a point (longitude, latitude), altitudes are left out unless they
     /// are chosen as a column.
     Geojson,
-    /// A JSON list of rows `[x, y, …]` or `{"x": …, "y": …}`, or an object that holds such a list under `points`.
+    /// A JSON list of rows `[x, y, …]` or `{"x": …, "y": …}`, or an object that holds such a list under `points`, or
+    /// whose fields are the columns.
     Json,
     /// An array of NumPy: floats or whole numbers in two dimensions, or records.
     Npy,

@@ -96,10 +96,10 @@ struct Positions<'a> {
     axes: Vec<usize>,
     points: Points,
     skipping: &'a mut Skipping,
-    /// How many geometries are null or have no positions.
+    /// The number of geometries that are null or have no positions.
     without_position: usize,
-    /// How many positions have numbers behind those that can be taken: longitude and latitude, and the altitude where
-    /// it is chosen.
+    /// The number of positions with numbers behind those that can be taken: longitude and latitude, and the altitude
+    /// where it is chosen.
     longer: usize,
 }
 

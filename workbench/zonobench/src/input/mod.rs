@@ -13,6 +13,7 @@ mod document;
 mod encoding;
 mod error;
 mod format;
+mod frame;
 mod geojson;
 mod mesh;
 mod names;

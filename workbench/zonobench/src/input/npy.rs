@@ -82,7 +82,7 @@ struct Array<'a> {
     layout: Layout,
 }
 
-/// How the rows of an array stand in the file.
+/// The order of the numbers of an array in the file.
 enum Layout {
     /// Numbers of one type; the columns follow each other in the order of Fortran, else the rows.
     Grid { item: Item, columns: usize, is_fortran: bool },

@@ -2,10 +2,10 @@
 
 use super::error::Problem;
 
-/// What tables write where a number is missing, beside an empty cell and the spellings of NaN.
+/// Words for a missing number in tables, beside an empty cell and the spellings of NaN.
 const MISSING: [&str; 7] = ["na", "n/a", "#n/a", "<na>", "null", "none", "#num!"];
 
-/// What the C library of Windows writes for NaN and the infinities, without the sign.
+/// Words for NaN and the infinities by the C library of Windows, without the sign.
 const NON_FINITE: [&str; 6] = ["1.#ind", "1.#qnan", "1.#snan", "1.#inf", "nan(ind)", "nan(snan)"];
 
 /// The finite number of a word, with a decimal point.

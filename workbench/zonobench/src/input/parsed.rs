@@ -38,7 +38,7 @@ fn with_quoted_non_finite(text: &[u8]) -> Option<Vec<u8>> {
             (is_found, index) = (true, index + word.len());
             continue;
         }
-        // What a backslash escapes ends no string.
+        // A quote behind a backslash ends no string.
         let length = if is_in_string && byte == b'\\' { rest.len().min(2) } else { 1 };
         is_in_string ^= byte == b'"';
         quoted.extend(&rest[..length]);

@@ -53,7 +53,7 @@ impl Reading {
         (!parts.is_empty()).then(|| parts.join("; "))
     }
 
-    /// What is to be told of the reading where no columns are: what it leaves out, and what it took in a way that is
+    /// Remarks on the reading beside its columns: what it leaves out, and what it took in a way that is
     /// not plain.
     pub fn remarks(&self) -> Option<String> {
         let left_out = (!self.left_out.is_empty()).then(|| format!("left out: {}", self.left_out.join(", ")));
@@ -82,7 +82,7 @@ impl Skipping {
         is_left_out
     }
 
-    /// How many points were left out.
+    /// The number of points that were left out.
     pub(super) fn count(&self) -> usize {
         self.count
     }

@@ -101,9 +101,10 @@ fn tables_with_decimal_commas() {
 #[test]
 fn tables_with_headers_of_numbers_and_encodings() {
     let numbered = "1, 2; left out: the first row (0, 1), which numbers the columns";
-    let outcome = read("p.csv", "0,1\n0.5,0.5\n1.5,0.5\n0.5,1.5\n", &[], 3, numbered);
+    let outcome = read("p.csv", "0,1\n0.0,0.5\n1.0,0.5\n0.0,1.5\n", &[], 3, numbered);
     assert!(row(&outcome, "area").starts_with("1.0"), "{}", outcome.stdout);
     let told = "1, 2; the first row (0, 1) is read as data; --skip 1 leaves it out";
+    read("p.csv", "0,1\n0.5,0.5\n1.5,0.5\n0.5,1.5\n", &[], 4, told);
     read("p.csv", "0,1\n5,6\n7,9\n", &[], 3, told);
     read("p.csv", "0,1\n5,6\n7,9\n", &["--skip", "0"], 3, "1, 2");
     read("p.csv", ",a,b\n0,5,6\n1,7,9\n", &[], 2, "a, b; left out: column 1, which counts the rows");

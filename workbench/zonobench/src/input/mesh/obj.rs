@@ -49,14 +49,14 @@ fn continued<'a>(first: &'a [u8], more: &mut impl Iterator<Item = (u64, &'a [u8]
     (whole, is_glued)
 }
 
-/// What the lines of a file hold.
+/// The elements of a file.
 #[derive(Default)]
 struct Elements {
     vertices: Vec<[f64; 3]>,
     /// The vertices with a coordinate that is missing or not finite, by number, with their lines: an error only if they
     /// are used.
     missing: Vec<(usize, u64, Problem)>,
-    /// How many vertices were divided by a weight.
+    /// The number of vertices that were divided by a weight.
     weighted: usize,
     faces: Vec<Box<[usize]>>,
     is_used: Vec<bool>,

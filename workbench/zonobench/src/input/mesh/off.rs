@@ -7,7 +7,7 @@ use crate::input::error::{Place, Problem};
 use crate::input::reading::{Skipping, counted};
 use crate::input::{MAX_POINTS, encoding};
 
-/// What may stand before the word `OFF`, with the numbers of a vertex where every file has the same: texture
+/// Prefixes of the word `OFF`, with the numbers of a vertex where every file has the same: texture
 /// coordinates, colours (of three or four numbers) and normals, all of them behind the coordinates.
 const PREFIXES: [(&str, Option<usize>); 8] = [
     ("", Some(3)),
@@ -23,7 +23,7 @@ const PREFIXES: [(&str, Option<usize>); 8] = [
 /// A word, or a line, with the number of its line.
 type Numbered<'a> = (u64, &'a [u8]);
 
-/// What stands before the vertices.
+/// The counts, which stand before the vertices.
 struct Counts {
     /// The numbers of a vertex, if it has as many in every file of this kind.
     width: Option<usize>,

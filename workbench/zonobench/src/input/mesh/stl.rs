@@ -31,7 +31,7 @@ pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misp
     Ok(corners.mesh)
 }
 
-/// How long a binary file is that counts so many triangles. Its header may be any words, even those of a text.
+/// The length of a binary file that counts so many triangles. Its header may be any words, even those of a text.
 fn binary_length(content: &[u8]) -> Option<u64> {
     let count = content.get(HEADER..HEADER + 4)?.try_into().map(u32::from_le_bytes).ok()?;
     Some(HEADER as u64 + 4 + u64::from(count) * TRIANGLE as u64)

@@ -23,7 +23,7 @@ fn vertices(mesh: Reading) -> Vec<[f64; 3]> {
     }
 }
 
-/// What is told of a mesh beside its vertices.
+/// The remarks on a mesh beside its vertices.
 fn told(name: &str, content: impl AsRef<[u8]>) -> Option<String> {
     mesh(name, content).expect("the mesh is whole").in_words()
 }
@@ -165,7 +165,7 @@ fn nothing_is_no_mesh_or_has_no_vertices() {
     assert_eq!(read("t.stl", ""), Ok(vec![]));
 }
 
-/// What stands behind the last element that is counted is told.
+/// Lines and bytes behind the last element that is counted are told.
 #[test]
 fn surplus_is_told() {
     let behind = |what: &str| Some(format!("left out: {what}"));

@@ -1,13 +1,13 @@
 //! The header of an array: a dictionary in the notation of Python.
 
-/// What the header says.
+/// The entries of the header.
 pub(super) struct Header<'a> {
     pub(super) descr: Descr<'a>,
     pub(super) is_fortran: bool,
     pub(super) shape: Vec<usize>,
 }
 
-/// What an item of the array is.
+/// The type of an item of the array.
 pub(super) enum Descr<'a> {
     /// A number of this type.
     Plain(&'a str),
@@ -19,7 +19,7 @@ pub(super) enum Descr<'a> {
 pub(super) struct Field<'a> {
     pub(super) name: &'a str,
     pub(super) kind: &'a str,
-    /// How many values of this type the field holds.
+    /// The number of values of this type in the field.
     pub(super) count: usize,
     /// Whether it is an array of values.
     pub(super) is_list: bool,

@@ -2,7 +2,7 @@
 
 use crate::input::error::Problem;
 
-/// How a number is written.
+/// The type of a number, with the order of its bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Item {
     kind: Kind,
@@ -39,7 +39,7 @@ impl Item {
         has_order.then_some(Self { kind, bytes, is_big_endian: order == '>' })
     }
 
-    /// How many bytes it has.
+    /// The number of its bytes.
     pub(super) fn bytes(self) -> usize {
         self.bytes
     }

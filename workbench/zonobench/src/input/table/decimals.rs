@@ -3,7 +3,7 @@
 use crate::input::error::{Place, Problem};
 use crate::input::number::{has_plain_decimal_comma, number, with_decimal_point};
 
-/// What the numbers read so far say about decimal marks.
+/// The decimal marks of the numbers that were read so far.
 #[derive(Default)]
 pub(super) struct Decimals {
     /// The first number with a comma.
@@ -37,7 +37,7 @@ impl Decimals {
         }
     }
 
-    /// What is to be told of decimal commas, unless they leave a doubt.
+    /// The remark on decimal commas, unless they leave a doubt.
     pub(super) fn finish(self) -> Result<Option<String>, (Problem, Place)> {
         match self.first {
             None => Ok(None),

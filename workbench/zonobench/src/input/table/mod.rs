@@ -21,13 +21,13 @@ use super::points::{COORDINATE_LIMIT, Points, Wanted};
 use super::reading::{Reading, Skipping, columns_of};
 use super::{encoding, names, push_limited};
 
-/// How the points stand in a table.
+/// The place of the points in a table.
 pub(super) struct Shape<'a> {
     /// The columns that hold the coordinates; guessed if absent.
     pub(super) columns: Option<&'a Columns>,
-    /// How many lines are left out at the start; a header is told from its cells if absent.
+    /// The number of lines that are left out at the start; a header is told from its cells if absent.
     pub(super) skip: Option<u64>,
-    /// How many coordinates there should be.
+    /// The number of coordinates that there should be.
     pub(super) wanted: Wanted,
     /// Whether the first three columns are coordinates where names do not say otherwise.
     pub(super) is_cloud: bool,
@@ -58,7 +58,7 @@ pub(super) struct Rows {
     pub(super) names: Vec<String>,
     /// The rows, of the same length.
     pub(super) numbers: Vec<Vec<f64>>,
-    /// What is to be told of the reading: rows and columns that were left out, decimal commas.
+    /// Remarks on the reading: rows and columns that were left out, decimal commas.
     pub(super) notes: Vec<String>,
 }
 
@@ -80,7 +80,7 @@ fn decoded<'a>(file: &Path, content: &'a [u8]) -> Result<std::borrow::Cow<'a, [u
     encoding::text(content).map_err(|problem| problem.at(file, Place::File))
 }
 
-/// What is said of a column that is left out because it counts the rows.
+/// The remark on a column that is left out because it counts the rows.
 const INDEX: &str = "column 1, which counts the rows";
 
 struct Table<'a> {
@@ -130,6 +130,10 @@ impl<'a> Table<'a> {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
         self.width = start.width;
+        if start.first.get(0).is_some_and(|word| word.eq_ignore_ascii_case(b"ncols")) {
+            let grid = "is a grid of heights, which holds no points".to_owned();
+            return Err(Problem::Shape(grid).at(self.file, Place::File));
+        }
         let is_named =
             shape.columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
         let from = usize::from(start.has_index && shape.columns.is_none());
@@ -242,6 +246,9 @@ impl<'a> Table<'a> {
         if let Some(column) = text {
             let place = Place::Cell { line: self.text.line(first), column: column as u64 + 1 };
             let text = names[column].clone();
+            if self.text.separator() == b',' && joins_digits(&text) {
+                return Err(Problem::BetweenCommas(text).at(self.file, place));
+            }
             return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));
         }
         Err(Problem::ChooseColumns { cells, wanted }.at(self.file, Place::File))
@@ -278,7 +285,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// What is to be told of decimal commas, unless they leave a doubt.
+    /// The remark on decimal commas, unless they leave a doubt.
     fn commas(self) -> Result<Option<String>, InputError> {
         self.decimals.finish().map_err(|(problem, place)| problem.at(self.file, place))
     }
@@ -323,6 +330,14 @@ impl Counting {
 /// The row, if it parses.
 fn parsed(file: &Path, row: csv::Result<ByteRecord>) -> Result<ByteRecord, InputError> {
     row.map_err(|error| Problem::Table(error.to_string()).at(file, Place::File))
+}
+
+/// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides
+/// of an unknown separator leave it.
+fn joins_digits(cell: &str) -> bool {
+    let mut parts = cell.split(|letter: char| !letter.is_ascii_digit());
+    let is_filled = |part: Option<&str>| part.is_some_and(|part| !part.is_empty());
+    is_filled(parts.next()) && is_filled(parts.next()) && parts.next().is_none()
 }
 
 /// The cells of a row as text, without the space around them.

@@ -6,7 +6,7 @@ use crate::input::number;
 
 /// The separators, in the order in which they are taken where several explain a table equally well. A space stands
 /// for any number of spaces and tabs.
-const SEPARATORS: [u8; 4] = [b',', b';', b'\t', b' '];
+const SEPARATORS: [u8; 5] = [b',', b';', b'\t', b'|', b' '];
 
 /// Rows that are looked at.
 const SAMPLE: usize = 32;
@@ -69,6 +69,8 @@ mod tests {
             ("1,2\n3,4\n", b','),
             ("x;y\n0,5;0,5\n1,5;0,5\n", b';'),
             ("0,5;0,5\n", b';'),
+            ("0,5|0,5\n1,5|2,5\n", b'|'),
+            ("a|b,1,2\nc|d,3,4\n", b','),
             ("0,5\t1,5\n", b'\t'),
             ("1\t2 3\n4 5\t6\n", b' '),
             ("New York\t1\t2\nLos Angeles\t3\t4\n", b'\t'),

@@ -18,7 +18,7 @@ pub(super) struct Start {
     pub(super) second: Option<ByteRecord>,
     /// The cells of a row, an empty one after a trailing separator apart.
     pub(super) width: usize,
-    /// How many points a line before them counts.
+    /// The number of points that a line before them counts.
     pub(super) count: Option<u64>,
     /// Whether the first row is a header that numbers the columns.
     pub(super) is_numbered: bool,
@@ -104,7 +104,9 @@ impl Start {
         self.first.truncate(self.width);
     }
 
-    /// A first row 0, 1, … is a header if a nameless column stands before it, or if all other rows are fractions.
+    /// A first row 0, 1, … is a header if a nameless column stands before it, or if all other rows are fractions, and
+    /// it has three numbers or a fraction such as 2.0 shows that a point would be written otherwise: a figure may well
+    /// begin with the point (0, 1).
     fn tell_numbered_columns(&mut self, text: &Text, is_told: bool) {
         if is_told || self.second.is_none() || !numbers_columns(&self.first) {
             return;
@@ -113,8 +115,13 @@ impl Start {
             let has_mark = cell.iter().any(|byte| b".,eE".contains(byte));
             cell.trim_ascii().is_empty() || (number::is_number(cell) && (has_mark || number::number(cell).is_err()))
         };
-        let is_of_fractions = |row: ByteRecord| row.iter().all(is_fraction);
-        self.is_numbered = is_nameless(&self.first) || self.rows_behind(text).all(is_of_fractions);
+        let (mut are_fractions, mut has_whole_fraction) = (true, false);
+        for row in self.rows_behind(text) {
+            are_fractions &= row.iter().all(is_fraction);
+            has_whole_fraction |= row.iter().any(|cell| cell.trim_ascii_end().ends_with(b".0"));
+        }
+        let is_certain = self.first.len() > 2 || has_whole_fraction;
+        self.is_numbered = is_nameless(&self.first) || (are_fractions && is_certain);
         let row = cells(&self.first).join(", ");
         if self.is_numbered {
             self.left_out.push(format!("the first row ({}), which numbers the columns", row.trim_start_matches(", ")));

@@ -299,6 +299,8 @@ fn decimal_commas_are_read_where_they_are_plain_and_refused_by_name_elsewhere() 
     assert!(complaint("1.234,5;2\n3;4\n", None).contains("'1.234,5' has separators of thousands"));
     assert!(complaint("1 234,5;2\n3;4\n", None).contains("'1 234,5' has separators of thousands"));
     assert!(complaint("\"1,234.5\",2\n3,4\n", None).contains("separators of thousands"));
+    assert!(complaint("0,5:0,5\n1,5:0,5\n", None).contains("column 2: '5:0' is not a number; if commas are decimal"));
+    assert_eq!(complaint("0,5|0,5\n1,5|0,5\n", Some("1,3")), complaint("0,5;0,5\n1,5;0,5\n", Some("1,3")));
     assert!(complaint("x,y\n0,5,1,5\n", None).contains("if its commas are decimal ones, separate the cells by"));
 }
 
@@ -313,9 +315,13 @@ fn numbers_in_place_of_names_are_left_out_or_told() {
         (reading.points, told)
     };
     let plane = |points: &[[f64; 2]]| Points::Plane(points.to_vec());
-    let (found, told) = read("0,1\n0.5,0.5\n1.5,0.5\n", Wanted::Planar);
-    assert_eq!(found, plane(&[[0.5, 0.5], [1.5, 0.5]]));
+    let (found, told) = read("0,1\n0.5,0.5\n1.5,2.0\n", Wanted::Planar);
+    assert_eq!(found, plane(&[[0.5, 0.5], [1.5, 2.0]]));
     assert_eq!(told, "1, 2; left out: the first row (0, 1), which numbers the columns");
+    let (found, _) = read("0,1,2\n0.5,0.5,1.5\n1.5,2.5,3.5\n", Wanted::Any);
+    assert_eq!(found, Points::Space(vec![[0.5, 0.5, 1.5], [1.5, 2.5, 3.5]]));
+    let (found, told) = read("0,1\n0.866,-0.5\n-0.866,-0.5\n", Wanted::Planar);
+    assert_eq!((found.len(), told.as_str()), (3, "1, 2; the first row (0, 1) is read as data; --skip 1 leaves it out"));
     let (found, told) = read("0,1\n5,6\n", Wanted::Planar);
     assert_eq!(found, plane(&[[0.0, 1.0], [5.0, 6.0]]));
     assert_eq!(told, "1, 2; the first row (0, 1) is read as data; --skip 1 leaves it out");
@@ -369,8 +375,8 @@ fn clouds_of_scanners_are_tables_of_x_y_z() {
     assert!(read("0 0 0\n1 0 0\n", Wanted::Planar).expect_err("in space").contains("points are in space"));
     let wrong = "p.xyz: a line counts 3 points, but 2 follow";
     assert_eq!(read("3\n0 0 0\n1 0 0\n", Wanted::PlaneOrSpace), Err(wrong.to_owned()));
-    let grid = read("ncols 2\nnrows 1\nxllcorner 0\n1 2\n", Wanted::PlaneOrSpace).expect_err("a grid");
-    assert!(grid.contains("p.xyz"), "{grid}");
+    let grid = "p.xyz: is a grid of heights, which holds no points";
+    assert_eq!(read("ncols 2\nnrows 1\nxllcorner 0\n1 2\n", Wanted::PlaneOrSpace), Err(grid.to_owned()));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use csv::{ByteRecord, Position};
 
 use super::separator;
 
-/// What a line of comment begins with.
+/// The marks with which a line of comment begins.
 const COMMENTS: [&str; 3] = ["#", "%", "//"];
 
 /// The text of a table, with spaces in place of the lines that hold no row: comments, and the first lines that are to
@@ -97,7 +97,7 @@ impl<'a> Text<'a> {
 /// The separator that a line such as `sep=;` states, as spreadsheets write it.
 fn directive(line: &[u8]) -> Option<u8> {
     match line.strip_prefix(b"sep=")? {
-        [separator @ (b',' | b';' | b'\t' | b' ')] => Some(*separator),
+        [separator @ (b',' | b';' | b'\t' | b'|' | b' ')] => Some(*separator),
         _ => None,
     }
 }

@@ -3,7 +3,7 @@
 use super::super::{Misplaced, broken};
 use crate::input::error::Place;
 
-/// How the elements are written.
+/// The encoding of the elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,
@@ -66,7 +66,7 @@ pub(super) struct Property {
     pub(super) count: Option<Kind>,
 }
 
-/// So many elements of one kind.
+/// Elements of one kind: their number and their properties.
 #[derive(Debug)]
 pub(super) struct Element {
     pub(super) name: String,
@@ -74,7 +74,7 @@ pub(super) struct Element {
     pub(super) properties: Vec<Property>,
 }
 
-/// What the header says.
+/// The entries of the header.
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
