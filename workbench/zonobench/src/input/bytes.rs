@@ -9,8 +9,6 @@ use super::error::{InputError, Place, Problem};
 /// The largest file that is read.
 pub const MAX_FILE_BYTES: u64 = 256 << 20;
 
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
-
 /// The content of `file` (`-`: standard input).
 pub(super) fn read_limited(file: &Path) -> Result<Vec<u8>, InputError> {
     read_at_most(file, MAX_FILE_BYTES).map_err(|problem| problem.at(file, Place::File))
@@ -23,17 +21,12 @@ fn read_at_most(file: &Path, limit: u64) -> Result<Vec<u8>, Problem> {
     let opened = File::open(file)?;
     let metadata = opened.metadata()?;
     if metadata.is_dir() {
-        return Err(Problem::Unreadable(io::Error::new(io::ErrorKind::IsADirectory, "it is a directory")));
+        return Err(Problem::Folder);
     }
     if metadata.len() > limit {
         return Err(Problem::TooManyBytes { limit });
     }
     take(opened, metadata.len(), limit)
-}
-
-/// The text of a content: the content without its byte order mark.
-pub(super) fn text(content: &[u8]) -> &[u8] {
-    content.strip_prefix(BYTE_ORDER_MARK).unwrap_or(content)
 }
 
 /// Reads to the end; pipes have no length to be checked beforehand, so reading itself stops one byte past the limit.
@@ -51,11 +44,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_limit_is_exact_and_the_mark_is_dropped() {
+    fn the_limit_is_exact() {
         assert_eq!(take(&b"12345"[..], 0, 5).expect("five bytes fit"), b"12345");
         assert!(matches!(take(&b"123456"[..], 0, 5), Err(Problem::TooManyBytes { limit: 5 })));
-        assert_eq!(text(&take(&b"\xef\xbb\xbfx"[..], 4, 9).expect("fits")), b"x");
-        assert_eq!(text(b"x"), b"x");
     }
 
     #[test]

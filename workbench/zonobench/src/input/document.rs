@@ -1,12 +1,17 @@
-//! Points from a JSON document: a list of rows, or an object with such a list under `points`.
+//! Points from a JSON document: a list of rows, or an object with such a list under `points`; a GeoJSON object is read
+//! as such.
 
 use std::path::Path;
 
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
+use super::frame::Frame;
 use super::points::{Points, Wanted};
-use super::reading::{Reading, columns_of};
-use batch::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
+use super::reading::{Reading, Skipping, columns_of};
+use super::{geojson, names};
+use batch::json::Tree;
+
+pub(super) use super::parsed::{number, parse};
 
 /// Reads the points of a document whose rows are `[x, y, …]` or `{"x": …, "y": …}`.
 pub(super) fn points(
@@ -14,24 +19,36 @@ pub(super) fn points(
     content: &[u8],
     columns: Option<&Columns>,
     wanted: Wanted,
+    skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
     let document = parse(file, content)?;
     let (rows, path) = match (document.list(), document.field("points").and_then(Tree::list)) {
         (Some(rows), _) => (rows, String::new()),
         (None, Some(rows)) => (rows, "points".to_owned()),
+        (None, None) if geojson::is_named(&document) => {
+            return geojson::points_of(file, &document, columns, skipping);
+        }
         (None, None) => {
+            let frame = Frame::of(&document);
+            let table = frame.map(|frame| frame.points(file, columns, wanted, skipping)).transpose()?;
+            if let Some(reading) = table.flatten() {
+                return Ok(reading);
+            }
             let problem = Problem::Shape(format!(
-                "expected a list of points, or an object with a list `points`, found {}",
+                "expected a list of points, or an object with a list `points` or with columns `x` and `y`, found {}",
                 document.describe()
             ));
             return Err(problem.at(file, Place::File));
         }
     };
-    let mut width = None;
+    let mut choice = Choice { columns, wanted, width: None, names: Vec::new(), places: Vec::new() };
     let mut points: Option<Points> = None;
     for (index, row) in rows.iter().enumerate() {
         let at = |(problem, cell): (Problem, String)| problem.at(file, Place::Path(format!("{path}[{index}]{cell}")));
-        let point = coordinates(row, columns, wanted, &mut width).map_err(at)?;
+        let point = match choice.coordinates(row) {
+            Err((problem, _)) if skipping.passes_over(&problem) => continue,
+            read => read.map_err(at)?,
+        };
         let dimension = points.as_ref().map_or(point.len(), Points::dimension);
         if point.len() != dimension {
             return Err(at((Problem::Ragged { found: point.len(), expected: dimension }, String::new())));
@@ -44,128 +61,88 @@ pub(super) fn points(
             .map_err(|problem| at((problem, String::new())))?;
     }
     let points = points.unwrap_or(Points::Plane(Vec::new()));
-    let (columns, left_out) =
-        rows.first().map_or_else(Default::default, |first| parts(first, columns, points.dimension()));
     let is_mixed = rows.windows(2).any(|pair| pair[0].list().is_some() != pair[1].list().is_some());
-    let columns = if is_mixed { Vec::new() } else { columns };
-    Ok(Reading::of(points, (columns, left_out)))
-}
-
-/// The parts of a row that hold the coordinates, and the others.
-fn parts(row: &Tree, columns: Option<&Columns>, dimension: usize) -> (Vec<Column>, Vec<String>) {
-    if let Tree::Object(fields) = row {
-        let names = names(columns, dimension);
-        let left_out = fields.iter().map(|(name, _)| name.clone()).filter(|name| !names.contains(name)).collect();
-        return (names.into_iter().map(Column::Name).collect(), left_out);
-    }
-    let cells = row.list().map_or(0, <[Tree]>::len);
-    let chosen: Vec<usize> = match columns {
-        Some(Columns(chosen)) => chosen.iter().filter_map(|column| position(column, cells).ok()).collect(),
-        None => (0..cells).collect(),
-    };
-    columns_of(&vec![String::new(); cells], &chosen)
-}
-
-/// The names of an object's fields that hold its coordinates.
-fn names(columns: Option<&Columns>, dimension: usize) -> Vec<String> {
-    match columns {
-        Some(Columns(chosen)) => chosen.iter().map(Column::to_string).collect(),
-        None => ["x", "y", "z"].iter().take(dimension).map(|&name| name.to_owned()).collect(),
-    }
-}
-
-/// Parses a document, with the parser's complaints placed in the file.
-pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
-    json::read(content, MAX_VALUES).map_err(|error| match error {
-        ReadError::TooManyValues { limit } => Problem::TooMany { what: "values", limit }.at(file, Place::File),
-        ReadError::OutOfRange { line, column } => {
-            Problem::Shape(ReadError::OutOfRange { line, column }.to_string()).at(file, cell(line, column))
-        }
-        ReadError::RepeatedField { ref field, line, column } => {
-            Problem::Shape(format!("the field `{field}` occurs twice in one object")).at(file, cell(line, column))
-        }
-        ReadError::Syntax { line, column, message } => Problem::NotJson(message).at(file, cell(line, column)),
-        other => Problem::NotJson(other.to_string()).at(file, Place::File),
-    })
-}
-
-fn cell(line: usize, column: usize) -> Place {
-    Place::Cell { line: line as u64, column: column as u64 }
+    let (columns, left_out) = rows.first().and_then(|first| choice.parts(first)).unwrap_or_default();
+    Ok(Reading::of(points, (if is_mixed { Vec::new() } else { columns }, left_out)))
 }
 
 type Misplaced = (Problem, String);
 
-fn coordinates(
-    row: &Tree,
-    columns: Option<&Columns>,
+/// The choice of the coordinates of a row.
+struct Choice<'a> {
+    columns: Option<&'a Columns>,
     wanted: Wanted,
-    width: &mut Option<usize>,
-) -> Result<Vec<f64>, Misplaced> {
-    match row {
-        Tree::List(cells) => {
-            let expected = *width.get_or_insert(cells.len());
-            if cells.len() != expected {
-                let found = cells.len();
-                return Err((Problem::Ragged { found, expected }, String::new()));
-            }
-            let positions: Vec<usize> = match columns {
-                Some(Columns(chosen)) => {
-                    chosen.iter().map(|column| position(column, cells.len())).collect::<Result<_, _>>()?
-                }
-                None if wanted.takes_all(cells.len()) => (0..cells.len()).collect(),
-                None => {
-                    let problem = Problem::ChooseColumns { cells: cells.len(), wanted: wanted.in_words() };
-                    return Err((problem, String::new()));
-                }
-            };
-            let coordinate =
-                |position: usize| number(&cells[position]).map_err(|problem| (problem, format!("[{position}]")));
-            positions.into_iter().map(coordinate).collect()
-        }
-        Tree::Object(fields) => {
-            let in_space = ["x", "y", "z"].iter().all(|name| row.field(name).is_some());
-            if in_space && wanted == Wanted::Planar && columns.is_none() {
-                return Err((Problem::ThirdCoordinate, String::new()));
-            }
-            let names = names(columns, if in_space { 3 } else { 2 });
-            let coordinate = |name: &String| {
-                let value = row.field(name).ok_or_else(|| {
-                    let available: Vec<_> = fields.iter().map(|(field, _)| field.as_str()).collect();
-                    let problem = Problem::NoSuchColumn { name: name.clone(), available: available.join(", ") };
-                    (problem, String::new())
-                })?;
-                number(value).map_err(|problem| (problem, format!(".{name}")))
-            };
-            names.iter().map(coordinate).collect()
-        }
-        other => {
-            let problem = Problem::Shape(format!("expected a point, found {}", other.describe()));
-            Err((problem, String::new()))
-        }
-    }
+    /// The length of the rows that are lists.
+    width: Option<usize>,
+    /// The names of the last row that was an object.
+    names: Vec<String>,
+    /// The places of the coordinates among these names.
+    places: Vec<usize>,
 }
 
-fn position(column: &Column, cells: usize) -> Result<usize, Misplaced> {
-    match column {
-        Column::Number(number) if *number <= cells => Ok(number - 1),
-        Column::Number(number) => {
-            let number = *number;
-            Err((Problem::NoColumnNumber { number, cells }, String::new()))
-        }
-        Column::Name(name) => {
-            let problem = Problem::NoSuchColumn { name: name.clone(), available: format!("numbered 1 to {cells}") };
-            Err((problem, String::new()))
+impl Choice<'_> {
+    fn coordinates(&mut self, row: &Tree) -> Result<Vec<f64>, Misplaced> {
+        match row {
+            Tree::List(cells) => {
+                let expected = *self.width.get_or_insert(cells.len());
+                if cells.len() != expected {
+                    return Err((Problem::Ragged { found: cells.len(), expected }, String::new()));
+                }
+                let places = self.places_in_list(cells.len()).map_err(|problem| (problem, String::new()))?;
+                let coordinate =
+                    |place: usize| number(&cells[place]).map_err(|problem| (problem, format!("[{place}]")));
+                places.into_iter().map(coordinate).collect()
+            }
+            Tree::Object(fields) => {
+                let is_known = self.names.len() == fields.len()
+                    && self.names.iter().zip(fields).all(|(known, (name, _))| known == name);
+                if self.names.is_empty() || !is_known {
+                    self.names = fields.iter().map(|(name, _)| name.clone()).collect();
+                    self.places = self.places_in_object().map_err(|problem| (problem, String::new()))?;
+                }
+                let coordinate = |&place: &usize| {
+                    let (name, value) = &fields[place];
+                    number(value).map_err(|problem| (problem, format!(".{name}")))
+                };
+                self.places.iter().map(coordinate).collect()
+            }
+            other => Err((Problem::Shape(format!("expected a point, found {}", other.describe())), String::new())),
         }
     }
-}
 
-/// A finite number; strings are no numbers here, except that the non-finite ones are named for what they are.
-pub(super) fn number(value: &Tree) -> Result<f64, Problem> {
-    match value {
-        Tree::Number(number) => Ok(*number),
-        Tree::Text(text) if NonFinite::spelled(text).is_some() => Err(Problem::NotFinite(text.clone())),
-        Tree::Text(text) => Err(Problem::NotANumber(text.clone())),
-        other => Err(Problem::Shape(format!("expected a number, found {}", other.describe()))),
+    fn places_in_list(&self, cells: usize) -> Result<Vec<usize>, Problem> {
+        match self.columns {
+            Some(columns) => names::chosen(&vec![String::new(); cells], columns, &format!("numbered 1 to {cells}")),
+            None if self.wanted.takes_all(cells) => Ok((0..cells).collect()),
+            None => Err(Problem::ChooseColumns { cells, wanted: self.wanted.in_words() }),
+        }
+    }
+
+    fn places_in_object(&self) -> Result<Vec<usize>, Problem> {
+        let available = self.names.join(", ");
+        match self.columns {
+            // A number is the name of a field here.
+            Some(Columns(columns)) => {
+                let by_name: Vec<Column> = columns.iter().map(|column| Column::Name(column.to_string())).collect();
+                names::chosen(&self.names, &Columns(by_name), &available)
+            }
+            None => names::of_coordinates(&self.names, self.wanted)?.ok_or_else(|| {
+                let has_x = self.names.iter().any(|name| name.eq_ignore_ascii_case("x"));
+                Problem::NoSuchColumn { name: if has_x { "y" } else { "x" }.to_owned(), available }
+            }),
+        }
+    }
+
+    /// The parts of a row that hold the coordinates, and the others.
+    fn parts(&mut self, row: &Tree) -> Option<(Vec<Column>, Vec<String>)> {
+        Some(match row {
+            Tree::List(cells) => columns_of(&vec![String::new(); cells.len()], &self.places_in_list(cells.len()).ok()?),
+            _ => {
+                // A point that is left out has its names all the same.
+                self.coordinates(row).ok().or_else(|| (!self.names.is_empty()).then(Vec::new))?;
+                columns_of(&self.names, &self.places)
+            }
+        })
     }
 }
 
@@ -175,11 +152,39 @@ mod tests {
 
     fn read(content: &str, columns: Option<&str>) -> Result<Vec<[f64; 2]>, String> {
         let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
-        let points = points(Path::new("p.json"), content.as_bytes(), columns.as_ref(), Wanted::Planar);
+        let points =
+            points(Path::new("p.json"), content.as_bytes(), columns.as_ref(), Wanted::Planar, &mut Skipping::default());
         match points.map_err(|error| error.to_string())?.points {
             Points::Plane(points) => Ok(points),
             other => panic!("{other:?} are not points of the plane"),
         }
+    }
+
+    const TWO_NAMES: &str = "p.json: [0]: two columns are named 'x'; choose with --columns by number";
+
+    #[test]
+    fn geojson_under_another_name_is_read_as_such() {
+        assert_eq!(
+            read(r#"{"type":"MultiPoint","coordinates":[[1,2],[3,4]]}"#, None),
+            Ok(vec![[1.0, 2.0], [3.0, 4.0]])
+        );
+        let topology = read(r#"{"type":"Topology","arcs":[]}"#, None).expect_err("not read");
+        assert!(topology.contains("found an object"), "{topology}");
+    }
+
+    #[test]
+    fn missing_numbers_are_left_out_where_that_is_asked() {
+        let mut skipping = Skipping::new(true);
+        let content = br#"[{"x":null,"y":2},{"x":1,"y":2},{"x":1,"y":"NaN"}]"#;
+        let reading = points(Path::new("p.json"), content, None, Wanted::Any, &mut skipping).expect("one point");
+        assert_eq!((reading.points, skipping.count()), (Points::Plane(vec![[1.0, 2.0]]), 2));
+        let bare = br#"[{"x":1,"y":NaN,"name":"a \"NaN"},{"x":-Infinity,"y":2},{"x":1,"y":2}]"#;
+        let mut skipping = Skipping::new(true);
+        let reading = points(Path::new("p.json"), bare, None, Wanted::Any, &mut skipping).expect("one point");
+        assert_eq!((reading.points, skipping.count()), (Points::Plane(vec![[1.0, 2.0]]), 2));
+        assert_eq!(read("[[1,NaN]]", None), Err("p.json: [0][1]: 'NaN' is not a finite number".to_owned()));
+        assert!(read("[[1,NaN]", None).expect_err("cut").contains("is not JSON: EOF"));
+        assert!(read("[[1,nan]]", None).expect_err("no word of Python").contains("is not JSON"));
     }
 
     #[test]
@@ -191,12 +196,17 @@ mod tests {
         assert_eq!(read("[{\"x\":1,\"y\":2},{\"y\":4,\"x\":3}]", None), expected);
         assert_eq!(read("[{\"a\":1,\"b\":2},{\"a\":3,\"b\":4}]", Some("a,b")), expected);
         assert_eq!(read("[]", None), Ok(vec![]));
+        assert_eq!(read("{\"x\":[1,3],\"y\":[2,4]}", None), expected);
+        assert_eq!(read("[{\"Lat\":2,\"LON\":1},{\"lon\":3,\"lat\":4,\"id\":7}]", None), expected);
+        assert_eq!(read("[{\"northing\":2,\"easting\":1},{\"easting\":3,\"northing\":4}]", None), expected);
+        assert_eq!(read("[{\"x\":1,\"X\":1,\"y\":2}]", None).expect_err("two names"), TWO_NAMES);
     }
 
     #[test]
     fn any_number_of_coordinates() {
         let read = |content: &str| {
-            points(Path::new("p.json"), content.as_bytes(), None, Wanted::Any).map(|reading| reading.points)
+            points(Path::new("p.json"), content.as_bytes(), None, Wanted::Any, &mut Skipping::default())
+                .map(|reading| reading.points)
         };
         let space = Points::Space(vec![[1.0, 2.0, 3.0]]);
         assert_eq!(read("[[1,2,3]]").expect("points"), space);
@@ -211,7 +221,8 @@ mod tests {
         let read = |columns: Option<&str>, wanted: Wanted| {
             let columns = columns.map(|columns| columns.parse().expect("well formed"));
             let content = br#"[{"id":"a","x":1,"y":2,"z":3}]"#;
-            points(Path::new("p.json"), content, columns.as_ref(), wanted).map_err(|error| error.to_string())
+            points(Path::new("p.json"), content, columns.as_ref(), wanted, &mut Skipping::default())
+                .map_err(|error| error.to_string())
         };
         let reading = read(None, Wanted::PlaneOrSpace).expect("points of space");
         assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0]]));
@@ -228,7 +239,7 @@ mod tests {
         assert_eq!(complaint("[[1,2],[3,\"NaN\"]]", None), "p.json: [1][1]: 'NaN' is not a finite number");
         assert_eq!(complaint("{\"points\":[[1,2],[3]]}", None), "p.json: points[1]: the row has 1 cells, not 2");
         assert_eq!(complaint("[{\"x\":1}]", None), "p.json: [0]: there is no column 'y'; the columns are x");
-        assert_eq!(complaint("[[1,null]]", None), "p.json: [0][1]: expected a number, found null");
+        assert_eq!(complaint("[[1,null]]", None), "p.json: [0][1]: 'null' is not a finite number");
         assert_eq!(complaint("[[1,2,3]]", None), "p.json: [0]: has 3 column(s); choose two with --columns");
         assert_eq!(
             complaint("[[1,1e999]]", None),

@@ -53,6 +53,9 @@ pub enum Problem {
     /// The file cannot be opened or read.
     #[error("cannot be read: {0}")]
     Unreadable(#[from] std::io::Error),
+    /// The path is that of a folder.
+    #[error("is a folder, not a file")]
+    Folder,
     /// The file is larger than the reader takes.
     #[error("is too large: more than {limit} bytes")]
     TooManyBytes {
@@ -73,21 +76,66 @@ pub enum Problem {
     /// There is no zonotope in the file: neither a centre nor a generator.
     #[error("holds no zonotope")]
     NoBody,
-    /// The extension says nothing about the format.
-    #[error("the format cannot be told from the name; say --format csv, geojson, json, npy, obj, ply, stl or off")]
+    /// The name has no extension, so that it says nothing about the format.
+    #[error("the format cannot be told from the name; say --format {FORMATS}")]
     UnknownFormat,
+    /// The extension is that of no format that is read.
+    #[error("files that end in .{0} are not read; if it holds one of the formats that are, say --format {FORMATS}")]
+    UnreadFormat(String),
     /// A cell that should hold a number holds something else.
     #[error("'{0}' is not a number")]
     NotANumber(String),
     /// A cell that should hold a number is empty.
     #[error("the cell is empty")]
     EmptyCell,
-    /// A cell holds NaN, an infinity, or a number beyond the range of a double.
+    /// A cell holds NaN, an infinity, or a word for a missing number.
     #[error("'{0}' is not a finite number")]
     NotFinite(String),
+    /// A number is missing or not finite, where the command can leave such points out.
+    #[error("{0}; --skip-nan leaves such points out")]
+    Missing(Box<Problem>),
+    /// A cell holds a number beyond the range of a double.
+    #[error("'{0}' is outside the range of a double")]
+    OutOfRange(String),
+    /// A number has a decimal comma.
+    #[error("'{0}' has a comma where a decimal point is expected")]
+    DecimalComma(String),
+    /// Spaces separate the cells, and commas may do so as well.
+    #[error("'{0}' may be one number with a decimal comma or two numbers; separate the cells by semicolons or tabs")]
+    CommaBesideSpaces(String),
+    /// A cell between commas joins two numbers, so that the commas may be decimal ones.
+    #[error("'{0}' is not a number; if commas are decimal ones, separate the cells by semicolons or tabs")]
+    BetweenCommas(String),
+    /// All commas of a table may be decimal ones or separate thousands.
+    #[error("the comma of '{0}' may be a decimal one or separate thousands; write decimal points, or no thousands")]
+    AmbiguousComma(String),
+    /// Some numbers of a table have decimal commas, others decimal points.
+    #[error("'{0}' has a decimal comma, but another number of the table has a decimal point")]
+    CommasAndPoints(String),
+    /// The thousands of a number are separated.
+    #[error("'{0}' has separators of thousands; write numbers without them")]
+    Thousands(String),
+    /// The first line counts the points, but wrongly.
+    #[error("a line counts {counted} points, but {found} follow")]
+    Count {
+        /// The number in the line.
+        counted: u64,
+        /// The rows that follow.
+        found: u64,
+    },
     /// A row has another length than the first one.
     #[error("the row has {found} cells, not {expected}")]
     Ragged {
+        /// Cells in this row.
+        found: usize,
+        /// Cells in the first row.
+        expected: usize,
+    },
+    /// A row between commas has twice the cells of the first one.
+    #[error(
+        "the row has {found} cells, not {expected}; if its commas are decimal ones, separate the cells by semicolons"
+    )]
+    TwiceAsMany {
         /// Cells in this row.
         found: usize,
         /// Cells in the first row.
@@ -163,6 +211,9 @@ pub enum Problem {
     /// The bytes are not text.
     #[error("is not UTF-8 text")]
     NotText,
+    /// The text has an encoding that is not read.
+    #[error("is {0}; UTF-8 is read, and UTF-16 with a byte order mark")]
+    Encoding(String),
     /// The text is not JSON.
     #[error("is not JSON: {0}")]
     NotJson(String),
@@ -188,6 +239,9 @@ pub enum Problem {
     Table(String),
 }
 
+/// The names of the formats, as messages list them.
+const FORMATS: &str = "csv, xyz, geojson, json, npy, obj, ply, stl or off";
+
 /// A text without line breaks, tabs and other control characters: they are spelled out.
 pub fn on_one_line(text: &str) -> String {
     let spelled = |c: char| if c.is_control() { c.escape_debug().collect() } else { String::from(c) };
@@ -195,6 +249,11 @@ pub fn on_one_line(text: &str) -> String {
 }
 
 impl Problem {
+    /// Whether a number is missing or not finite, so that its point may be left out.
+    pub(super) fn is_missing(&self) -> bool {
+        matches!(self, Self::NotFinite(_) | Self::EmptyCell)
+    }
+
     /// The complaint about `file` at `place`.
     pub fn at(self, file: &Path, place: Place) -> InputError {
         InputError { file: file.to_path_buf(), place, problem: self.shortened() }
@@ -220,6 +279,14 @@ impl Problem {
             Self::HeaderOrData { text, skip } => Self::HeaderOrData { text: tidy(text), skip },
             Self::NotANumber(cell) => Self::NotANumber(tidy(cell)),
             Self::NotFinite(cell) => Self::NotFinite(tidy(cell)),
+            Self::OutOfRange(cell) => Self::OutOfRange(tidy(cell)),
+            Self::DecimalComma(cell) => Self::DecimalComma(tidy(cell)),
+            Self::CommaBesideSpaces(cell) => Self::CommaBesideSpaces(tidy(cell)),
+            Self::BetweenCommas(cell) => Self::BetweenCommas(tidy(cell)),
+            Self::AmbiguousComma(cell) => Self::AmbiguousComma(tidy(cell)),
+            Self::CommasAndPoints(cell) => Self::CommasAndPoints(tidy(cell)),
+            Self::Thousands(cell) => Self::Thousands(tidy(cell)),
+            Self::UnreadFormat(extension) => Self::UnreadFormat(tidy(extension)),
             Self::Mesh { format, complaint } => {
                 let words: Vec<&str> = complaint.split_whitespace().collect();
                 Self::Mesh { format, complaint: cut(&words.join(" "), 2 * MESSAGE_LIMIT) }

@@ -2,35 +2,105 @@
 
 use std::path::Path;
 
-use super::document::{number, parse};
+use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
+use super::format::Format;
+use super::parsed::{number, parse};
 use super::points::Points;
-use super::push_limited;
-use super::reading::Reading;
+use super::reading::{Reading, Skipping, counted};
 use batch::json::Tree;
 
-/// Reads the positions (longitude, latitude; altitudes are left out) of a GeoJSON object.
-pub(super) fn points(file: &Path, content: &[u8]) -> Result<Reading, InputError> {
-    let document = parse(file, content)?;
-    let mut positions = Positions::default();
-    object(&document, String::new(), &mut positions).map_err(|(problem, path)| {
+/// The types that GeoJSON has.
+const TYPES: [&str; 9] = [
+    "FeatureCollection",
+    "Feature",
+    "GeometryCollection",
+    "Point",
+    "MultiPoint",
+    "LineString",
+    "MultiLineString",
+    "Polygon",
+    "MultiPolygon",
+];
+
+/// The names by which each number of a position is chosen.
+const NAMES: [&[&str]; 3] = [
+    &["lon", "lng", "long", "longitude", "x", "easting"],
+    &["lat", "latitude", "y", "northing"],
+    &["alt", "altitude", "z", "height", "elevation"],
+];
+
+/// Reads the positions of a GeoJSON object: longitude and latitude, or the chosen numbers.
+pub(super) fn points(
+    file: &Path,
+    content: &[u8],
+    columns: Option<&Columns>,
+    skipping: &mut Skipping,
+) -> Result<Reading, InputError> {
+    points_of(file, &parse(file, content)?, columns, skipping)
+}
+
+/// Whether a document has a `type` of GeoJSON.
+pub(super) fn is_named(document: &Tree) -> bool {
+    document.field("type").and_then(Tree::text).is_some_and(|kind| TYPES.contains(&kind))
+}
+
+/// The positions of a GeoJSON object that is parsed already.
+pub(super) fn points_of(
+    file: &Path,
+    document: &Tree,
+    columns: Option<&Columns>,
+    skipping: &mut Skipping,
+) -> Result<Reading, InputError> {
+    let axes = axes(columns).map_err(|problem| problem.at(file, Place::File))?;
+    let points = Points::of_dimension(axes.len()).expect("no more numbers are chosen than a position has");
+    let mut positions = Positions { axes, points, skipping, without_position: 0, longer: 0 };
+    object(document, String::new(), &mut positions).map_err(|(problem, path)| {
         let place = if path.is_empty() { Place::File } else { Place::Path(path) };
         problem.at(file, place)
     })?;
-    let left_out = match positions.altitudes {
-        0 => Vec::new(),
-        1 => vec!["the altitude of 1 position".to_owned()],
-        count => vec![format!("the altitudes of {count} positions")],
+    let has_altitudes = positions.axes.contains(&2);
+    let longer = match (positions.longer, has_altitudes) {
+        (0, _) => None,
+        (1, false) => Some("the altitude of 1 position".to_owned()),
+        (count, false) => Some(format!("the altitudes of {count} positions")),
+        (count, true) => Some(format!("numbers behind the altitude of {count} position(s)")),
     };
-    Ok(Reading::without_columns(Points::Plane(positions.points), left_out))
+    let nothing =
+        counted(positions.without_position, "geometry that is null or empty", "geometries that are null or empty");
+    let columns = columns.map_or_else(Vec::new, |Columns(columns)| columns.clone());
+    let reading = Reading::of(positions.points, (columns, longer.into_iter().chain(nothing).collect()));
+    Ok(Reading { format: Some(Format::Geojson), ..reading })
+}
+
+/// Which number of a position each coordinate is.
+fn axes(columns: Option<&Columns>) -> Result<Vec<usize>, Problem> {
+    let Some(Columns(columns)) = columns else { return Ok(vec![0, 1]) };
+    let axis = |column: &Column| match column {
+        Column::Number(number) if *number <= NAMES.len() => Ok(number - 1),
+        Column::Number(number) => Err(Problem::NoColumnNumber { number: *number, cells: NAMES.len() }),
+        Column::Name(name) => {
+            let is_named = |names: &&[&str]| names.iter().any(|known| known.eq_ignore_ascii_case(name));
+            NAMES
+                .iter()
+                .position(is_named)
+                .ok_or_else(|| Problem::NoSuchColumn { name: name.clone(), available: "lon, lat, alt".to_owned() })
+        }
+    };
+    columns.iter().map(axis).collect()
 }
 
 /// The positions met so far.
-#[derive(Default)]
-struct Positions {
-    points: Vec<[f64; 2]>,
-    /// How many of them have more than two coordinates.
-    altitudes: usize,
+struct Positions<'a> {
+    /// Which numbers of a position are taken.
+    axes: Vec<usize>,
+    points: Points,
+    skipping: &'a mut Skipping,
+    /// The number of geometries that are null or have no positions.
+    without_position: usize,
+    /// The number of positions with numbers behind those that can be taken: longitude and latitude, and the altitude
+    /// where it is chosen.
+    longer: usize,
 }
 
 type Misplaced = (Problem, String);
@@ -48,9 +118,11 @@ fn object(value: &Tree, path: String, met: &mut Positions) -> Result<(), Misplac
         "FeatureCollection" => each(members("features")?, &below("features"), met, object),
         "GeometryCollection" => each(members("geometries")?, &below("geometries"), met, object),
         "Feature" => match value.field("geometry") {
-            Some(Tree::Null) => Ok(()),
+            None | Some(Tree::Null) => {
+                met.without_position += 1;
+                Ok(())
+            }
             Some(geometry) => object(geometry, below("geometry"), met),
-            None => Err((Problem::Shape("a Feature needs a `geometry`".to_owned()), path)),
         },
         "Point" | "MultiPoint" | "LineString" | "MultiLineString" | "Polygon" | "MultiPolygon" => {
             let depth = match kind {
@@ -62,6 +134,10 @@ fn object(value: &Tree, path: String, met: &mut Positions) -> Result<(), Misplac
             let coordinates = value
                 .field("coordinates")
                 .ok_or_else(|| (Problem::Shape(format!("a {kind} needs `coordinates`")), path.clone()))?;
+            if *coordinates == Tree::Null || coordinates.list().is_some_and(<[Tree]>::is_empty) {
+                met.without_position += 1;
+                return Ok(());
+            }
             positions(coordinates, depth, below("coordinates"), met)
         }
         _ => Err((Problem::Shape("is no GeoJSON object: it has no `type` that GeoJSON knows".to_owned()), path)),
@@ -89,10 +165,17 @@ fn positions(value: &Tree, depth: u32, path: String, met: &mut Positions) -> Res
     if members.len() < 2 {
         return Err((Problem::Shape("a position needs two coordinates".to_owned()), path));
     }
-    let coordinate = |index: usize| number(&members[index]).map_err(|problem| (problem, format!("{path}[{index}]")));
-    let point = [coordinate(0)?, coordinate(1)?];
-    met.altitudes += usize::from(members.len() > 2);
-    push_limited(&mut met.points, point).map_err(|problem| (problem, path))
+    let coordinate = |&axis: &usize| match members.get(axis) {
+        Some(member) => number(member).map_err(|problem| (problem, format!("{path}[{axis}]"))),
+        None => Err((Problem::Shape("the position has no altitude".to_owned()), path.clone())),
+    };
+    let point = match met.axes.iter().map(coordinate).collect::<Result<Vec<f64>, _>>() {
+        Err((problem, _)) if met.skipping.passes_over(&problem) => return Ok(()),
+        point => point?,
+    };
+    let most = if met.axes.contains(&2) { 3 } else { 2 };
+    met.longer += usize::from(members.len() > most);
+    met.points.push(&point).map_err(|problem| (problem, path))
 }
 
 #[cfg(test)]
@@ -100,7 +183,10 @@ mod tests {
     use super::*;
 
     fn read(content: &str) -> Result<Vec<[f64; 2]>, String> {
-        match points(Path::new("p.geojson"), content.as_bytes()).map_err(|error| error.to_string())?.points {
+        match points(Path::new("p.geojson"), content.as_bytes(), None, &mut Skipping::default())
+            .map_err(|error| error.to_string())?
+            .points
+        {
             Points::Plane(points) => Ok(points),
             other => panic!("{other:?} are not points of the plane"),
         }
@@ -109,7 +195,9 @@ mod tests {
     #[test]
     fn altitudes_are_left_out_and_said_to_be() {
         let left_out = |content: &str| {
-            points(Path::new("p.geojson"), content.as_bytes()).map(|reading| reading.left_out).expect("GeoJSON")
+            points(Path::new("p.geojson"), content.as_bytes(), None, &mut Skipping::default())
+                .map(|reading| reading.left_out)
+                .expect("GeoJSON")
         };
         assert_eq!(left_out(r#"{"type":"MultiPoint","coordinates":[[1,2]]}"#), Vec::<String>::new());
         assert_eq!(left_out(r#"{"type":"MultiPoint","coordinates":[[1,2,3],[4,5]]}"#), ["the altitude of 1 position"]);
@@ -118,10 +206,47 @@ mod tests {
     }
 
     #[test]
+    fn altitudes_are_chosen_as_a_column() {
+        let content = r#"{"type":"MultiPoint","coordinates":[[1,2,3],[4,5,6,7]]}"#;
+        let read = |content: &str, columns: &str| {
+            let columns = columns.parse().expect("well formed");
+            let reading = points(Path::new("p.geojson"), content.as_bytes(), Some(&columns), &mut Skipping::default());
+            reading.map(|reading| (reading.points.clone(), reading.in_words())).map_err(|error| error.to_string())
+        };
+        let space = Points::Space(vec![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+        let told = |columns: &str| Some(format!("{columns}; left out: numbers behind the altitude of 1 position(s)"));
+        assert_eq!(read(content, "lon,lat,alt"), Ok((space.clone(), told("lon, lat, alt"))));
+        assert_eq!(read(content, "X,2,Height"), Ok((space, told("X, 2, Height"))));
+        let swapped = Points::Plane(vec![[2.0, 1.0], [5.0, 4.0]]);
+        let altitudes = Some("lat, lon; left out: the altitudes of 2 positions".to_owned());
+        assert_eq!(read(content, "lat,lon"), Ok((swapped, altitudes)));
+        let flat = r#"{"type":"MultiPoint","coordinates":[[1,2,3],[4,5]]}"#;
+        let refused = "p.geojson: coordinates[1]: the position has no altitude";
+        assert_eq!(read(flat, "lon,lat,alt"), Err(refused.to_owned()));
+        let unknown = "p.geojson: there is no column 'depth'; the columns are lon, lat, alt";
+        assert_eq!(read(content, "lon,lat,depth"), Err(unknown.to_owned()));
+        assert!(read(content, "1,4").is_err());
+    }
+
+    #[test]
+    fn geometries_without_positions_are_counted() {
+        let content = r#"{"type":"FeatureCollection","features":[
+            {"type":"Feature","properties":null,"geometry":null},
+            {"type":"Feature","geometry":{"type":"Point","coordinates":[]}},
+            {"type":"Feature","properties":{}},
+            {"type":"Feature","geometry":{"type":"Point","coordinates":[1,2]}}]}"#;
+        let reading = points(Path::new("p.geojson"), content.as_bytes(), None, &mut Skipping::default());
+        let reading = reading.expect("one position");
+        assert_eq!(reading.in_words().as_deref(), Some("left out: 3 geometries that are null or empty"));
+        assert_eq!(reading.points, Points::Plane(vec![[1.0, 2.0]]));
+    }
+
+    #[test]
     fn every_geometry_gives_its_positions() {
         let content = r#"{"type":"FeatureCollection","features":[
             {"type":"Feature","properties":null,"geometry":null},
-            {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[1,0],[0,0]],[[2,2,9]]]}},
+            {"type":"Feature","properties":{},"geometry":
+                {"type":"Polygon","coordinates":[[[0,0],[1,0],[0,0]],[[2,2,9]]]}},
             {"type":"Feature","geometry":{"type":"GeometryCollection","geometries":[
                 {"type":"Point","coordinates":[3,4]},
                 {"type":"MultiPolygon","coordinates":[[[[5,6]]]]},

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Format;
 use super::columns::Column;
-use super::error::{InputError, Place, Problem};
+use super::error::{InputError, Place, Problem, on_one_line};
 use super::points::Points;
 
 /// The points of a file, with the parts of the file that they come from and those that were left out.
@@ -19,6 +19,8 @@ pub struct Reading {
     pub columns: Vec<Column>,
     /// The columns, or other parts such as altitudes, that the points leave out.
     pub left_out: Vec<String>,
+    /// Other things to know about the reading, such as decimal commas.
+    pub notes: Vec<String>,
     /// The format of the file.
     pub format: Option<Format>,
     /// The SHA-256 of the file.
@@ -28,7 +30,8 @@ pub struct Reading {
 impl Reading {
     /// Points from the given columns, of a file that is yet to be named.
     pub(super) fn of(points: Points, (columns, left_out): (Vec<Column>, Vec<String>)) -> Self {
-        Self { points, faces: Vec::new(), columns, left_out, format: None, sha256: String::new() }
+        let (faces, notes) = (Vec::new(), Vec::new());
+        Self { points, faces, columns, left_out, notes, format: None, sha256: String::new() }
     }
 
     /// Points of a file that has no columns.
@@ -42,15 +45,60 @@ impl Reading {
         if found == wanted { Ok(()) } else { Err(Problem::Dimension { found, wanted }.at(file, Place::File)) }
     }
 
-    /// The columns in words, with what they leave out: "x, y; left out: id"; `None` where nothing was chosen.
+    /// The columns in words, with what they leave out: "x, y; left out: id"; `None` where there is nothing to tell.
     pub fn in_words(&self) -> Option<String> {
         let used: Vec<String> = self.columns.iter().map(Column::to_string).collect();
-        match (used.is_empty(), self.left_out.is_empty()) {
-            (true, true) => None,
-            (true, false) => Some(format!("left out: {}", self.left_out.join(", "))),
-            (false, true) => Some(used.join(", ")),
-            (false, false) => Some(format!("{}; left out: {}", used.join(", "), self.left_out.join(", "))),
-        }
+        let used = (!used.is_empty()).then(|| on_one_line(&used.join(", ")));
+        let parts: Vec<String> = used.into_iter().chain(self.remarks()).collect();
+        (!parts.is_empty()).then(|| parts.join("; "))
+    }
+
+    /// Remarks on the reading beside its columns: what it leaves out, and what it took in a way that is
+    /// not plain.
+    pub fn remarks(&self) -> Option<String> {
+        let left_out = (!self.left_out.is_empty()).then(|| format!("left out: {}", self.left_out.join(", ")));
+        let parts: Vec<String> = left_out.into_iter().chain(self.notes.iter().cloned()).collect();
+        (!parts.is_empty()).then(|| on_one_line(&parts.join("; ")))
+    }
+}
+
+/// Points that are left out because a coordinate is missing or not finite, where that is asked for.
+#[derive(Debug, Default)]
+pub(super) struct Skipping {
+    is_on: bool,
+    count: usize,
+}
+
+impl Skipping {
+    /// None yet.
+    pub(super) fn new(is_on: bool) -> Self {
+        Self { is_on, count: 0 }
+    }
+
+    /// Whether the point with this problem is left out; it is counted then.
+    pub(super) fn passes_over(&mut self, problem: &Problem) -> bool {
+        let is_left_out = self.is_on && problem.is_missing();
+        self.count += usize::from(is_left_out);
+        is_left_out
+    }
+
+    /// The number of points that were left out.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The points that were left out, in words.
+    pub(super) fn in_words(&self) -> Option<String> {
+        counted(self.count, "point that is not finite", "points that are not finite")
+    }
+}
+
+/// A number of things in words; `None` of none.
+pub(super) fn counted(count: usize, one: &str, several: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        count => Some(format!("{count} {several}")),
     }
 }
 
@@ -82,6 +130,9 @@ mod tests {
         let points = Points::Plane(vec![[1.0, 2.0]]);
         let reading = Reading::of(points.clone(), (columns, left_out));
         assert_eq!(reading.in_words().as_deref(), Some("height, 1; left out: column 2, column 3"));
-        assert_eq!(Reading::without_columns(points, Vec::new()).in_words(), None);
+        let mut bare = Reading::without_columns(points, Vec::new());
+        assert_eq!(bare.in_words(), None);
+        bare.notes.push("decimal commas".to_owned());
+        assert_eq!(bare.in_words().as_deref(), Some("decimal commas"));
     }
 }

@@ -5,6 +5,7 @@ mod clients;
 mod documented;
 mod drawings;
 mod pipes;
+mod quirks;
 mod readers;
 mod refusals;
 mod runs;

@@ -29,12 +29,14 @@ fn tables() {
     refused("p.csv", "", &[], "p.csv: holds no points");
     refused("p.csv", "x,y\n", &[], "p.csv: holds no points");
     refused("p.csv", "x,y\n1,2\n\n3,abc\n", &[], "p.csv: line 4, column 2: 'abc' is not a number");
-    refused("p.csv", "x,y\r\n1,2\r\nNaN,3\r\n", &[], "p.csv: line 3, column 1: 'NaN' is not a finite number");
-    refused("p.csv", "x,y\n-inf,2\n", &[], "p.csv: line 2, column 1: '-inf' is not a finite number");
-    refused("p.csv", "x,y\n1,1e400\n", &[], "p.csv: line 2, column 2: '1e400' is not a finite number");
+    let missing = |place: &str| format!("p.csv: {place}; --skip-nan leaves such points out");
+    let nan = missing("line 3, column 1: 'NaN' is not a finite number");
+    refused("p.csv", "x,y\r\n1,2\r\nNaN,3\r\n", &[], &nan);
+    refused("p.csv", "x,y\n-inf,2\n", &[], &missing("line 2, column 1: '-inf' is not a finite number"));
+    refused("p.csv", "x,y\n1,1e400\n", &[], "p.csv: line 2, column 2: '1e400' is outside the range of a double");
     refused("p.csv", "1,2\n3\n", &[], "p.csv: line 2, column 2: the row has 1 cells, not 2");
     refused("p.csv", "1,2\n3,4,5\n", &[], "p.csv: line 2, column 3: the row has 3 cells, not 2");
-    refused("p.csv", "1,2\n,4\n", &[], "p.csv: line 2, column 1: the cell is empty");
+    refused("p.csv", "1,2\n,4\n", &[], &missing("line 2, column 1: the cell is empty"));
     refused("p.csv", "a,b,c\n1,2,3\n", &[], "p.csv: has 3 column(s); choose two to four with --columns");
     let missing = "p.csv: line 1: there is no column 'z'; the columns are a, b, c";
     refused("p.csv", "a,b,c\n1,2,3\n", &["--columns", "a,z"], missing);
@@ -75,7 +77,8 @@ fn documents() {
     refused("p.json", "", &[], "p.json: line 1, column 0: is not JSON: EOF while parsing a value");
     refused("p.json", "[]", &[], "p.json: holds no points");
     refused("p.json", "[[1,2],\n[3,x]]", &[], "p.json: line 2, column 4: is not JSON: expected value");
-    refused("p.json", "[[1,2],[\"Infinity\",4]]", &[], "p.json: [1][0]: 'Infinity' is not a finite number");
+    let infinity = "p.json: [1][0]: 'Infinity' is not a finite number; --skip-nan leaves such points out";
+    refused("p.json", "[[1,2],[\"Infinity\",4]]", &[], infinity);
     refused("p.json", "[[1,2],[3,1e999]]", &[], "p.json: line 1, column 15: a number is outside the range of a double");
     refused("p.geojson", "{\"type\":\"FeatureCollection\",\"features\":[]}", &[], "p.geojson: holds no points");
     let (outcome, wrote) = enclose("p.json", "[".repeat(300_000).as_bytes(), &[]);
@@ -85,15 +88,17 @@ fn documents() {
 
 #[test]
 fn files() {
-    let unknown =
-        "p.dat: the format cannot be told from the name; say --format csv, geojson, json, npy, obj, ply, stl or off";
-    refused("p.dat", "1,2\n", &[], unknown);
+    let formats = "say --format csv, xyz, geojson, json, npy, obj, ply, stl or off";
+    refused("p", "1,2\n", &[], &format!("p: the format cannot be told from the name; {formats}"));
+    let unread = "p.dat: files that end in .dat are not read; if it holds one of the formats that are,";
+    refused("p.dat", "1,2\n", &[], &format!("{unread} {formats}"));
     let folder = tempfile::tempdir().expect("a temporary folder");
     let outcome = run(folder.path(), &["enclose", "absent.csv"]);
     assert!(outcome.stderr.starts_with("zonobench: absent.csv: cannot be read: No such file"), "{}", outcome.stderr);
     assert_eq!((outcome.status, outcome.stderr.lines().count()), (1, 1));
-    let outcome = run(folder.path(), &["enclose", ".", "--format", "csv"]);
-    assert!(outcome.stderr.contains("it is a directory"), "{}", outcome.stderr);
+    for words in [&["enclose", "."][..], &["enclose", ".", "--format", "csv"], &["inspect", "."]] {
+        assert_eq!(run(folder.path(), words).stderr, "zonobench: .: is a folder, not a file\n", "{words:?}");
+    }
 }
 
 /// A sparse file takes no room on the disk and must take none in memory.

@@ -49,23 +49,29 @@ impl Directions {
 
     /// The directions for points with so many coordinates.
     pub(super) fn vectors(&self, dimension: usize) -> anyhow::Result<Vec<Vec<f64>>> {
-        match self {
-            Self::Axes => Ok(axes(dimension)),
-            Self::Net(cells) => net(*cells, dimension),
+        self.read(dimension).map(|(vectors, _)| vectors)
+    }
+
+    /// The directions for points with so many coordinates, with what is to be told of their file.
+    pub(super) fn read(&self, dimension: usize) -> anyhow::Result<(Vec<Vec<f64>>, Option<String>)> {
+        let vectors = match self {
+            Self::Axes => axes(dimension),
+            Self::Net(cells) => net(*cells, dimension)?,
             Self::Vectors(vectors) => match vectors.iter().find(|vector| vector.len() != dimension) {
                 Some(vector) => bail!("directions with {} coordinates for points with {dimension}", vector.len()),
-                None => Ok(vectors.clone()),
+                None => vectors.clone(),
             },
             Self::File(file) => {
-                let source = PointSource { file: file.clone(), format: None, columns: None, skip: None };
-                let directions = source.read(Wanted::Any).context("--directions")?.points;
-                let found = directions.dimension();
+                let reading = PointSource::of_file(file.clone()).read(Wanted::Any).context("--directions")?;
+                let found = reading.points.dimension();
                 if found != dimension {
                     bail!("{}: directions with {found} coordinates for points with {dimension}", file.display());
                 }
-                Ok(directions.rows().map(<[f64]>::to_vec).collect())
+                let remarks = reading.remarks().map(|remarks| format!("{}: {remarks}", file.display()));
+                return Ok((reading.points.rows().map(<[f64]>::to_vec).collect(), remarks));
             }
-        }
+        };
+        Ok((vectors, None))
     }
 }
 

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use self::directions::{Directions, length};
 pub use self::points::PointOptions;
 pub(super) use self::request::Recorded;
-use super::usage::Usage;
+use super::usage::{Usage, tell};
 use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
 
@@ -165,7 +165,8 @@ impl Asking {
             }
             return Ok(json!({"id": id, "kind": "min_length_all", "input": input}));
         };
-        let directions = directions.vectors(points.dimension())?;
+        let (directions, remarks) = directions.read(points.dimension())?;
+        remarks.iter().for_each(|remarks| tell(remarks));
         let weights: Vec<Value> = directions.iter().map(|direction| to_json(length(direction))).collect();
         let directions: Vec<Value> = directions.iter().map(|direction| vector_to_json(direction)).collect();
         let input = json!({"points": rows, "directions": directions, "weights": weights});

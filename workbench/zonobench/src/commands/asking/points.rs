@@ -20,6 +20,9 @@ pub struct PointOptions {
     /// line of data might be taken for such a line.
     #[arg(long, value_name = "N")]
     pub skip: Option<u64>,
+    /// Leave out points of which a coordinate is missing, NaN or infinite, and say how many.
+    #[arg(long)]
+    pub skip_nan: bool,
 }
 
 impl PointOptions {
@@ -30,12 +33,13 @@ impl PointOptions {
             format: self.format,
             columns: self.columns.clone(),
             skip: self.skip,
+            skip_nan: Some(self.skip_nan),
         };
         let Some(format) = source.known_format() else { return Ok(source) };
         if self.columns.is_some() && !format.has_columns() {
-            return Err(Usage::not_applicable("--columns", "meshes and GeoJSON have no columns to choose"));
+            return Err(Usage::not_applicable("--columns", "meshes have no columns to choose"));
         }
-        if self.skip.is_some() && format != Format::Csv {
+        if self.skip.is_some() && !format.is_table() {
             return Err(Usage::not_applicable("--skip", "only tables have lines that are left out"));
         }
         Ok(source)
@@ -47,6 +51,7 @@ impl PointOptions {
             columns: self.columns.clone().or_else(|| other.columns.clone()),
             format: self.format.or(other.format),
             skip: self.skip.or(other.skip),
+            skip_nan: self.skip_nan || other.skip_nan,
         }
     }
 }

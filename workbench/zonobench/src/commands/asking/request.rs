@@ -23,8 +23,18 @@ pub(crate) struct Recorded {
 const COMMAND: &str = "enclose";
 
 /// The fields of a request.
-const FIELDS: [&str; 9] =
-    ["command", "objective", "format", "columns", "skip", "directions", "epsilon", "max_generators", "sha256"];
+const FIELDS: [&str; 10] = [
+    "command",
+    "objective",
+    "format",
+    "columns",
+    "skip",
+    "skip_nan",
+    "directions",
+    "epsilon",
+    "max_generators",
+    "sha256",
+];
 
 /// A `request` that cannot be read.
 #[derive(Debug, Error, PartialEq, Eq)]
@@ -50,6 +60,9 @@ impl Asking {
         }
         if let Some(skip) = self.points.skip {
             request.insert("skip".to_owned(), skip.into());
+        }
+        if self.points.skip_nan {
+            request.insert("skip_nan".to_owned(), true.into());
         }
         if objective != Objective::Area {
             match &self.directions {
@@ -86,6 +99,11 @@ fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
         columns: field(request, "columns", columns)?,
         format: field(request, "format", |value| Format::from_str(value.text()?, false).ok())?,
         skip: field(request, "skip", |value| value.index().and_then(|lines| u64::try_from(lines).ok()))?,
+        skip_nan: field(request, "skip_nan", |value| match value {
+            Tree::Bool(is_on) => Some(*is_on),
+            _ => None,
+        })?
+        .unwrap_or(false),
     };
     let asking = Asking {
         points,
@@ -129,9 +147,9 @@ mod tests {
     fn record(asking: &Asking, objective: Objective) -> String {
         let columns = vec![Column::Name("y".into()), Column::Number(3)];
         let points = Points::Plane(vec![[1.0, 2.0]]);
-        let (faces, left_out) = (Vec::new(), Vec::new());
+        let (faces, left_out, notes) = (Vec::new(), Vec::new(), Vec::new());
         let format = Some(Format::Csv);
-        let reading = Reading { points, faces, columns, left_out, format, sha256: "ab".into() };
+        let reading = Reading { points, faces, columns, left_out, notes, format, sha256: "ab".into() };
         asking.record(&reading, objective).expect("the axes are directions").to_string()
     }
 
@@ -144,7 +162,9 @@ mod tests {
         let without_first =
             Asking { points: PointOptions { skip: Some(1), ..PointOptions::default() }, ..Asking::default() };
         let few = Asking { max_generators: Some(6), ..Asking::default() };
+        let finite = Asking { points: PointOptions { skip_nan: true, ..PointOptions::default() }, ..Asking::default() };
         for (asking, fields) in [
+            (finite, "\"skip_nan\":true"),
             (along_axes, "\"directions\":[[1.0,0.0],[0.0,1.0]]"),
             (Asking::default(), "\"epsilon\":0.001"),
             (without_first, "\"skip\":1"),
@@ -170,6 +190,7 @@ mod tests {
             ("columns", "7"),
             ("format", "\"x\""),
             ("skip", "-1"),
+            ("skip_nan", "1"),
             ("objective", "1"),
             ("directions", "[1]"),
             ("epsilon", "2"),

@@ -118,6 +118,9 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
         if options.reading.skip.is_some() {
             return Err(Usage::not_applicable("--skip", "no lines of a zonotope are left out"));
         }
+        if options.reading.skip_nan {
+            return Err(Usage::not_applicable("--skip-nan", "no generators of a zonotope are left out"));
+        }
     }
     Ok(())
 }
@@ -147,6 +150,9 @@ fn in_space(body: &Body) -> Option<([f64; 3], Vec<[f64; 3]>)> {
 
 fn of_points(options: &Options, name: &str) -> anyhow::Result<String> {
     let reading = options.reading.source(&options.file)?.read(Wanted::Any)?;
+    if let Some(remarks) = reading.remarks() {
+        tell(&format!("{name}: {remarks}"));
+    }
     let Points::Plane(points) = &reading.points else {
         reading.check_dimension(&options.file, 2)?;
         bail!("{name}: only points of the plane are drawn");

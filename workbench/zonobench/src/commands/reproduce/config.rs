@@ -14,6 +14,7 @@ use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
 
+use crate::commands::usage::tell;
 use crate::digest::sha256;
 use crate::input::{InputError, PointSource, Points, Wanted};
 
@@ -234,7 +235,10 @@ fn input(
         if !file.exists() {
             return Err(refused(format!("`{wanted}` is neither a real input nor a file")));
         }
-        let reading = PointSource { file, format: None, columns: None, skip: None }.read(Wanted::Any)?;
+        let reading = PointSource::of_file(file).read(Wanted::Any)?;
+        if let Some(remarks) = reading.remarks() {
+            tell(&format!("{wanted}: {remarks}"));
+        }
         let (points, sort) = match reading.points {
             Points::Plane(points) => (Cloud::Plane(points), Sort::Points),
             Points::Space(points) => (Cloud::Space(points), Sort::Clouds),

@@ -4,7 +4,7 @@ mod document;
 
 use std::path::{Path, PathBuf};
 
-use super::bytes::{read_limited, text};
+use super::bytes::read_limited;
 use super::document::parse;
 use super::error::{InputError, Place, Problem, on_one_line};
 use super::{Format, npy, table};
@@ -37,23 +37,24 @@ impl BodySource {
     /// `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
     pub fn read(&self, tell: impl FnOnce(&str)) -> Result<Body, InputError> {
         let file = &self.file;
-        let format = self
-            .format
-            .or_else(|| Format::of_extension(file))
-            .ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
+        let format = Format::of_file(file, self.format)?;
         let content = read_limited(file)?;
         match format {
             Format::Csv => {
-                let rows = table::rows(file, text(&content))?;
+                let rows = table::rows(file, &content)?;
+                let mut notes = rows.notes.clone();
                 if rows.are_named_as_points() {
-                    let (file, names) = (file.display(), rows.names.join(", "));
+                    let names = rows.names.join(", ");
                     let advice = "`zonobench enclose` makes a body around points";
-                    tell(&on_one_line(&format!("{file}: each row of {names} is read as a generator; {advice}")));
+                    notes.push(format!("each row of {names} is read as a generator; {advice}"));
+                }
+                if !notes.is_empty() {
+                    tell(&on_one_line(&format!("{}: {}", file.display(), notes.join("; "))));
                 }
                 body(file, None, rows.numbers)
             }
             Format::Npy => body(file, None, npy::rows(file, &content)?),
-            Format::Json => document::body(file, &parse(file, text(&content))?),
+            Format::Json => document::body(file, &parse(file, &content)?),
             other => {
                 let problem = format!(
                     "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \

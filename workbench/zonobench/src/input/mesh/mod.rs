@@ -1,77 +1,127 @@
 //! Meshes: Wavefront OBJ, PLY, STL and OFF. The vertices are the points that were asked for; faces are read for
-//! pictures, and where they cannot be read a picture does without.
+//! pictures, and because a face that is cut off or names a vertex that is not there says that the file is broken.
 
 mod obj;
 mod off;
 mod ply;
 mod stl;
+mod words;
 
 use std::path::Path;
 
 use super::error::{InputError, Place, Problem};
-use super::{Format, push_limited};
+use super::points::Points;
+use super::reading::{Reading, Skipping};
+use super::{Format, number, push_limited};
 
 /// What was read of a mesh.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Mesh {
-    /// The vertices, in the order of the file.
-    pub(super) vertices: Vec<[f64; 3]>,
+struct Mesh {
+    /// The vertices, in the order of the file; NaN for one that is left out, until [`Mesh::finish`].
+    vertices: Vec<[f64; 3]>,
     /// The faces, each a list of three or more vertices.
-    pub(super) faces: Vec<Box<[usize]>>,
+    faces: Vec<Box<[usize]>>,
+    /// The parts of the file that were left out.
+    left_out: Vec<String>,
+    /// Other things to know about the reading.
+    notes: Vec<String>,
 }
 
 impl Mesh {
-    /// Adds a face; one of fewer than three corners, or with a corner that is not there, is left out.
-    fn add_face(&mut self, corners: &[usize]) {
+    /// Adds a vertex; a place for one that is left out, because a coordinate is missing or not finite.
+    fn push(
+        &mut self,
+        vertex: Result<[f64; 3], Problem>,
+        skipping: &mut Skipping,
+        place: impl Fn(usize) -> Place,
+    ) -> Result<(), Misplaced> {
+        let vertex = match vertex {
+            Err(problem) if skipping.passes_over(&problem) => Ok([f64::NAN; 3]),
+            vertex => vertex,
+        };
+        let number = self.vertices.len() + 1;
+        vertex.and_then(|vertex| push_limited(&mut self.vertices, vertex)).map_err(|problem| (problem, place(number)))
+    }
+
+    /// Adds a face; fewer than three corners are none. An error if a corner is not there.
+    fn add_face(&mut self, corners: &[usize], format: &str) -> Result<(), Problem> {
         let count = self.vertices.len();
-        if corners.len() >= 3 && corners.iter().all(|&corner| corner < count) {
+        if let Some(corner) = corners.iter().find(|&&corner| corner >= count) {
+            let complaint = format!("a face has the vertex {corner}, counted from 0, of {count}");
+            return Err(broken(format, &complaint));
+        }
+        if corners.len() >= 3 {
             self.faces.push(corners.into());
         }
+        Ok(())
+    }
+
+    /// The mesh without the vertices that are left out and the faces at these.
+    fn finish(self) -> Self {
+        let is_left_out = |vertex: &[f64; 3]| vertex[0].is_nan();
+        let holes: Vec<usize> = (0..self.vertices.len()).filter(|&v| is_left_out(&self.vertices[v])).collect();
+        if holes.is_empty() {
+            return self;
+        }
+        let place = |&corner: &usize| holes.binary_search(&corner).err().map(|before| corner - before);
+        let faces = self.faces.iter().filter_map(|face| face.iter().map(place).collect()).collect();
+        let vertices = self.vertices.into_iter().filter(|vertex| !is_left_out(vertex)).collect();
+        Self { vertices, faces, ..self }
     }
 }
 
-/// Reads a mesh.
-pub(super) fn read(file: &Path, content: &[u8], format: Format) -> Result<Mesh, InputError> {
+/// Reads the vertices and faces of a mesh.
+pub(super) fn points(
+    file: &Path,
+    content: &[u8],
+    format: Format,
+    skipping: &mut Skipping,
+) -> Result<Reading, InputError> {
     let read = match format {
         Format::Obj => obj::read,
         Format::Ply => ply::read,
         Format::Stl => stl::read,
         _ => off::read,
     };
-    read(content).map_err(|(problem, place)| problem.at(file, place))
-}
-
-/// What the vertices that were read leave out, in words.
-pub(super) fn left_out(content: &[u8], vertices: &[[f64; 3]], format: Format) -> Vec<String> {
-    let unused = if format == Format::Obj { obj::unused_vertices(content, vertices) } else { 0 };
-    match unused {
-        0 => Vec::new(),
-        1 => vec!["1 vertex that nothing uses".to_owned()],
-        count => vec![format!("{count} vertices that nothing uses")],
-    }
+    let mesh = read(content, skipping).map_err(|(problem, place)| problem.at(file, place))?;
+    let Mesh { vertices, faces, left_out, notes } = mesh.finish();
+    Ok(Reading { faces, notes, ..Reading::without_columns(Points::Space(vertices), left_out) })
 }
 
 /// What is wrong, and where in the file.
 type Misplaced = (Problem, Place);
 
-/// Adds a vertex unless a coordinate is not finite or the limit is reached.
-fn push(vertices: &mut Vec<[f64; 3]>, vertex: [f64; 3], place: impl Fn() -> Place) -> Result<(), Misplaced> {
-    if let Some(wrong) = vertex.iter().find(|x| !x.is_finite()) {
-        return Err((Problem::NotFinite(wrong.to_string()), place()));
+/// The coordinates that three words on a line spell, the first in the given column, or why a coordinate is missing; a
+/// broken number is an error, and comes before a missing one.
+fn on_line(words: [&[u8]; 3], column: u64, line: u64) -> Result<Result<[f64; 3], Problem>, Misplaced> {
+    let mut read = [0.0; 3];
+    let mut missing = None;
+    for ((column, slot), word) in (column..).zip(&mut read).zip(words) {
+        match number::number(word) {
+            Ok(number) => *slot = number,
+            Err(problem) if problem.is_missing() => missing = missing.or(Some(problem)),
+            Err(problem) => return Err((problem, Place::Cell { line, column })),
+        }
     }
-    push_limited(vertices, vertex).map_err(|problem| (problem, place()))
+    Ok(missing.map_or(Ok(read), Err))
+}
+
+/// Whether coordinates from the bytes of a file are finite.
+fn finite(vertex: [f64; 3]) -> Result<[f64; 3], Problem> {
+    match vertex.iter().find(|x| !x.is_finite()) {
+        Some(wrong) => Err(Problem::NotFinite(wrong.to_string())),
+        None => Ok(vertex),
+    }
+}
+
+/// The place of a vertex, counted from 1, on a line.
+fn vertex_on_line(number: usize, line: u64) -> Place {
+    Place::Path(format!("vertex {number}, line {line}"))
 }
 
 /// A reader's complaint.
 fn broken(format: &str, complaint: &str) -> Problem {
     Problem::Mesh { format: format.to_owned(), complaint: complaint.to_owned() }
-}
-
-/// The number of the line on which the byte before `end` stands.
-fn line_before(content: &[u8], end: usize) -> u64 {
-    let read = &content[..end.min(content.len())];
-    let ends = read.iter().filter(|&&byte| byte == b'\n').count() as u64;
-    if read.ends_with(b"\n") { ends } else { ends + 1 }
 }
 
 #[cfg(test)]

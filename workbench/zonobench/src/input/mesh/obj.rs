@@ -1,73 +1,160 @@
-//! Wavefront OBJ, by the crate `tobj`: the vertices that faces, lines or points use, part by part, and the faces.
+//! Wavefront OBJ: the vertices that faces, lines or points use, in the order of the file, and the faces. A file without
+//! any of these elements is a cloud of points.
 
-use std::collections::BTreeSet;
-use std::path::Path;
+use std::borrow::Cow;
 
-use tobj::{LoadError, LoadOptions, MTLLoadResult};
+use super::words::{lines, words};
+use super::{Mesh, Misplaced, broken, on_line, vertex_on_line};
+use crate::input::error::{Place, Problem};
+use crate::input::reading::{Skipping, counted};
+use crate::input::{MAX_POINTS, encoding, number, push_limited};
 
-use super::{Mesh, Misplaced, broken, line_before, push};
-use crate::input::error::Place;
-
-pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
-    let mut rest = content;
-    let no_materials = |_: &Path| MTLLoadResult::Ok(Default::default());
-    let loaded = tobj::load_obj_buf(&mut rest, &LoadOptions::default(), no_materials);
-    // Lines are taken one at a time, so what is left begins behind the line that is wrong.
-    let line = line_before(content, content.len() - rest.len());
-    let (parts, _) = loaded.map_err(|error| (broken("OBJ", &error.to_string()), place(error, line)))?;
-    let mut read = Mesh::default();
-    for part in &parts {
-        let first = read.vertices.len();
-        for vertex in part.mesh.positions.as_chunks::<3>().0 {
-            push(&mut read.vertices, *vertex, || first_non_finite(content))?;
+pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
+    let text = encoding::text(content).map_err(|problem| (problem, Place::File))?;
+    let mut file = Elements::default();
+    let mut physical = lines(&text);
+    while let Some((line, first)) = physical.next() {
+        let (whole, is_glued) = continued(first, &mut physical);
+        let mut rest = words(&whole);
+        let at_line = |problem: Problem| (problem, Place::Line(line));
+        let keyword = rest.next().unwrap_or_default();
+        let is_read = matches!(keyword, b"v" | b"p" | b"l" | b"f" | b"fo");
+        if is_read && is_glued {
+            let complaint = "a backslash between two characters may separate two numbers or join one";
+            return Err(at_line(broken("OBJ", complaint)));
         }
-        let corners: Vec<usize> = part.mesh.indices.iter().map(|&index| first + index as usize).collect();
-        let mut rest = &corners[..];
-        // Without a list of them all faces are triangles; points and lines have fewer corners.
-        let arities = part.mesh.face_arities.iter().map(|&arity| arity as usize).chain(std::iter::repeat(3));
-        for arity in arities {
-            let Some((face, others)) = rest.split_at_checked(arity).filter(|(face, _)| !face.is_empty()) else { break };
-            read.add_face(face);
-            rest = others;
+        match keyword {
+            b"v" => file.vertex(line, &rest.collect::<Vec<_>>())?,
+            b"p" | b"l" | b"f" | b"fo" => file.element(line, rest, keyword.starts_with(b"f")).map_err(at_line)?,
+            _ => {}
         }
     }
-    Ok(read)
+    file.mesh(skipping)
 }
 
-/// How many vertices of the file have coordinates that are not among those of the vertices which were read: no face,
-/// line or point uses them.
-pub(super) fn unused_vertices(content: &[u8], read: &[[f64; 3]]) -> usize {
-    let bits = |vertex: [f64; 3]| vertex.map(f64::to_bits);
-    let read: BTreeSet<[u64; 3]> = read.iter().map(|&vertex| bits(vertex)).collect();
-    let vertex = |line: &[u8]| -> Option<[f64; 3]> {
-        let text = std::str::from_utf8(line).ok()?;
-        let mut words = text.split_whitespace();
-        let coordinates = (words.next() == Some("v")).then_some(words)?.take(3).map(str::parse::<f64>);
-        coordinates.collect::<Result<Vec<_>, _>>().ok()?.try_into().ok()
-    };
-    let vertices = content.split(|&byte| byte == b'\n').filter_map(vertex);
-    vertices.filter(|&vertex| !read.contains(&bits(vertex))).count()
-}
-
-/// Indices are looked up at the end of a part, which says nothing about the line.
-fn place(error: LoadError, line: u64) -> Place {
-    match error {
-        LoadError::FaceVertexOutOfBounds
-        | LoadError::FaceTexCoordOutOfBounds
-        | LoadError::FaceNormalOutOfBounds
-        | LoadError::FaceColorOutOfBounds
-        | LoadError::InvalidPolygon => Place::File,
-        _ => Place::Line(line),
+/// A line without its comment, and the lines with which a backslash at its end continues it; and whether some
+/// backslash stands between two characters that are no space.
+fn continued<'a>(first: &'a [u8], more: &mut impl Iterator<Item = (u64, &'a [u8])>) -> (Cow<'a, [u8]>, bool) {
+    let without_comment = |line: &'a [u8]| line.split(|&byte| byte == b'#').next().unwrap_or_default().trim_ascii_end();
+    let is_space = |byte: Option<&u8>| byte.is_none_or(u8::is_ascii_whitespace);
+    let mut whole = Cow::Borrowed(without_comment(first));
+    let mut is_glued = false;
+    while let Some(begin) = whole.strip_suffix(b"\\") {
+        let mut joined = begin.to_vec();
+        let next = more.next().map(|(_, line)| without_comment(line)).unwrap_or_default();
+        is_glued |= !is_space(joined.last()) && !is_space(next.first());
+        joined.extend(next);
+        whole = Cow::Owned(joined);
     }
+    (whole, is_glued)
 }
 
-/// The first line with a vertex that has a coordinate which is not finite.
-fn first_non_finite(content: &[u8]) -> Place {
-    let is_wrong = |line: &[u8]| {
-        let text = String::from_utf8_lossy(line);
-        let mut words = text.split_whitespace();
-        words.next() == Some("v") && words.any(|word| word.parse::<f64>().is_ok_and(|x| !x.is_finite()))
-    };
-    let line = content.split(|&byte| byte == b'\n').position(is_wrong);
-    line.map_or(Place::File, |line| Place::Line(line as u64 + 1))
+/// The elements of a file.
+#[derive(Default)]
+struct Elements {
+    vertices: Vec<[f64; 3]>,
+    /// The vertices with a coordinate that is missing or not finite, by number, with their lines: an error only if they
+    /// are used.
+    missing: Vec<(usize, u64, Problem)>,
+    /// The number of vertices that were divided by a weight.
+    weighted: usize,
+    faces: Vec<Box<[usize]>>,
+    is_used: Vec<bool>,
+    /// The largest vertex that is used, with the line that does so.
+    farthest: Option<(usize, u64)>,
+}
+
+impl Elements {
+    /// A vertex: three coordinates, with a weight as the fourth number or with colours behind.
+    fn vertex(&mut self, line: u64, numbers: &[&[u8]]) -> Result<(), Misplaced> {
+        let at = |problem, column: usize| (problem, Place::Cell { line, column: column as u64 });
+        let &[x, y, z, ref rest @ ..] = numbers else {
+            return Err(at(broken("OBJ", "a vertex has three coordinates"), numbers.len() + 1));
+        };
+        let weight = if let [weight] = rest { number::number(weight).map_err(|problem| at(problem, 4))? } else { 1.0 };
+        if weight == 0.0 {
+            return Err(at(broken("OBJ", "a vertex of weight 0 lies at infinity"), 4));
+        }
+        self.weighted += usize::from(weight != 1.0);
+        let vertex = match on_line([x, y, z], 1, line)? {
+            Ok(vertex) => vertex.map(|x| x / weight),
+            Err(problem) => {
+                self.missing.push((self.vertices.len(), line, problem));
+                [f64::NAN; 3]
+            }
+        };
+        if vertex.iter().any(|x| x.is_infinite()) {
+            return Err(at(broken("OBJ", "a coordinate divided by its weight is outside the range of a double"), 4));
+        }
+        push_limited(&mut self.vertices, vertex).map_err(|problem| (problem, Place::Line(line)))
+    }
+
+    /// A point, line or face, by references to vertices and perhaps to textures and normals.
+    fn element<'a>(
+        &mut self,
+        line: u64,
+        references: impl Iterator<Item = &'a [u8]>,
+        is_face: bool,
+    ) -> Result<(), Problem> {
+        let count = self.vertices.len();
+        let corner = |reference: &[u8]| {
+            let index = reference.split(|&byte| byte == b'/').next().unwrap_or_default();
+            let index: i64 = std::str::from_utf8(index).ok()?.parse().ok()?;
+            // Numbers count from 1; negative ones count back from the last vertex before the line.
+            let index = if index < 0 { index.checked_add_unsigned(count as u64)? } else { index - 1 };
+            usize::try_from(index).ok()
+        };
+        let corners = references.map(|reference| {
+            corner(reference).ok_or_else(|| {
+                broken("OBJ", &format!("'{}' is no vertex", String::from_utf8_lossy(reference).escape_debug()))
+            })
+        });
+        let corners: Box<[usize]> = corners.collect::<Result<_, _>>()?;
+        for &corner in &corners {
+            if self.farthest.is_none_or(|(farthest, _)| corner > farthest) {
+                self.farthest = Some((corner, line));
+            }
+            if let Some(is_used) = self.is_used.get_mut(corner) {
+                *is_used = true;
+            } else if corner < MAX_POINTS {
+                self.is_used.resize(corner + 1, false);
+                self.is_used[corner] = true;
+            }
+        }
+        if is_face && corners.len() >= 3 {
+            self.faces.push(corners);
+        }
+        Ok(())
+    }
+
+    /// The mesh of the vertices that are used.
+    fn mesh(mut self, skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
+        let count = self.vertices.len();
+        if let Some((farthest, line)) = self.farthest.filter(|&(farthest, _)| farthest >= count) {
+            let complaint = format!("the vertex {} is used, of {count}", farthest + 1);
+            return Err((broken("OBJ", &complaint), Place::Line(line)));
+        }
+        self.is_used.resize(count, self.farthest.is_none());
+        let mut mesh = Mesh::default();
+        let mut places = vec![0; count];
+        let mut missing = self.missing.into_iter().peekable();
+        for (index, vertex) in self.vertices.into_iter().enumerate() {
+            let gap = missing.next_if(|&(number, ..)| number == index);
+            if !self.is_used[index] {
+                continue;
+            }
+            places[index] = mesh.vertices.len();
+            let (line, vertex) = match gap {
+                Some((_, line, problem)) => (line, Err(problem)),
+                None => (0, Ok(vertex)),
+            };
+            mesh.push(vertex, skipping, |_| vertex_on_line(index + 1, line))?;
+        }
+        mesh.faces = self.faces;
+        mesh.faces.iter_mut().flat_map(|face| face.iter_mut()).for_each(|corner| *corner = places[*corner]);
+        let unused = count - mesh.vertices.len();
+        mesh.left_out.extend(counted(unused, "vertex that nothing uses", "vertices that nothing uses"));
+        mesh.notes.extend(counted(self.weighted, "vertex divided by its weight", "vertices divided by their weights"));
+        Ok(mesh)
+    }
 }

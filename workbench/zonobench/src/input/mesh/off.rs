@@ -1,67 +1,180 @@
-//! OFF in text: the word `OFF`, the numbers of vertices, faces and edges, then a line for each vertex and one for each
-//! face.
+//! OFF in text: the word `OFF`, perhaps, the numbers of vertices, faces and edges, then the vertices and the faces,
+//! each on a line of its own or all words in a row.
 
-use super::{Mesh, Misplaced, broken, push};
-use crate::input::MAX_POINTS;
+use super::words::{lines, words};
+use super::{Mesh, Misplaced, broken, on_line, vertex_on_line};
 use crate::input::error::{Place, Problem};
+use crate::input::reading::{Skipping, counted};
+use crate::input::{MAX_POINTS, encoding};
 
-/// What may stand before the word `OFF`: texture coordinates, colours and normals, all of them behind the coordinates.
-const PREFIXES: [&str; 8] = ["", "ST", "C", "N", "CN", "STC", "STN", "STCN"];
+/// Prefixes of the word `OFF`, with the numbers of a vertex where every file has the same: texture
+/// coordinates, colours (of three or four numbers) and normals, all of them behind the coordinates.
+const PREFIXES: [(&str, Option<usize>); 8] = [
+    ("", Some(3)),
+    ("ST", Some(5)),
+    ("C", None),
+    ("N", Some(6)),
+    ("CN", None),
+    ("STC", None),
+    ("STN", Some(8)),
+    ("STCN", None),
+];
 
-pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
-    let mut lines = (1_u64..).zip(content.split(|&byte| byte == b'\n')).filter_map(|(number, line)| {
-        let line = line.split(|&byte| byte == b'#').next().unwrap_or_default().trim_ascii();
-        (!line.is_empty()).then_some((number, line))
-    });
-    let (number, first) = lines.next().ok_or((Problem::Empty, Place::File))?;
-    let mut words = text(first, number)?.split_ascii_whitespace();
-    let word = words.next().unwrap_or_default();
-    if !word.strip_suffix("OFF").is_some_and(|prefix| PREFIXES.contains(&prefix)) {
-        let complaint = format!("begins with '{}', not with OFF for three coordinates", word.escape_debug());
-        return Err((broken("OFF", &complaint), Place::Line(number)));
+/// A word, or a line, with the number of its line.
+type Numbered<'a> = (u64, &'a [u8]);
+
+/// The counts, which stand before the vertices.
+struct Counts {
+    /// The numbers of a vertex, if it has as many in every file of this kind.
+    width: Option<usize>,
+    vertices: usize,
+    faces: usize,
+    /// The line on which the counts end.
+    line: u64,
+}
+
+pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
+    let text = encoding::text(content).map_err(|problem| (problem, Place::File))?;
+    let without_comment = |line| <[u8]>::split(line, |&byte| byte == b'#').next().unwrap_or_default().trim_ascii();
+    let lines = lines(&text).map(|(number, line)| (number, without_comment(line)));
+    let lines: Vec<Numbered> = lines.filter(|(_, line)| !line.is_empty()).collect();
+    let mut all = lines.iter().flat_map(|&(number, line)| words(line).map(move |word| (number, word))).peekable();
+    let counts = counts(&mut all)?;
+    let is_apart = all.peek().is_none_or(|&(line, _)| line > counts.line);
+    let body = &lines[lines.partition_point(|&(line, _)| line <= counts.line)..];
+    let has_lines = is_apart
+        && body.len() >= counts.vertices.saturating_add(counts.faces)
+        && body[..counts.vertices].iter().all(|(_, line)| words(line).count() >= 3);
+    if !has_lines && let Some(elements) = in_a_row(all.collect(), &counts) {
+        return mesh_of_words(&elements, &counts, skipping);
     }
-    let counts: Vec<&str> = words.collect();
-    let (number, counts) = match counts.first() {
-        Some(&"BINARY") => return Err((broken("OFF", "is binary; the text form is read"), Place::Line(number))),
-        Some(_) => (number, counts),
-        None => {
-            let (number, line) = lines.next().ok_or((broken("OFF", "ends before its counts"), Place::File))?;
-            (number, text(line, number)?.split_ascii_whitespace().collect())
-        }
+    if is_apart {
+        return mesh_of_lines(body, &counts, skipping);
+    }
+    let complaint = format!("what follows is no text of {} vertices and {} faces", counts.vertices, counts.faces);
+    Err((broken("OFF", &complaint), Place::Line(counts.line)))
+}
+
+/// The counts, behind the keyword, on its line, glued to it, or without one.
+fn counts<'a>(words: &mut std::iter::Peekable<impl Iterator<Item = Numbered<'a>>>) -> Result<Counts, Misplaced> {
+    let &(line, first) = words.peek().ok_or((Problem::Empty, Place::File))?;
+    let (width, glued) = if first.iter().all(u8::is_ascii_digit) {
+        (Some(3), &b""[..])
+    } else {
+        words.next();
+        keyword(first).map_err(|complaint| (broken("OFF", &complaint), Place::Line(line)))?
     };
-    let count = counts.first().and_then(|count| count.parse::<usize>().ok());
-    let count = count.ok_or_else(|| (broken("OFF", "does not tell the number of vertices"), Place::Line(number)))?;
-    if count > MAX_POINTS {
-        return Err((Problem::TooMany { what: "points", limit: MAX_POINTS }, Place::Line(number)));
+    if words.peek().is_some_and(|(_, word)| word.eq_ignore_ascii_case(b"BINARY")) {
+        return Err((broken("OFF", "is binary; the text form is read"), Place::Line(line)));
     }
-    let mut vertices = Vec::new();
-    for index in 0..count {
-        let ended = || (broken("OFF", &format!("ends after {index} of {count} vertices")), Place::File);
-        let (number, line) = lines.next().ok_or_else(ended)?;
-        let mut words = text(line, number)?.split_ascii_whitespace();
-        let mut vertex = [0.0; 3];
-        for (axis, slot) in (1..).zip(&mut vertex) {
-            let place = Place::Cell { line: number, column: axis };
-            let Some(word) = words.next() else { return Err((broken("OFF", "a vertex has three coordinates"), place)) };
-            *slot = word.parse().map_err(|_| (Problem::NotANumber(word.to_owned()), place))?;
+    let ended = || (broken("OFF", "does not tell the numbers of vertices and faces"), Place::Line(line));
+    let count = |(line, word): Numbered| {
+        let count = std::str::from_utf8(word).ok().and_then(|word| word.parse::<usize>().ok());
+        count.map(|count| (line, count)).ok_or_else(|| {
+            let word = String::from_utf8_lossy(word);
+            (broken("OFF", &format!("'{}' is no number of things", word.escape_debug())), Place::Line(line))
+        })
+    };
+    let first = if glued.is_empty() { words.next().ok_or_else(ended)? } else { (line, glued) };
+    let (first_line, vertices) = count(first)?;
+    let (second_line, faces) = count(words.next().ok_or_else(ended)?)?;
+    // The number of edges says nothing, and some files leave it out: it stands beside the others, or all three stand
+    // on lines of their own.
+    let has_edges = words.peek().is_some_and(|&(line, _)| line == second_line || first_line != second_line);
+    let last_line =
+        if has_edges { words.next().map_or(Ok(second_line), |edges| Ok(count(edges)?.0))? } else { second_line };
+    if vertices > MAX_POINTS {
+        return Err((Problem::TooMany { what: "points", limit: MAX_POINTS }, Place::Line(first_line)));
+    }
+    Ok(Counts { width, vertices, faces, line: last_line })
+}
+
+/// The numbers of a vertex that a keyword tells, and the digits behind it.
+fn keyword(word: &[u8]) -> Result<(Option<usize>, &[u8]), String> {
+    let digits = word.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    let (letters, digits) = word.split_at(word.len() - digits);
+    let named = |(prefix, _): &&(&str, _)| letters.eq_ignore_ascii_case(format!("{prefix}OFF").as_bytes());
+    match PREFIXES.iter().find(named) {
+        Some(&(_, width)) => Ok((width, digits)),
+        None => {
+            let word = String::from_utf8_lossy(word);
+            Err(format!("begins with '{}', not with OFF for three coordinates", word.escape_debug()))
         }
-        push(&mut vertices, vertex, || Place::Line(number))?;
     }
-    let mut read = Mesh { vertices, faces: Vec::new() };
-    for (_, line) in lines {
-        read.add_face(&corners(line).unwrap_or_default());
-    }
-    Ok(read)
 }
 
-/// The corners of the face on a line: their number, the corners, and perhaps a colour.
-fn corners(line: &[u8]) -> Option<Vec<usize>> {
-    let mut words = std::str::from_utf8(line).ok()?.split_ascii_whitespace().map(str::parse::<usize>);
-    let count = words.next()?.ok()?;
-    let corners: Vec<usize> = words.take(count).collect::<Result<_, _>>().ok()?;
-    (corners.len() == count).then_some(corners)
+/// The words of a text whose lines do not matter: as many numbers as there are vertices and faces, and no others.
+fn in_a_row<'a>(words: Vec<Numbered<'a>>, counts: &Counts) -> Option<Vec<Numbered<'a>>> {
+    let mut rest = words.get(counts.vertices.checked_mul(counts.width?)?..)?;
+    for _ in 0..counts.faces {
+        let (&(_, first), others) = rest.split_first()?;
+        let corners: usize = std::str::from_utf8(first).ok()?.parse().ok()?;
+        rest = others.get(corners..)?;
+    }
+    rest.is_empty().then_some(words)
 }
 
-fn text(line: &[u8], number: u64) -> Result<&str, Misplaced> {
-    std::str::from_utf8(line).map_err(|_| (Problem::NotText, Place::Line(number)))
+fn mesh_of_words(words: &[Numbered], counts: &Counts, skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
+    let mut mesh = Mesh::default();
+    let width = counts.width.unwrap_or_default();
+    let (vertices, mut rest) = words.split_at(counts.vertices * width);
+    for vertex in vertices.chunks_exact(width.max(1)) {
+        let line = vertex[0].0;
+        let read = on_line([vertex[0].1, vertex[1].1, vertex[2].1], 1, line)?;
+        mesh.push(read, skipping, |number| vertex_on_line(number, line))?;
+    }
+    while let Some((&(line, first), others)) = rest.split_first() {
+        let corners = std::str::from_utf8(first).ok().and_then(|count| count.parse().ok()).unwrap_or(0);
+        let (face, others) = others.split_at(corners);
+        add_face(&mut mesh, face.iter().map(|&(_, word)| word), line)?;
+        rest = others;
+    }
+    Ok(mesh)
+}
+
+/// The mesh of a text with a vertex or a face a line.
+fn mesh_of_lines(body: &[Numbered], counts: &Counts, skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
+    let mut mesh = Mesh::default();
+    let mut wider = 0;
+    let ended = |index: usize, count: usize, name: &str| {
+        (broken("OFF", &format!("ends after {index} of {count} {name}")), Place::File)
+    };
+    for index in 0..counts.vertices {
+        let &(line, text) = body.get(index).ok_or_else(|| ended(index, counts.vertices, "vertices"))?;
+        let numbers: Vec<&[u8]> = words(text).collect();
+        let &[x, y, z, ref more @ ..] = &numbers[..] else {
+            let place = Place::Cell { line, column: numbers.len() as u64 + 1 };
+            return Err((broken("OFF", "a vertex has three coordinates"), place));
+        };
+        wider += usize::from(counts.width == Some(3) && !more.is_empty());
+        mesh.push(on_line([x, y, z], 1, line)?, skipping, |number| vertex_on_line(number, line))?;
+    }
+    let rest = &body[counts.vertices..];
+    for index in 0..counts.faces {
+        let &(line, text) = rest.get(index).ok_or_else(|| ended(index, counts.faces, "faces"))?;
+        let mut words = words(text);
+        let count: Option<usize> = words.next().and_then(|count| std::str::from_utf8(count).ok()?.parse().ok());
+        let face: Vec<&[u8]> = words.take(count.unwrap_or_default()).collect();
+        if count.is_none_or(|count| count == 0 || face.len() < count) {
+            let complaint = "a face is the number of its corners, and so many vertices";
+            return Err((broken("OFF", complaint), Place::Line(line)));
+        }
+        add_face(&mut mesh, face.into_iter(), line)?;
+    }
+    let surplus = rest.len() - counts.faces;
+    mesh.left_out.extend(counted(wider, "vertex's numbers behind the third", "vertices' numbers behind the third"));
+    mesh.left_out.extend(counted(surplus, "line behind the faces", "lines behind the faces"));
+    Ok(mesh)
+}
+
+/// Adds the face with these corners, counted from 0.
+fn add_face<'a>(mesh: &mut Mesh, corners: impl Iterator<Item = &'a [u8]>, line: u64) -> Result<(), Misplaced> {
+    let corner = |word: &[u8]| {
+        std::str::from_utf8(word).ok().and_then(|word| word.parse::<usize>().ok()).ok_or_else(|| {
+            let word = String::from_utf8_lossy(word);
+            broken("OFF", &format!("'{}' is no vertex", word.escape_debug()))
+        })
+    };
+    let corners: Result<Vec<usize>, Problem> = corners.map(corner).collect();
+    corners.and_then(|corners| mesh.add_face(&corners, "OFF")).map_err(|problem| (problem, Place::Line(line)))
 }

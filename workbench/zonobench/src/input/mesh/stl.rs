@@ -1,134 +1,158 @@
-//! STL in text or binary, by the crate `stl_io`; corners that several triangles share are one vertex.
+//! STL in text or binary; corners that several triangles share are one vertex. Texts keep all digits of a double.
 
 use std::collections::HashMap;
-use std::io::{self, Read, Seek, SeekFrom};
 
-use super::{Mesh, Misplaced, broken, line_before, push};
-use crate::input::error::Place;
+use super::words::Words;
+use super::{Mesh, Misplaced, broken, finite, on_line};
+use crate::input::encoding;
+use crate::input::error::{Place, Problem};
+use crate::input::reading::{Skipping, counted};
 
 /// The words at the beginning of a binary file, which say nothing.
 const HEADER: usize = 80;
 
-/// The bytes of a triangle.
-const TRIANGLE: u64 = 50;
+/// The bytes of a triangle: its normal, three corners and two bytes of attributes.
+const TRIANGLE: usize = 50;
 
-pub(super) fn read(content: &[u8]) -> Result<Mesh, Misplaced> {
-    let mut corners = Corners::default();
-    if is_text(content) {
-        texts(content, &mut corners)?;
-    } else {
-        binary(content, &mut corners)?;
+/// The bytes of a vector.
+const VECTOR: usize = 12;
+
+pub(super) fn read(content: &[u8], skipping: &mut Skipping) -> Result<Mesh, Misplaced> {
+    let mut corners = Corners { mesh: Mesh::default(), known: HashMap::new(), skipping };
+    match binary_length(content) {
+        Some(length) if length == content.len() as u64 => binary(content, &mut corners)?,
+        length => {
+            let text = encoding::text(content).map_err(|problem| (problem, Place::File))?;
+            // Every binary file has a zero byte somewhere, no text has one.
+            let is_binary = length.is_some() && text.contains(&0);
+            if is_binary { binary(content, &mut corners)? } else { solids(&text, &mut corners)? }
+        }
     }
     Ok(corners.mesh)
 }
 
-/// Binary files may begin with any words, even those of a text; but their length is that of their triangles.
-fn is_text(content: &[u8]) -> bool {
-    let count = content.get(HEADER..HEADER + 4).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
-    let binary = count.map(|count| HEADER as u64 + 4 + u64::from(count) * TRIANGLE);
-    content.trim_ascii_start().starts_with(b"solid") && binary != Some(content.len() as u64)
+/// The length of a binary file that counts so many triangles. Its header may be any words, even those of a text.
+fn binary_length(content: &[u8]) -> Option<u64> {
+    let count = content.get(HEADER..HEADER + 4)?.try_into().map(u32::from_le_bytes).ok()?;
+    Some(HEADER as u64 + 4 + u64::from(count) * TRIANGLE as u64)
 }
 
 fn binary(content: &[u8], corners: &mut Corners) -> Result<(), Misplaced> {
-    let at = |triangle: u64| Place::Path(format!("triangle {triangle}"));
-    let complaint = |error: io::Error, place| (broken("STL", &error.to_string()), place);
-    // The reader would take some headers for the beginning of a text.
-    let body = content.get(HEADER..).unwrap_or_default();
-    let mut source = Source { head: &[0; HEADER], body, position: 0, by_line: false };
-    let triangles = stl_io::create_stl_reader(&mut source).map_err(|error| complaint(error, Place::File))?;
-    for (index, triangle) in (1..).zip(triangles) {
-        corners.add(&triangle.map_err(|error| complaint(error, at(index)))?, || at(index))?;
+    let count = content[HEADER..HEADER + 4].try_into().map_or(0, u32::from_le_bytes) as usize;
+    let (triangles, rest) = content[HEADER + 4..].as_chunks::<TRIANGLE>();
+    if triangles.len() < count {
+        let complaint = format!("ends within triangle {} of {count}", triangles.len() + 1);
+        return Err((broken("STL", &complaint), Place::File));
     }
+    for (index, triangle) in triangles[..count].iter().enumerate() {
+        let at = |corner: usize| Place::Path(format!("corner {corner} of triangle {}", index + 1));
+        let (vectors, _) = triangle.as_chunks::<VECTOR>();
+        let vector = |vector: usize| -> [f64; 3] {
+            let (numbers, _) = vectors[vector].as_chunks::<4>();
+            std::array::from_fn(|axis| f64::from(f32::from_le_bytes(numbers[axis])))
+        };
+        corners.add([1, 2, 3].map(|corner| finite(vector(corner))), at)?;
+    }
+    let surplus = (triangles.len() - count) * TRIANGLE + rest.len();
+    corners.mesh.left_out.extend(counted(surplus, "byte behind the triangles", "bytes behind the triangles"));
     Ok(())
 }
 
-/// Reads the solids of a text, one after the other.
-fn texts(content: &[u8], corners: &mut Corners) -> Result<(), Misplaced> {
-    let mut read = content.len() - content.trim_ascii_start().len();
-    while read < content.len() {
-        let line = content[read..].iter().position(|&byte| byte == b'\n').map_or(content.len(), |end| read + end + 1);
-        if !content[read..line].starts_with(b"solid") {
-            return Err((broken("STL", "expected `solid`"), Place::Line(line_before(content, line))));
+/// Reads the solids of a text, one after the other. Normals, names and colours are not looked at.
+fn solids(text: &[u8], corners: &mut Corners) -> Result<(), Misplaced> {
+    let mut words = Words::new(text);
+    let (mut is_open, mut unended) = (false, 0);
+    let wrong = |words: &Words, expected: &str, found: Option<&[u8]>| {
+        let found =
+            found.map_or("the end".to_owned(), |word| format!("'{}'", String::from_utf8_lossy(word).escape_debug()));
+        (broken("STL", &format!("expected `{expected}`, found {found}")), Place::Line(words.line()))
+    };
+    while let Some(word) = words.next() {
+        let is = |keyword: &str| word.eq_ignore_ascii_case(keyword.as_bytes());
+        if is("solid") {
+            unended += usize::from(is_open);
+            is_open = true;
+            words.skip_line();
+        } else if is("endsolid") || is("end") {
+            is_open = false;
+            words.skip_line();
+        } else if is("color") && is_open {
+            words.skip_line();
+        } else if is("facet") && is_open {
+            facet(&mut words, corners, wrong)?;
+        } else {
+            return Err(wrong(&words, if is_open { "facet` or `endsolid" } else { "solid" }, Some(word)));
         }
-        // The reader wants a name behind the word.
-        let mut source = Source { head: b"solid name\n", body: &content[line..], position: 0, by_line: true };
-        let outcome = solid(&mut source, corners);
-        let end = line + source.position.saturating_sub(source.head.len());
-        let place = Place::Line(line_before(content, end));
-        match outcome {
-            Err(error) => return Err((broken("STL", &error.to_string()), place)),
-            Ok(Err((problem, _))) => return Err((problem, place)),
-            Ok(Ok(())) => {}
-        }
-        let rest = &content[end..];
-        read = content.len() - rest.trim_ascii_start().len();
     }
+    let missing = counted(unended + usize::from(is_open), "solid has no `endsolid`", "solids have no `endsolid`");
+    corners.mesh.notes.extend(missing);
     Ok(())
 }
 
-fn solid(source: &mut Source<'_>, corners: &mut Corners) -> io::Result<Result<(), Misplaced>> {
-    for triangle in stl_io::create_stl_reader(source)? {
-        if let Err(misplaced) = corners.add(&triangle?, || Place::File) {
-            return Ok(Err(misplaced));
+/// Reads a triangle, of which `facet` is read already.
+fn facet(
+    words: &mut Words,
+    corners: &mut Corners,
+    wrong: impl Fn(&Words, &str, Option<&[u8]>) -> Misplaced,
+) -> Result<(), Misplaced> {
+    // A normal is what stands before the loop, however it is written.
+    loop {
+        match words.next() {
+            Some(word) if word.eq_ignore_ascii_case(b"outer") => break,
+            Some(word) if !word.eq_ignore_ascii_case(b"vertex") => {}
+            found => return Err(wrong(words, "outer loop", found)),
         }
     }
-    Ok(Ok(()))
+    let expect = |words: &mut Words, keyword: &str| match words.next() {
+        Some(word) if word.eq_ignore_ascii_case(keyword.as_bytes()) => Ok(()),
+        found => Err(wrong(words, keyword, found)),
+    };
+    expect(words, "loop")?;
+    let mut vertices = [[0.0; 3]; 3].map(Ok);
+    let line = words.line();
+    for slot in &mut vertices {
+        expect(words, "vertex")?;
+        let mut next = || words.next().ok_or_else(|| (broken("STL", "ends within a vertex"), Place::File));
+        let coordinates = [next()?, next()?, next()?];
+        *slot = on_line(coordinates, 1, words.line())?;
+    }
+    for ends in ["loop", "facet"] {
+        match words.next() {
+            Some(word) if word.eq_ignore_ascii_case(format!("end{ends}").as_bytes()) => {}
+            Some(word) if word.eq_ignore_ascii_case(b"end") => expect(words, ends)?,
+            found => return Err(wrong(words, &format!("end{ends}"), found)),
+        }
+    }
+    corners.add(vertices, |corner| Place::Path(format!("corner {corner} of the triangle on line {line}")))
 }
 
 /// The mesh so far, and where each vertex stands in it.
-#[derive(Default)]
-struct Corners {
+struct Corners<'a> {
     mesh: Mesh,
-    known: HashMap<[u32; 3], usize>,
+    known: HashMap<[u64; 3], usize>,
+    skipping: &'a mut Skipping,
 }
 
-impl Corners {
-    fn add(&mut self, triangle: &stl_io::Triangle, place: impl Fn() -> Place) -> Result<(), Misplaced> {
+impl Corners<'_> {
+    /// Adds a triangle; the place is that of a corner, counted from 1.
+    fn add(
+        &mut self,
+        corners: [Result<[f64; 3], Problem>; 3],
+        place: impl Fn(usize) -> Place,
+    ) -> Result<(), Misplaced> {
         let mut face = [0; 3];
-        for (slot, corner) in face.iter_mut().zip(&triangle.vertices) {
-            let key = corner.0.map(f32::to_bits);
-            *slot = match self.known.get(&key) {
+        for ((number, slot), corner) in (1..).zip(&mut face).zip(corners) {
+            let key = corner.as_ref().ok().map(|corner| corner.map(f64::to_bits));
+            *slot = match key.and_then(|key| self.known.get(&key)) {
                 Some(&index) => index,
                 None => {
-                    push(&mut self.mesh.vertices, corner.0.map(f64::from), &place)?;
-                    let index = self.mesh.vertices.len() - 1;
-                    self.known.insert(key, index);
+                    let index = self.mesh.vertices.len();
+                    self.mesh.push(corner, self.skipping, |_| place(number))?;
+                    self.known.extend(key.map(|key| (key, index)));
                     index
                 }
             };
         }
-        self.mesh.add_face(&face);
-        Ok(())
-    }
-}
-
-/// Another beginning and the rest of a file; a text is handed out line by line, so that nobody reads ahead of the
-/// line that is looked at.
-struct Source<'a> {
-    head: &'a [u8],
-    body: &'a [u8],
-    position: usize,
-    by_line: bool,
-}
-
-impl Read for Source<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let rest = match self.position.checked_sub(self.head.len()) {
-            None => &self.head[self.position..],
-            Some(position) => self.body.get(position..).unwrap_or_default(),
-        };
-        let line = rest.iter().position(|&byte| self.by_line && byte == b'\n').map_or(rest.len(), |end| end + 1);
-        let count = line.min(buffer.len());
-        buffer[..count].copy_from_slice(&rest[..count]);
-        self.position += count;
-        Ok(count)
-    }
-}
-
-impl Seek for Source<'_> {
-    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        let SeekFrom::Start(position) = to else { return Err(io::ErrorKind::Unsupported.into()) };
-        self.position = usize::try_from(position).map_err(io::Error::other)?;
-        Ok(position)
+        self.mesh.add_face(&face, "STL").map_err(|problem| (problem, place(1)))
     }
 }

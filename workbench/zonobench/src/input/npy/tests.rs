@@ -23,7 +23,8 @@ fn bytes<const N: usize, T: Copy>(numbers: &[T], write: fn(T) -> [u8; N]) -> Vec
 
 fn read(content: &[u8], columns: Option<&str>, wanted: Wanted) -> Result<Reading, String> {
     let columns = columns.map(|columns| columns.parse().expect("the test's columns are well formed"));
-    points(Path::new("p.npy"), content, columns.as_ref(), wanted).map_err(|error| error.to_string())
+    points(Path::new("p.npy"), content, columns.as_ref(), wanted, &mut Skipping::default())
+        .map_err(|error| error.to_string())
 }
 
 #[test]
@@ -76,6 +77,42 @@ fn columns_are_chosen_by_number() {
     assert_eq!(complaint(Some("x,y")), "p.npy: there is no column 'x'; the columns are numbered 1 to 3");
 }
 
+/// Records are read by the names of their fields: those of coordinates, or those that are chosen.
+#[test]
+fn fields_of_records_are_columns() {
+    let number = |x: f32| x.to_le_bytes();
+    let record = |x: f32, y: f32, z: f32| {
+        [&b"ab"[..], &number(z), &number(x), &[7, 0], &number(y), &number(0.5), &number(f32::NAN)].concat()
+    };
+    let header = "{'descr': [('id', '|S2'), ('Z', '<f4'), ('X', '<f4'), ('', '|V2'), ('Y', '<f4'), \
+        ('normal', '<f4', (2,))], 'fortran_order': False, 'shape': (2,), }";
+    let content = file_with(1, header, &[record(1.0, 2.0, 3.0), record(4.0, 5.0, 6.0)].concat());
+    let reading = read(&content, None, Wanted::PlaneOrSpace).expect("points of space");
+    assert_eq!(reading.points, Points::Space(vec![[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]));
+    assert_eq!(reading.in_words().as_deref(), Some("X, Y, Z; left out: id, normal[0], normal[1]"));
+    let reading = read(&content, Some("y,2"), Wanted::Planar).expect("points of the plane");
+    assert_eq!(reading.points, Points::Plane(vec![[2.0, 3.0], [5.0, 6.0]]));
+    let complaint = |columns: Option<&str>| read(&content, columns, Wanted::Planar).expect_err("a wrong choice");
+    assert!(complaint(None).contains("has the columns x, y and z"));
+    assert_eq!(complaint(Some("x,id")), "p.npy: id: is not npy: numbers of the type '|S2' are not read");
+    assert!(
+        complaint(Some("x,w")).ends_with("there is no column 'w'; the columns are id, Z, X, Y, normal[0], normal[1]")
+    );
+    assert_eq!(complaint(Some("x,normal[1]")), "p.npy: [0][5]: 'NaN' is not a finite number");
+}
+
+#[test]
+fn halves_are_read_and_what_is_not_finite_is_skipped() {
+    let halves = [0x3800_u16, 0xc000, 0x7e00, 0x3c00, 0x0001, 0x7bff];
+    for (kind, data) in [("<f2", bytes(&halves, u16::to_le_bytes)), (">f2", bytes(&halves, u16::to_be_bytes))] {
+        let content = file_of(1, kind, false, "(3, 2)", &data);
+        let mut skipping = Skipping::new(true);
+        let reading = points(Path::new("p.npy"), &content, None, Wanted::Planar, &mut skipping).expect("two points");
+        assert_eq!(reading.points, Points::Plane(vec![[0.5, -2.0], [2.0_f64.powi(-24), 65504.0]]));
+        assert_eq!(skipping.count(), 1);
+    }
+}
+
 #[test]
 fn what_is_no_array_of_points_is_refused() {
     let complaint = |content: &[u8]| {
@@ -93,13 +130,25 @@ fn what_is_no_array_of_points_is_refused() {
     assert_eq!(complaint(&of_shape("(99999999, 1)")), "is too large: more than 10000000 points");
     assert!(complaint(&of_shape("(2, 18446744073709551615)")).contains("2 bytes follow the header"));
     let nested = format!("{{'descr': {}", "[".repeat(60_000));
-    for header in ["", "{}", "{'descr': '|u1'}", "{'descr': [('x', '<f8')], 'shape': (1, 2)}", nested.as_str()] {
+    let within = "{'descr': [('p', [('x', '<f8')])], 'fortran_order': False, 'shape': (1,)}";
+    for header in ["", "{}", "{'descr': '|u1'}", "{'descr': [('x', '<f8')], 'shape': (1, 2)}", within, nested.as_str()]
+    {
         assert_eq!(
             complaint(&file_with(1, header, &[1])),
-            is_not("its header is not that of an array of plain numbers")
+            is_not("its header is not that of an array of plain numbers or of records")
         );
     }
-    for kind in ["<f2", "<f16", "<c16", "|b1", "|O", "f8", "|f8", "<U3", ""] {
+    assert_eq!(complaint(b"PK\x03\x04"), is_not("it is an archive of arrays, .npz; save one array as .npy"));
+    let of_records = |fields: &str, shape: &str| {
+        complaint(&file_with(1, &format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': {shape}}}"), &[1, 2]))
+    };
+    let by_two = "the records have 2 dimension(s), not 1: a record for each point";
+    assert_eq!(of_records("('x', '|u1')", "(1, 2)"), is_not(by_two));
+    assert_eq!(of_records("('x', '|u1')", "(3,)"), is_not("2 bytes follow the header, not 3 records of 1 bytes"));
+    assert_eq!(of_records("('x', '|O')", "(2,)"), is_not("fields of the type '|O' are not read"));
+    assert!(of_records("('x', '|u1', (99999999,))", "(2,)").contains("more than 65536 numbers in a record"));
+    assert_eq!(of_records("('x', '|S1')", "(2,)"), "x: is not npy: numbers of the type '|S1' are not read");
+    for kind in ["<f16", "<c16", "|b1", "|O", "f8", "|f8", "<U3", ""] {
         let expected = is_not(&format!("numbers of the type '{kind}' are not read"));
         assert_eq!(complaint(&file_of(1, kind, false, "(1, 1)", &[1])), expected);
     }

@@ -2,6 +2,8 @@
 
 use csv::ByteRecord;
 
+use crate::input::number::is_number;
+
 /// What a row is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Opening {
@@ -28,7 +30,7 @@ pub(super) fn text_above_number(
 ) -> Option<usize> {
     let has_number = has_number(first);
     let has_text = |column| first.get(column).is_some_and(|cell| is_text(cell) && !is_broken_number(cell, has_number));
-    let is_above_number = |column| second.and_then(|second| parse(second.get(column)?)).is_some();
+    let is_above_number = |column| second.and_then(|second| second.get(column)).is_some_and(is_number);
     columns.find(|&column| has_text(column) && is_above_number(column))
 }
 
@@ -46,17 +48,31 @@ fn is_column_of_text(first: &ByteRecord, second: Option<&ByteRecord>, column: us
 
 /// Whether some cell of a row is a number.
 pub(super) fn has_number(row: &ByteRecord) -> bool {
-    row.iter().any(|cell| parse(cell).is_some())
+    row.iter().any(is_number)
 }
 
 /// Whether a cell holds something else than a number.
 pub(super) fn is_text(cell: &[u8]) -> bool {
-    parse(cell).is_none() && !cell.trim_ascii().is_empty()
+    !is_number(cell) && !cell.trim_ascii().is_empty()
 }
 
-/// The number in a cell, not necessarily finite.
-pub(super) fn parse(cell: &[u8]) -> Option<f64> {
-    std::str::from_utf8(cell).ok()?.trim().parse().ok()
+/// The whole number that stands alone in a row.
+pub(super) fn lone_count(row: &ByteRecord) -> Option<u64> {
+    let only = row.get(0).filter(|_| row.len() == 1)?;
+    std::str::from_utf8(only).ok()?.trim().parse().ok()
+}
+
+/// Whether the cells are the numbers from 0 on, two or more, as programs write them in place of missing names; an
+/// empty first cell stands above the numbers of rows.
+pub(super) fn numbers_columns(row: &ByteRecord) -> bool {
+    let names: Vec<&[u8]> = row.iter().skip(usize::from(is_nameless(row))).map(<[u8]>::trim_ascii).collect();
+    let is_place = |(place, name): (usize, &&[u8])| **name == *place.to_string().as_bytes();
+    (names.len() >= 2 || (is_nameless(row) && !names.is_empty())) && names.iter().enumerate().all(is_place)
+}
+
+/// Whether the first cell of a header has no name, or the one that a program gave it for want of another.
+pub(super) fn is_nameless(header: &ByteRecord) -> bool {
+    header.get(0).is_some_and(|name| matches!(name.trim_ascii(), b"" | b"Unnamed: 0"))
 }
 
 /// Whether a cell is no number, but begins like one and holds nothing but the letters of numbers, or stands in a row
@@ -68,7 +84,7 @@ fn is_broken_number(cell: &[u8], is_beside_number: bool) -> bool {
     let digits = unsigned.strip_prefix(b".").unwrap_or(unsigned);
     let begins_like_number = digits.first().is_some_and(u8::is_ascii_digit);
     let is_spelled_like_number = cell.iter().all(|letter| LETTERS_OF_NUMBERS.contains(letter));
-    parse(cell).is_none() && begins_like_number && (is_spelled_like_number || is_beside_number)
+    !is_number(cell) && begins_like_number && (is_spelled_like_number || is_beside_number)
 }
 
 #[cfg(test)]

@@ -1,43 +1,52 @@
 //! Points from a table of separated cells.
 
+mod decimals;
 mod header;
+mod separator;
+mod start;
 mod text;
 
 use std::path::Path;
 
 use csv::ByteRecord;
 
-use self::header::{Opening, column_of_text, is_text, opening, parse, text_above_number};
+use self::decimals::Decimals;
+use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
+use self::start::Start;
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
+use super::number::is_number;
 use super::points::{COORDINATE_LIMIT, Points, Wanted};
-use super::push_limited;
-use super::reading::{Reading, columns_of};
+use super::reading::{Reading, Skipping, columns_of};
+use super::{encoding, names, push_limited};
 
-/// Pairs of header names that are taken for coordinates when no columns are chosen, in the order first, second
-/// coordinate.
-const KNOWN_NAMES: [[&str; 2]; 6] =
-    [["x", "y"], ["lon", "lat"], ["lng", "lat"], ["long", "lat"], ["longitude", "latitude"], ["easting", "northing"]];
-
-/// Names of three coordinates, which come before pairs.
-const SPACE_NAMES: [&str; 3] = ["x", "y", "z"];
+/// The place of the points in a table.
+pub(super) struct Shape<'a> {
+    /// The columns that hold the coordinates; guessed if absent.
+    pub(super) columns: Option<&'a Columns>,
+    /// The number of lines that are left out at the start; a header is told from its cells if absent.
+    pub(super) skip: Option<u64>,
+    /// The number of coordinates that there should be.
+    pub(super) wanted: Wanted,
+    /// Whether the first three columns are coordinates where names do not say otherwise.
+    pub(super) is_cloud: bool,
+}
 
 /// Reads the points of a table.
 ///
 /// The first row is a header if the chosen columns are named, or if it cannot be data: it has no number, and some
-/// chosen cell is text that does not look like a broken number. Where a row with numbers has text above a number, it
-/// is refused: in a chosen column the text is no number, elsewhere the caller says by `skip`, the number of lines to
-/// leave out at the start, whether it is a header.
+/// chosen cell is text that does not look like a broken number; or if it numbers the columns, while all other rows are
+/// fractions. Where a row with numbers has text above a number, it is refused: in a chosen column the text is no
+/// number, elsewhere the caller says by `skip`, the number of lines to leave out at the start, whether it is a header.
 pub(super) fn points(
     file: &Path,
     content: &[u8],
-    columns: Option<&Columns>,
-    skip: Option<u64>,
-    wanted: Wanted,
+    shape: &Shape,
+    skipping: &mut Skipping,
 ) -> Result<Reading, InputError> {
-    let text = Text::new(content, skip.unwrap_or(0));
-    let mut reading = Table { file, text: &text, columns: Vec::new(), width: 0 }.points(columns, skip, wanted)?;
+    let text = Text::new(decoded(file, content)?, shape.skip.unwrap_or(0));
+    let mut reading = Table::new(file, &text).points(shape, skipping)?;
     reading.left_out.extend(text.left_out());
     Ok(reading)
 }
@@ -49,128 +58,142 @@ pub(super) struct Rows {
     pub(super) names: Vec<String>,
     /// The rows, of the same length.
     pub(super) numbers: Vec<Vec<f64>>,
+    /// Remarks on the reading: rows and columns that were left out, decimal commas.
+    pub(super) notes: Vec<String>,
 }
 
 impl Rows {
     /// Whether the header names coordinates, so that the rows may be meant as points.
     pub(super) fn are_named_as_points(&self) -> bool {
-        let has = |name: &str| self.names.iter().any(|other| other.eq_ignore_ascii_case(name));
-        KNOWN_NAMES.iter().any(|pair| pair.iter().all(|name| has(name)))
+        names::are_coordinates(&self.names)
     }
 }
 
 /// Reads all the numbers of a table, row by row: rows of the same length, after a header line that is recognised as
-/// above.
+/// above, without a column that counts the rows.
 pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Rows, InputError> {
-    let text = Text::new(content, 0);
-    Table { file, text: &text, columns: Vec::new(), width: 0 }.numbers()
+    let text = Text::new(decoded(file, content)?, 0);
+    Table::new(file, &text).numbers()
 }
+
+fn decoded<'a>(file: &Path, content: &'a [u8]) -> Result<std::borrow::Cow<'a, [u8]>, InputError> {
+    encoding::text(content).map_err(|problem| problem.at(file, Place::File))
+}
+
+/// The remark on a column that is left out because it counts the rows.
+const INDEX: &str = "column 1, which counts the rows";
 
 struct Table<'a> {
     file: &'a Path,
     text: &'a Text<'a>,
-    /// The chosen columns, counted from 0.
-    columns: Vec<usize>,
+    decimals: Decimals,
     /// The cells of a row, an empty one after a trailing separator apart.
     width: usize,
 }
 
-/// The first two rows.
-type Start = (ByteRecord, Option<ByteRecord>);
+impl<'a> Table<'a> {
+    fn new(file: &'a Path, text: &'a Text<'a>) -> Self {
+        Self { file, text, decimals: Decimals::default(), width: 0 }
+    }
 
-impl Table<'_> {
     fn numbers(mut self) -> Result<Rows, InputError> {
-        let mut records = self.text.rows();
-        let Some((first, second)) = self.start(&mut records)? else {
+        let text = self.text;
+        let mut records = text.rows();
+        let Some(start) = Start::read(self.file, text, &mut records, false)? else {
             return Ok(Rows::default());
         };
-        self.columns = (0..self.width).collect();
-        let is_header = opening(&first, &self.columns) == Opening::Header;
-        let names = if is_header { cells(&first) } else { Vec::new() };
+        self.width = start.width;
+        let Start { first, second, count, is_numbered, has_index, left_out, mut notes, .. } = start;
+        let columns: Vec<usize> = (usize::from(has_index)..self.width).collect();
+        let is_header = is_numbered || opening(&first, &columns) == Opening::Header;
+        let names =
+            if is_header && !is_numbered { cells(&first).split_off(usize::from(has_index)) } else { Vec::new() };
         let data = (!is_header).then_some(first).into_iter().chain(second).map(Ok);
-        let mut rows = Vec::new();
-        for row in data.chain(records.map(|row| self.parsed(row))) {
+        let mut numbers = Vec::new();
+        for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
-            let numbers: Result<Vec<f64>, InputError> =
-                (0..row.len().max(1)).map(|column| self.number(&row, column)).collect();
-            push_limited(&mut rows, numbers?).map_err(|problem| problem.at(self.file, self.place(&row)))?;
+            let columns = usize::from(has_index)..self.cells_of(&row).max(1);
+            let read: Vec<f64> = columns.map(|column| self.number(&row, column)).collect::<Result<_, _>>()?;
+            push_limited(&mut numbers, read).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
-        Ok(Rows { names, numbers: rows })
+        self.check_count(count, numbers.len())?;
+        let left_out = left_out.into_iter().chain(has_index.then(|| INDEX.to_owned()));
+        notes.extend(left_out.map(|part| format!("left out: {part}")));
+        notes.extend(self.commas()?);
+        Ok(Rows { names, numbers, notes })
     }
 
-    fn points(mut self, columns: Option<&Columns>, skip: Option<u64>, wanted: Wanted) -> Result<Reading, InputError> {
-        let mut records = self.text.rows();
-        let Some((first, second)) = self.start(&mut records)? else {
+    fn points(mut self, shape: &Shape, skipping: &mut Skipping) -> Result<Reading, InputError> {
+        let text = self.text;
+        let mut records = text.rows();
+        let Some(start) = Start::read(self.file, text, &mut records, shape.skip.is_some())? else {
             return Ok(Reading::without_columns(Points::Plane(Vec::new()), Vec::new()));
         };
-        let is_named = columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
-        if columns.is_none() {
-            let all: Vec<usize> = (0..first.len()).collect();
-            self.refuse_text_above_number(&first, second.as_ref(), &all, skip)?;
+        self.width = start.width;
+        if start.first.get(0).is_some_and(|word| word.eq_ignore_ascii_case(b"ncols")) {
+            let grid = "is a grid of heights, which holds no points".to_owned();
+            return Err(Problem::Shape(grid).at(self.file, Place::File));
         }
-        self.columns = self.chosen(&first, second.as_ref(), columns, wanted)?;
-        if columns.is_some() && !is_named {
-            self.refuse_text_above_number(&first, second.as_ref(), &self.columns, skip)?;
+        let is_named =
+            shape.columns.is_some_and(|Columns(all)| all.iter().any(|column| matches!(column, Column::Name(_))));
+        let from = usize::from(start.has_index && shape.columns.is_none());
+        let all: Vec<usize> = (from..start.width).collect();
+        if shape.columns.is_none() && !start.is_numbered {
+            self.refuse_text_above_number(&start, &all, shape.skip)?;
+        }
+        let columns = self.chosen(&start, shape, from)?;
+        if shape.columns.is_some() && !is_named && !start.is_numbered {
+            self.refuse_text_above_number(&start, &columns, shape.skip)?;
         }
 
-        let mut points = Points::of_dimension(self.columns.len()).expect("no more columns are chosen than are read");
-        let has_header = is_named || opening(&first, &self.columns) == Opening::Header;
-        let names: Vec<String> = if has_header { cells(&first) } else { vec![String::new(); first.len()] };
+        let mut points = Points::of_dimension(columns.len()).expect("no more columns are chosen than are read");
+        let Start { first, second, count, is_numbered, has_index, left_out: rows_left_out, mut notes, .. } = start;
+        let has_header = is_numbered || is_named || opening(&first, &columns) == Opening::Header;
+        let names = if has_header && !is_numbered { cells(&first) } else { vec![String::new(); first.len()] };
         let data = (!has_header).then_some(first).into_iter().chain(second).map(Ok);
-        for row in data.chain(records.map(|row| self.parsed(row))) {
+        let mut counting = Counting::new(shape, has_header || has_index, &columns);
+        let skipped_before = skipping.count();
+        for row in data.chain(records.map(|row| parsed(self.file, row))) {
             let row = row?;
-            let mut point = [0.0; COORDINATE_LIMIT];
-            for (slot, &column) in point.iter_mut().zip(&self.columns) {
-                *slot = self.number(&row, column)?;
+            match self.point(&row, &columns) {
+                Err(error) if skipping.passes_over(&error.problem) => {}
+                point => {
+                    let (point, dimension) = (point?, columns.len());
+                    counting.note(point[0]);
+                    let pushed = points.push(&point[..dimension]);
+                    pushed.map_err(|problem| problem.at(self.file, self.place(&row)))?;
+                }
             }
-            let point = &point[..self.columns.len()];
-            points.push(point).map_err(|problem| problem.at(self.file, self.place(&row)))?;
         }
-        Ok(Reading::of(points, columns_of(&names, &self.columns)))
-    }
-
-    /// The first two rows, which tell the width: rows may end with a separator. A header may leave its last column
-    /// without a name.
-    fn start(
-        &mut self,
-        records: &mut impl Iterator<Item = csv::Result<ByteRecord>>,
-    ) -> Result<Option<Start>, InputError> {
-        let Some(first) = records.next() else {
-            return Ok(None);
-        };
-        self.width = usize::MAX;
-        let first = self.parsed(first)?;
-        let second = records.next().map(|row| self.parsed(row)).transpose()?;
-        let ends_empty = |row: &ByteRecord| row.len() > 1 && row[row.len() - 1].trim_ascii().is_empty();
-        let is_trailing = ends_empty(&first)
-            && second.as_ref().is_none_or(|second| second.len() + 1 == first.len() || ends_empty(second));
-        self.width = first.len() - usize::from(is_trailing);
-        Ok(Some((self.without_trailing_cell(first), second.map(|row| self.without_trailing_cell(row)))))
-    }
-
-    /// The row, if it parses.
-    fn parsed(&self, row: csv::Result<ByteRecord>) -> Result<ByteRecord, InputError> {
-        let row = row.map_err(|error| Problem::Table(error.to_string()).at(self.file, Place::File))?;
-        Ok(self.without_trailing_cell(row))
-    }
-
-    /// The row without the empty cell after a separator at its end.
-    fn without_trailing_cell(&self, mut row: ByteRecord) -> ByteRecord {
-        if row.len().checked_sub(1) == Some(self.width) && row[self.width].trim_ascii().is_empty() {
-            row.truncate(self.width);
+        self.check_count(count, points.len() + skipping.count() - skipped_before)?;
+        notes.extend(counting.in_words(&columns));
+        notes.extend(self.commas()?);
+        let (columns, mut left_out) = columns_of(&names, &columns);
+        if from == 1 {
+            // The first column that is left out is the first one of the table.
+            left_out[0] = INDEX.to_owned();
         }
-        row
+        left_out.extend(rows_left_out);
+        Ok(Reading { notes, ..Reading::of(points, (columns, left_out)) })
+    }
+
+    fn point(&mut self, row: &ByteRecord, columns: &[usize]) -> Result<[f64; COORDINATE_LIMIT], InputError> {
+        let mut point = [0.0; COORDINATE_LIMIT];
+        let mut missing = None;
+        for (slot, &column) in point.iter_mut().zip(columns) {
+            match self.number(row, column) {
+                Ok(number) => *slot = number,
+                Err(error) if error.problem.is_missing() => missing = missing.or(Some(error)),
+                Err(error) => return Err(error),
+            }
+        }
+        missing.map_or(Ok(point), Err)
     }
 
     /// Refuses a first row of data, as far as the given columns tell, with text above a number: it may be meant as a
     /// header.
-    fn refuse_text_above_number(
-        &self,
-        first: &ByteRecord,
-        second: Option<&ByteRecord>,
-        columns: &[usize],
-        skip: Option<u64>,
-    ) -> Result<(), InputError> {
+    fn refuse_text_above_number(&self, start: &Start, columns: &[usize], skip: Option<u64>) -> Result<(), InputError> {
+        let (first, second) = (&start.first, start.second.as_ref());
         if opening(first, columns) == Opening::Header {
             return Ok(());
         }
@@ -188,68 +211,83 @@ impl Table<'_> {
         }
     }
 
-    fn chosen(
-        &self,
-        first: &ByteRecord,
-        second: Option<&ByteRecord>,
-        columns: Option<&Columns>,
-        wanted: Wanted,
-    ) -> Result<Vec<usize>, InputError> {
+    /// The columns of the coordinates, counted from 0: those that were chosen, or a guess among those behind `from`.
+    fn chosen(&self, start: &Start, shape: &Shape, from: usize) -> Result<Vec<usize>, InputError> {
+        let (first, wanted) = (&start.first, shape.wanted);
         let names = cells(first);
-        let position = |wanted: &str| names.iter().position(|name| name.eq_ignore_ascii_case(wanted));
-        if let Some(Columns(chosen)) = columns {
-            let place = |column: &Column| match column {
-                Column::Name(name) if is_repeated(&names, name) => Err(Problem::TwoColumns(name.clone())),
-                Column::Number(number) if *number <= names.len() => Ok(number - 1),
-                Column::Number(number) => Err(Problem::NoColumnNumber { number: *number, cells: names.len() }),
-                Column::Name(name) => position(name)
-                    .ok_or_else(|| Problem::NoSuchColumn { name: name.clone(), available: names.join(", ") }),
-            };
-            let at_first = |problem: Problem| problem.at(self.file, self.place(first));
-            return chosen.iter().map(|column| place(column).map_err(at_first)).collect();
+        let at_first = |problem: Problem| problem.at(self.file, self.place(first));
+        if let Some(columns) = shape.columns {
+            return names::chosen(&names, columns, &names.join(", ")).map_err(at_first);
         }
-        let known = |names: &[&str]| names.iter().map(|name| position(name)).collect::<Option<Vec<usize>>>();
-        let in_space = known(&SPACE_NAMES);
-        if wanted == Wanted::Planar && in_space.is_some() {
-            return Err(Problem::ThirdCoordinate.at(self.file, self.place(first)));
+        if let Some(columns) = names::of_coordinates(&names, wanted).map_err(at_first)? {
+            return Ok(columns);
         }
-        if let Some(columns) = in_space.or_else(|| KNOWN_NAMES.iter().find_map(|pair| known(pair))) {
-            return match columns.iter().find(|&&column| is_repeated(&names, &names[column])) {
-                Some(&column) => Err(Problem::TwoColumns(names[column].clone()).at(self.file, self.place(first))),
-                None => Ok(columns),
-            };
+        let cells = first.len() - from;
+        if shape.is_cloud {
+            // A name of an atom or of a point may stand before its coordinates.
+            let from = from + usize::from(has_number(first) && first.get(from).is_some_and(is_text));
+            let coordinates = (first.len() - from).min(3);
+            if wanted == Wanted::Planar && coordinates > 2 {
+                return Err(at_first(Problem::ThirdCoordinate));
+            }
+            if wanted.takes_all(coordinates) || coordinates == 3 {
+                return Ok((from..from + coordinates).collect());
+            }
         }
-        let numbers = first.iter().filter(|cell| parse(cell).is_some()).count();
+        let numbers = first.iter().skip(from).filter(|cell| is_number(cell)).count();
         // There is something to choose only where numbers are left beside the text.
-        let of_text = column_of_text(first, second).filter(|_| numbers >= 2);
-        if wanted.takes_all(first.len()) && of_text.is_none() {
-            return Ok((0..first.len()).collect());
+        let of_text = column_of_text(first, start.second.as_ref()).filter(|_| numbers >= 2);
+        if wanted.takes_all(cells) && of_text.is_none() {
+            return Ok((from..first.len()).collect());
         }
-        let (cells, wanted) = (first.len(), wanted.in_words());
+        let wanted = wanted.in_words();
         // A row with numbers is no header, so a text in it is data.
         let text = of_text.or(first.iter().position(is_text).filter(|_| numbers >= 1));
         if let Some(column) = text {
             let place = Place::Cell { line: self.text.line(first), column: column as u64 + 1 };
             let text = names[column].clone();
+            if self.text.separator() == b',' && joins_digits(&text) {
+                return Err(Problem::BetweenCommas(text).at(self.file, place));
+            }
             return Err(Problem::TextAmongNumbers { text, cells, wanted }.at(self.file, place));
         }
         Err(Problem::ChooseColumns { cells, wanted }.at(self.file, Place::File))
     }
 
-    fn number(&self, row: &ByteRecord, column: usize) -> Result<f64, InputError> {
-        let cell_at = |column: usize| Place::Cell { line: self.text.line(row), column: column as u64 + 1 };
-        if row.len() != self.width {
-            let problem = Problem::Ragged { found: row.len(), expected: self.width };
-            return Err(problem.at(self.file, cell_at(row.len().min(self.width))));
+    fn number(&mut self, row: &ByteRecord, column: usize) -> Result<f64, InputError> {
+        let text = self.text;
+        let cell_at = |column: usize| Place::Cell { line: text.line(row), column: column as u64 + 1 };
+        let found = self.cells_of(row);
+        if found != self.width {
+            let expected = self.width;
+            let is_filled = row.iter().all(|cell| !cell.trim_ascii().is_empty());
+            let is_twice = text.separator() == b',' && found == 2 * expected && is_filled;
+            let problem =
+                if is_twice { Problem::TwiceAsMany { found, expected } } else { Problem::Ragged { found, expected } };
+            return Err(problem.at(self.file, cell_at(found.min(expected))));
         }
-        let problem = match (parse(&row[column]), std::str::from_utf8(&row[column])) {
-            (Some(number), _) if number.is_finite() => return Ok(number),
-            (Some(_), Ok(cell)) => Problem::NotFinite(cell.trim().to_owned()),
-            (None, Ok(cell)) if cell.trim().is_empty() => Problem::EmptyCell,
-            (None, Ok(cell)) => Problem::NotANumber(cell.trim().to_owned()),
-            (_, Err(_)) => Problem::NotText,
-        };
-        Err(problem.at(self.file, cell_at(column)))
+        let read = self.decimals.read(&row[column], text.separator(), || cell_at(column));
+        read.map_err(|problem| problem.at(self.file, cell_at(column)))
+    }
+
+    /// The cells of a row without the empty one after a separator at its end.
+    fn cells_of(&self, row: &ByteRecord) -> usize {
+        let is_trailing = row.len() == self.width + 1 && row[self.width].trim_ascii().is_empty();
+        row.len() - usize::from(is_trailing)
+    }
+
+    /// Refuses a table whose first line counts other points than it has.
+    fn check_count(&self, counted: Option<u64>, found: usize) -> Result<(), InputError> {
+        let found = found as u64;
+        match counted.filter(|&counted| counted != found) {
+            Some(counted) => Err(Problem::Count { counted, found }.at(self.file, Place::File)),
+            None => Ok(()),
+        }
+    }
+
+    /// The remark on decimal commas, unless they leave a doubt.
+    fn commas(self) -> Result<Option<String>, InputError> {
+        self.decimals.finish().map_err(|(problem, place)| problem.at(self.file, place))
     }
 
     /// The line of a row.
@@ -258,13 +296,53 @@ impl Table<'_> {
     }
 }
 
+/// Whether a first column without a name, which nobody chose, counts the rows.
+struct Counting {
+    begin: Option<f64>,
+    rows: usize,
+    is_possible: bool,
+}
+
+/// Rows from which on a column is said to count them.
+const COUNTED_ROWS: usize = 3;
+
+impl Counting {
+    fn new(shape: &Shape, is_named: bool, columns: &[usize]) -> Self {
+        let is_possible = shape.columns.is_none() && !is_named && columns.len() >= 2 && columns[0] == 0;
+        Self { begin: None, rows: 0, is_possible }
+    }
+
+    fn note(&mut self, number: f64) {
+        let begin = *self.begin.get_or_insert(number);
+        self.is_possible &= (begin == 0.0 || begin == 1.0) && number == begin + self.rows as f64;
+        self.rows += 1;
+    }
+
+    fn in_words(&self, columns: &[usize]) -> Option<String> {
+        let others: Vec<String> = columns[1..].iter().map(|column| (column + 1).to_string()).collect();
+        let advice =
+            if others.len() >= 2 { format!("; --columns {} leaves it out", others.join(",")) } else { String::new() };
+        let is_told = self.is_possible && self.rows >= COUNTED_ROWS;
+        is_told.then(|| format!("column 1 counts the rows and is read as a coordinate{advice}"))
+    }
+}
+
+/// The row, if it parses.
+fn parsed(file: &Path, row: csv::Result<ByteRecord>) -> Result<ByteRecord, InputError> {
+    row.map_err(|error| Problem::Table(error.to_string()).at(file, Place::File))
+}
+
+/// Whether a cell such as `5:0` is two whole numbers with one other character between, as decimal commas on both sides
+/// of an unknown separator leave it.
+fn joins_digits(cell: &str) -> bool {
+    let mut parts = cell.split(|letter: char| !letter.is_ascii_digit());
+    let is_filled = |part: Option<&str>| part.is_some_and(|part| !part.is_empty());
+    is_filled(parts.next()) && is_filled(parts.next()) && parts.next().is_none()
+}
+
 /// The cells of a row as text, without the space around them.
 fn cells(row: &ByteRecord) -> Vec<String> {
     row.iter().map(|cell| String::from_utf8_lossy(cell).trim().to_owned()).collect()
-}
-
-fn is_repeated(names: &[String], name: &str) -> bool {
-    names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() > 1
 }
 
 #[cfg(test)]

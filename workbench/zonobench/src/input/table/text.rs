@@ -2,35 +2,65 @@
 
 use std::borrow::Cow;
 
-use csv::{ByteRecord, Position, ReaderBuilder};
+use csv::{ByteRecord, Position};
+
+use super::separator;
+
+/// The marks with which a line of comment begins.
+const COMMENTS: [&str; 3] = ["#", "%", "//"];
 
 /// The text of a table, with spaces in place of the lines that hold no row: comments, and the first lines that are to
 /// be skipped.
 pub(super) struct Text<'a> {
     content: Cow<'a, [u8]>,
     skipped: u64,
-    comments: u64,
+    /// Lines of comment, by what they begin with.
+    comments: [u64; COMMENTS.len()],
+    /// A first line such as `sep=;`.
+    directive: Option<String>,
     separator: u8,
 }
 
 impl<'a> Text<'a> {
     /// The text without its first lines.
-    pub(super) fn new(content: &'a [u8], skip: u64) -> Self {
-        let mut text = Self { content: Cow::Borrowed(content), skipped: 0, comments: 0, separator: b',' };
+    pub(super) fn new(content: Cow<'a, [u8]>, skip: u64) -> Self {
+        let mut text = Self { content, skipped: 0, comments: [0; COMMENTS.len()], directive: None, separator: b',' };
+        let mut stated = None;
+        let mut is_first = true;
         let mut start = 0;
-        for line in content.split_inclusive(|&byte| byte == b'\n') {
-            let is_skipped = text.skipped < skip;
-            let is_comment = line.trim_ascii_start().starts_with(b"#");
-            if is_skipped || is_comment {
-                text.skipped += u64::from(is_skipped);
-                text.comments += u64::from(!is_skipped);
-                let end = start + line.trim_ascii_end().len();
-                text.content.to_mut()[start..end].fill(b' ');
+        while start < text.content.len() {
+            let rest = &text.content[start..];
+            let length = rest.iter().position(|&byte| byte == b'\n').map_or(rest.len(), |end| end + 1);
+            let line = rest[..length].trim_ascii();
+            let begin = start + rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count().min(length);
+            let comment = COMMENTS.iter().position(|mark| line.starts_with(mark.as_bytes()));
+            let mut blank = 0;
+            if text.skipped < skip {
+                text.skipped += 1;
+                blank = line.len();
+            } else if is_first && let Some(separator) = directive(line) {
+                text.directive = Some(String::from_utf8_lossy(line).into_owned());
+                stated = Some(separator);
+                blank = line.len();
+            } else if is_first && names_coordinates(line) {
+                blank = COMMENTS[2].len();
+            } else if let Some(mark) = comment {
+                text.comments[mark] += 1;
+                blank = line.len();
             }
-            start += line.len();
+            is_first &= line.is_empty() || comment.is_some();
+            if blank > 0 {
+                text.content.to_mut()[begin..begin + blank].fill(b' ');
+            }
+            start += length;
         }
-        text.separator = separator(&text.content);
+        text.separator = stated.unwrap_or_else(|| separator::of(&text.content));
         text
+    }
+
+    /// The separator of the cells; a space stands for any number of spaces and tabs.
+    pub(super) fn separator(&self) -> u8 {
+        self.separator
     }
 
     /// The lines that hold no row, in words.
@@ -40,22 +70,18 @@ impl<'a> Text<'a> {
             1 => Some("the first line".to_owned()),
             count => Some(format!("the first {count} lines")),
         };
-        let comments = match self.comments {
+        let directive = self.directive.as_ref().map(|line| format!("the first line, {line}"));
+        let comments = COMMENTS.iter().zip(self.comments).filter_map(|(mark, count)| match count {
             0 => None,
-            1 => Some("1 line that begins with #".to_owned()),
-            count => Some(format!("{count} lines that begin with #")),
-        };
-        skipped.into_iter().chain(comments).collect()
+            1 => Some(format!("1 line that begins with {mark}")),
+            count => Some(format!("{count} lines that begin with {mark}")),
+        });
+        skipped.into_iter().chain(directive).chain(comments).collect()
     }
 
     /// The rows that are not blank.
     pub(super) fn rows(&self) -> impl Iterator<Item = csv::Result<ByteRecord>> {
-        let mut builder = ReaderBuilder::new();
-        builder.has_headers(false).flexible(true).delimiter(self.separator);
-        let records = builder.from_reader(&self.content[..]).into_byte_records();
-        let is_blank = |row: &ByteRecord| row.is_empty() || (row.len() == 1 && row[0].trim_ascii().is_empty());
-        let words = |row: ByteRecord| if self.separator == b' ' { without_empty_cells(&row) } else { row };
-        records.map(move |row| row.map(words)).filter(move |row| !row.as_ref().is_ok_and(is_blank))
+        separator::records(&self.content, self.separator)
     }
 
     /// The line on which a row starts: the parser's own count stands before the blank lines that it skips.
@@ -68,18 +94,18 @@ impl<'a> Text<'a> {
     }
 }
 
-/// A row of cells between any number of spaces.
-fn without_empty_cells(row: &ByteRecord) -> ByteRecord {
-    let mut words: ByteRecord = row.iter().filter(|cell| !cell.trim_ascii().is_empty()).collect();
-    words.set_position(row.position().cloned());
-    words
+/// The separator that a line such as `sep=;` states, as spreadsheets write it.
+fn directive(line: &[u8]) -> Option<u8> {
+    match line.strip_prefix(b"sep=")? {
+        [separator @ (b',' | b';' | b'\t' | b'|' | b' ')] => Some(*separator),
+        _ => None,
+    }
 }
 
-/// The first of comma, semicolon and tab that the first row has; else a space if the second row has one, which is no
-/// header, or the first where it is the only one.
-fn separator(content: &[u8]) -> u8 {
-    let mut rows = content.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
-    let first = rows.next().unwrap_or_default();
-    let of_first = [b',', b';', b'\t'].into_iter().find(|separator| first.contains(separator));
-    of_first.unwrap_or_else(|| if rows.next().unwrap_or(first).contains(&b' ') { b' ' } else { b',' })
+/// Whether a line such as `//X,Y,Z,Intensity` names the columns of a cloud of points.
+fn names_coordinates(line: &[u8]) -> bool {
+    let Some(line) = line.strip_prefix(COMMENTS[2].as_bytes()) else { return false };
+    let mut words = line.split(|byte| b",; \t".contains(byte)).filter(|word| !word.is_empty());
+    let mut is = |name: &[u8]| words.next().is_some_and(|word| word.eq_ignore_ascii_case(name));
+    is(b"x") && is(b"y")
 }

@@ -1,0 +1,93 @@
+//! The file formats that hold points.
+
+use std::fmt;
+use std::path::Path;
+
+use clap::ValueEnum;
+
+use super::error::{InputError, Place, Problem};
+
+/// The file formats that hold points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// A table of comma-, semicolon-, tab-, bar- or space-separated cells, with or without a header line.
+    Csv,
+    /// A cloud of points as scanners write it: a table whose columns are x, y, z and perhaps others.
+    Xyz,
+    /// Any GeoJSON object; every position in it is a point (longitude, latitude), altitudes are left out unless they
+    /// are chosen as a column.
+    Geojson,
+    /// A JSON list of rows `[x, y, …]` or `{"x": …, "y": …}`, or an object that holds such a list under `points`, or
+    /// whose fields are the columns.
+    Json,
+    /// An array of NumPy: floats or whole numbers in two dimensions, or records.
+    Npy,
+    /// A mesh, Wavefront OBJ: the vertices that faces, lines or points use, or all where there are none of these.
+    Obj,
+    /// A mesh or a cloud of points, PLY in text or binary.
+    Ply,
+    /// A mesh of triangles, STL in text or binary.
+    Stl,
+    /// A mesh, OFF in text.
+    Off,
+}
+
+impl Format {
+    /// The format that a file's extension names.
+    pub fn of_extension(file: &Path) -> Option<Self> {
+        match file.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "csv" | "tsv" | "txt" => Some(Self::Csv),
+            "xyz" | "pts" | "asc" => Some(Self::Xyz),
+            "geojson" => Some(Self::Geojson),
+            "json" => Some(Self::Json),
+            "npy" => Some(Self::Npy),
+            "obj" => Some(Self::Obj),
+            "ply" => Some(Self::Ply),
+            "stl" => Some(Self::Stl),
+            "off" => Some(Self::Off),
+            _ => None,
+        }
+    }
+
+    /// The format of a file: the one that was chosen, or that its extension names.
+    pub(super) fn of_file(file: &Path, chosen: Option<Self>) -> Result<Self, InputError> {
+        let problem = match (chosen.or_else(|| Self::of_extension(file)), file.extension()) {
+            (Some(format), _) => return Ok(format),
+            _ if file.is_dir() => Problem::Folder,
+            (None, Some(extension)) => Problem::UnreadFormat(extension.to_string_lossy().into_owned()),
+            (None, None) => Problem::UnknownFormat,
+        };
+        Err(problem.at(file, Place::File))
+    }
+
+    /// Whether files of this format have columns of which some are chosen.
+    pub fn has_columns(self) -> bool {
+        !self.is_mesh()
+    }
+
+    /// Whether files of this format are tables in text, with lines that may be left out.
+    pub fn is_table(self) -> bool {
+        matches!(self, Self::Csv | Self::Xyz)
+    }
+
+    /// Whether files of this format hold meshes: points of space.
+    pub fn is_mesh(self) -> bool {
+        matches!(self, Self::Obj | Self::Ply | Self::Stl | Self::Off)
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Csv => "csv",
+            Self::Xyz => "xyz",
+            Self::Geojson => "geojson",
+            Self::Json => "json",
+            Self::Npy => "npy",
+            Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Stl => "stl",
+            Self::Off => "off",
+        })
+    }
+}

@@ -1,0 +1,63 @@
+//! A JSON document of a file, and the numbers in it.
+
+use std::path::Path;
+
+use super::encoding;
+use super::error::{InputError, Place, Problem};
+use batch::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
+
+/// Parses a document, with the parser's complaints placed in the file.
+pub(super) fn parse(file: &Path, content: &[u8]) -> Result<Tree, InputError> {
+    let text = encoding::text(content).map_err(|problem| problem.at(file, Place::File))?;
+    let read = json::read(&text, MAX_VALUES).or_else(|error| match (&error, with_quoted_non_finite(&text)) {
+        (ReadError::Syntax { .. }, Some(quoted)) => json::read(&quoted, MAX_VALUES),
+        _ => Err(error),
+    });
+    read.map_err(|error| match error {
+        ReadError::TooManyValues { limit } => Problem::TooMany { what: "values", limit }.at(file, Place::File),
+        ReadError::OutOfRange { line, column } => {
+            Problem::Shape(ReadError::OutOfRange { line, column }.to_string()).at(file, cell(line, column))
+        }
+        ReadError::RepeatedField { ref field, line, column } => {
+            Problem::Shape(format!("the field `{field}` occurs twice in one object")).at(file, cell(line, column))
+        }
+        ReadError::Syntax { line, column, message } => Problem::NotJson(message).at(file, cell(line, column)),
+        other => Problem::NotJson(other.to_string()).at(file, Place::File),
+    })
+}
+
+/// The text with quotes around NaN and the infinities, which Python writes without; `None` if there are none.
+fn with_quoted_non_finite(text: &[u8]) -> Option<Vec<u8>> {
+    let mut quoted = Vec::with_capacity(text.len());
+    let (mut is_found, mut is_in_string, mut index) = (false, false, 0);
+    while let Some(&byte) = text.get(index) {
+        let rest = &text[index..];
+        let word = ["NaN", "Infinity", "-Infinity"].into_iter().find(|word| rest.starts_with(word.as_bytes()));
+        if let Some(word) = word.filter(|_| !is_in_string) {
+            quoted.extend([b"\"", word.as_bytes(), b"\""].concat());
+            (is_found, index) = (true, index + word.len());
+            continue;
+        }
+        // A quote behind a backslash ends no string.
+        let length = if is_in_string && byte == b'\\' { rest.len().min(2) } else { 1 };
+        is_in_string ^= byte == b'"';
+        quoted.extend(&rest[..length]);
+        index += length;
+    }
+    is_found.then_some(quoted)
+}
+
+fn cell(line: usize, column: usize) -> Place {
+    Place::Cell { line: line as u64, column: column as u64 }
+}
+
+/// A finite number; strings are no numbers here, except that the non-finite ones are named for what they are.
+pub(super) fn number(value: &Tree) -> Result<f64, Problem> {
+    match value {
+        Tree::Number(number) => Ok(*number),
+        Tree::Null => Err(Problem::NotFinite("null".to_owned())),
+        Tree::Text(text) if NonFinite::spelled(text).is_some() => Err(Problem::NotFinite(text.clone())),
+        Tree::Text(text) => Err(Problem::NotANumber(text.clone())),
+        other => Err(Problem::Shape(format!("expected a number, found {}", other.describe()))),
+    }
+}
