@@ -61,8 +61,8 @@ fn bodies() -> impl Strategy<Value = (Vec<Vec<f64>>, [Vec<f64>; 3])> {
 }
 
 /// A matrix that turns, mirrors, stretches or flattens, and a translation.
-fn pose() -> impl Strategy<Value = Value> {
-    (vectors(3, 3..4), vector(3))
+fn pose(dimension: usize) -> impl Strategy<Value = Value> {
+    (vectors(dimension, dimension..dimension + 1), vector(dimension))
         .prop_map(|(matrix, translation)| json!({"matrix": matrix, "translation": translation}))
 }
 
@@ -82,7 +82,9 @@ proptest! {
 
     #[test]
     fn in_places_of_bodies_under_poses(
-        (generators, [p, q]) in (vectors(3, 0..6), [vector(3), vector(3)]), (from, to) in (pose(), pose())
+        (generators, [p, q], from, to) in (2usize..4).prop_flat_map(|d| {
+            (vectors(d, 0..6), [vector(d), vector(d)], pose(d), pose(d))
+        })
     ) {
         let (first, second) = generators.split_at(generators.len() / 2);
         errors_are_noticed("member", &json!({"point": q, "center": p, "generators": generators, "pose": from}))?;
@@ -91,6 +93,10 @@ proptest! {
         errors_are_noticed("intersect", &json!({"a": a, "b": {"center": q, "generators": second}}))?;
         errors_are_noticed("distance", &json!({"a": a, "b": {"center": q, "generators": second}}))?;
         errors_are_noticed("gauge", &json!({"p": p, "q": q, "generators": generators, "pose": to}))?;
+        errors_are_noticed("support", &json!({"direction": q, "center": p, "generators": generators, "pose": to}))?;
+        let points = json!([p, q]);
+        let many = json!({"center": p, "generators": generators, "points": points, "pose": to});
+        errors_are_noticed("member_batch", &many)?;
     }
 
     #[test]

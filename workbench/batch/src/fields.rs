@@ -1,15 +1,12 @@
 //! The fields of an input, taken with their types checked.
 
-use zonotope::Pose;
 use zonotope::zonotope::Zonotope;
 
 use super::MAX_VECTORS;
 use super::place::Place;
+use super::placement::Placement;
 use super::refusal::{Code, Refusal};
 use crate::json::Tree;
-
-/// The dimension of bodies that may have a pose.
-const SPACE: usize = 3;
 
 /// An object that has all fields that it must have and none but those that it may have: the input, or a zonotope in it.
 #[derive(Debug, Clone)]
@@ -59,32 +56,29 @@ impl<'a> Fields<'a> {
         self.object.field("pose").is_some()
     }
 
-    /// The pose of a body, whose dimension is that of the vector under `name`; the identity if there is none.
-    pub(super) fn pose(&self, name: &str) -> Result<Pose, Refusal> {
-        if !self.has_pose() {
-            return Ok(Pose::IDENTITY);
-        }
-        let place = self.place.field("pose");
-        let dimension = self.dimension(name)?;
-        if dimension != SPACE {
-            let vector = self.place.field(name);
-            let message = format!("{place} is for bodies of {SPACE} dimensions, and {vector} has {dimension}");
+    /// The place of a field.
+    pub(super) fn place_of(&self, name: &str) -> Place {
+        self.place.field(name)
+    }
+
+    /// The placement by the pose; the identity if there is none.
+    pub(super) fn placement(&self, dimension: usize) -> Result<Placement, Refusal> {
+        let pose = self.object.field("pose").map(|pose| placement_of(pose, self.place.field("pose"), dimension));
+        pose.unwrap_or_else(|| Ok(Placement::identity(dimension)))
+    }
+
+    /// The rows of the square matrix under `name`.
+    fn square(&self, name: &str, dimension: usize) -> Result<Vec<Vec<f64>>, Refusal> {
+        let (rows, place) = (self.list(name)?, self.place.field(name));
+        if rows.len() != dimension {
+            let message = format!("{place} has {} rows, not {dimension}", rows.len());
             return Err(Refusal::new(Code::DimensionMismatch, message));
         }
-        let pose = self.object("pose", &["matrix", "translation"], &[])?;
-        let rows = pose.list("matrix")?;
-        let place = place.field("matrix");
-        let [first, second, third] = rows else {
-            let message = format!("{place} has {} rows, not {SPACE}", rows.len());
-            return Err(Refusal::new(Code::DimensionMismatch, message));
-        };
-        let row = |row: &Tree, index: usize| {
+        let row = |(index, row)| {
             let place = place.element(index);
-            coordinates(list(row, &place)?, &place)
+            coordinates_of(list(row, &place)?, &place, dimension)
         };
-        let matrix = [row(first, 0)?, row(second, 1)?, row(third, 2)?];
-        let translation = pose.vector("translation")?;
-        Ok(Pose::new(matrix, translation).expect("what is not finite was refused when the question was read"))
+        (0..).zip(rows).map(row).collect()
     }
 
     /// The number of coordinates of the vector under `name`.
@@ -156,6 +150,11 @@ impl<'a> Fields<'a> {
         Ok(Zonotope::new(center, generators).expect("what is not finite was refused when the question was read"))
     }
 
+    /// The zonotope whose centre and generators are fields, where its pose puts it: doubles must hold the image.
+    pub(super) fn image<const D: usize>(&self) -> Result<Zonotope<D>, Refusal> {
+        self.placement(D)?.image(&self.zonotope()?).ok_or_else(|| image_not_held(&self.place_of("pose")))
+    }
+
     /// The list under `name`, if it is not too long.
     fn limited(&self, name: &str) -> Result<&'a [Tree], Refusal> {
         let rows = self.list(name)?;
@@ -165,6 +164,12 @@ impl<'a> Fields<'a> {
         }
         Ok(rows)
     }
+}
+
+/// The refusal of a pose under which a body has an image that no doubles hold, where a method needs them.
+pub(super) fn image_not_held(pose: &Place) -> Refusal {
+    let message = format!("{pose}: no doubles equal the image of the body, and the method takes doubles alone");
+    Refusal::new(Code::BadInput, message)
 }
 
 fn list<'a>(value: &'a Tree, place: &Place) -> Result<&'a [Tree], Refusal> {
@@ -194,19 +199,37 @@ fn plain_vector<const D: usize>(row: &Tree) -> Option<[f64; D]> {
 }
 
 fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], Refusal> {
-    let mut vector = [0.0; D];
-    for (index, value) in row.iter().enumerate() {
-        let number = number(value, &place.element(index))?;
-        if let Some(slot) = vector.get_mut(index) {
-            *slot = number;
-        }
-    }
-    if row.len() != D {
+    Ok(coordinates_of(row, place, D)?.try_into().expect("the coordinates were counted"))
+}
+
+fn coordinates_of(row: &[Tree], place: &Place, dimension: usize) -> Result<Vec<f64>, Refusal> {
+    let vector: Vec<f64> =
+        (0..).zip(row).map(|(index, value)| number(value, &place.element(index))).collect::<Result<_, _>>()?;
+    if row.len() != dimension {
         let plural = if row.len() == 1 { "coordinate" } else { "coordinates" };
-        let message = format!("{place} has {} {plural}, not {D}", row.len());
+        let message = format!("{place} has {} {plural}, not {dimension}", row.len());
         return Err(Refusal::new(Code::DimensionMismatch, message));
     }
     Ok(vector)
+}
+
+/// The placement of a pose at a place: a matrix, which is the identity if absent, and a translation, which is zero if
+/// absent.
+pub(super) fn placement_of(pose: &Tree, place: Place, dimension: usize) -> Result<Placement, Refusal> {
+    let pose = Fields::at(pose, &[], &["matrix", "translation"], place)?;
+    let has = |name: &str| pose.object.field(name).is_some();
+    if !has("matrix") && !has("translation") {
+        return Err(Refusal::bad_input(format!("`{}` has neither `matrix` nor `translation`", pose.place)));
+    }
+    let none = Placement::identity(dimension);
+    let matrix = if has("matrix") { pose.square("matrix", dimension)? } else { none.matrix().to_vec() };
+    let translation = if has("translation") {
+        coordinates_of(pose.list("translation")?, &pose.place.field("translation"), dimension)?
+    } else {
+        none.translation().to_vec()
+    };
+    let not_finite = || Refusal::new(Code::NonFinite, format!("{} holds a number that is not finite", pose.place));
+    Placement::new(matrix, translation).ok_or_else(not_finite)
 }
 
 fn number(value: &Tree, place: &Place) -> Result<f64, Refusal> {

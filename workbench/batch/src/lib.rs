@@ -26,6 +26,7 @@ mod fields;
 pub mod json;
 mod kinds;
 mod place;
+pub mod placement;
 mod question;
 mod refusal;
 mod transcript;

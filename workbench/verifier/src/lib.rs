@@ -78,12 +78,13 @@ pub use arrangement::upper_hull::check_upper_hull;
 pub use arrangement::walk::{FacetTriple, WalkProof, check_walk};
 pub use bodies::combinatorics::{CombinatoricsAnswer, check_combinatorics, check_measure};
 pub use bodies::support::{SupportAnswer, SupportProof, check_support};
-pub use collision::displaced::{Body, Displaced, Pose};
+pub use collision::displaced::Displaced;
 pub use collision::distance::{DistanceAnswer, DistanceProof, check_distance};
 pub use collision::gauge::{GaugeAnswer, GaugeProof, check_gauge};
 pub use collision::location::{LocationAnswer, LocationCertificate, LocationProof, Status, check_location};
 pub use collision::member_batch::{MemberBatchProof, check_member_batch};
 pub use collision::penetration::PenetrationAnswer;
+pub use collision::placed::{Body, Pose};
 pub use collision::proximity::{ProximityAnswer, ProximityParts, ProximityProof, check_proximity};
 pub use enclosing::min_area::{
     Certificate, ExactMinArea, MinAreaAnswer, MinAreaProof, check_exact_min_area, check_min_area,

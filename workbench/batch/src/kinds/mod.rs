@@ -15,6 +15,9 @@ use super::refusal::Refusal;
 /// The fields of a zonotope.
 const BODY: [&str; 2] = ["center", "generators"];
 
+/// The fields that a zonotope may have.
+const PLACED: [&str; 1] = ["pose"];
+
 /// A kind of question.
 #[derive(Debug)]
 pub struct Kind {

@@ -1,11 +1,12 @@
 //! Points and zonotopes relative to zonotopes.
 
 use super::Verdict;
+use super::placed::Placed;
 use super::reading::{boolean, direction, exact_numbers, float, index, indices, member, point, text, vector, vectors};
 use super::traced::Traced;
 use verifier::{
-    Body, Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, PenetrationAnswer, Pose, ProximityAnswer,
-    ProximityParts, Status, check_gauge, check_location, check_member_batch, check_proximity,
+    Displaced, GaugeAnswer, LocationAnswer, LocationCertificate, PenetrationAnswer, ProximityAnswer, ProximityParts,
+    Status, check_gauge, check_location, check_member_batch, check_proximity,
 };
 
 pub(super) fn member_of(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
@@ -51,38 +52,6 @@ fn penetration(tree: Traced<'_>) -> Result<PenetrationAnswer, String> {
     })
 }
 
-/// A zonotope of a question with its pose, if it has one.
-struct Placed {
-    center: Vec<f64>,
-    generators: Vec<Vec<f64>>,
-    pose: Option<Pose>,
-}
-
-impl Placed {
-    /// The zonotope of an object whose centre goes by the name `center`.
-    fn read(object: Traced<'_>, center: &str) -> Result<Self, String> {
-        Ok(Self {
-            center: vector(member(object, center)?, center)?,
-            generators: vectors(member(object, "generators")?, "generators")?,
-            pose: object.field("pose").map(pose).transpose()?,
-        })
-    }
-
-    fn body(&self) -> Body<'_, Vec<f64>> {
-        Body { center: &self.center, generators: &self.generators, pose: self.pose.as_ref() }
-    }
-}
-
-fn pose(tree: Traced<'_>) -> Result<Pose, String> {
-    let of_space = |v: Vec<f64>| <[f64; 3]>::try_from(v).map_err(|_| "the pose is not of space".to_owned());
-    let rows: Vec<[f64; 3]> =
-        vectors(member(tree, "matrix")?, "matrix")?.into_iter().map(of_space).collect::<Result<_, _>>()?;
-    Ok(Pose {
-        matrix: rows.try_into().map_err(|_| "the pose is not of space")?,
-        translation: of_space(vector(member(tree, "translation")?, "translation")?)?,
-    })
-}
-
 fn located(question: &Displaced, result: Traced<'_>, flag: &str) -> Result<Verdict, String> {
     let answer = location(result)?;
     if boolean(result, flag)? != (answer.status != Status::Outside) {
@@ -113,8 +82,7 @@ pub(super) fn gauge(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, St
 }
 
 pub(super) fn member_batch(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
-    let center = vector(member(input, "center")?, "center")?;
-    let generators = vectors(member(input, "generators")?, "generators")?;
+    let body = Placed::read(input, "center")?;
     let points = vectors(member(input, "points")?, "points")?;
     let list = |name| member(result, name)?.tree.list().ok_or_else(|| format!("`{name}` is not a list"));
     let (statuses, gauges) = (list("status")?, list("gauge")?);
@@ -129,7 +97,7 @@ pub(super) fn member_batch(input: Traced<'_>, result: Traced<'_>) -> Result<Verd
         Ok((status(name)?, gauge.float().ok_or("`gauge` holds something else than numbers")?))
     });
     let answers: Vec<(Status, f64)> = answers.collect::<Result<_, String>>()?;
-    Ok(check_member_batch(&center, &generators, &points, &answers).in_words())
+    Ok(check_member_batch(&body.body(), &points, &answers).in_words())
 }
 
 /// A proof of either form.

@@ -2,6 +2,7 @@
 
 mod collision;
 mod enclosing;
+mod placed;
 mod reading;
 mod reduction;
 mod solids;

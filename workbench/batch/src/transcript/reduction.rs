@@ -1,18 +1,15 @@
 //! Bodies around bodies, and how far apart they are at most.
 
 use super::Verdict;
+use super::placed::Placed;
 use super::reading::{boolean, float, index, indices, member, vector, vectors};
 use super::traced::Traced;
 use crate::json::Tree;
 use verifier::{HausdorffAnswer, Reduction, ReductionAnswer, Shares, check_hausdorff, check_reduction};
 
 pub(super) fn reduce(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
-    let question = Reduction {
-        center: vector(member(input, "center")?, "center")?,
-        generators: vectors(member(input, "generators")?, "generators")?,
-        count: Some(index(input, "count")?),
-        epsilon: None,
-    };
+    let (center, generators) = Placed::read(input, "center")?.image()?;
+    let question = Reduction { center, generators, count: Some(index(input, "count")?), epsilon: None };
     checked(&question, result)
 }
 
@@ -59,10 +56,7 @@ fn shares(list: Traced<'_>, certificate: Traced<'_>) -> Result<Shares, String> {
 }
 
 pub(super) fn hausdorff(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
-    let body = |name| -> Result<(Vec<f64>, Vec<Vec<f64>>), String> {
-        let body = member(input, name)?;
-        Ok((vector(member(body, "center")?, "center")?, vectors(member(body, "generators")?, "generators")?))
-    };
+    let body = |name| Placed::read(member(input, name)?, "center")?.image();
     let (a, b) = (body("a")?, body("b")?);
     let answer = HausdorffAnswer {
         value: float(result, "value")?,

@@ -1,6 +1,7 @@
 //! Zonotopes as bodies of their own: how far they reach, how many faces they have.
 
 use super::Verdict;
+use super::placed::Placed;
 use super::reading::{boolean, exact_numbers, float, fractions, index, indices, member, point, text, vector, vectors};
 use super::traced::Traced;
 use crate::json::Tree;
@@ -11,12 +12,11 @@ use verifier::{
 
 pub(super) fn support(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let direction = vector(member(input, "direction")?, "direction")?;
-    let center = vector(member(input, "center")?, "center")?;
-    let generators = vectors(member(input, "generators")?, "generators")?;
+    let body = Placed::read(input, "center")?;
     // A coordinate beyond the range of doubles is an infinity.
     let point = point(member(result, "point")?, "point")?;
     let answer = SupportAnswer { value: float(result, "value")?, point };
-    Ok(check_support(&direction, &center, &generators, &answer).in_words())
+    Ok(check_support(&direction, &body.body(), &answer).in_words())
 }
 
 pub(super) fn slope_selection(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
@@ -26,7 +26,7 @@ pub(super) fn slope_selection(input: Traced<'_>, result: Traced<'_>) -> Result<V
 }
 
 pub(super) fn combinatorics(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
-    let generators = vectors(member(input, "generators")?, "generators")?;
+    let body = Placed::around_origin(input)?;
     let sizes = member(result, "facet_sizes")?.fields().ok_or("`facet_sizes` is not an object")?;
     let sizes = sizes.map(|(size, count)| Some((size.parse().ok()?, count.tree.index()? as u64)));
     let count = |name| index(result, name).map(|count| count as u64);
@@ -38,7 +38,7 @@ pub(super) fn combinatorics(input: Traced<'_>, result: Traced<'_>) -> Result<Ver
         facet_sizes: sizes.collect::<Option<_>>().ok_or("`facet_sizes` holds something else than counts")?,
         measure: Fraction::parse(text(result, "measure")?).ok_or("`measure` is not an exact number")?,
     };
-    Ok(check_combinatorics(&generators, &answer).in_words())
+    Ok(check_combinatorics(&body.body(), &answer).in_words())
 }
 
 pub(super) fn separator(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {

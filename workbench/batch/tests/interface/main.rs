@@ -3,5 +3,6 @@
 mod json;
 mod many_points;
 mod places;
+mod poses;
 mod transcript;
 mod verdicts;

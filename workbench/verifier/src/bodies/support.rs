@@ -13,6 +13,7 @@ use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
 use crate::RELATIVE_ERROR;
+use crate::collision::placed::{Body, Frame};
 use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::Vector;
 use crate::exact::proportion::{Proportion, check_figure};
@@ -47,41 +48,36 @@ impl Display for SupportProof {
 /// `value` may err by [`RELATIVE_ERROR`] times Σ |u_j p_j| + Σ |u_j v_ij|, each coordinate of `point` by
 /// [`RELATIVE_ERROR`] times |p_j| + Σ |v_ij|: what rounding leaves of sums whose terms may cancel. A coordinate beyond
 /// the range of doubles is an infinity.
-pub fn check_support(
+pub fn check_support<G: AsRef<[f64]>>(
     direction: &[f64],
-    center: &[f64],
-    generators: &[Vec<f64>],
+    body: &Body<'_, G>,
     answer: &SupportAnswer,
 ) -> Verdict<SupportProof> {
-    proved(direction, center, generators, answer).into()
+    proved(direction, body, answer).into()
 }
 
-fn proved(
+fn proved<G: AsRef<[f64]>>(
     direction: &[f64],
-    center: &[f64],
-    generators: &[Vec<f64>],
+    body: &Body<'_, G>,
     answer: &SupportAnswer,
 ) -> Result<SupportProof, Stop> {
     let dimension = direction.len();
-    if center.len() != dimension || generators.iter().any(|generator| generator.len() != dimension) {
-        return Err("answered a question whose dimensions do not agree".into());
-    }
-    check_finite("the question", direction.iter().chain(center).chain(generators.iter().flatten()))?;
+    body.check_dimension(dimension)?;
+    check_finite("the question", direction)?;
     if answer.point.len() != dimension {
         return Err(format!("point has {} coordinates, not {dimension}", answer.point.len()).into());
     }
     let directions = Grid::of(direction.iter().copied());
-    let lengths = Grid::of(center.iter().chain(generators.iter().flatten()).copied());
+    let frame = Frame::of(&[body], &[])?;
+    let lengths = Grid::at(frame.exponent());
     let u: Vec<IBig> = direction.iter().map(|&component| directions.units(component)).collect();
-    let placed = |vector: &[f64]| -> Vector { vector.iter().map(|&component| lengths.units(component)).collect() };
     let sum = |v: &[IBig]| -> IBig { u.iter().zip(v).map(|(u, v)| u * v).sum() };
     let sizes = |v: &[IBig]| -> IBig { u.iter().zip(v).map(|(u, v)| (u * v).abs()).sum() };
 
-    let p = placed(center);
+    let p = frame.center(body);
     let (mut value, mut scale) = (sum(&p), sizes(&p));
     let mut face = Face { middle: p.clone(), generators: Vec::new(), reach: p.into_iter().map(Abs::abs).collect() };
-    for generator in generators {
-        let v = placed(generator);
+    for v in frame.generators(body) {
         let along = sum(&v);
         value += along.clone().abs();
         scale += sizes(&v);
@@ -183,6 +179,28 @@ fn smallest() -> Proportion {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::placed::Pose;
+
+    fn check_support(
+        u: &[f64],
+        center: &[f64],
+        generators: &[Vec<f64>],
+        answer: &SupportAnswer,
+    ) -> Verdict<SupportProof> {
+        super::check_support(u, &Body { center, generators, pose: None }, answer)
+    }
+
+    #[test]
+    fn a_posed_square_by_hand() {
+        // (x, y) to (x − y, x + y) + (0, 10): the square around the origin becomes the diamond |x| + |y − 10| ≤ 2
+        let pose = Pose { matrix: vec![vec![1.0, -1.0], vec![1.0, 1.0]], translation: vec![0.0, 10.0] };
+        let body = Body { center: &[0.0, 0.0], generators: &[[1.0, 0.0], [0.0, 1.0]], pose: Some(&pose) };
+        let check = |value: f64, point: [f64; 2]| {
+            super::check_support(&[0.0, 1.0], &body, &SupportAnswer { value, point: point.to_vec() })
+        };
+        assert!(check(12.0, [0.0, 12.0]).is_right());
+        assert!(check(11.0, [0.0, 11.0]).is_wrong() && check(12.0, [1.0, 11.0]).is_wrong());
+    }
 
     #[test]
     fn a_square_by_hand() {

@@ -3,29 +3,8 @@
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
-use crate::exact::grid::{Grid, check_finite};
+use super::placed::{Body, Frame};
 use crate::exact::linear::{Vector, dot};
-
-/// A placement of a body of space, x ↦ matrix · x + translation, taken as the exact numbers that they are: nothing is
-/// said about a rotation.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pose {
-    /// The rows of the matrix.
-    pub matrix: [[f64; 3]; 3],
-    /// The image of the origin.
-    pub translation: [f64; 3],
-}
-
-/// A zonotope of a question, placed by a pose if there is one.
-#[derive(Debug, Clone, Copy)]
-pub struct Body<'a, G> {
-    /// The centre before it is placed.
-    pub center: &'a [f64],
-    /// The generators before they are placed.
-    pub generators: &'a [G],
-    /// The placement of both; only bodies of space have one.
-    pub pose: Option<&'a Pose>,
-}
 
 /// The exact vector from one point to another, and generators, all of one dimension.
 #[derive(Debug, Clone)]
@@ -52,7 +31,7 @@ impl Displaced {
     /// point.
     ///
     /// # Errors
-    /// As for [`Displaced::new`]; a pose that is not of space.
+    /// As for [`Displaced::new`]; a pose of another dimension.
     pub fn to_point<G: AsRef<[f64]>>(body: &Body<'_, G>, point: &[f64]) -> Result<Self, String> {
         Self::between(body, &Body { center: point, generators: &[], pose: None })
     }
@@ -64,35 +43,13 @@ impl Displaced {
     /// As for [`Displaced::to_point`].
     pub fn between<G: AsRef<[f64]>>(a: &Body<'_, G>, b: &Body<'_, G>) -> Result<Self, String> {
         let dimension = a.center.len();
-        for body in [a, b] {
-            let is_even = |vector: &[f64]| vector.len() == dimension;
-            if !is_even(body.center) || !body.generators.iter().all(|generator| is_even(generator.as_ref())) {
-                return Err("answered a question whose dimensions do not agree".to_owned());
-            }
-            if body.pose.is_some() && dimension != 3 {
-                return Err(format!("answered a question with a pose in {dimension} dimensions"));
-            }
-        }
-        let own = |body: &Body<'_, G>| -> Vec<f64> {
-            let translation = body.pose.iter().flat_map(|pose| pose.translation);
-            let generators = body.generators.iter().flat_map(|generator| generator.as_ref());
-            body.center.iter().chain(generators).copied().chain(translation).collect()
-        };
-        let places = [own(a), own(b)].concat();
-        let matrices: Vec<f64> =
-            [a, b].iter().filter_map(|body| body.pose).flat_map(|pose| pose.matrix.into_iter().flatten()).collect();
-        check_finite("the question", places.iter().chain(&matrices))?;
-        // An image is a sum of products of numbers of the two grids; what has no pose is multiplied by the 1 of the
-        // matrices.
-        let frame = Frame { places: Grid::of(places), matrices: Grid::at(Grid::of(matrices).exponent().min(0)) };
-
-        let [from, to] = [a, b].map(|body| frame.placed_point(body.center, body.pose));
+        a.check_dimension(dimension)?;
+        b.check_dimension(dimension)?;
+        let frame = Frame::of(&[a, b], &[])?;
+        let [from, to] = [a, b].map(|body| frame.center(body));
         let p = to.iter().zip(&from).map(|(to, from)| to - from).collect();
-        let generators = |body: &Body<'_, G>| -> Vec<Vector> {
-            body.generators.iter().map(|generator| frame.placed(generator.as_ref(), body.pose)).collect()
-        };
-        let exponent = frame.places.exponent() + frame.matrices.exponent();
-        Ok(Self { from, to, p, generators: [generators(a), generators(b)].concat(), exponent })
+        let generators = [frame.generators(a), frame.generators(b)].concat();
+        Ok(Self { from, to, p, generators, exponent: frame.exponent() })
     }
 
     pub(crate) fn dimension(&self) -> usize {
@@ -110,49 +67,19 @@ impl Displaced {
     }
 }
 
-/// The units in which vectors of placed bodies are whole numbers: the product of those of vectors and of matrices.
-struct Frame {
-    places: Grid,
-    matrices: Grid,
-}
-
-impl Frame {
-    fn one(&self) -> IBig {
-        IBig::ONE << self.matrices.exponent().unsigned_abs() as usize
-    }
-
-    /// The image of a generator.
-    fn placed(&self, vector: &[f64], pose: Option<&Pose>) -> Vector {
-        let units: Vector = vector.iter().map(|&x| self.places.units(x)).collect();
-        match pose {
-            None => units.into_iter().map(|x| x * self.one()).collect(),
-            Some(pose) => {
-                pose.matrix.iter().map(|row| dot(&row.map(|entry| self.matrices.units(entry)), &units)).collect()
-            }
-        }
-    }
-
-    /// The image of a point.
-    fn placed_point(&self, point: &[f64], pose: Option<&Pose>) -> Vector {
-        let mut image = self.placed(point, pose);
-        if let Some(pose) = pose {
-            for (x, &moved) in image.iter_mut().zip(&pose.translation) {
-                *x += self.places.units(moved) * self.one();
-            }
-        }
-        image
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::placed::Pose;
     use super::*;
+
+    fn pose(matrix: [[f64; 3]; 3], translation: [f64; 3]) -> Pose {
+        Pose { matrix: matrix.map(|row| row.to_vec()).to_vec(), translation: translation.to_vec() }
+    }
 
     #[test]
     fn poses_are_taken_exactly() {
         // A quarter turn about the third axis, stretched by 1.5 along it, then moved.
-        let pose =
-            Pose { matrix: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.5]], translation: [0.25, 0.0, -8.0] };
+        let pose = pose([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.5]], [0.25, 0.0, -8.0]);
         let generators = [[1.0, 2.0, 0.5]];
         let body = Body { center: &[1.0, 0.0, 2.0], generators: &generators, pose: Some(&pose) };
         let question = Displaced::to_point(&body, &[0.5, 1.0, -5.0]).expect("space");
@@ -165,7 +92,7 @@ mod tests {
 
     #[test]
     fn bodies_without_a_pose_stand_where_they_are() {
-        let still = Pose { matrix: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], translation: [0.0; 3] };
+        let still = pose([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]);
         let cube = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let at = |center, pose| Body { center, generators: &cube, pose };
         let both = |pose| Displaced::between(&at(&[0.0; 3], pose), &at(&[0.5, 3.0, 0.1], pose)).expect("space");
@@ -176,14 +103,14 @@ mod tests {
 
     #[test]
     fn what_is_no_question_is_refused() {
-        let pose = Pose { matrix: [[f64::NAN; 3]; 3], translation: [0.0; 3] };
+        let spoilt = pose([[f64::NAN; 3]; 3], [0.0; 3]);
         let segment = [[1.0, 0.0, 0.0]];
         let body = |center, pose| Body { center, generators: &segment, pose };
-        assert!(Displaced::to_point(&body(&[0.0; 3], Some(&pose)), &[0.0; 3]).is_err());
+        assert!(Displaced::to_point(&body(&[0.0; 3], Some(&spoilt)), &[0.0; 3]).is_err());
         assert!(Displaced::to_point(&body(&[0.0; 3], None), &[0.0, f64::INFINITY, 0.0]).is_err());
         assert!(Displaced::to_point(&body(&[0.0; 3], None), &[0.0; 2]).is_err());
         let plane = [[1.0, 0.0]];
-        let turned = Pose { matrix: [[0.0; 3]; 3], ..pose };
+        let turned = pose([[0.0; 3]; 3], [0.0; 3]);
         let body = Body { center: &[0.0; 2], generators: &plane, pose: Some(&turned) };
         assert!(Displaced::to_point(&body, &[0.0; 2]).is_err());
     }

@@ -7,10 +7,10 @@ use std::cmp::Ordering;
 use std::fmt::{self, Display};
 
 use super::location::Status;
+use super::placed::{Body, Frame};
 use crate::verdict::{Stop, Verdict};
 
 use crate::RELATIVE_ERROR;
-use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector};
 use crate::exact::proportion::{Proportion, check_figure};
 use crate::faces::facets::Facets;
@@ -32,33 +32,29 @@ impl Display for MemberBatchProof {
 }
 
 /// Checks the status and the gauge of every point, if the body is small enough for that.
-pub fn check_member_batch(
-    center: &[f64],
-    generators: &[Vec<f64>],
+pub fn check_member_batch<G: AsRef<[f64]>>(
+    body: &Body<'_, G>,
     points: &[Vec<f64>],
     answers: &[(Status, f64)],
 ) -> Verdict<MemberBatchProof> {
-    held(center, generators, points, answers).into()
+    held(body, points, answers).into()
 }
 
-fn held(
-    center: &[f64],
-    generators: &[Vec<f64>],
+fn held<G: AsRef<[f64]>>(
+    body: &Body<'_, G>,
     points: &[Vec<f64>],
     answers: &[(Status, f64)],
 ) -> Result<MemberBatchProof, Stop> {
     if answers.len() != points.len() {
         return Err(format!("{} answers for {} points", answers.len(), points.len()).into());
     }
-    let dimension = center.len();
-    if generators.iter().chain(points).any(|v| v.len() != dimension) {
+    let dimension = body.center.len();
+    body.check_dimension(dimension)?;
+    if points.iter().any(|point| point.len() != dimension) {
         return Err("answered a question whose dimensions do not agree".into());
     }
-    check_finite("the question", center.iter().chain(generators.iter().chain(points).flatten()))?;
-    let grid = Grid::of(center.iter().chain(generators.iter().chain(points).flatten()).copied());
-    let placed = |v: &[f64]| -> Vector { v.iter().map(|&component| grid.units(component)).collect() };
-    let center = placed(center);
-    let generators: Vec<Vector> = generators.iter().map(|generator| placed(generator)).collect();
+    let frame = Frame::of(&[body], &points.iter().map(Vec::as_slice).collect::<Vec<_>>())?;
+    let (center, generators) = (frame.center(body), frame.generators(body));
     let span = Echelon::spanned(dimension, &generators);
     let pivots = span.pivots();
     let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
@@ -74,7 +70,7 @@ fn held(
     };
 
     for (number, (point, (status, gauge))) in (1..).zip(points.iter().zip(answers)) {
-        let p: Vector = placed(point).iter().zip(&center).map(|(point, center)| point - center).collect();
+        let p: Vector = frame.point(point).iter().zip(&center).map(|(point, center)| point - center).collect();
         if !span.contains(&p) {
             if *status != Status::Outside || *gauge != f64::INFINITY {
                 let status = status.name();
@@ -109,9 +105,9 @@ mod tests {
     #[test]
     fn points_around_a_square_and_a_segment() {
         let check = |generators: &[[f64; 2]], answers: &[(Status, f64)]| {
-            let generators: Vec<Vec<f64>> = generators.iter().map(|generator| generator.to_vec()).collect();
+            let body = Body { center: &[1.0, 1.0], generators, pose: None };
             let points = [vec![1.0, 1.5], vec![2.0, 1.0], vec![4.0, 1.0], vec![1.0, 1.0]];
-            check_member_batch(&[1.0, 1.0], &generators, &points, answers).proof().map(|proof| proof.points)
+            check_member_batch(&body, &points, answers).proof().map(|proof| proof.points)
         };
         let square = [[1.0, 0.0], [0.0, 1.0]];
         assert_eq!(

@@ -7,4 +7,5 @@ pub(crate) mod gauge;
 pub(crate) mod location;
 pub(crate) mod member_batch;
 pub(crate) mod penetration;
+pub(crate) mod placed;
 pub(crate) mod proximity;

@@ -10,10 +10,11 @@ use std::fmt::{self, Display};
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
-use super::displaced::{Body, Displaced};
+use super::displaced::Displaced;
 use super::distance::{DistanceAnswer, Nearest, nearest};
 use super::location::{Coefficients, Located, LocationAnswer, Status, located};
 use super::penetration::{PenetrationAnswer, check_penetration};
+use super::placed::Body;
 use crate::exact::fraction::Fraction;
 use crate::exact::linear::{Echelon, dot, is_zero};
 use crate::exact::proportion::{Proportion, check_figure};

@@ -8,7 +8,7 @@ use batch::{Line, Verdict};
 use serde_json::Value;
 
 use super::table::counted;
-use crate::input::Body;
+use crate::input::Placed;
 use crate::output::Outputs;
 
 /// A question with its answer.
@@ -54,8 +54,8 @@ impl Asked {
 }
 
 /// Refuses two bodies of different dimensions, which have no question in common.
-pub(super) fn check_dimensions([a, b]: [&PathBuf; 2], bodies: &[Body; 2]) -> anyhow::Result<()> {
-    let [in_a, in_b] = bodies.each_ref().map(|body| body.center.len());
+pub(super) fn check_dimensions([a, b]: [&PathBuf; 2], bodies: &[Placed; 2]) -> anyhow::Result<()> {
+    let [in_a, in_b] = bodies.each_ref().map(Placed::dimension);
     let coordinates = counted(in_a, "coordinate", "coordinates");
     ensure!(in_a == in_b, "{}: has {coordinates}, while {} has {in_b}", a.display(), b.display());
     Ok(())

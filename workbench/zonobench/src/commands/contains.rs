@@ -10,13 +10,14 @@ use serde_json::json;
 use super::Ending;
 use super::asked::{Asked, floats, how_to_verify};
 use super::asking::PointOptions;
-use super::table::{ROUNDED, Table, counted, figure};
-use super::usage::{check_inputs, check_names, tell};
+use super::placing::{Placing, describe};
+use super::table::{Table, figure};
+use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{Body, BodySource, Format, Reading, Wanted};
+use crate::input::{Format, Placed, Reading, Wanted};
 use crate::output::{Existing, Outputs};
 use batch::Verdict;
-use batch::json::{rows_to_json, vector_to_json};
+use batch::json::vector_to_json;
 
 /// Options of `contains`.
 #[derive(Debug, Args)]
@@ -31,6 +32,8 @@ pub struct Options {
     /// The format of the zonotope, where the extension does not tell it.
     #[arg(long, value_name = "FORMAT")]
     body_format: Option<Format>,
+    #[command(flatten)]
+    placing: Placing,
     /// Write the answer, in the format of `solve`.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -44,22 +47,19 @@ pub struct Options {
 
 /// Reads, solves, checks, prints a line for each point on standard output, and the summary on standard error.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    let inputs = [options.body.as_path(), &options.points];
+    let inputs = [&options.placing.inputs(&options.body)[..], &[&options.points]].concat();
     check_inputs(&inputs)?;
     let source = options.reading.source(&options.points)?;
     check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let body = BodySource { file: options.body.clone(), format: options.body_format }.read(tell)?;
+    let body = options.placing.read(&options.body, options.body_format)?;
     let reading = source.read(Wanted::Any)?;
-    reading.check_dimension(&options.points, body.center.len())?;
+    reading.check_dimension(&options.points, body.dimension())?;
 
     let name = format!("{} and {}", question_name(&options.body), question_name(&options.points));
-    let input = json!({
-        "center": vector_to_json(&body.center),
-        "generators": rows_to_json(&body.generators),
-        "points": reading.points.rows().map(vector_to_json).collect::<Vec<_>>(),
-    });
+    let mut input = body.question();
+    input["points"] = reading.points.rows().map(vector_to_json).collect();
     let asked = Asked::of(json!({"id": name, "kind": "member_batch", "input": input}))?;
     let verdict = asked.verdict();
     asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
@@ -75,11 +75,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
-fn summary(options: &Options, body: &Body, reading: &Reading, statuses: &[&str], verdict: &Verdict) -> String {
+fn summary(options: &Options, body: &Placed, reading: &Reading, statuses: &[&str], verdict: &Verdict) -> String {
     let mut table = Table::default();
-    let count = counted(body.generators.len(), "generator", "generators");
-    let rounded = if body.is_rounded { ROUNDED } else { "" };
-    table.row("body", format!("{count} in {}{rounded}", options.body.display()));
+    describe(&mut table, ["body", "pose"], body, &options.body);
     table.row("points", format!("{} in {}", reading.points.len(), options.points.display()));
     if let Some(columns) = reading.in_words() {
         table.row("columns", columns);

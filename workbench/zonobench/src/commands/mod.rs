@@ -12,6 +12,7 @@ pub mod inspect;
 pub mod intersect;
 pub mod list;
 mod page;
+mod placing;
 pub mod records;
 pub mod reduce;
 pub mod reproduce;

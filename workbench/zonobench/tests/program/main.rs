@@ -1,6 +1,7 @@
 //! The program as its user meets it: arguments, files and standard input in; output, complaints and status out.
 
 mod answers;
+mod bodies;
 mod clients;
 mod documented;
 mod drawings;

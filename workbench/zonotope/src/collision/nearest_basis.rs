@@ -302,7 +302,10 @@ mod tests {
         fn answers_of_posed_bodies_go_straight_to_the_verifier(
             (center, generators, point) in body::<3>(), from in pose(), to in pose()
         ) {
-            let placed = |pose: &Pose| verifier::Pose { matrix: pose.matrix(), translation: pose.translation() };
+            let placed = |pose: &Pose| verifier::Pose {
+                matrix: pose.matrix().map(|row| row.to_vec()).to_vec(),
+                translation: pose.translation().to_vec(),
+            };
             let (first, second) = generators.split_at(generators.len() / 2);
             let [a, b] = [(center, first), (point, second)]
                 .map(|(center, own)| Zonotope::new(center, own.to_vec()).expect("finite"));

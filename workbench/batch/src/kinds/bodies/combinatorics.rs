@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use zonotope::zonotope::{Zonotope, combinatorics};
 
 use crate::dimension::in_dimension;
-use crate::fields::Fields;
+use crate::fields::{Fields, image_not_held};
 use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
@@ -12,7 +12,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     name: "combinatorics",
     summary: "how many vertices, edges and facets a zonotope has, and its exact volume",
     fields: &["generators"],
-    optional: &[],
+    optional: &["pose"],
     methods: || vec![BY_COUNTING],
     solve,
 };
@@ -37,7 +37,16 @@ fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
         return Err(Refusal::new(Code::TooLarge, message));
     }
     let body = Zonotope::new([0.0; D], generators).expect("the numbers of a question are finite");
+    let placement = fields.placement(D)?;
+    let stretch = placement.exact().determinant().abs();
+    // A regular matrix keeps all faces and stretches the volume; a body that it flattens is counted as its image.
+    let body = if stretch.is_zero() {
+        placement.image(&body).ok_or_else(|| image_not_held(&fields.place_of("pose")))?
+    } else {
+        body
+    };
     let counts = combinatorics(&body);
+    let measure = if stretch.is_zero() { counts.measure } else { counts.measure * stretch.to_rational() };
     let sizes: Map<String, Value> =
         counts.facet_sizes.iter().map(|(size, count)| (size.to_string(), (*count).into())).collect();
     Ok(json!({
@@ -46,6 +55,6 @@ fn in_space<const D: usize>(fields: &Fields<'_>) -> Result<Value, Refusal> {
         "edges": counts.edges,
         "facets": counts.facets,
         "facet_sizes": sizes,
-        "measure": counts.measure.to_string(),
+        "measure": measure.to_string(),
     }))
 }

@@ -7,7 +7,7 @@ use zonotope::reduction::hausdorff::hausdorff;
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
-use crate::kinds::BODY;
+use crate::kinds::{BODY, PLACED};
 use crate::kinds::{Kind, Solution};
 use crate::refusal::{Code, Refusal};
 
@@ -29,13 +29,13 @@ const WIDTH: f64 = 0.01;
 const GENERATOR_LIMIT: usize = 200_000;
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
-    let bodies = [fields.object("a", &BODY, &[])?, fields.object("b", &BODY, &[])?];
+    let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
     let result = in_dimension!(bodies[0].dimension("center")?, "the center of a", in_space(&bodies))?;
     Ok(Solution { method: METHOD, result })
 }
 
 fn in_space<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusal> {
-    let [a, b] = [bodies[0].zonotope::<D>()?, bodies[1].zonotope::<D>()?];
+    let [a, b] = [bodies[0].image::<D>()?, bodies[1].image::<D>()?];
     let generators = a.generators().len() + b.generators().len();
     if generators > GENERATOR_LIMIT {
         let message = format!("{generators} generators, at most {GENERATOR_LIMIT} are taken");

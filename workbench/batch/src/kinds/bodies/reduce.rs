@@ -16,7 +16,7 @@ pub(in crate::kinds) const REDUCE: Kind = Kind {
     name: "reduce",
     summary: "a zonotope of at most so many generators around a zonotope, by a rule",
     fields: &["center", "generators", "count", "rule"],
-    optional: &[],
+    optional: &["pose"],
     methods: || Method::ALL.map(Method::id).to_vec(),
     solve: reduce,
 };
@@ -55,7 +55,7 @@ fn reduce(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resu
 }
 
 fn reduced<const D: usize>(fields: &Fields<'_>, rule: Method, count: usize) -> Result<Value, Refusal> {
-    let body = fields.zonotope::<D>()?;
+    let body = fields.image::<D>()?;
     let is_slow = matches!(rule, Method::Scott | Method::Best);
     refuse_many(body.generators().len(), if is_slow { SLOW_RULE_LIMIT } else { GENERATOR_LIMIT }, rule)?;
     let problem = Problem::new(&body, count).map_err(refusal)?;

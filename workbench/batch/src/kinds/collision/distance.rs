@@ -4,13 +4,14 @@ use serde_json::{Value, json};
 use zonotope::collision::distance::by_support_simplex::{proximity, proximity_posed};
 use zonotope::collision::distance::penetration::{self, by_inner_polytope::penetration_posed};
 use zonotope::collision::distance::{Contact, Gap, Method, Penetration, Proximity, Touching, contact, contact_posed};
-use zonotope::collision::{Location, PosedQuery, Query, Status, Witness, by_lad};
+use zonotope::collision::{Location, Query, Status, Witness, by_lad};
 
-use super::{PLACED, certificate};
+use super::certificate;
+use super::posed::{Hidden, Posed, Prism};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
-use crate::kinds::{BODY, Kind, Solution};
+use crate::kinds::{BODY, Kind, PLACED, Solution};
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {
@@ -32,15 +33,15 @@ const OVERLAP_LIMITS: [usize; 3] = [2_000_000, 200_000, 100_000];
 
 fn solve(fields: &Fields<'_>, _method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
-    let result = if bodies.iter().any(Fields::has_pose) {
-        under_poses(&bodies)?
-    } else {
-        match bodies[0].dimension("center")? {
-            1 => in_space::<1>(&bodies)?,
-            2 => in_space::<2>(&bodies)?,
-            3 => in_space::<3>(&bodies)?,
-            other => return Err(refused("the center of a", other, OVERLAP_LIMITS.len())),
-        }
+    let has_pose = bodies.iter().any(Fields::has_pose);
+    let result = match bodies[0].dimension("center")? {
+        1 if has_pose => under_poses::<1>(&bodies)?,
+        2 if has_pose => under_poses::<2>(&bodies)?,
+        3 if has_pose => under_poses::<3>(&bodies)?,
+        1 => in_space::<1>(&bodies)?,
+        2 => in_space::<2>(&bodies)?,
+        3 => in_space::<3>(&bodies)?,
+        other => return Err(refused("the center of a", other, OVERLAP_LIMITS.len())),
     };
     Ok(Solution { method: METHOD, result })
 }
@@ -52,21 +53,21 @@ fn in_space<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusal> 
     refuse_overlap(&location, query.len())?;
     let found = proximity(&query);
     Ok(match (&found, contact(&query, &found)) {
-        (Proximity::Disjoint(gap), _) => of_gap(gap, &location),
-        (_, contact) => of_contact(contact, &penetration::of_query(&query), &location),
+        (Proximity::Disjoint(gap), _) => of_gap(gap, &Hidden::NONE, &location),
+        (_, contact) => of_contact(contact, &penetration::of_query(&query), &Hidden::NONE, &location),
     })
 }
 
-fn under_poses([first, second]: &[Fields<'_>; 2]) -> Result<Value, Refusal> {
-    let [from, to] = [first.pose("center")?, second.pose("center")?];
-    let [a, b] = [first.zonotope()?, second.zonotope()?];
-    let query = PosedQuery::between((&a, &from), (&b, &to));
-    let location = by_lad::locate_posed(&query).with_nearest_basis(&query);
-    refuse_overlap(&location, a.generators().len() + b.generators().len())?;
+fn under_poses<const D: usize>(bodies: &[Fields<'_>; 2]) -> Result<Value, Refusal> {
+    let [a, b] = [Posed::<D>::read(&bodies[0], "center")?, Posed::read(&bodies[1], "center")?];
+    let prism = Prism::over(&a, &b);
+    let (query, hidden) = (prism.query(), prism.hidden());
+    let location = hidden.location(&by_lad::locate_posed(&query).with_nearest_basis(&query));
+    refuse_overlap(&location, a.body.generators().len() + b.body.generators().len())?;
     let found = proximity_posed(&query);
     Ok(match (&found, contact_posed(&query, &found)) {
-        (Proximity::Disjoint(gap), _) => of_gap(gap, &location),
-        (_, contact) => of_contact(contact, &penetration_posed(&query), &location),
+        (Proximity::Disjoint(gap), _) => of_gap(gap, hidden, &location),
+        (_, contact) => of_contact(contact, &penetration_posed(&query), hidden, &location),
     })
 }
 
@@ -79,37 +80,43 @@ fn refuse_overlap<const D: usize>(location: &Location<D>, generators: usize) -> 
     Err(Refusal::new(Code::TooLarge, message))
 }
 
-fn of_gap<const D: usize>(gap: &Gap<D>, location: &Location<D>) -> Value {
-    let [a, b] = gap.points.each_ref().map(|point| vector_to_json(point));
-    let [of_a, of_b] = gap.features.each_ref().map(|feature| feature.kind.name());
-    let Witness { coefficients, basis } = &gap.nearest;
+fn of_gap<const S: usize, const D: usize>(gap: &Gap<S>, hidden: &Hidden<D>, location: &Location<D>) -> Value {
+    let [a, b] = gap.points.each_ref().map(|point| vector_to_json(&hidden.vector(point)));
+    let [of_a, of_b] = hidden.features(gap.features.each_ref().map(|feature| feature.kind));
+    let Witness { coefficients, basis } = hidden.witness(&gap.nearest);
     json!({
         "distance": to_json(gap.distance()),
         "status": location.status().name(),
         "nearest": {"a": a, "b": b},
         "features": {"a": of_a, "b": of_b},
         "certificate": certificate(location),
-        "distance_certificate": {"coefficients": vector_to_json(coefficients), "basis": basis},
+        "distance_certificate": {"coefficients": vector_to_json(&coefficients), "basis": basis},
     })
 }
 
-fn of_contact<const D: usize>(contact: Option<Contact<D>>, depth: &Penetration<D>, location: &Location<D>) -> Value {
+fn of_contact<const S: usize, const D: usize>(
+    contact: Option<Contact<S>>,
+    depth: &Penetration<S>,
+    hidden: &Hidden<D>,
+    location: &Location<D>,
+) -> Value {
     let Contact { point, touching } = contact.expect("bodies that are not disjoint have a contact");
     let [of_a, of_b] = touching
         .as_ref()
-        .map_or([INTERIOR; 2], |touching| touching.features.each_ref().map(|feature| feature.kind.name()));
-    let point = vector_to_json(&point);
+        .map_or([INTERIOR; 2], |touching| hidden.features(touching.features.each_ref().map(|feature| feature.kind)));
+    let point = vector_to_json(&hidden.vector(&point));
     let Penetration { lower, upper, direction } = depth;
+    let direction = hidden.vector(direction);
     let mut result = json!({
         "distance": 0.0,
         "status": location.status().name(),
         "nearest": {"a": point, "b": point},
         "features": {"a": of_a, "b": of_b},
-        "penetration": {"lower": to_json(*lower), "upper": to_json(*upper), "direction": vector_to_json(direction)},
+        "penetration": {"lower": to_json(*lower), "upper": to_json(*upper), "direction": vector_to_json(&direction)},
         "certificate": certificate(location),
     });
     if let Some(Touching { normal, .. }) = touching {
-        result["contact_normal"] = normal.iter().map(ToString::to_string).collect::<Value>();
+        result["contact_normal"] = hidden.vector(&normal).iter().map(ToString::to_string).collect::<Value>();
     }
     result
 }

@@ -1,9 +1,9 @@
 //! `gauge`: how many times a zonotope must be taken to reach from one point to another.
 
 use serde_json::{Value, json};
-use zonotope::Zonotope;
-use zonotope::collision::{Gauge, Query};
+use zonotope::collision::{Gauge, Query, by_lad};
 
+use super::posed::{Posed, Prism, SPACE};
 use super::{Task, certificate, gauge, posed_method};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
@@ -22,7 +22,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Result<Solution, Refusal> {
     if fields.has_pose() {
-        return under_pose(fields, method);
+        return in_dimension!(fields.dimension("p")?, "p", under_pose(fields, method));
     }
     in_dimension!(fields.dimension("p")?, "p", in_space(fields, method))
 }
@@ -36,13 +36,19 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>) -
 }
 
 /// With a pose, p is the centre of the body and moves with it.
-fn under_pose(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal> {
-    let pose = fields.pose("p")?;
-    let [p, q] = [fields.vector("p")?, fields.vector("q")?];
-    let body = Zonotope::new(p, fields.vectors("generators")?).expect("the numbers of a question are finite");
+fn under_pose<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal> {
+    let body = Posed::<D>::read(fields, "p")?;
+    let q = fields.vector::<D>("q")?;
+    if D > SPACE {
+        let image = body.image()?;
+        let method = Task::Gauge.method::<D>(method, image.generators().len())?;
+        let question = Query::of_point(q, &image).expect("the numbers of a question are finite");
+        return Ok(Solution { method: method.id(), result: result(&gauge(method, &question)) });
+    }
     let method = posed_method(method)?;
-    let gauge = body.at(&pose).gauge(q).expect("the numbers of a question are finite");
-    Ok(Solution { method, result: result(&gauge) })
+    let prism = Prism::over(&body, &Posed::of_point(q));
+    let gauge = by_lad::nearest_gauge_posed(&prism.query_of(q));
+    Ok(Solution { method, result: result(&prism.hidden().gauge(&gauge)) })
 }
 
 fn result<const D: usize>(gauge: &Gauge<D>) -> Value {

@@ -3,10 +3,11 @@
 use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
-use super::{PLACED, Task, certificate, locate, posed_method};
+use super::posed::Posed;
+use super::{Task, certificate, locate, locate_posed};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
-use crate::kinds::{BODY, Kind, Solution};
+use crate::kinds::{BODY, Kind, PLACED, Solution};
 use crate::refusal::Refusal;
 
 pub(in crate::kinds) const KIND: Kind = Kind {
@@ -21,7 +22,8 @@ pub(in crate::kinds) const KIND: Kind = Kind {
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     let bodies = [fields.object("a", &BODY, &PLACED)?, fields.object("b", &BODY, &PLACED)?];
     if bodies.iter().any(Fields::has_pose) {
-        return under_poses(&bodies, method);
+        let dimension = bodies[0].dimension("center")?;
+        return in_dimension!(dimension, "the center of a", under_poses(&bodies, method, seed));
     }
     in_dimension!(bodies[0].dimension("center")?, "the center of a", in_space(&bodies, method, seed))
 }
@@ -38,11 +40,14 @@ fn in_space<const D: usize>(
     Ok(Solution { method: method.id(), result: result(&location) })
 }
 
-fn under_poses([first, second]: &[Fields<'_>; 2], method: Option<&'static str>) -> Result<Solution, Refusal> {
-    let [from, to] = [first.pose("center")?, second.pose("center")?];
-    let [a, b] = [first.zonotope()?, second.zonotope()?];
-    let method = posed_method(method)?;
-    Ok(Solution { method, result: result(&a.at(&from).intersection(b.at(&to))) })
+fn under_poses<const D: usize>(
+    bodies: &[Fields<'_>; 2],
+    method: Option<&'static str>,
+    seed: u64,
+) -> Result<Solution, Refusal> {
+    let [a, b] = [Posed::<D>::read(&bodies[0], "center")?, Posed::read(&bodies[1], "center")?];
+    let (method, location) = locate_posed([&a, &b], method, seed)?;
+    Ok(Solution { method, result: result(&location) })
 }
 
 fn result<const D: usize>(location: &Location<D>) -> Value {

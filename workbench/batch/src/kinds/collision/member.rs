@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 use zonotope::collision::{Location, Query};
 
-use super::{Task, certificate, locate, posed_method};
+use super::posed::Posed;
+use super::{Task, certificate, locate, locate_posed};
 use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::kinds::{Kind, Solution};
@@ -20,7 +21,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
 
 fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result<Solution, Refusal> {
     if fields.has_pose() {
-        return under_pose(fields, method);
+        return in_dimension!(fields.dimension("center")?, "center", under_pose(fields, method, seed));
     }
     in_dimension!(fields.dimension("point")?, "point", in_space(fields, method, seed))
 }
@@ -34,11 +35,14 @@ fn in_space<const D: usize>(fields: &Fields<'_>, method: Option<&'static str>, s
     Ok(Solution { method: method.id(), result: result(&location) })
 }
 
-fn under_pose(fields: &Fields<'_>, method: Option<&'static str>) -> Result<Solution, Refusal> {
-    let pose = fields.pose("center")?;
-    let (point, body) = (fields.vector("point")?, fields.zonotope()?);
-    let method = posed_method(method)?;
-    let location = body.at(&pose).locate(point).expect("the numbers of a question are finite");
+fn under_pose<const D: usize>(
+    fields: &Fields<'_>,
+    method: Option<&'static str>,
+    seed: u64,
+) -> Result<Solution, Refusal> {
+    let body = Posed::<D>::read(fields, "center")?;
+    let point = Posed::of_point(fields.vector("point")?);
+    let (method, location) = locate_posed([&body, &point], method, seed)?;
     Ok(Solution { method, result: result(&location) })
 }
 

@@ -7,6 +7,7 @@ use zonotope::collision::{Gauge, Query, Status, by_lad, by_lad_in_r4};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
+use super::posed::{Posed, Prism};
 use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::to_json;
@@ -17,7 +18,7 @@ pub(in crate::kinds) const KIND: Kind = Kind {
     name: "member_batch",
     summary: "status and gauge of many points relative to one zonotope",
     fields: &["center", "generators", "points"],
-    optional: &[],
+    optional: &["pose"],
     methods: || vec![BY_LAD, BY_DIRECTION_TREE, BY_CUTTING],
     solve,
 };
@@ -46,6 +47,13 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, seed: u64) -> Result
     let dimension = fields.dimension("center")?;
     let method = method.unwrap_or(BY_LAD);
     let answers = match dimension {
+        1..=4 if fields.has_pose() && method != BY_LAD => {
+            let message = format!("`{method}` does not take a body under a pose; {BY_LAD} does");
+            return Err(Refusal::new(Code::UnknownMethod, message));
+        }
+        1 if fields.has_pose() => under_pose::<1>(fields)?,
+        2 if fields.has_pose() => under_pose::<2>(fields)?,
+        3 if fields.has_pose() => under_pose::<3>(fields)?,
         3 if method == BY_DIRECTION_TREE => by_direction_tree(fields)?,
         3 if method == BY_CUTTING => by_cutting(fields, seed)?,
         1..=4 if method != BY_LAD => {
@@ -68,20 +76,36 @@ fn in_space<const D: usize>(
     fields: &Fields<'_>,
     gauge: impl Fn(&Query<'_, D>, &mut OperationCounts) -> Gauge<D>,
 ) -> Result<Answers, Refusal> {
-    let body = fields.zonotope::<D>()?;
+    // Without a pose, the image is the body itself.
+    let body = Posed::<D>::read(fields, "center")?.image()?;
     let points = fields.vectors::<D>("points")?;
-    let generators = body.generators().len();
-    if points.len().saturating_mul(generators) > PAIR_LIMIT {
-        let message = format!(
-            "{} points and {generators} generators make more than the {PAIR_LIMIT} pairs that are taken",
-            points.len()
-        );
-        return Err(Refusal::new(Code::TooLarge, message));
-    }
+    refuse_many_pairs(points.len(), body.generators().len())?;
     let mut counts = OperationCounts::default();
     let found = points.into_iter().map(|point| {
         let question = Query::of_point(point, &body).expect("the numbers of a question are finite");
         let gauge = gauge(&question, &mut counts);
+        (gauge.location.status(), gauge.value)
+    });
+    Ok(Answers { found: found.collect(), build: 0, query: total(&counts) })
+}
+
+fn refuse_many_pairs(points: usize, generators: usize) -> Result<(), Refusal> {
+    if points.saturating_mul(generators) <= PAIR_LIMIT {
+        return Ok(());
+    }
+    let message =
+        format!("{points} points and {generators} generators make more than the {PAIR_LIMIT} pairs that are taken");
+    Err(Refusal::new(Code::TooLarge, message))
+}
+
+fn under_pose<const D: usize>(fields: &Fields<'_>) -> Result<Answers, Refusal> {
+    let body = Posed::<D>::read(fields, "center")?;
+    let points = fields.vectors::<D>("points")?;
+    refuse_many_pairs(points.len(), body.body.generators().len())?;
+    let prism = Prism::over(&body, &Posed::of_point([0.0; D]));
+    let mut counts = OperationCounts::default();
+    let found = points.into_iter().map(|point| {
+        let gauge = by_lad::nearest_gauge_posed_counted(&prism.query_of(point), &mut counts);
         (gauge.location.status(), gauge.value)
     });
     Ok(Answers { found: found.collect(), build: 0, query: total(&counts) })

@@ -5,15 +5,14 @@ pub(super) mod gauge;
 pub(super) mod intersect;
 pub(super) mod member;
 pub(super) mod member_batch;
+mod posed;
 
 use serde_json::{Value, json};
-use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation};
+use zonotope::collision::{Finding, Gauge, Location, Method, Query, Separation, by_lad};
 
+use self::posed::{Posed, Prism, SPACE};
 use crate::json::vector_to_json;
 use crate::refusal::{Code, Refusal};
-
-/// The fields that a zonotope may have.
-const PLACED: [&str; 1] = ["pose"];
 
 /// What a kind asks of its methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,6 +103,25 @@ fn locate<const D: usize>(
 fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
     let gauge = method.nearest_gauge(question);
     gauge.expect("the dimension and the number of generators were checked when the method was chosen")
+}
+
+/// Where the displacement of two posed bodies lies, with a proof that a verifier takes, and the method that proved it.
+fn locate_posed<const D: usize>(
+    [first, second]: [&Posed<D>; 2],
+    asked: Option<&'static str>,
+    seed: u64,
+) -> Result<(&'static str, Location<D>), Refusal> {
+    if D > SPACE {
+        let [a, b] = [first.image()?, second.image()?];
+        let question = Query::between(&a, &b);
+        let (method, location) = locate(Task::Locate.method::<D>(asked, question.len())?, &question, seed)?;
+        return Ok((method.id(), location));
+    }
+    let method = posed_method(asked)?;
+    let prism = Prism::over(first, second);
+    let query = prism.query();
+    let location = by_lad::locate_posed(&query).with_nearest_basis(&query);
+    Ok((method, prism.hidden().location(&location)))
 }
 
 /// The method of questions about bodies under poses, unless another one was asked for.

@@ -13,6 +13,7 @@ use dashu_int::IBig;
 use dashu_int::ops::{Abs, BitTest};
 
 use crate::RELATIVE_ERROR;
+use crate::collision::placed::{Body, Frame};
 use crate::exact::fraction::Fraction;
 use crate::exact::grid::{Grid, check_finite};
 use crate::exact::linear::{Echelon, Vector, absolute_determinant, is_zero, reduced};
@@ -43,8 +44,8 @@ pub struct CombinatoricsAnswer {
 
 /// Checks counts and measure. Where going through the faces would take too long, counts are only held against the
 /// relations that all such counts satisfy, and left unchecked.
-pub fn check_combinatorics(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Verdict<Proved> {
-    counted_and_measured(generators, answer).into()
+pub fn check_combinatorics<G: AsRef<[f64]>>(body: &Body<'_, G>, answer: &CombinatoricsAnswer) -> Verdict<Proved> {
+    counted_and_measured(body, answer).into()
 }
 
 /// Checks a rounded measure, which may differ from the exact one by the relative [`RELATIVE_ERROR`].
@@ -68,15 +69,11 @@ pub fn check_measure(generators: &[Vec<f64>], claimed: f64) -> Verdict<Proved> {
     checked().into()
 }
 
-fn counted_and_measured(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Result<Proved, Stop> {
-    let dimension = generators.first().map_or(0, Vec::len);
-    if generators.iter().any(|generator| generator.len() != dimension) {
-        return Err("answered a question whose dimensions do not agree".into());
-    }
-    check_finite("the question", generators.iter().flatten())?;
-    let grid = Grid::of(generators.iter().flatten().copied());
-    let placed: Vec<Vector> =
-        generators.iter().map(|generator| generator.iter().map(|&component| grid.units(component)).collect()).collect();
+fn counted_and_measured<G: AsRef<[f64]>>(body: &Body<'_, G>, answer: &CombinatoricsAnswer) -> Result<Proved, Stop> {
+    let dimension = body.center.len();
+    body.check_dimension(dimension)?;
+    let frame = Frame::of(&[body], &[])?;
+    let placed = frame.generators(body);
     let span = Echelon::spanned(dimension, &placed);
     expect("affine_dim", answer.affine_dim as u64, span.rank() as u64)?;
     let pivots = span.pivots();
@@ -102,7 +99,7 @@ fn counted_and_measured(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -
     };
 
     let claimed = Proportion::of_fraction(&answer.measure);
-    let exponent = i32::try_from(dimension).ok().and_then(|dimension| dimension.checked_mul(grid.exponent()));
+    let exponent = i32::try_from(dimension).ok().and_then(|dimension| dimension.checked_mul(frame.exponent()));
     let exponent = exponent.ok_or("the dimension is beyond all bounds")?;
     let measured = match measure(dimension, &placed, span.rank()) {
         Some(units) => {
@@ -248,6 +245,11 @@ mod tests {
 
     fn whole(number: i64) -> Fraction {
         Fraction::new(number, 1).expect("one is not zero")
+    }
+
+    fn check_combinatorics(generators: &[Vec<f64>], answer: &CombinatoricsAnswer) -> Verdict<Proved> {
+        let center = vec![0.0; generators.first().map_or(0, Vec::len)];
+        super::check_combinatorics(&Body { center: &center, generators, pose: None }, answer)
     }
 
     fn right(generators: &[&[f64]], answer: &CombinatoricsAnswer) {

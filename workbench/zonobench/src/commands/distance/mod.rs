@@ -11,12 +11,12 @@ use super::Ending;
 use super::asked::{Asked, check_dimensions, floats};
 use super::intersect::drawing::draw_with_points;
 use super::intersect::meeting::{Gap, Meeting, Proof};
-use super::usage::{check_inputs, check_names, tell};
+use super::placing::{Placing, PlacingOfSecond};
+use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{BodySource, Format};
+use crate::input::{Format, Placed};
 use crate::output::{Existing, Outputs};
 use batch::Verdict;
-use batch::json::{rows_to_json, vector_to_json};
 
 /// Options of `distance`.
 #[derive(Debug, Args)]
@@ -29,6 +29,10 @@ pub struct Options {
     /// The format of both files, where their extensions do not tell it.
     #[arg(long)]
     format: Option<Format>,
+    #[command(flatten)]
+    placing: Placing,
+    #[command(flatten)]
+    placing_of_b: PlacingOfSecond,
     /// Write a picture of both bodies with their nearest points.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -45,32 +49,32 @@ pub struct Options {
 
 /// Reads, solves, checks, and prints the distance with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    check_inputs(&[&options.a, &options.b])?;
+    let placings = [&options.placing, &options.placing_of_b.placing()];
+    let inputs = [placings[0].inputs(&options.a), placings[1].inputs(&options.b)].concat();
+    check_inputs(&inputs)?;
     check_names(&[
         ("SVG", options.svg.as_ref()),
         ("JSON", options.json.as_ref()),
         ("JSON", options.question.as_ref()),
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
-    let outputs = Outputs::checked(outputs, &[&options.a, &options.b], Existing::from_force(options.force))?;
-    let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read(tell);
-    let bodies = [read(&options.a)?, read(&options.b)?];
-    check_dimensions([&options.a, &options.b], &bodies)?;
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
+    let files = [&options.a, &options.b];
+    let bodies = [placings[0].read(files[0], options.format)?, placings[1].read(files[1], options.format)?];
+    check_dimensions(files, &bodies)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
-    let [a, b] = bodies
-        .each_ref()
-        .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)}));
+    let [a, b] = bodies.each_ref().map(Placed::question);
     let asked = Asked::of(json!({"id": name, "kind": "distance", "input": {"a": a, "b": b}}))?;
     let verdict = asked.verdict();
 
     if let Some(file) = &options.svg {
         let points = ["a", "b"].map(|body| floats(&asked.result()["nearest"][body]));
-        let mut meeting = Meeting::of(&name, bodies.clone())?;
+        let mut meeting = Meeting::of(&name, files, bodies.clone())?;
         if let Proof::Gap(_) = meeting.proof {
             let between: Vec<Value> = points[1].iter().zip(&points[0]).map(|(b, a)| (b - a).into()).collect();
             // a gap that is too narrow for doubles is drawn along the direction that separates
             if between.iter().any(|c| c.as_f64() != Some(0.0)) {
-                meeting.proof = Proof::Gap(Gap::of(&bodies, &between)?);
+                meeting.proof = Proof::Gap(Gap::of(&meeting.exact, &between)?);
             }
         }
         outputs.write(file, draw_with_points(&name, &meeting, &points).as_bytes())?;

@@ -2,19 +2,17 @@
 
 use super::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
-use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
-use crate::input::Body;
+use crate::commands::placing::describe;
+use crate::commands::table::{Table, figure, tuple};
+use crate::input::Placed;
 use batch::Verdict;
 
 /// The distance or the depth, with where it is, in a few lines.
-pub(super) fn summary(options: &Options, bodies: &[Body; 2], asked: &Asked, verdict: &Verdict) -> String {
+pub(super) fn summary(options: &Options, bodies: &[Placed; 2], asked: &Asked, verdict: &Verdict) -> String {
     let result = asked.result();
     let mut table = Table::default();
-    for (name, body, file) in [("a", &bodies[0], &options.a), ("b", &bodies[1], &options.b)] {
-        let count = counted(body.generators.len(), "generator", "generators");
-        let rounded = if body.is_rounded { ROUNDED } else { "" };
-        table.row(name, format!("{count} in {}, centre {}{rounded}", file.display(), tuple(&body.center)));
-    }
+    describe(&mut table, ["a", "pose of a"], &bodies[0], &options.a);
+    describe(&mut table, ["b", "pose of b"], &bodies[1], &options.b);
     let answer = match result["status"].as_str().unwrap_or_default() {
         "inside" => "a and b overlap: their interiors meet",
         "boundary" => "a and b touch: they have a point in common, but not in the interiors",

@@ -10,9 +10,10 @@ use figures::own_data;
 
 use super::Ending;
 use super::asking::PointOptions;
-use super::usage::{Usage, check_names, tell};
+use super::placing::{Placing, in_words, rounded_in_words};
+use super::usage::{Usage, check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{Body, BodySource, Points, Wanted};
+use crate::input::{Body, Points, RoundedBody, Wanted};
 use crate::output::{Existing, Outputs};
 
 /// Options of `draw`.
@@ -25,6 +26,8 @@ pub struct Options {
     file: PathBuf,
     #[command(flatten)]
     reading: PointOptions,
+    #[command(flatten)]
+    placing: Placing,
     /// Search for this point in the tiling of a zonotope (Theorem 5.2); without it, the search is for the centre of the
     /// smallest zonogon around points (Theorem 4.5).
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
@@ -86,11 +89,14 @@ impl fmt::Display for Picture {
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_usage(options)?;
     check_names(&[("SVG", Some(&options.svg))])?;
-    let outputs = Outputs::checked([&options.svg], &[&options.file], Existing::from_force(options.force))?;
+    let inputs = options.placing.inputs(&options.file);
+    check_inputs(&inputs)?;
+    let outputs = Outputs::checked([&options.svg], &inputs, Existing::from_force(options.force))?;
     let name = question_name(&options.file);
-    let svg = if shows_body(options) { of_body(options, &name)? } else { of_points(options, &name)? };
+    let (svg, more) =
+        if shows_body(options) { of_body(options, &name)? } else { (of_points(options, &name)?, String::new()) };
     outputs.write(&options.svg, svg.as_bytes())?;
-    outputs.tell(&format!("{} of {name} in {}\n", options.what, options.svg.display()))?;
+    outputs.tell(&format!("{} of {name} in {}\n{more}", options.what, options.svg.display()))?;
     Ok(Ending::Good)
 }
 
@@ -121,12 +127,20 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
         if options.reading.skip_nan {
             return Err(Usage::not_applicable("--skip-nan", "no generators of a zonotope are left out"));
         }
+    } else if let Some(option) = options.placing.given() {
+        return Err(Usage::not_applicable(option, "it is for a zonotope, and the picture is one of points"));
     }
     Ok(())
 }
 
-fn of_body(options: &Options, name: &str) -> anyhow::Result<String> {
-    let body = BodySource { file: options.file.clone(), format: options.reading.format }.read(tell)?;
+/// The picture, and what is to be said of the body's pose.
+fn of_body(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
+    let placed = options.placing.read(&options.file, options.reading.format)?;
+    let RoundedBody { body, off } = placed.rounded(&options.file)?;
+    let mut more = placed.pose.as_ref().map(|pose| format!("pose: {}\n", in_words(pose))).unwrap_or_default();
+    if off > 0.0 {
+        more.push_str(&format!("{}\n", rounded_in_words(off)));
+    }
     let Some((center, generators)) = in_space(&body) else {
         bail!("{}: has {} coordinates; lines and tiles are those of a zonotope with three", name, body.center.len());
     };
@@ -139,7 +153,7 @@ fn of_body(options: &Options, name: &str) -> anyhow::Result<String> {
         }
         _ => own_data::tiling(name, &generators, options.separator),
     };
-    drawn.with_context(|| name.to_owned())
+    Ok((drawn.with_context(|| name.to_owned())?, more))
 }
 
 /// The centre and the generators of a body of space.

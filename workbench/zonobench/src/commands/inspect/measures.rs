@@ -3,7 +3,7 @@
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::{Directions, Zonotope};
 
-use crate::input::Body;
+use crate::input::{Body, Placed};
 
 /// More generators than this have too many pairs for the surface area.
 const PAIRED_GENERATOR_LIMIT: usize = 20_000;
@@ -22,17 +22,22 @@ pub(super) struct Measures {
 }
 
 impl Measures {
-    /// Measures a body whose vectors have D coordinates.
-    pub(super) fn of<const D: usize>(body: &Body) -> Self {
+    /// Measures a body whose vectors have D coordinates, and its image in doubles.
+    pub(super) fn of<const D: usize>(placed: &Placed, body: &Body) -> Self {
         let fixed = |v: &Vec<f64>| -> [f64; D] { std::array::from_fn(|axis| v[axis]) };
         let generators: Vec<[f64; D]> = body.generators.iter().map(fixed).collect();
-        let zeros = generators.iter().filter(|generator| **generator == [0.0; D]).count();
-        let directions = Directions::new(&generators).expect("the file was read as finite numbers").len();
+        // A regular matrix keeps which generators are parallel, which rounding its products may not.
+        let is_regular = placed.pose.as_ref().is_none_or(|pose| !pose.exact().determinant().is_zero());
+        let own: Vec<[f64; D]> = placed.body.generators.iter().map(fixed).collect();
+        let lines = if is_regular { &own } else { &generators };
+        let zeros = lines.iter().filter(|generator| **generator == [0.0; D]).count();
+        let directions = Directions::new(lines).expect("the file was read as finite numbers").len();
+        let exact = placed.exact();
         let side = |axis: usize| {
-            let sum = |sum: Dyadic, generator: &[f64; D]| sum + Dyadic::from_f64(generator[axis]).abs();
-            let reach = generators.iter().fold(Dyadic::zero(), sum);
-            let center = Dyadic::from_f64(body.center[axis]);
-            [(&center - &reach).to_f64(), (&center + &reach).to_f64()]
+            let sum = |sum: Dyadic, generator: &Vec<Dyadic>| sum + generator[axis].clone().abs();
+            let reach = exact.generators.iter().fold(Dyadic::zero(), sum);
+            let center = &exact.center[axis];
+            [(center - &reach).to_f64(), (center + &reach).to_f64()]
         };
         let bounds = (0..D).map(side).collect();
         let space = |v: &Vec<f64>| <[f64; 3]>::try_from(v.as_slice()).ok();

@@ -16,9 +16,10 @@ use zonotope::zonotope::faces::FaceLattice;
 use self::measures::Measures;
 use self::vertices::{VertexFormat, VerticesError};
 use super::Ending;
-use super::usage::{check_names, tell};
+use super::placing::Placing;
+use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{BodySource, Format};
+use crate::input::{Format, RoundedBody};
 use crate::output::{Existing, Outputs};
 use batch::Line;
 use batch::MAX_DIMENSION;
@@ -34,6 +35,8 @@ pub struct Options {
     /// The format, where the extension does not tell it.
     #[arg(long)]
     format: Option<Format>,
+    #[command(flatten)]
+    placing: Placing,
     /// Write a picture of the body.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -63,6 +66,8 @@ pub struct Options {
 
 /// Reads, counts, measures, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let inputs = options.placing.inputs(&options.file);
+    check_inputs(&inputs)?;
     check_names(&[
         ("SVG", options.svg.as_ref()),
         ("JSON", options.json.as_ref()),
@@ -74,17 +79,18 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let meshes = [&options.obj, &options.ply, &options.stl];
     let outputs = [&options.svg, &options.json, &options.question, &options.vertices];
     let outputs = outputs.into_iter().chain(meshes).flatten();
-    let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
-    let body = BodySource { file: options.file.clone(), format: options.format }.read(tell)?;
+    let placed = options.placing.read(&options.file, options.format)?;
+    let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let measures = match body.center.len() {
-        1 => Measures::of::<1>(&body),
-        2 => Measures::of::<2>(&body),
-        3 => Measures::of::<3>(&body),
-        4 => Measures::of::<4>(&body),
-        5 => Measures::of::<5>(&body),
-        6 => Measures::of::<6>(&body),
+        1 => Measures::of::<1>(&placed, &body),
+        2 => Measures::of::<2>(&placed, &body),
+        3 => Measures::of::<3>(&placed, &body),
+        4 => Measures::of::<4>(&placed, &body),
+        5 => Measures::of::<5>(&placed, &body),
+        6 => Measures::of::<6>(&placed, &body),
         other => bail!("{}: {other} dimensions; 1 to {MAX_DIMENSION} are taken", options.file.display()),
     };
 
@@ -94,8 +100,11 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let wanted = meshes.iter().any(|file| file.is_some());
     let largest = if options.stl.is_some() { f64::from(f32::MAX) } else { f64::MAX };
     let lattice = wanted.then(|| export::mesh(&name, &body, largest)).transpose()?;
-    let question =
-        json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&body.generators)}});
+    let mut question =
+        json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&placed.body.generators)}});
+    if let Some(pose) = &placed.pose {
+        question["input"]["pose"] = pose.to_json();
+    }
     let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
     if let Some(file) = &options.svg {
         outputs.write(file, drawing::draw(&name, &body).as_bytes())?;
@@ -118,6 +127,6 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         }
     }
     let verdict = batch::verify(&question.to_string(), &answer.content.to_string());
-    outputs.tell(&summary::summary(options, &body, &measures, &answer.content, &verdict))?;
+    outputs.tell(&summary::summary(options, (&placed, off), &measures, &answer.content, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }

@@ -6,8 +6,9 @@ use zonotope::numeric::dyadic::Dyadic;
 
 use super::Options;
 use super::measures::Measures;
+use crate::commands::placing::{in_words, rounded_in_words};
 use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
-use crate::input::Body;
+use crate::input::Placed;
 use batch::Verdict;
 
 /// Exact numbers longer than this are rounded.
@@ -16,12 +17,13 @@ const EXACT_DIGIT_LIMIT: usize = 40;
 /// Counts and sizes in a few lines.
 pub(super) fn summary(
     options: &Options,
-    body: &Body,
+    (placed, off): (&Placed, f64),
     measures: &Measures,
     answer: &Value,
     verdict: &Verdict,
 ) -> String {
     let mut table = Table::default();
+    let body = &placed.body;
     let dimension = body.center.len();
     table.row(
         "body",
@@ -41,7 +43,14 @@ pub(super) fn summary(
         zones.push_str(&format!(", {} zero", measures.zeros));
     }
     table.row("generators", zones);
-    table.row("centre", tuple(&body.center));
+    let (center, is_exact) = placed.center();
+    table.row("centre", format!("{}{}", tuple(&center), if is_exact { "" } else { ", rounded" }));
+    if let Some(pose) = &placed.pose {
+        table.row("pose", in_words(pose));
+    }
+    if off > 0.0 {
+        table.row("rounded", format!("lengths, areas, vertices, meshes: {}", rounded_in_words(off)));
+    }
     let bounds = measures.bounds.iter().map(|[low, high]| format!("[{}, {}]", figure(*low), figure(*high)));
     table.row("bounding box", bounds.collect::<Vec<_>>().join(" × "));
     table.row("total length", format!("{}, the sum of the half-lengths", figure(measures.total_length)));

@@ -1,21 +1,26 @@
 //! Two bodies and what `solve` says about them, in the terms of the picture and the summary.
 
+use std::path::PathBuf;
+
 use anyhow::anyhow;
 use serde_json::{Value, json};
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
 use crate::commands::asked::{Asked, float, floats};
-use crate::input::Body;
+use crate::input::{Body, ExactBody, Placed};
 use batch::json::{rows_to_json, vector_to_json};
 
 /// Two bodies, the question about them and its answer.
 pub(in crate::commands) struct Meeting {
+    pub(in crate::commands) placed: [Placed; 2],
+    /// The bodies in doubles: what the picture shows.
     pub(in crate::commands) bodies: [Body; 2],
+    pub(in crate::commands) exact: [ExactBody; 2],
     pub(in crate::commands) asked: Asked,
     pub(in crate::commands) status: String,
     /// How many times both bodies must be taken about their centres to touch, unless they are too large for it to be
-    /// found.
+    /// found, or poses put them where no doubles are.
     pub(in crate::commands) gauge: Option<f64>,
     pub(in crate::commands) proof: Proof,
 }
@@ -43,29 +48,32 @@ pub(in crate::commands) struct Gap {
 
 impl Meeting {
     /// Asks about two bodies, which may be refused.
-    pub(in crate::commands) fn of(name: &str, bodies: [Body; 2]) -> anyhow::Result<Self> {
-        let [a, b] = bodies
-            .each_ref()
-            .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)}));
-        let generators = [a["generators"].clone(), b["generators"].clone()].into_iter();
-        let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
-        let distance = json!({"p": a["center"], "q": b["center"], "generators": generators});
+    pub(in crate::commands) fn of(name: &str, files: [&PathBuf; 2], placed: [Placed; 2]) -> anyhow::Result<Self> {
+        let rounded = [placed[0].rounded(files[0])?, placed[1].rounded(files[1])?];
+        let exact = placed.each_ref().map(Placed::exact);
+        let [a, b] = placed.each_ref().map(Placed::question);
         let asked = Asked::of(json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}}))?;
-        let gauge = Asked::of(json!({"id": name, "kind": "gauge", "input": distance})).ok();
+        let is_exact = rounded.iter().all(|body| body.off == 0.0);
+        let bodies = rounded.map(|rounded| rounded.body);
+        let generators = [rows_to_json(&bodies[0].generators), rows_to_json(&bodies[1].generators)].into_iter();
+        let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
+        let [p, q] = bodies.each_ref().map(|body| vector_to_json(&body.center));
+        let distance = json!({"p": p, "q": q, "generators": generators});
+        let gauge = is_exact.then(|| Asked::of(json!({"id": name, "kind": "gauge", "input": distance})).ok()).flatten();
 
         let result = asked.result();
         let certificate = &result["certificate"];
         let proof = match certificate["separating_direction"].as_array() {
-            Some(direction) => Proof::Gap(Gap::of(&bodies, direction)?),
+            Some(direction) => Proof::Gap(Gap::of(&exact, direction)?),
             None => {
                 let coefficients = floats(&certificate["coefficients"]);
-                let point = common_point(&bodies[0], &coefficients);
+                let point = common_point(&exact[0], &coefficients);
                 Proof::Common { coefficients, point }
             }
         };
         let status = result["status"].as_str().unwrap_or_default().to_owned();
         let gauge = gauge.map(|asked| float(&asked.result()["gauge"]));
-        Ok(Self { bodies, asked, status, gauge, proof })
+        Ok(Self { placed, bodies, exact, asked, status, gauge, proof })
     }
 
     /// How many coordinates there are.
@@ -75,9 +83,8 @@ impl Meeting {
 
     /// The distance of the centres.
     pub(in crate::commands) fn distance(&self) -> f64 {
-        let [a, b] = &self.bodies;
-        let exact = |x: &f64| Dyadic::from_f64(*x);
-        length(&b.center.iter().zip(&a.center).map(|(b, a)| exact(b) - exact(a)).collect::<Vec<_>>()).1
+        let [a, b] = &self.exact;
+        length(&b.center.iter().zip(&a.center).map(|(b, a)| b - a).collect::<Vec<_>>()).1
     }
 }
 
@@ -93,10 +100,9 @@ fn length(vector: &[Dyadic]) -> (Vec<f64>, f64) {
 
 impl Gap {
     /// The gap in a direction.
-    pub(in crate::commands) fn of(bodies: &[Body; 2], direction: &[Value]) -> anyhow::Result<Self> {
+    pub(in crate::commands) fn of(bodies: &[ExactBody; 2], direction: &[Value]) -> anyhow::Result<Self> {
         let direction = whole(direction).ok_or_else(|| anyhow!("the direction cannot be read"))?;
-        let exact = |v: &[f64]| v.iter().map(|&x| Dyadic::from_f64(x)).collect::<Vec<_>>();
-        let along = |v: &[f64]| direction.iter().zip(exact(v)).fold(Dyadic::zero(), |sum, (u, x)| sum + u * &x);
+        let along = |v: &[Dyadic]| direction.iter().zip(v).fold(Dyadic::zero(), |sum, (u, x)| sum + u * x);
         let centers = along(&bodies[1].center) - along(&bodies[0].center);
         let all = bodies.iter().flat_map(|body| &body.generators);
         let reach = all.fold(Dyadic::zero(), |sum, generator| sum + along(generator).abs());
@@ -125,13 +131,11 @@ fn whole(direction: &[Value]) -> Option<Vec<Dyadic>> {
 }
 
 /// The point of a body to which its coefficients, the first of all, lead.
-fn common_point(body: &Body, coefficients: &[f64]) -> Vec<f64> {
+fn common_point(body: &ExactBody, coefficients: &[f64]) -> Vec<f64> {
     let coordinate = |axis: usize| {
         let terms = body.generators.iter().zip(coefficients);
-        let start = Dyadic::from_f64(body.center[axis]);
-        let sum = terms.fold(start, |sum, (generator, &delta)| {
-            sum + &Dyadic::from_f64(generator[axis]) * &Dyadic::from_f64(delta)
-        });
+        let start = body.center[axis].clone();
+        let sum = terms.fold(start, |sum, (generator, &delta)| sum + &generator[axis] * &Dyadic::from_f64(delta));
         sum.to_f64()
     };
     (0..body.center.len()).map(coordinate).collect()

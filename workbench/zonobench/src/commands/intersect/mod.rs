@@ -11,9 +11,10 @@ use clap::Args;
 use self::meeting::Meeting;
 use super::Ending;
 use super::asked::check_dimensions;
-use super::usage::{check_inputs, check_names, tell};
+use super::placing::{Placing, PlacingOfSecond};
+use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{BodySource, Format};
+use crate::input::Format;
 use crate::output::{Existing, Outputs};
 use batch::Verdict;
 
@@ -28,6 +29,10 @@ pub struct Options {
     /// The format of both files, where their extensions do not tell it.
     #[arg(long)]
     format: Option<Format>,
+    #[command(flatten)]
+    placing: Placing,
+    #[command(flatten)]
+    placing_of_b: PlacingOfSecond,
     /// Write a picture of both bodies with the separating plane or the common point.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -44,19 +49,21 @@ pub struct Options {
 
 /// Reads, solves, checks, and prints the answer with its proof.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
-    check_inputs(&[&options.a, &options.b])?;
+    let placings = [&options.placing, &options.placing_of_b.placing()];
+    let inputs = [placings[0].inputs(&options.a), placings[1].inputs(&options.b)].concat();
+    check_inputs(&inputs)?;
     check_names(&[
         ("SVG", options.svg.as_ref()),
         ("JSON", options.json.as_ref()),
         ("JSON", options.question.as_ref()),
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
-    let outputs = Outputs::checked(outputs, &[&options.a, &options.b], Existing::from_force(options.force))?;
-    let read = |file: &PathBuf| BodySource { file: file.clone(), format: options.format }.read(tell);
-    let bodies = [read(&options.a)?, read(&options.b)?];
-    check_dimensions([&options.a, &options.b], &bodies)?;
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
+    let files = [&options.a, &options.b];
+    let bodies = [placings[0].read(files[0], options.format)?, placings[1].read(files[1], options.format)?];
+    check_dimensions(files, &bodies)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
-    let meeting = Meeting::of(&name, bodies)?;
+    let meeting = Meeting::of(&name, files, bodies)?;
     let verdict = meeting.asked.verdict();
 
     if let Some(file) = &options.svg {

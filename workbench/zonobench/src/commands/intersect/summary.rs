@@ -3,7 +3,8 @@
 use super::Options;
 use super::meeting::{Meeting, Proof};
 use crate::commands::asked::how_to_verify;
-use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
+use crate::commands::placing::describe;
+use crate::commands::table::{Table, figure, tuple};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -13,11 +14,8 @@ const WRITTEN_TERM_LIMIT: usize = 6;
 /// The answer with its proof in a few lines.
 pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -> String {
     let mut table = Table::default();
-    for (name, body, file) in [("a", &meeting.bodies[0], &options.a), ("b", &meeting.bodies[1], &options.b)] {
-        let count = counted(body.generators.len(), "generator", "generators");
-        let rounded = if body.is_rounded { ROUNDED } else { "" };
-        table.row(name, format!("{count} in {}, centre {}{rounded}", file.display(), tuple(&body.center)));
-    }
+    describe(&mut table, ["a", "pose of a"], &meeting.placed[0], &options.a);
+    describe(&mut table, ["b", "pose of b"], &meeting.placed[1], &options.b);
     table.row("dimension", meeting.dimension().to_string());
     let answer = match meeting.status.as_str() {
         "inside" => "a and b overlap: their interiors meet",

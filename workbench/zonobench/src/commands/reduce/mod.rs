@@ -10,10 +10,11 @@ use serde_json::{Value, json};
 
 use super::Ending;
 use super::asked::{Asked, float, floats, how_to_verify};
-use super::table::{ROUNDED, Table, counted, figure, tuple};
-use super::usage::{check_names, tell};
+use super::placing::{Placing, describe, rounded_in_words};
+use super::table::{Table, counted, figure};
+use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{Body, BodySource, Format};
+use crate::input::{Body, Format, Placed, RoundedBody};
 use crate::output::{Existing, Outputs};
 use batch::Verdict;
 use batch::json::{rows_to_json, vector_to_json};
@@ -35,6 +36,8 @@ pub struct Options {
     /// The format, where the extension does not tell it.
     #[arg(long)]
     format: Option<Format>,
+    #[command(flatten)]
+    placing: Placing,
     /// Write a picture of both bodies.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -55,14 +58,17 @@ fn rules() -> PossibleValuesParser {
 
 /// Reads, reduces, checks, and prints a summary.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    let inputs = options.placing.inputs(&options.file);
+    check_inputs(&inputs)?;
     check_names(&[
         ("SVG", options.svg.as_ref()),
         ("JSON", options.json.as_ref()),
         ("JSON", options.question.as_ref()),
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
-    let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
-    let body = BodySource { file: options.file.clone(), format: options.format }.read(tell)?;
+    let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
+    let placed = options.placing.read(&options.file, options.format)?;
+    let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let name = question_name(&options.file);
     let input = json!({
         "center": vector_to_json(&body.center),
@@ -78,7 +84,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         outputs.write(file, drawing::draw(&name, &body, &reduced).as_bytes())?;
     }
     asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
-    outputs.tell(&summary(options, &body, &reduced, &asked, &verdict))?;
+    outputs.tell(&summary(options, &placed, (&body, off), &reduced, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
@@ -100,11 +106,19 @@ fn total_length_in<const D: usize>(generators: &[Vec<f64>]) -> f64 {
     body.map_or(f64::INFINITY, |body| body.total_length())
 }
 
-fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, verdict: &Verdict) -> String {
+fn summary(
+    options: &Options,
+    placed: &Placed,
+    (body, off): (&Body, f64),
+    reduced: &[Vec<f64>],
+    asked: &Asked,
+    verdict: &Verdict,
+) -> String {
     let mut table = Table::default();
-    let count = counted(body.generators.len(), "generator", "generators");
-    let rounded = if body.is_rounded { ROUNDED } else { "" };
-    table.row("body", format!("{count} in {}, centre {}{rounded}", options.file.display(), tuple(&body.center)));
+    describe(&mut table, ["body", "pose"], placed, &options.file);
+    if off > 0.0 {
+        table.row("rounded", rounded_in_words(off));
+    }
     table.row("answer", format!("{}, around the same centre", counted(reduced.len(), "generator", "generators")));
     table.row("rule", options.rule.clone());
     let distance: &Value = &asked.result()["hausdorff"];

@@ -1,6 +1,10 @@
-//! A zonotope from a file: a table of generators, a document, or an answer that holds a body.
+//! A zonotope from a file: a table or an array of its vectors, a document, or an answer that holds a body.
 
 mod document;
+mod layout;
+mod names;
+mod placed;
+mod pose;
 
 use std::path::{Path, PathBuf};
 
@@ -10,6 +14,9 @@ use super::error::{InputError, Place, Problem, on_one_line};
 use super::{Format, npy, table};
 
 pub use document::body_of_answer;
+pub use layout::Layout;
+pub use placed::{ExactBody, Placed, RoundedBody};
+pub use pose::PoseDocument;
 
 /// A zonotope of any dimension: every vector has as many coordinates as the centre, at least one, all finite.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,32 +36,37 @@ pub struct BodySource {
     pub file: PathBuf,
     /// Its format; told from the extension if absent.
     pub format: Option<Format>,
+    /// Which vectors of a table or of an array are generators.
+    pub layout: Layout,
 }
 
 impl BodySource {
-    /// Reads the zonotope: rows of a table or of an array are generators; a document is a list of generators, an object
-    /// with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
-    /// `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
-    pub fn read(&self, tell: impl FnOnce(&str)) -> Result<Body, InputError> {
+    /// Reads the zonotope: vectors of a table or of an array, or a document: a list of generators, an object with a
+    /// centre and generators by any of their names, perhaps with a `pose`, a question about one body, or an answer that
+    /// holds one. What a reader may have meant otherwise, and what is not read, is told in one line each.
+    pub fn read(&self, tell: impl Fn(&str)) -> Result<Placed, InputError> {
         let file = &self.file;
         let format = Format::of_file(file, self.format)?;
         let content = read_limited(file)?;
+        let mut tell = |line: &str| tell(&on_one_line(&format!("{}: {line}", file.display())));
         match format {
             Format::Csv => {
                 let rows = table::rows(file, &content)?;
-                let mut notes = rows.notes.clone();
-                if rows.are_named_as_points() {
+                rows.notes.iter().for_each(|note| tell(note));
+                if rows.are_named_as_points() && self.layout == Layout::default() {
                     let names = rows.names.join(", ");
                     let advice = "`zonobench enclose` makes a body around points";
-                    notes.push(format!("each row of {names} is read as a generator; {advice}"));
+                    tell(&format!("each row of {names} is read as a generator; {advice}"));
+                    return Ok(Placed { body: body(file, None, rows.numbers)?, pose: None });
                 }
-                if !notes.is_empty() {
-                    tell(&on_one_line(&format!("{}: {}", file.display(), notes.join("; "))));
-                }
-                body(file, None, rows.numbers)
+                let body = self.layout.body(file, &rows.names, rows.numbers, &mut tell)?;
+                Ok(Placed { body, pose: None })
             }
-            Format::Npy => body(file, None, npy::rows(file, &content)?),
-            Format::Json => document::body(file, &parse(file, &content)?),
+            Format::Npy => {
+                let body = self.layout.body(file, &[], npy::rows(file, &content)?, &mut tell)?;
+                Ok(Placed { body, pose: None })
+            }
+            Format::Json => document::placed(file, &parse(file, &content)?, self.layout, &mut tell),
             other => {
                 let problem = format!(
                     "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \
@@ -80,89 +92,4 @@ fn body(file: &Path, center: Option<Vec<f64>>, generators: Vec<Vec<f64>>) -> Res
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn read(name: &str, content: &str) -> Result<Body, String> {
-        let file = Path::new(name);
-        let read = match Format::of_extension(file) {
-            Some(Format::Csv) => table::rows(file, content.as_bytes()).and_then(|rows| body(file, None, rows.numbers)),
-            _ => parse(file, content.as_bytes()).and_then(|tree| document::body(file, &tree)),
-        };
-        read.map_err(|error| error.to_string())
-    }
-
-    #[test]
-    fn tables_and_documents_hold_the_same_body() {
-        let generators = vec![vec![1.0, 0.0], vec![0.0, 2.0]];
-        let square = Body { center: vec![0.0, 0.0], generators, is_rounded: false };
-        assert_eq!(read("z.csv", "1,0\n0,2\n"), Ok(square.clone()));
-        assert_eq!(read("z.csv", "x;y\n1;0\n\n0;2"), Ok(square.clone()));
-        assert_eq!(read("z.json", "[[1,0],[0,2]]"), Ok(square.clone()));
-        assert_eq!(read("z.json", r#"{"generators":[[1,0],[0,2]],"name":"a square"}"#), Ok(square.clone()));
-        let moved = read("z.json", r#"{"center":[5,6],"generators":[[1,0],[0,2]]}"#);
-        assert_eq!(moved, Ok(Body { center: vec![5.0, 6.0], ..square.clone() }));
-        let point = read("z.json", r#"{"center":[5,6,7],"generators":[]}"#);
-        assert_eq!(point, Ok(Body { center: vec![5.0, 6.0, 7.0], generators: vec![], is_rounded: false }));
-        let matrix = read("z.json", r#"{"c":[5,6],"G":[[1,0],[0,2]]}"#);
-        assert_eq!(matrix, Ok(Body { center: vec![5.0, 6.0], ..square }));
-        let wide = read("z.json", r#"{"G":[[1,2,3],[4,5,6]]}"#).map(|body| body.generators);
-        assert_eq!(wide, Ok(vec![vec![1.0, 4.0], vec![2.0, 5.0], vec![3.0, 6.0]]));
-        assert_eq!(read("z.csv", "7\n8\n").map(|body| body.generators), Ok(vec![vec![7.0], vec![8.0]]));
-    }
-
-    #[test]
-    fn answers_hold_bodies() {
-        let zonogon = r#"{"id":"p","kind":"min_area","result":{"area":4,"center":[1,1],"generators":[[1,0],[0,1]]}}"#;
-        let square =
-            Body { center: vec![1.0, 1.0], generators: vec![vec![1.0, 0.0], vec![0.0, 1.0]], is_rounded: false };
-        assert_eq!(read("a.json", zonogon), Ok(square.clone()));
-        let along = |coefficients: &str| {
-            let result = format!(r#"{{"status":"optimal","center":[1,1],"coefficients":{coefficients}}}"#);
-            let request = r#"{"directions":[[1,0],[3,3],[0,0.1]]}"#;
-            format!(r#"{{"kind":"min_length_dirs","request":{request},"result":{result}}}"#)
-        };
-        let exact = Body { generators: vec![vec![1.0, 0.0], vec![6.0, 6.0]], ..square.clone() };
-        assert_eq!(read("a.json", &along("[1,2,0]")), Ok(exact));
-        let rounded = Body { generators: vec![vec![1.0, 0.0], vec![0.0, 0.1 * 3.0]], is_rounded: true, ..square };
-        assert_eq!(read("a.json", &along("[1,0,3]")), Ok(rounded));
-    }
-
-    #[test]
-    fn answers_without_a_body_say_so() {
-        let answers = [
-            (
-                r#"{"result":{"status":"infeasible","certificate":{}}}"#,
-                "no zonotope along the directions contains the points",
-            ),
-            (r#"{"error":{"code":"empty","message":"there are no points"}}"#, "is a refusal: there are no points"),
-            (r#"{"result":{"member":true}}"#, "holds no zonotope"),
-            (r#"{"result":{"center":[0],"coefficients":[1]}}"#, "names no directions"),
-            (r#"{"request":{"directions":[[1]]},"result":{"center":[0],"coefficients":[1,2]}}"#, "2 coefficients"),
-            (r#"{"result":{"center":[0],"generators":[["x"]]}}"#, "result.generators[0][0]: 'x' is not a number"),
-            (r#"{"c":[0,0],"G":[[1,2],[3]]}"#, "G[1]: the row has 1 cells, not 2"),
-            (r#"{"c":[0,0,0],"G":[[1,2],[3,4]]}"#, "G: the matrix has 2 rows, not 3"),
-        ];
-        for (answer, complaint) in answers {
-            let found = read("a.json", answer).expect_err("there is no body");
-            assert!(found.starts_with("a.json: ") && found.contains(complaint), "{found}");
-        }
-    }
-
-    #[test]
-    fn complaints_name_the_place() {
-        assert_eq!(read("z.csv", "1,0\n0,north\n"), Err("z.csv: line 2, column 2: 'north' is not a number".into()));
-        assert_eq!(read("z.csv", "1,0\n2\n"), Err("z.csv: line 2, column 2: the row has 1 cells, not 2".into()));
-        assert_eq!(read("z.csv", ""), Err("z.csv: holds no zonotope".into()));
-        assert_eq!(read("z.json", r#"{"generators":[]}"#), Err("z.json: holds no zonotope".into()));
-        assert_eq!(
-            read("z.json", r#"{"center":[1,2],"generators":[[1,2],[1,2,3]]}"#),
-            Err("z.json: generators[1]: the row has 3 cells, not 2".into())
-        );
-        assert_eq!(
-            read("z.json", r#"{"generators":[[1,"NaN"]]}"#),
-            Err("z.json: generators[0][1]: 'NaN' is not a finite number".into())
-        );
-        assert_eq!(read("z.json", "[7]"), Err("z.json: [0]: expected a vector, found a number".into()));
-    }
-}
+mod tests;

@@ -185,7 +185,12 @@ pub fn gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Gau
 
 /// The same as answers of bodies have it ([`nearest_gauge`]).
 pub fn nearest_gauge_posed(query: &PosedQuery<'_>) -> Gauge<3> {
-    Facet::find(&Posed::new(query), Goal::Gauge, &mut ()).nearest_gauge_counted(&mut ()).with_nearest_basis(query)
+    nearest_gauge_posed_counted(query, &mut ())
+}
+
+/// [`nearest_gauge_posed`], counting its operations.
+pub fn nearest_gauge_posed_counted(query: &PosedQuery<'_>, tally: &mut dyn Tally) -> Gauge<3> {
+    Facet::find(&Posed::new(query), Goal::Gauge, tally).nearest_gauge_counted(tally).with_nearest_basis(query)
 }
 
 /// The facet in which the ray along a displacement leaves the zonotope: the gauge and the status without the O(n)

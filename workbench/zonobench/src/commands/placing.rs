@@ -1,0 +1,152 @@
+//! Options that say how a body is read and where it is put.
+
+mod motion;
+mod pose_file;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{anyhow, bail};
+use clap::Args;
+
+pub(super) use self::motion::{Shift, Turn};
+use super::table::{ROUNDED, Table, counted, figure, tuple};
+use super::usage::tell;
+use crate::input::{BodySource, Format, Layout, Placed};
+use batch::placement::Placement;
+
+/// How a body is read, and where it is put.
+#[derive(Debug, Clone, Default, PartialEq, Args)]
+pub struct Placing {
+    /// Put the body where a pose puts it: a file with `matrix`, `translation` or both, or with the rows of a matrix,
+    /// square or with the translation as its last column.
+    #[arg(long, value_name = "FILE")]
+    pose: Option<PathBuf>,
+    /// Turn the body about an axis through the origin, after any pose: z,30 or 1,1,0,30; in the plane 30. The matrix
+    /// that is taken is printed.
+    #[arg(long, value_name = "AXIS,DEGREES", allow_hyphen_values = true)]
+    turn: Option<Turn>,
+    /// Move the body, after any pose and turn.
+    #[arg(long = "move", value_name = "X,Y,Z", allow_hyphen_values = true)]
+    shift: Option<Shift>,
+    /// Read the columns of the table or array as generators, not its rows.
+    #[arg(long)]
+    columns_are_generators: bool,
+    /// Read the first vector of the table or array as the centre.
+    #[arg(long)]
+    center_first: bool,
+}
+
+/// The same for the second body.
+#[derive(Debug, Clone, Default, PartialEq, Args)]
+pub struct PlacingOfSecond {
+    /// Put the second body where a pose puts it, as --pose does the first.
+    #[arg(long, value_name = "FILE")]
+    pose_b: Option<PathBuf>,
+    /// Turn the second body, after any pose.
+    #[arg(long, value_name = "AXIS,DEGREES", allow_hyphen_values = true)]
+    turn_b: Option<Turn>,
+    /// Move the second body, after any pose and turn.
+    #[arg(long = "move-b", value_name = "X,Y,Z", allow_hyphen_values = true)]
+    shift_b: Option<Shift>,
+    /// Read the columns of the second table or array as generators.
+    #[arg(long)]
+    columns_are_generators_b: bool,
+    /// Read the first vector of the second table or array as the centre.
+    #[arg(long)]
+    center_first_b: bool,
+}
+
+impl PlacingOfSecond {
+    /// The options as those of a single body.
+    pub(super) fn placing(&self) -> Placing {
+        Placing {
+            pose: self.pose_b.clone(),
+            turn: self.turn_b.clone(),
+            shift: self.shift_b.clone(),
+            columns_are_generators: self.columns_are_generators_b,
+            center_first: self.center_first_b,
+        }
+    }
+}
+
+impl Placing {
+    /// The files that are read: the body, and perhaps a pose.
+    pub(super) fn inputs<'a>(&'a self, body: &'a Path) -> Vec<&'a Path> {
+        [Some(body), self.pose.as_deref()].into_iter().flatten().collect()
+    }
+
+    /// The name of an option that is given, if there is one.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        let given = [
+            (self.pose.is_some(), "--pose"),
+            (self.turn.is_some(), "--turn"),
+            (self.shift.is_some(), "--move"),
+            (self.columns_are_generators, "--columns-are-generators"),
+            (self.center_first, "--center-first"),
+        ];
+        given.into_iter().find(|(is_given, _)| *is_given).map(|(_, name)| name)
+    }
+
+    /// Reads the body, and puts it where its file and the options say: first the pose of its file, then that of the
+    /// option, then the turn, then the move.
+    pub(super) fn read(&self, file: &Path, format: Option<Format>) -> anyhow::Result<Placed> {
+        let layout = Layout { columns_are_generators: self.columns_are_generators, center_first: self.center_first };
+        let mut placed = BodySource { file: file.to_path_buf(), format, layout }.read(tell)?;
+        let dimension = placed.dimension();
+        let given = [
+            self.pose.as_deref().map(|pose| pose_file::read(pose, dimension)),
+            self.turn.as_ref().map(|turn| turn.placement(dimension)),
+            self.shift.as_ref().map(|shift| shift.placement(dimension)),
+        ];
+        for next in given.into_iter().flatten() {
+            let next = next?;
+            placed.pose = Some(match placed.pose {
+                None => next,
+                Some(first) => {
+                    let beyond = || anyhow!("{}: the poses lead beyond the range of doubles", file.display());
+                    let (both, is_exact) = next.after(&first).ok_or_else(beyond)?;
+                    if !is_exact {
+                        tell(&format!(
+                            "{}: several poses are made one, each number rounded to nearest",
+                            file.display()
+                        ));
+                    }
+                    both
+                }
+            });
+        }
+        Ok(placed)
+    }
+}
+
+/// The pose in words, with the exact numbers that are taken.
+pub(super) fn in_words(pose: &Placement) -> String {
+    let moved = format!("translation {}", tuple(pose.translation()));
+    if *pose.matrix() == *Placement::identity(pose.translation().len()).matrix() {
+        return moved;
+    }
+    let rows: Vec<String> = pose.matrix().iter().map(|row| tuple(row)).collect();
+    format!("matrix ({}), {moved}", rows.join(", "))
+}
+
+/// Says of a body of a file how many generators it has, where its centre is, and what pose put it there.
+pub(super) fn describe(table: &mut Table, [name, pose_name]: [&str; 2], placed: &Placed, file: &Path) {
+    let count = counted(placed.body.generators.len(), "generator", "generators");
+    let (center, is_exact) = placed.center();
+    let of_pose = if is_exact { "" } else { ", rounded" };
+    let rounded = if placed.body.is_rounded { ROUNDED } else { "" };
+    table.row(name, format!("{count} in {}, centre {}{of_pose}{rounded}", file.display(), tuple(&center)));
+    if let Some(pose) = &placed.pose {
+        table.row(pose_name, in_words(pose));
+    }
+}
+
+/// What is said of a body whose centre and generators are rounded images under its pose.
+pub(super) fn rounded_in_words(off: f64) -> String {
+    format!("the body under the pose is taken in doubles, no point of it farther off than {}", figure(off))
+}
+
+/// Refuses a number of coordinates that an option does not have.
+fn check_count(option: &str, found: usize, dimension: usize) -> anyhow::Result<()> {
+    if found == dimension { Ok(()) } else { bail!("{option}: {found} numbers for a body with {dimension} coordinates") }
+}

@@ -1,0 +1,169 @@
+//! Which vectors of a table or of an array are generators: its rows or its columns, and whether the first is the
+//! centre.
+
+use super::Body;
+use crate::input::error::{InputError, Place, Problem};
+use std::path::Path;
+
+/// How the vectors of a body lie in a table, in an array, or in a list of lists.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Layout {
+    /// Whether the columns are the vectors; the rows are if not.
+    pub columns_are_generators: bool,
+    /// Whether the first vector is the centre.
+    pub center_first: bool,
+}
+
+/// Names of a column that holds the centre.
+const CENTERS: [&str; 3] = ["center", "centre", "c"];
+
+/// What the names of columns before their numbers say a generator is.
+const GENERATORS: [&str; 4] = ["g", "gen", "generator", "generators"];
+
+impl Layout {
+    /// The body of rows with the names of their columns, if they have names. What is not plain is told in a line.
+    pub(super) fn body(
+        self,
+        file: &Path,
+        names: &[String],
+        rows: Vec<Vec<f64>>,
+        tell: &mut dyn FnMut(&str),
+    ) -> Result<Body, InputError> {
+        let named = Named::of(names);
+        let is_default = self == Self::default();
+        if is_default && named == Named::CenterAmongOthers {
+            let problem = Problem::Shape(
+                "a column is named as a centre, but the others are not named as generators, g1, g2, …; \
+                 --columns-are-generators and --center-first say how the table is to be read"
+                    .to_owned(),
+            );
+            return Err(problem.at(file, Place::Line(1)));
+        }
+        let by_columns = self.columns_are_generators || (is_default && named != Named::Nothing);
+        let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+        let mut vectors = if by_columns { transposed(file, &rows)? } else { rows };
+        let center = match named {
+            Named::Generators { center } if by_columns => center.or(self.center_first.then_some(0)),
+            _ => self.center_first.then_some(0),
+        };
+        let center = center.filter(|&index| index < vectors.len()).map(|index| vectors.remove(index));
+        let read = |vectors: &str| {
+            let generators = if vectors.is_empty() { "generators" } else { vectors };
+            let center = if center.is_some() { "the centre and " } else { "" };
+            format!("{center}{generators}")
+        };
+        if is_default && by_columns {
+            tell(&format!("its columns are read as {}, as their names say", read("")));
+        } else if is_default && count < width {
+            tell(&format!(
+                "its rows, {count} with {width} numbers, are read as generators; --columns-are-generators reads the \
+                 columns, --center-first the first of them as the centre"
+            ));
+        }
+        super::body(file, center, vectors)
+    }
+}
+
+/// What a header says of the columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Named {
+    /// Nothing about bodies, or there is none.
+    Nothing,
+    /// All columns are generators but for one that may be the centre.
+    Generators { center: Option<usize> },
+    /// One is called a centre, others are no generators.
+    CenterAmongOthers,
+}
+
+impl Named {
+    fn of(names: &[String]) -> Self {
+        let is_center = |name: &String| CENTERS.iter().any(|center| name.eq_ignore_ascii_case(center));
+        let is_generator = |name: &String| {
+            let name = name.to_ascii_lowercase();
+            let word = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(['_', ' ', '-']);
+            GENERATORS.contains(&word)
+        };
+        let centers: Vec<usize> = (0..names.len()).filter(|&index| is_center(&names[index])).collect();
+        let others = || names.iter().filter(|name| !is_center(name));
+        match *centers.as_slice() {
+            [] if !names.is_empty() && others().all(is_generator) => Self::Generators { center: None },
+            [center] if others().all(is_generator) => Self::Generators { center: Some(center) },
+            _ if centers.iter().any(|&index| names[index].len() > 1) => Self::CenterAmongOthers,
+            _ => Self::Nothing,
+        }
+    }
+}
+
+fn transposed(file: &Path, rows: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, InputError> {
+    let width = rows.first().map_or(0, Vec::len);
+    if let Some(index) = rows.iter().position(|row| row.len() != width) {
+        let problem = Problem::Ragged { found: rows[index].len(), expected: width };
+        return Err(problem.at(file, Place::Path(format!("[{index}]"))));
+    }
+    Ok((0..width).map(|column| rows.iter().map(|row| row[column]).collect()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Centre and generators, or the complaint, with the lines that are told.
+    fn read(layout: Layout, names: &[&str], rows: &[&[f64]]) -> (Result<Body, String>, Vec<String>) {
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        let rows = rows.iter().map(|row| row.to_vec()).collect();
+        let mut told = Vec::new();
+        let read = layout.body(Path::new("z.csv"), &names, rows, &mut |line| told.push(line.to_owned()));
+        (read.map_err(|error| error.to_string()), told)
+    }
+
+    fn body(center: &[f64], generators: &[&[f64]]) -> Result<Body, String> {
+        let generators = generators.iter().map(|generator| generator.to_vec()).collect();
+        Ok(Body { center: center.to_vec(), generators, is_rounded: false })
+    }
+
+    const MATRIX: [&[f64]; 2] = [&[10.0, 1.0, 0.0], &[0.0, 0.0, 1.0]];
+
+    #[test]
+    fn a_header_that_names_centre_and_generators_is_read_as_it_is_meant() {
+        let meant = body(&[10.0, 0.0], &[&[1.0, 0.0], &[0.0, 1.0]]);
+        for names in [["center", "g1", "g2"], ["Centre", "G_1", "G_2"], ["c", "gen 1", "gen 2"]] {
+            let (found, told) = read(Layout::default(), &names, &MATRIX);
+            assert_eq!(found, meant, "{names:?}");
+            assert_eq!(told, ["its columns are read as the centre and generators, as their names say"]);
+        }
+        let last: [&[f64]; 2] = [&[1.0, 0.0, 10.0], &[0.0, 1.0, 0.0]];
+        assert_eq!(read(Layout::default(), &["g1", "g2", "c"], &last).0, meant);
+        let around_origin = body(&[0.0, 0.0], &[&[10.0, 0.0], &[1.0, 0.0], &[0.0, 1.0]]);
+        let (found, told) = read(Layout::default(), &["g1", "g2", "g3"], &MATRIX);
+        assert_eq!((found, told.len()), (around_origin, 1));
+    }
+
+    #[test]
+    fn a_wide_table_without_a_header_says_how_it_is_read() {
+        let (found, told) = read(Layout::default(), &[], &MATRIX);
+        assert_eq!(found, body(&[0.0; 3], &MATRIX));
+        assert!(told[0].contains("2 with 3 numbers") && told[0].contains("--columns-are-generators"), "{told:?}");
+        for (names, rows) in [(&["a", "b", "c"][..], &[&[1.0, 2.0, 3.0][..]; 3]), (&[], &[&[1.0, 2.0, 3.0][..]; 3])] {
+            let (found, told) = read(Layout::default(), names, rows);
+            assert_eq!((found, told.len()), (body(&[0.0; 3], rows), 0), "{names:?}");
+        }
+    }
+
+    #[test]
+    fn options_say_which_vectors_are_meant() {
+        let columns = Layout { columns_are_generators: true, center_first: false };
+        let both = Layout { center_first: true, ..columns };
+        let rows = Layout { center_first: true, ..Layout::default() };
+        let meant = body(&[10.0, 0.0], &[&[1.0, 0.0], &[0.0, 1.0]]);
+        assert_eq!(read(both, &[], &MATRIX), (meant.clone(), vec![]));
+        assert_eq!(read(columns, &["c", "g1", "g2"], &MATRIX).0, meant);
+        assert_eq!(read(columns, &[], &MATRIX).0, body(&[0.0; 2], &[&[10.0, 0.0], &[1.0, 0.0], &[0.0, 1.0]]));
+        assert_eq!(read(rows, &[], &MATRIX).0, body(MATRIX[0], &MATRIX[1..]));
+    }
+
+    #[test]
+    fn a_centre_among_columns_of_other_names_is_asked_about() {
+        let (found, _) = read(Layout::default(), &["name", "center", "u"], &MATRIX);
+        assert!(found.expect_err("it may be meant in two ways").contains("a column is named as a centre"));
+    }
+}

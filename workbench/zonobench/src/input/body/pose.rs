@@ -1,0 +1,38 @@
+//! What a file of a pose holds.
+
+use std::path::Path;
+
+use super::document::vectors;
+use crate::input::bytes::read_limited;
+use crate::input::document::parse;
+use crate::input::error::{InputError, Place, Problem};
+use crate::input::{Format, npy, table};
+use batch::json::Tree;
+
+/// What a file of a pose holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PoseDocument {
+    /// The rows of a matrix.
+    Rows(Vec<Vec<f64>>),
+    /// An object with fields.
+    Object(Tree),
+}
+
+impl PoseDocument {
+    /// Reads a table, an array, or a document of JSON, which a file is whose name tells no format.
+    pub fn read(file: &Path) -> Result<Self, InputError> {
+        let content = read_limited(file)?;
+        match Format::of_extension(file) {
+            Some(Format::Csv) => Ok(Self::Rows(table::rows(file, &content)?.numbers)),
+            Some(Format::Npy) => Ok(Self::Rows(npy::rows(file, &content)?)),
+            None | Some(Format::Json) => match parse(file, &content)? {
+                list @ Tree::List(_) => Ok(Self::Rows(vectors(file, &list, "")?)),
+                other => Ok(Self::Object(other)),
+            },
+            Some(other) => {
+                let problem = format!("the format {other} holds no poses; csv, json and npy do");
+                Err(Problem::Shape(problem).at(file, Place::File))
+            }
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! Bodies from files: the centre wherever it stands, the pose wherever it is given, and what is not read is said.
+
+use std::fs;
+use std::path::Path;
+
+use crate::{Outcome, run};
+
+const SQUARE: &str = r#"{"center": [0, 0], "generators": [[1, 0], [0, 1]]}"#;
+const CUBE: &str = r#"{"center": [0, 0, 0], "generators": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}"#;
+
+/// A folder with files.
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (name, content) in files {
+        fs::write(folder.path().join(name), content).expect("written");
+    }
+    folder
+}
+
+fn good(folder: &Path, words: &[&str]) -> Outcome {
+    let outcome = run(folder, words);
+    assert_eq!(outcome.status, 0, "{words:?}: {}{}", outcome.stdout, outcome.stderr);
+    outcome
+}
+
+fn has(outcome: &Outcome, line: &str) {
+    let found = outcome.stdout.lines().chain(outcome.stderr.lines()).any(|found| found == line);
+    assert!(found, "{line}\n{}{}", outcome.stdout, outcome.stderr);
+}
+
+/// The centre under `c` beside generators by rows.
+#[test]
+fn body_c_generators() {
+    centre_is_read(r#"{"c": [10, 0], "generators": [[1, 0], [0, 1]]}"#);
+}
+
+#[test]
+fn body_centre() {
+    centre_is_read(r#"{"centre": [10, 0], "generators": [[1, 0], [0, 1]]}"#);
+}
+
+#[test]
+fn body_point_and_matrix() {
+    centre_is_read(r#"{"x": [10, 0], "G": [[1, 0], [0, 1]]}"#);
+}
+
+fn centre_is_read(content: &str) {
+    let folder = folder(&[("a.json", content), ("square.json", SQUARE), ("p.csv", "x,y\n10,0.5\n0,0\n")]);
+    let folder = folder.path();
+    let outcome = good(folder, &["intersect", "a.json", "square.json"]);
+    has(&outcome, "a             2 generators in a.json, centre (10.0, 0.0)");
+    has(&outcome, "answer        a and b are disjoint");
+    has(&good(folder, &["distance", "a.json", "square.json"]), "distance      8.0");
+    let outcome = good(folder, &["inspect", "a.json"]);
+    has(&outcome, "centre        (10.0, 0.0)");
+    has(&outcome, "bounding box  [9.0, 11.0] × [-1.0, 1.0]");
+    assert_eq!(good(folder, &["contains", "a.json", "p.csv"]).stdout, "1\tinside\t0.5\n2\toutside\t10.0\n");
+    has(
+        &good(folder, &["reduce", "a.json", "--count", "2"]),
+        "body          2 generators in a.json, centre (10.0, 0.0)",
+    );
+}
+
+/// A body as it stands in a question, with its pose: every command that takes a body reads it.
+#[test]
+fn body_pose() {
+    let pose = r#""pose": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "translation": [10, 0, 0]}"#;
+    let posed = CUBE.replace('}', &format!(", {pose}}}"));
+    let folder = folder(&[("a.json", &posed), ("b.json", CUBE), ("p.csv", "x,y,z\n10,0.5,0\n0,0,0\n")]);
+    let folder = folder.path();
+    let outcome = good(folder, &["inspect", "a.json"]);
+    has(&outcome, "centre        (10.0, 0.0, 0.0)");
+    has(&outcome, "bounding box  [9.0, 11.0] × [-1.0, 1.0] × [-1.0, 1.0]");
+    has(&outcome, "pose          translation (10.0, 0.0, 0.0)");
+    has(&good(folder, &["intersect", "a.json", "b.json"]), "answer        a and b are disjoint");
+    has(&good(folder, &["distance", "b.json", "a.json"]), "distance      8.0");
+    assert_eq!(good(folder, &["contains", "a.json", "p.csv"]).stdout, "1\tinside\t0.5\n2\toutside\t10.0\n");
+    good(folder, &["reduce", "a.json", "--count", "3", "--json", "r.json"]);
+    has(&good(folder, &["inspect", "r.json"]), "centre        (10.0, 0.0, 0.0)");
+    let outcome = good(folder, &["draw", "search", "a.json", "--point", "10,0.1,0.2", "--svg", "s.svg"]);
+    has(&outcome, "pose: translation (10.0, 0.0, 0.0)");
+}
+
+/// A question that a command writes has the pose, so that `verify` checks the answer for the exact image.
+#[test]
+fn questions_about_posed_bodies_are_verified() {
+    let turned = r#"{"c": [0, 0], "G": [[1, 0.1], [0, 0.3]], "pose": {"matrix": [[0.6, -0.8], [0.8, 0.6]]}}"#;
+    let folder = folder(&[("a.json", turned), ("b.json", SQUARE), ("p.csv", "x,y\n0.5,0.5\n3,1\n")]);
+    let folder = folder.path();
+    let commands: [&[&str]; 4] = [
+        &["intersect", "a.json", "b.json", "--move-b", "1.5,0.7"],
+        &["distance", "a.json", "b.json", "--move-b", "7.1,0.7", "--turn-b", "30"],
+        &["contains", "a.json", "p.csv", "--turn", "12", "--move", "0.1,0"],
+        &["inspect", "a.json", "--turn", "12"],
+    ];
+    for words in commands {
+        let outputs = ["--question", "q.json", "--json", "r.json", "--force"];
+        good(folder, &[words, &outputs].concat());
+        let question = fs::read_to_string(folder.join("q.json")).expect("written");
+        assert!(question.contains(r#""pose":{"matrix":"#), "{question}");
+        let outcome = good(folder, &["verify", "q.json", "r.json"]);
+        assert!(outcome.stdout.contains("\tright\t"), "{words:?}: {}", outcome.stdout);
+    }
+}
+
+#[test]
+fn options_turn_and_move_and_say_the_numbers_that_are_taken() {
+    let folder = folder(&[
+        ("a.json", CUBE),
+        ("b.csv", "1,0,0\n0,1,0\n0,0,1\n"),
+        ("pose.json", r#"{"translation": [0, 0, 5]}"#),
+        ("rows.csv", "0,-1,0,1\n1,0,0,2\n0,0,1,3\n0,0,0,1\n"),
+    ]);
+    let folder = folder.path();
+    let outcome = good(folder, &["intersect", "a.json", "b.csv", "--move", "0.25,-1,0", "--turn-b", "z,45"]);
+    has(&outcome, "pose of a     translation (0.25, -1.0, 0.0)");
+    let root = 0.5_f64.sqrt();
+    has(
+        &outcome,
+        &format!(
+            "pose of b     matrix (({root:?}, -{root:?}, 0.0), ({root:?}, {root:?}, 0.0), (0.0, 0.0, 1.0)), \
+         translation (0.0, 0.0, 0.0)"
+        ),
+    );
+    let outcome = good(folder, &["inspect", "a.json", "--pose", "pose.json", "--turn", "x,90", "--move", "1,0,0"]);
+    has(&outcome, "centre        (1.0, -5.0, 0.0)");
+    has(&good(folder, &["inspect", "a.json", "--pose", "rows.csv"]), "centre        (1.0, 2.0, 3.0)");
+    has(&good(folder, &["distance", "a.json", "b.csv", "--pose-b", "rows.csv"]), "distance      1.0");
+    for (words, complaint) in [
+        (["inspect", "a.json", "--move", "1,2"], "--move: 2 numbers for a body with 3 coordinates"),
+        (["inspect", "a.json", "--turn", "30"], "--turn: in space a turn is about an axis: z,30 or 1,1,0,30"),
+        (
+            ["inspect", "a.json", "--pose", "absent.json"],
+            "absent.json: cannot be read: No such file or directory (os error 2)",
+        ),
+        (["inspect", "a.json", "--pose", "a.json"], "--pose a.json: extra field `center` in `pose`"),
+    ] {
+        let outcome = run(folder, &words);
+        assert_eq!((outcome.status, outcome.stderr), (1, format!("zonobench: {complaint}\n")), "{words:?}");
+    }
+}
+
+/// What is computed in doubles says so; what is exact does not.
+#[test]
+fn a_body_whose_image_is_rounded_says_how_far_it_is_off() {
+    let folder = folder(&[("a.json", r#"{"generators": [[1, 0, 0.1], [0, 1, 0.3], [1, 1, 0.4], [0.2, 0, 1]]}"#)]);
+    let folder = folder.path();
+    let plain = good(folder, &["inspect", "a.json"]);
+    let turned = good(folder, &["inspect", "a.json", "--turn", "1,2,3,20"]);
+    let row = |outcome: &Outcome, label: &str| {
+        let line = outcome.stdout.lines().find(|line| line.starts_with(label)).map(str::to_owned);
+        line.unwrap_or_else(|| panic!("{label}: {}", outcome.stdout))
+    };
+    for exact in ["generators", "dimension", "faces", "facets"] {
+        assert_eq!(row(&plain, exact), row(&turned, exact));
+    }
+    assert!(row(&turned, "rounded").contains("taken in doubles, no point of it farther off than"));
+    let reduced = good(folder, &["reduce", "a.json", "--count", "3", "--turn", "y,20"]);
+    assert!(row(&reduced, "rounded").contains("farther off than"));
+    let quarter = good(folder, &["reduce", "a.json", "--count", "3", "--turn", "y,90"]);
+    assert!(!quarter.stdout.contains("farther off than"), "{}", quarter.stdout);
+}
+
+#[test]
+fn fields_that_could_change_the_body_are_named() {
+    let folder = folder(&[
+        ("a.json", r#"{"c": [1, 2], "G": [[1, 0], [0, 1]], "A": [[1, 1]], "b": [0.5]}"#),
+        ("b.json", SQUARE),
+        ("p.csv", "0,0\n1,1\n"),
+        ("d.json", r#"{"name": "d", "generators": [[1, 0], [0, 1]]}"#),
+    ]);
+    let folder = folder.path();
+    let commands: [&[&str]; 6] = [
+        &["inspect", "a.json"],
+        &["intersect", "a.json", "b.json"],
+        &["distance", "b.json", "a.json"],
+        &["contains", "a.json", "p.csv"],
+        &["reduce", "a.json", "--count", "2"],
+        &["draw", "tiling", "a.json", "--svg", "a.svg"],
+    ];
+    for words in commands {
+        let outcome = run(folder, words);
+        assert_eq!((outcome.status, outcome.stdout.as_str()), (1, ""), "{words:?}");
+        assert!(outcome.stderr.starts_with("zonobench: a.json: A: this field could change the body"), "{words:?}");
+        assert_eq!(outcome.stderr.lines().count(), 1);
+    }
+    let outcome = good(folder, &["inspect", "d.json"]);
+    assert_eq!(outcome.stderr, "zonobench: d.json: the field `name` is not read\n");
+}
+
+/// A matrix [c, G] in a table.
+#[test]
+fn table_center_and_generators() {
+    let folder = folder(&[
+        ("named.csv", "center,g1,g2\n10,1,0\n0,0,1\n"),
+        ("plain.csv", "10,1,0\n0,0,1\n"),
+        ("list.json", "[[10,1,0],[0,0,1]]"),
+        ("rows.csv", "10,0\n1,0\n0,1\n"),
+        ("square.json", SQUARE),
+    ]);
+    let folder = folder.path();
+    let meant = |words: &[&str]| {
+        let outcome = good(folder, &[&["inspect"], words].concat());
+        has(&outcome, "centre        (10.0, 0.0)");
+        has(&outcome, "bounding box  [9.0, 11.0] × [-1.0, 1.0]");
+        outcome.stderr
+    };
+    let told = meant(&["named.csv"]);
+    assert_eq!(told, "zonobench: named.csv: its columns are read as the centre and generators, as their names say\n");
+    for file in ["plain.csv", "list.json"] {
+        assert_eq!(meant(&[file, "--columns-are-generators", "--center-first"]), "");
+        let outcome = good(folder, &["inspect", file]);
+        has(&outcome, "dimension     2 in 3: a flat zonogon");
+        assert!(outcome.stderr.contains("--columns-are-generators reads the columns"), "{}", outcome.stderr);
+        assert_eq!(outcome.stderr.lines().count(), 1);
+    }
+    assert_eq!(meant(&["rows.csv", "--center-first"]), "");
+    let words = ["distance", "square.json", "plain.csv", "--columns-are-generators-b", "--center-first-b"];
+    has(&good(folder, &words), "distance      8.0");
+    let refused = run(folder, &["inspect", "square.json", "--center-first"]);
+    assert!(refused.stderr.contains("--center-first are for tables, arrays and lists"), "{}", refused.stderr);
+}
