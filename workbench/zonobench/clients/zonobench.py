@@ -37,7 +37,7 @@ class WrongAnswer(NoAnswer):
 def encoded(value):
     """The value as the manual wants it in a question: NaN and infinities are spelled, arrays are lists.
 
-    Numbers of other sorts (`Decimal`, `Fraction`, NumPy's) become the nearest double, as every number of a question does.
+    Numbers of other sorts (`Decimal`, `Fraction`, NumPy's) become the nearest double, as all numbers of a question do.
     """
     if value is None or isinstance(value, (str, bool)) or type(value) is int:
         return value
@@ -77,8 +77,8 @@ class Process:
             )
         except FileNotFoundError as error:
             raise FileNotFoundError(
-                f"there is no program {program!r}: set the environment variable ZONOBENCH to its path, or install it by "
-                "`cargo install --path workbench/zonobench`"
+                f"there is no program {program!r}: set the environment variable ZONOBENCH to its path, or install it "
+                "by `cargo install --path workbench/zonobench`"
             ) from error
         _PROCESSES.add(self)
 
@@ -136,8 +136,9 @@ class Process:
 class Workbench:
     """Asks a `zonobench solve`, which is found by its path, the environment variable ZONOBENCH, or the PATH.
 
-    Any number of threads may ask: a question waits until the one before it is answered. `timeout` is the longest time in
-    seconds that an answer may take; without it there is no limit. A fork of this process has a `zonobench` of its own.
+    Any number of threads may ask: a question waits until the one before it is answered. `timeout` is the longest time
+    in seconds that an answer may take; without it there is no limit. A fork of this process has a `zonobench` of its
+    own.
     """
 
     def __init__(self, program=None, timeout=None):

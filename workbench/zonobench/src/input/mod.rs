@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-pub use body::{Body, BodySource, body_of_answer};
+pub use body::{Body, BodySource, Origin, body_of_answer};
 pub use bytes::MAX_FILE_BYTES;
 pub use columns::{Column, Columns};
 pub use error::{InputError, Place, Problem, on_one_line};

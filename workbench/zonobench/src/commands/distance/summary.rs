@@ -2,7 +2,7 @@
 
 use super::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
-use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, tuple};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -37,8 +37,10 @@ pub(super) fn summary(options: &Options, bodies: &[Body; 2], asked: &Asked, verd
     if result["status"] == "inside" {
         let depth = &result["penetration"];
         let (lower, upper) = (float(&depth["lower"]), float(&depth["upper"]));
-        table
-            .row("depth", format!("between {} and {}: so far b is to be moved at least", figure(lower), figure(upper)));
+        table.row(
+            "depth",
+            format!("between {} and {}: so far b is to be moved at least", at_least(lower), at_most(upper)),
+        );
         table.row("direction", format!("{}, of any length", tuple(&floats(&depth["direction"]))));
     }
     table.row(
@@ -50,6 +52,6 @@ pub(super) fn summary(options: &Options, bodies: &[Body; 2], asked: &Asked, verd
         },
     );
     table.row("method", asked.answer["method"].as_str().unwrap_or_default().to_owned());
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row("verify", how_to_verify(&[&options.a, &options.b], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }

@@ -20,13 +20,16 @@ use crate::output::{Existing, Outputs};
 pub struct Options {
     /// What to draw.
     what: Picture,
-    /// The data: a zonotope of space for the tiling, the arrangement, the separators and a search with --point, else
-    /// points of the plane; `-` is standard input.
+    /// The data: a zonotope of space, or points of the plane; `-` is standard input.
+    ///
+    /// The tiling, the arrangement, the separators and a search with --point are those of a zonotope (csv, json, npy).
+    /// The zonogon and a search without it are those of points.
     file: PathBuf,
     #[command(flatten)]
     reading: PointOptions,
-    /// Search for this point in the tiling of a zonotope (Theorem 5.2); without it, the search is for the centre of the
-    /// smallest zonogon around points (Theorem 4.5).
+    /// Search for this point in the tiling of a zonotope (Theorem 5.2).
+    ///
+    /// Without it, the search is for the centre of the smallest zonogon around points (Theorem 4.5).
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     point: Option<SpacePoint>,
     /// Show the separator with so many crossings, or tiles, on its left.

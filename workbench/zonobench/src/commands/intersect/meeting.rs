@@ -5,9 +5,8 @@ use serde_json::{Value, json};
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
-use crate::commands::asked::{Asked, float, floats};
+use crate::commands::asked::{About, Asked, float, floats, zonotope_of};
 use crate::input::Body;
-use batch::json::{rows_to_json, vector_to_json};
 
 /// Two bodies, the question about them and its answer.
 pub(in crate::commands) struct Meeting {
@@ -44,13 +43,11 @@ pub(in crate::commands) struct Gap {
 impl Meeting {
     /// Asks about two bodies, which may be refused.
     pub(in crate::commands) fn of(name: &str, bodies: [Body; 2]) -> anyhow::Result<Self> {
-        let [a, b] = bodies
-            .each_ref()
-            .map(|body| json!({"center": vector_to_json(&body.center), "generators": rows_to_json(&body.generators)}));
+        let [a, b] = bodies.each_ref().map(zonotope_of);
         let generators = [a["generators"].clone(), b["generators"].clone()].into_iter();
         let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
         let distance = json!({"p": a["center"], "q": b["center"], "generators": generators});
-        let asked = Asked::of(json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}}))?;
+        let asked = Asked::of(About::Intersect.question(name, &[a, b], None, None))?;
         let gauge = Asked::of(json!({"id": name, "kind": "gauge", "input": distance})).ok();
 
         let result = asked.result();

@@ -3,7 +3,7 @@
 use super::Options;
 use super::meeting::{Meeting, Proof};
 use crate::commands::asked::how_to_verify;
-use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, at_least, counted, figure, tuple};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -29,7 +29,7 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
         Proof::Gap(gap) => {
             table.row(
                 "gap",
-                format!("{}, between two parallel planes; the bodies are at least so far apart", figure(gap.width)),
+                format!("{}, between two parallel planes; the bodies are at least so far apart", at_least(gap.width)),
             );
             table.row("direction", format!("{}, the unit normal of the planes, rounded", tuple(&gap.direction)));
             table.row(
@@ -59,7 +59,7 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
         },
     );
     table.row("method", meeting.asked.answer["method"].as_str().unwrap_or_default().to_owned());
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row("verify", how_to_verify(&[&options.a, &options.b], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }
 

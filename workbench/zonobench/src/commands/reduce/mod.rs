@@ -6,25 +6,26 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::Ending;
-use super::asked::{Asked, float, floats, how_to_verify};
-use super::table::{ROUNDED, Table, counted, figure, tuple};
+use super::asked::{About, Asked, BodyFile, body_formats, float, floats, how_to_verify, record};
+use super::table::{ROUNDED, Table, at_least, at_most, counted, figure, tuple};
 use super::usage::{check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format};
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
-use batch::json::{rows_to_json, vector_to_json};
 use zonotope::Zonotope;
 use zonotope::reduction::Method;
 
 /// Options of `reduce`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
-    /// standard input.
+    /// The zonotope: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
     file: PathBuf,
     /// The most generators of the answer: at least as many as there are coordinates.
     #[arg(long, value_name = "K")]
@@ -33,7 +34,7 @@ pub struct Options {
     #[arg(long, default_value = Method::Clusters.id(), value_parser = rules())]
     rule: String,
     /// The format, where the extension does not tell it.
-    #[arg(long)]
+    #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
     /// Write a picture of both bodies.
     #[arg(long, value_name = "FILE")]
@@ -62,23 +63,21 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &[&options.file], Existing::from_force(options.force))?;
-    let body = BodySource { file: options.file.clone(), format: options.format }.read(tell)?;
+    let file = BodyFile::read(&BodySource { file: options.file.clone(), format: options.format }, tell)?;
+    let reduction = Some((options.count, options.rule.as_str()));
+    let request = record(About::Reduce, &[&file], None, reduction);
     let name = question_name(&options.file);
-    let input = json!({
-        "center": vector_to_json(&body.center),
-        "generators": rows_to_json(&body.generators),
-        "count": options.count,
-        "rule": options.rule,
-    });
-    let asked = Asked::of(json!({"id": name, "kind": "reduce", "input": input}))?;
+    let asked = Asked::of(About::Reduce.question(&name, &[file.zonotope()], None, reduction))?;
+    let body = file.body;
     let verdict = asked.verdict();
     let rows = asked.result()["generators"].as_array().into_iter().flatten();
     let reduced: Vec<Vec<f64>> = rows.map(floats).collect();
-    if let Some(file) = &options.svg {
-        outputs.write(file, drawing::draw(&name, &body, &reduced).as_bytes())?;
-    }
-    asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
-    outputs.tell(&summary(options, &body, &reduced, &asked, &verdict))?;
+    let [question, answer] = asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || Ok(drawing::draw(&name, &body, &reduced).into_bytes()));
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    outputs.finish(results, &summary(options, &body, &reduced, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
@@ -112,8 +111,8 @@ fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, 
         "distance",
         format!(
             "between {} and {}: no point of the answer is farther than that from the body",
-            figure(float(&distance["lower"])),
-            figure(float(&distance["upper"]))
+            at_least(float(&distance["lower"])),
+            at_most(float(&distance["upper"]))
         ),
     );
     let lengths = [reduced, &body.generators].map(|generators| figure(total_length(body.center.len(), generators)));
@@ -125,6 +124,6 @@ fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, 
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row("verify", how_to_verify(&[&options.file], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }

@@ -8,6 +8,7 @@ use super::bytes::{read_limited, text};
 use super::document::parse;
 use super::error::{InputError, Place, Problem, on_one_line};
 use super::{Format, npy, table};
+use crate::digest::sha256;
 
 pub use document::body_of_answer;
 
@@ -22,6 +23,15 @@ pub struct Body {
     pub is_rounded: bool,
 }
 
+/// The content that a zonotope was read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Origin {
+    /// Its format.
+    pub format: Format,
+    /// Its SHA-256.
+    pub sha256: String,
+}
+
 /// A file with a zonotope.
 #[derive(Debug, Clone)]
 pub struct BodySource {
@@ -32,19 +42,30 @@ pub struct BodySource {
 }
 
 impl BodySource {
-    /// Reads the zonotope: rows of a table or of an array are generators; a document is a list of generators, an object
-    /// with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
-    /// `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
-    pub fn read(&self, tell: impl FnOnce(&str)) -> Result<Body, InputError> {
-        let file = &self.file;
+    /// Reads the zonotope, and tells which content of which format it was read from.
+    pub fn read_with_origin(&self, tell: impl FnOnce(&str)) -> Result<(Body, Origin), InputError> {
         let format = self
             .format
-            .or_else(|| Format::of_extension(file))
-            .ok_or_else(|| Problem::UnknownFormat.at(file, Place::File))?;
-        let content = read_limited(file)?;
+            .or_else(|| Format::of_extension(&self.file))
+            .ok_or_else(|| Problem::UnknownFormat.at(&self.file, Place::File))?;
+        let content = read_limited(&self.file)?;
+        let body = self.body(format, &content, tell)?;
+        Ok((body, Origin { format, sha256: sha256(&content) }))
+    }
+
+    /// Reads the zonotope.
+    pub fn read(&self, tell: impl FnOnce(&str)) -> Result<Body, InputError> {
+        self.read_with_origin(tell).map(|(body, _)| body)
+    }
+
+    /// The zonotope of a content: rows of a table or of an array are generators; a document is a list of generators, an object
+    /// with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
+    /// `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
+    fn body(&self, format: Format, content: &[u8], tell: impl FnOnce(&str)) -> Result<Body, InputError> {
+        let file = &self.file;
         match format {
             Format::Csv => {
-                let rows = table::rows(file, text(&content))?;
+                let rows = table::rows(file, text(content))?;
                 if rows.are_named_as_points() {
                     let (file, names) = (file.display(), rows.names.join(", "));
                     let advice = "`zonobench enclose` makes a body around points";
@@ -52,8 +73,8 @@ impl BodySource {
                 }
                 body(file, None, rows.numbers)
             }
-            Format::Npy => body(file, None, npy::rows(file, &content)?),
-            Format::Json => document::body(file, &parse(file, text(&content))?),
+            Format::Npy => body(file, None, npy::rows(file, content)?),
+            Format::Json => document::body(file, &parse(file, text(content))?),
             other => {
                 let problem = format!(
                     "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \
