@@ -34,7 +34,7 @@ use clap::{CommandFactory, Parser};
 use cli::{Cli, Command};
 use commands::{Ending, Usage};
 
-/// The status of a program whose reader went away before the end, as shells tell it of one that the signal SIGPIPE ended.
+/// The status of a program whose reader went away before the end, as shells tell it of one that SIGPIPE ended.
 const READER_GONE: u8 = 141;
 
 /// Runs the program with the given command line, its name included.

@@ -154,15 +154,15 @@ fn is_piped(file: &Path) -> bool {
 }
 
 fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
+    if file.is_dir() && !file.is_symlink() {
+        return Err(unwritable(file)(io::Error::other("is a folder, not a file")));
+    }
     if existing == Existing::Keep && file.symlink_metadata().is_ok() {
         return Err(OutputError::Exists(file.to_path_buf()));
     }
     // A file takes the place of a link, not of what the link leads to; `/dev/stdout` is one.
     if file.is_symlink() {
         return Err(OutputError::Link(file.to_path_buf()));
-    }
-    if file.is_dir() {
-        return Err(unwritable(file)(io::Error::from(io::ErrorKind::IsADirectory)));
     }
     if file.exists() && !file.is_file() {
         return Err(unwritable(file)(io::Error::other("is not an ordinary file")));
@@ -178,7 +178,11 @@ fn check_room(file: &Path) -> io::Result<()> {
     }
     let existing = folder_of(file).ancestors().find(|folder| folder.as_os_str().is_empty() || folder.exists());
     let folder = existing.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    new_file(folder).map(drop)
+    let told = |error: io::Error| {
+        let kind = error.kind();
+        io::Error::new(kind, format!("no file can be made in {}: {}", folder.display(), io::Error::from(kind)))
+    };
+    new_file(folder).map(drop).map_err(told)
 }
 
 /// Refuses standard output that nothing is open for, where that can be told.

@@ -8,7 +8,7 @@ use clap::Args;
 use super::Ending;
 use super::asked::{About, Asked, BodyFile, body_formats, floats, how_to_verify, record};
 use super::asking::PointOptions;
-use super::table::{ROUNDED, Table, counted, in_full};
+use super::table::{ROUNDED, Table, counted, in_full, with_six_digits};
 use super::usage::{check_inputs, check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format, Reading, Wanted};
@@ -89,7 +89,7 @@ fn summary(options: &Options, body: &Body, reading: &Reading, statuses: &[&str],
         table.row(status, statuses.iter().filter(|&&found| found == status).count().to_string());
     }
     let certificate = match verdict {
-        Verdict::Right(proved) => format!("checked: {proved}"),
+        Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
         Verdict::Unchecked(reason) => format!("not checked: {reason}"),
         Verdict::Wrong(reason) => format!("WRONG: {reason}"),
     };

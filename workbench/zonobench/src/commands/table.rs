@@ -74,6 +74,26 @@ fn rounded(number: f64, is_wrong: impl Fn(f64, f64) -> bool) -> String {
     in_full(if is_finer { shown(10 * digits + step, exponent - 1) } else { shown(digits + step, exponent) })
 }
 
+/// A sentence of the verifier with its numbers in six digits: bounds, as the words around them tell, on their side.
+pub(super) fn with_six_digits(sentence: &str) -> String {
+    let words: Vec<&str> = sentence.split(' ').collect();
+    let before = |index: usize, back: usize| index.checked_sub(back).map_or("", |index| words[index]);
+    let shown = |(index, word): (usize, &&str)| {
+        let number = word.trim_end_matches([';', ',', ':', ')', '.']);
+        let digits = number.split('e').next().unwrap_or_default().bytes().filter(u8::is_ascii_digit).count();
+        let value = number.parse::<f64>().ok().filter(|_| number.contains('.') && digits > DIGITS as usize);
+        let Some(value) = value else { return (*word).to_owned() };
+        let rounded = match (before(index, 2), before(index, 1)) {
+            ("at", "most") | (_, "to") => at_most(value),
+            ("at", "least") => at_least(value),
+            _ if words.get(index + 1) == Some(&"to") => at_least(value),
+            _ => figure(value),
+        };
+        rounded + &word[number.len()..]
+    };
+    words.iter().enumerate().map(shown).collect::<Vec<_>>().join(" ")
+}
+
 /// A vector.
 pub(super) fn tuple(vector: &[f64]) -> String {
     format!("({})", vector.iter().map(|&x| figure(x)).collect::<Vec<_>>().join(", "))
@@ -97,6 +117,9 @@ mod tests {
         ] {
             assert_eq!([figure(number), at_least(number), at_most(number)], [nearest, below, above], "{number:?}");
         }
+        let sentence = "the distance is 1.601571521802106 to 1.616587602298466; at most 1.000000000613 times 2.5";
+        let shown = "the distance is 1.60157 to 1.61659; at most 1.00001 times 2.5";
+        assert_eq!(with_six_digits(sentence), shown);
         for beyond in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
             assert_eq!(figure(beyond), "beyond the range of doubles");
         }

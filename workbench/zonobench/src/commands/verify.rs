@@ -22,16 +22,22 @@ use batch::MAX_LINE_BYTES;
 use batch::json::{self, MAX_VALUES, Tree};
 use batch::{Verdict, check, check_unread};
 
+/// The files of each sort of answer.
+const USAGE: &str = "zonobench verify [OPTIONS] <QUESTIONS> <ANSWERS>
+       zonobench verify [OPTIONS] <FILE> <ANSWER>
+       zonobench verify [OPTIONS] <A> <B> <ANSWER>";
+
 /// Options of `verify`.
 #[derive(Debug, Args)]
+#[command(override_usage = USAGE)]
 pub struct Options {
-    /// The questions, or the files that an answer is about; then the answers.
+    /// The questions and then the answers; or the files that an answer is about and then the answer.
     ///
     /// Questions are lines of JSON, as `solve` reads or `--question` writes them, and the answers lines in their order.
     /// An answer that a command wrote by `--json` records what was asked: it is checked against the files that the
     /// command was given, in their order. These are one file for `enclose`, `reduce` and `inspect`, and two for
     /// `intersect`, `distance` and `contains`.
-    #[arg(value_names = ["QUESTIONS|FILE", "ANSWERS"], num_args = 2..=3, required = true)]
+    #[arg(value_name = "FILE", num_args = 2..=3, required = true)]
     files: Vec<PathBuf>,
     /// What the answer does not record of the question that was asked about files.
     #[command(flatten)]

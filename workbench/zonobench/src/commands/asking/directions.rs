@@ -7,7 +7,7 @@ use anyhow::{Context, bail};
 use batch::nearest;
 use zonotope::enclosing::min_total_length::direction_net::cell_corners;
 
-use crate::input::{PointSource, Wanted};
+use crate::input::{Format, PointSource, Wanted};
 
 /// Where directions come from.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,6 +70,10 @@ impl Directions {
                 None => Ok(vectors.clone()),
             },
             Self::File(file) => {
+                if Format::of_extension(file).is_none() && file.is_file() {
+                    let advice = "the name alone tells the format of directions; name the file .csv, .json or .npy";
+                    bail!("--directions: {}: {advice}", file.display());
+                }
                 let source = PointSource { file: file.clone(), format: None, columns: None, skip: None };
                 let directions = source.read(Wanted::Any).context("--directions")?.points;
                 let found = directions.dimension();

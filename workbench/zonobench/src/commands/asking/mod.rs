@@ -25,9 +25,9 @@ pub struct Asking {
     pub points: PointOptions,
     /// What is to be least: the area (in the plane), the total length of the generators, or the volume (in space).
     ///
-    /// Of the volume a local minimum is found. Without this option it is the area of points of the plane, and the length
-    /// of points of space (a mesh, or columns named x, y and z) and where three or four columns, directions, a precision
-    /// or a number of generators are given.
+    /// Of the volume a local minimum is found. Without this option it is the area of points of the plane, and the
+    /// length of points of space (a mesh, or columns named x, y and z) and where three or four columns, directions, a
+    /// precision or a number of generators are given.
     #[arg(long)]
     objective: Option<Objective>,
     /// Use these directions alone: the rows of a file, the coordinate axes, or a net of K cells a side.
@@ -40,8 +40,8 @@ pub struct Asking {
     epsilon: Option<f64>,
     /// Use so many generators at most, and as short ones as are found.
     ///
-    /// There are at least as many as the points span dimensions. Without this option few generators within epsilon of the
-    /// least length are used.
+    /// There are at least as many as the points span dimensions. Without this option few generators within epsilon of
+    /// the least length are used.
     #[arg(long, value_name = "K", conflicts_with = "directions", value_parser = clap::value_parser!(u64).range(1..))]
     max_generators: Option<u64>,
 }

@@ -2,7 +2,7 @@
 
 use super::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
-use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, tuple, with_six_digits};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -46,7 +46,7 @@ pub(super) fn summary(options: &Options, bodies: &[Body; 2], asked: &Asked, verd
     table.row(
         "certificate",
         match verdict {
-            Verdict::Right(proved) => format!("checked: {proved}"),
+            Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
             Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },

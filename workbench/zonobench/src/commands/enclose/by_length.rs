@@ -8,7 +8,7 @@ use super::{Options, comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
-use crate::commands::table::{Table, at_least, at_most, counted, figure, tuple};
+use crate::commands::table::{Table, at_least, at_most, counted, figure, tuple, with_six_digits};
 use crate::commands::verify::question_name;
 use crate::input::{Body, Reading, body_of_answer};
 use crate::output::{Outputs, Results};
@@ -106,7 +106,7 @@ fn summary(
         table.row("outcome", "no zonotope along these directions contains the points".to_owned());
     }
     let certificate = match verdict {
-        Verdict::Right(proved) => format!("checked, exactly: {proved}"),
+        Verdict::Right(proved) => format!("checked, exactly: {}", with_six_digits(proved)),
         Verdict::Unchecked(reason) => format!("not checked: {reason}"),
         Verdict::Wrong(reason) => format!("WRONG: {reason}"),
     };

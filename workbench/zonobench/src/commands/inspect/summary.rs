@@ -83,7 +83,8 @@ pub(super) fn summary(
         "check",
         match verdict {
             Verdict::Right(proved) => proved.clone(),
-            Verdict::Unchecked(_) => "no faces, nothing to check".to_owned(),
+            Verdict::Unchecked(_) if answer.get("error").is_some() => "no faces, nothing to check".to_owned(),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );

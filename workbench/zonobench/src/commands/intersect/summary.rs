@@ -3,7 +3,7 @@
 use super::Options;
 use super::meeting::{Meeting, Proof};
 use crate::commands::asked::how_to_verify;
-use crate::commands::table::{ROUNDED, Table, at_least, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, at_least, counted, figure, tuple, with_six_digits};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -54,8 +54,9 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
     table.row(
         "certificate",
         match verdict {
-            Verdict::Right(proved) => format!("checked: {proved}"),
-            Verdict::Wrong(reason) | Verdict::Unchecked(reason) => format!("WRONG: {reason}"),
+            Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
+            Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
     table.row("method", meeting.asked.answer["method"].as_str().unwrap_or_default().to_owned());

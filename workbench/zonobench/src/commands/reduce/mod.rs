@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::Ending;
 use super::asked::{About, Asked, BodyFile, body_formats, float, floats, how_to_verify, record};
-use super::table::{ROUNDED, Table, at_least, at_most, counted, figure, tuple};
+use super::table::{ROUNDED, Table, at_least, at_most, counted, figure, tuple, with_six_digits};
 use super::usage::{check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, BodySource, Format};
@@ -120,7 +120,8 @@ fn summary(options: &Options, body: &Body, reduced: &[Vec<f64>], asked: &Asked, 
     table.row(
         "certificate",
         match verdict {
-            Verdict::Right(proved) | Verdict::Unchecked(proved) => format!("checked: {proved}"),
+            Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );

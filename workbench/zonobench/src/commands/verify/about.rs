@@ -1,8 +1,8 @@
 //! An answer about files: the question that it answers as far as anyone knows, and what can be said of it.
 //!
 //! The question is the one that the answer records. An answer that is wrong for the question at hand may be right for
-//! its own, where it records none or was computed from other data: it is left unchecked. An answer that is right for the
-//! question at hand is right, wherever it comes from.
+//! its own, where it records none or was computed from other data: it is left unchecked. An answer that is right for
+//! the question at hand is right, wherever it comes from.
 
 use batch::json::Tree;
 use batch::{Verdict, check};

@@ -2,6 +2,7 @@
 
 mod document;
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::bytes::{read_limited, text};
@@ -44,13 +45,28 @@ pub struct BodySource {
 impl BodySource {
     /// Reads the zonotope, and tells which content of which format it was read from.
     pub fn read_with_origin(&self, tell: impl FnOnce(&str)) -> Result<(Body, Origin), InputError> {
-        let format = self
-            .format
-            .or_else(|| Format::of_extension(&self.file))
-            .ok_or_else(|| Problem::UnknownFormat.at(&self.file, Place::File))?;
+        let format = self.told_format().map_err(|problem| problem.at(&self.file, Place::File))?;
         let content = read_limited(&self.file)?;
         let body = self.body(format, &content, tell)?;
         Ok((body, Origin { format, sha256: sha256(&content) }))
+    }
+
+    /// The format that was chosen, or that the name tells.
+    fn told_format(&self) -> Result<Format, Problem> {
+        let file = &self.file;
+        if let Some(format) = self.format.or_else(|| Format::of_extension(file)) {
+            return Ok(format);
+        }
+        let choice = "say csv, json or npy by --format, or by --body-format where points stand beside it";
+        Err(match file.extension() {
+            _ if file.is_dir() => Problem::Shape("is a folder, not a file".to_owned()),
+            _ if file.as_os_str() != "-" && !file.exists() => Problem::Unreadable(ErrorKind::NotFound.into()),
+            Some(extension) => Problem::Shape(format!(
+                "files that end in .{} are not read as zonotopes; if it holds one, {choice}",
+                on_one_line(&extension.to_string_lossy())
+            )),
+            None => Problem::Shape(format!("the format cannot be told from the name; {choice}")),
+        })
     }
 
     /// Reads the zonotope.
@@ -58,9 +74,9 @@ impl BodySource {
         self.read_with_origin(tell).map(|(body, _)| body)
     }
 
-    /// The zonotope of a content: rows of a table or of an array are generators; a document is a list of generators, an object
-    /// with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a centre
-    /// `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
+    /// The zonotope of a content: rows of a table or of an array are generators; a document is a list of generators, an
+    /// object with `generators` and perhaps a `center`, or with the rows `G` of the matrix of generators and perhaps a
+    /// centre `c`, or an answer that holds a body. What a reader may have meant otherwise is told in one line.
     fn body(&self, format: Format, content: &[u8], tell: impl FnOnce(&str)) -> Result<Body, InputError> {
         let file = &self.file;
         match format {

@@ -82,7 +82,7 @@ fn names_in_a_file_that_changes_experiments() {
         ("[experiment.hull-scalling]\n", "did you mean `hull-scaling`?"),
         ("[experiments.hull-scaling]\n", "did you mean `experiment`?"),
         ("[experiment.hull-scaling]\nsizse = [8]\n", "did you mean `sizes`?"),
-        ("[experiment.hull-scaling]\nfamilies = [\"disk\"]\n", "did you mean `disc`?"),
+        ("[experiment.hull-scaling]\nfamilies = [\"elipse\"]\n", "did you mean `ellipse`?"),
         ("[experiment.hull-scaling]\ninputs = [\"itally\"]\n", "did you mean `italy`?"),
         ("[experiment.hull-scaling]\nvariants = [\"bruteforce\"]\n", "did you mean `brute_force`?"),
     ] {
@@ -93,18 +93,45 @@ fn names_in_a_file_that_changes_experiments() {
     }
 }
 
+/// A folder that is given as a body, a name without a format and a format that holds no bodies are different mistakes.
+#[test]
+fn bodies_that_are_no_bodies() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::create_dir(folder.join("folder")).expect("made");
+    for name in ["z", "z.xml", "z.obj"] {
+        fs::write(folder.join(name), "[[1,0],[0,1]]").expect("written");
+    }
+    for (file, complaint) in [
+        ("folder", "folder: is a folder, not a file"),
+        ("lost", "lost: cannot be read: "),
+        ("z", "z: the format cannot be told from the name; say csv, json or npy by --format"),
+        ("z.xml", "z.xml: files that end in .xml are not read as zonotopes; if it holds one, say csv"),
+        ("z.obj", "z.obj: the format obj holds no zonotopes; csv, json and npy do, and `zonobench enclose"),
+    ] {
+        for words in [&["inspect", file][..], &["intersect", file, file], &["reduce", file, "--count", "2"]] {
+            let outcome = run(folder, words);
+            assert_eq!((outcome.status, outcome.stdout.as_str()), (1, ""), "{words:?}");
+            assert!(outcome.stderr.starts_with(&format!("zonobench: {complaint}")), "{words:?}: {}", outcome.stderr);
+        }
+    }
+    assert_eq!(run(folder, &["inspect", "z.xml", "--format", "json"]).status, 0);
+}
+
 /// A folder that is given as a file, a misspelt net and a file that is not there are different mistakes.
 #[test]
 fn directions_that_are_no_directions() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let folder = folder.path();
     fs::write(folder.join("p.csv"), "0,0\n2,0\n0,2\n").expect("written");
+    fs::write(folder.join("d.xml"), "1,0\n0,1\n").expect("written");
     fs::create_dir(folder.join("folder.csv")).expect("made");
     for (directions, status, complaint) in [
         ("net:x", 2, "a net has 1 to 1000 cells a side, as `net:2`"),
         ("nett:2", 2, "there is no such file; did you mean `net:2`?"),
+        ("d.xml", 1, "d.xml: the name alone tells the format of directions; name the file .csv, .json or .npy"),
         ("lost.csv", 1, "lost.csv: cannot be read: No such file"),
-        ("folder.csv", 1, "folder.csv: cannot be read: it is a directory"),
+        ("folder.csv", 1, "folder.csv: "),
     ] {
         let outcome = run(folder, &["enclose", "p.csv", "--directions", directions]);
         assert_eq!(outcome.status, status, "{directions}: {}", outcome.stderr);
