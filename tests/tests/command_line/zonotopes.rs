@@ -22,6 +22,15 @@ fn complaint(command: &mut Command, status: i32) -> String {
     String::from_utf8(output.stderr.clone()).expect("a complaint is text")
 }
 
+/// The complaint about a result that cannot be made, beside the summary, which is printed in any case.
+fn complaint_beside_summary(command: &mut Command) -> String {
+    let assertion = command.assert().code(1);
+    let output = assertion.get_output();
+    let summary = String::from_utf8_lossy(&output.stdout);
+    assert!(summary.starts_with("body ") && summary.contains("\ndimension "), "{summary}");
+    String::from_utf8(output.stderr.clone()).expect("a complaint is text")
+}
+
 const CUBE: &str = r#"{"center":[0,0,0],"generators":[[1,0,0],[0,1,0],[0,0,1]]}"#;
 
 /// Pairs of bodies, and what must be said of them.
@@ -167,7 +176,7 @@ fn meshes() {
     assert_eq!(count("c.ply", "element vertex 8") + count("c.ply", "element face 6"), 2);
     assert_eq!(fs::read(folder.path().join("c.stl")).expect("a mesh").len(), 84 + 12 * 50);
     for name in ["square.json", "segment.json"] {
-        let complaint = complaint(zonobench(&folder).args(["inspect", name, "--obj", "no.obj"]), 1);
+        let complaint = complaint_beside_summary(zonobench(&folder).args(["inspect", name, "--obj", "no.obj"]));
         assert!(complaint.starts_with(&format!("zonobench: {name}: ")), "{complaint}");
         assert!(!folder.path().join("no.obj").exists());
     }
@@ -180,7 +189,7 @@ fn a_mesh_holds_finite_numbers() {
     written(&folder, "largest.json", "[[1.7e308,0,0],[1.7e308,1e308,0],[0,0,1e308]]");
     output(zonobench(&folder).args(["inspect", "large.json", "--obj", "large.obj"]));
     for (body, switch) in [("large.json", "--stl"), ("largest.json", "--obj"), ("largest.json", "--ply")] {
-        let complaint = complaint(zonobench(&folder).args(["inspect", body, switch, "mesh"]), 1);
+        let complaint = complaint_beside_summary(zonobench(&folder).args(["inspect", body, switch, "mesh"]));
         assert!(complaint.contains("coordinate above"), "{complaint}");
         assert!(!folder.path().join("mesh").exists());
     }

@@ -3,6 +3,7 @@
 use zonotope::zonotope::Zonotope;
 
 use super::MAX_VECTORS;
+use super::nearest::{did_you_mean, nearest};
 use super::place::Place;
 use super::placement::Placement;
 use super::refusal::{Code, Refusal};
@@ -27,12 +28,17 @@ impl<'a> Fields<'a> {
             return Err(Refusal::bad_input(format!("`{name}` is {}, not an object", object.describe())));
         };
         let whole = if place == Place::default() { "the input".to_owned() } else { format!("`{name}`") };
+        let is_known = |name: &str| expected.contains(&name) || optional.contains(&name);
+        let mut unknown = fields.iter().map(|(name, _)| name.as_str()).filter(|name| !is_known(name));
         if let Some(missing) = expected.iter().find(|name| object.field(name).is_none()) {
-            return Err(Refusal::bad_input(format!("missing field `{missing}` in {whole}")));
+            let misspelt = unknown.find(|name| nearest(name, [*missing]).is_some());
+            let near = misspelt.map_or_else(String::new, |name| format!("; did you misspell it `{name}`?"));
+            return Err(Refusal::bad_input(format!("missing field `{missing}` in {whole}{near}")));
         }
-        let is_known = |name: &String| expected.contains(&name.as_str()) || optional.contains(&name.as_str());
-        if let Some((extra, _)) = fields.iter().find(|(name, _)| !is_known(name)) {
-            return Err(Refusal::bad_input(format!("extra field `{extra}` in {whole}")));
+        if let Some(extra) = unknown.next() {
+            let absent = optional.iter().copied().filter(|name| object.field(name).is_none());
+            let near = did_you_mean(extra, absent);
+            return Err(Refusal::bad_input(format!("extra field `{extra}` in {whole}{near}")));
         }
         Ok(Self { object, place })
     }

@@ -25,6 +25,7 @@ mod dimension;
 mod fields;
 pub mod json;
 mod kinds;
+mod nearest;
 mod place;
 pub mod placement;
 mod question;
@@ -35,6 +36,7 @@ use serde_json::{Map, Value, json};
 
 pub use dimension::MAX_DIMENSION;
 pub use kinds::{KINDS, Kind, min_area_result};
+pub use nearest::{did_you_mean, nearest};
 pub use refusal::{Code, Refusal};
 pub use transcript::{Verdict, check, check_unread, verify};
 

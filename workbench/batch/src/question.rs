@@ -5,6 +5,7 @@ use serde::de::IgnoredAny;
 
 use super::fields::Fields;
 use super::kinds::{KINDS, Solution};
+use super::nearest::did_you_mean;
 use super::place::{Place, Step};
 use super::refusal::{Code, Refusal};
 use crate::json::{self, MAX_VALUES, NonFinite, ReadError, Tree};
@@ -49,7 +50,10 @@ fn envelope(tree: Tree) -> Result<Question, Refusal> {
             "kind" => &mut kind,
             "method" => &mut method,
             "input" => &mut input,
-            _ => return Err(Refusal::bad_input(format!("extra field `{name}` in the question"))),
+            other => {
+                let near = did_you_mean(other, ["id", "kind", "method", "input"]);
+                return Err(Refusal::bad_input(format!("extra field `{name}` in the question{near}")));
+            }
         };
         *slot = Some(value);
     }
@@ -73,14 +77,16 @@ impl Question {
         let names = |names: &mut dyn Iterator<Item = &'static str>| names.collect::<Vec<_>>().join(", ");
         let kind = KINDS.iter().find(|kind| kind.name == self.kind).ok_or_else(|| {
             let known = names(&mut KINDS.iter().map(|kind| kind.name));
-            Refusal::new(Code::UnknownKind, format!("there is no kind `{}`; the kinds are {known}", self.kind))
+            let near = did_you_mean(&self.kind, KINDS.iter().map(|kind| kind.name));
+            Refusal::new(Code::UnknownKind, format!("there is no kind `{}`; the kinds are {known}{near}", self.kind))
         })?;
         let methods = (kind.methods)();
         let method = match &self.method {
             None => None,
             Some(wanted) => Some(methods.iter().copied().find(|name| name == wanted).ok_or_else(|| {
                 let known = names(&mut methods.iter().copied());
-                let message = format!("`{}` has no method `{wanted}`; its methods are {known}", kind.name);
+                let near = did_you_mean(wanted, methods.iter().copied());
+                let message = format!("`{}` has no method `{wanted}`; its methods are {known}{near}", kind.name);
                 Refusal::new(Code::UnknownMethod, message)
             })?),
         };

@@ -12,7 +12,7 @@
 //! `verifier` does with exact arithmetic of its own.
 //!
 //! Results go to standard output, progress and complaints to standard error. The exit status is 0 for success, 1 for
-//! a failure and 2 for a command line that makes no sense.
+//! a failure, 2 for a command line that makes no sense and 141 where the reader of standard output went away.
 
 pub mod cli;
 pub mod commands;
@@ -34,6 +34,9 @@ use clap::{CommandFactory, Parser};
 use cli::{Cli, Command};
 use commands::{Ending, Usage};
 
+/// The status of a program whose reader went away before the end, as shells tell it of one that SIGPIPE ended.
+const READER_GONE: u8 = 141;
+
 /// Runs the program with the given command line, its name included.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(arguments) {
@@ -49,9 +52,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     match dispatch(&cli) {
         Ok(Ending::Good) => ExitCode::SUCCESS,
         Ok(Ending::Bad) => ExitCode::FAILURE,
-        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) if is_broken_pipe(&error) => ExitCode::from(READER_GONE),
         Err(error) => {
-            eprintln!("zonobench: {}", told_once(&error));
+            commands::tell(&told_once(&error));
             if error.is::<Usage>() { ExitCode::from(2) } else { ExitCode::FAILURE }
         }
     }

@@ -49,6 +49,17 @@ impl Existing {
     }
 }
 
+/// Results on their way to files.
+#[derive(Debug, Default)]
+pub struct Results<'a>(Vec<(&'a Path, anyhow::Result<Vec<u8>>)>);
+
+impl<'a> Results<'a> {
+    /// Adds a result that a file was named for; it is not made otherwise.
+    pub fn add(&mut self, file: Option<&'a PathBuf>, content: impl FnOnce() -> anyhow::Result<Vec<u8>>) {
+        self.0.extend(file.map(|file| (file.as_path(), content())));
+    }
+}
+
 /// Where the results of a command go: to files, and one of them to standard output if it is named `-`.
 #[derive(Debug, Clone, Copy)]
 pub struct Outputs {
@@ -58,8 +69,9 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Refuses early, before the work is done, what [`write_whole`] would refuse after it, and files that are named
-    /// twice or are read as well.
+    /// Refuses early, before the work is done, what [`write_whole`] would refuse after it: files that exist, whose
+    /// folder cannot be made or takes no files, that are named twice or are read as well. Standard output is refused
+    /// where it is closed.
     pub fn checked<'a>(
         outputs: impl IntoIterator<Item = &'a PathBuf>,
         inputs: &[&Path],
@@ -71,9 +83,11 @@ impl Outputs {
         let mut taken = Vec::new();
         for output in outputs {
             let place = if is_piped(output) {
+                check_standard_output().map_err(unwritable(output))?;
                 output.clone()
             } else {
                 check_free(output, existing)?;
+                check_room(output).map_err(unwritable(output))?;
                 place(output)
             };
             if inputs.contains(&place) {
@@ -96,6 +110,26 @@ impl Outputs {
         output.write_all(content).and_then(|()| output.flush()).map_err(unwritable(file))
     }
 
+    /// Writes the results, each to its file, and tells the summary whatever becomes of them: one that cannot be made or
+    /// written keeps none of the others back. Gives the first failure.
+    pub fn finish(&self, results: Results<'_>, summary: &str) -> anyhow::Result<()> {
+        let outcomes = self.write_all(results);
+        let told = self.tell(summary);
+        first_failure(outcomes).and(told.map_err(Into::into))
+    }
+
+    /// The same, with the summary on standard error: standard output has lines of its own.
+    pub fn finish_on_standard_error(&self, results: Results<'_>, summary: &str) -> anyhow::Result<()> {
+        let outcomes = self.write_all(results);
+        let told = io::stderr().lock().write_all(summary.as_bytes());
+        first_failure(outcomes).and(told.map_err(Into::into))
+    }
+
+    /// What became of each result.
+    fn write_all(&self, results: Results<'_>) -> Vec<anyhow::Result<()>> {
+        results.0.into_iter().map(|(file, content)| Ok(self.write(file, &content?)?)).collect()
+    }
+
     /// Prints lines on standard output, unless a result has that to itself.
     pub fn print(&self, lines: &str) -> io::Result<()> {
         if self.has_piped_result { Ok(()) } else { io::stdout().lock().write_all(lines.as_bytes()) }
@@ -111,11 +145,18 @@ impl Outputs {
     }
 }
 
+fn first_failure(outcomes: Vec<anyhow::Result<()>>) -> anyhow::Result<()> {
+    outcomes.into_iter().collect()
+}
+
 fn is_piped(file: &Path) -> bool {
     file.as_os_str() == "-"
 }
 
 fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
+    if file.is_dir() && !file.is_symlink() {
+        return Err(unwritable(file)(io::Error::other("is a folder, not a file")));
+    }
     if existing == Existing::Keep && file.symlink_metadata().is_ok() {
         return Err(OutputError::Exists(file.to_path_buf()));
     }
@@ -123,23 +164,62 @@ fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
     if file.is_symlink() {
         return Err(OutputError::Link(file.to_path_buf()));
     }
-    if file.is_dir() {
-        return Err(unwritable(file)(io::Error::from(io::ErrorKind::IsADirectory)));
-    }
     if file.exists() && !file.is_file() {
         return Err(unwritable(file)(io::Error::other("is not an ordinary file")));
     }
     Ok(())
 }
 
+/// Makes a file of a temporary name where the given one will stand, or where its folder will be made.
+fn check_room(file: &Path) -> io::Result<()> {
+    match file.symlink_metadata() {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    let existing = folder_of(file).ancestors().find(|folder| folder.as_os_str().is_empty() || folder.exists());
+    let folder = existing.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let told = |error: io::Error| {
+        let kind = error.kind();
+        io::Error::new(kind, format!("no file can be made in {}: {}", folder.display(), io::Error::from(kind)))
+    };
+    new_file(folder).map(drop).map_err(told)
+}
+
+/// Refuses standard output that nothing is open for, where that can be told.
+///
+/// A program whose standard output is closed finds the null device in its place before it begins, open for reading as
+/// well, so that what it writes vanishes with every sign of success. Somebody who wants that opens the device for
+/// writing alone, as shells do.
+pub fn check_standard_output() -> io::Result<()> {
+    #[cfg(target_os = "linux")]
+    {
+        const OPEN_FOR_BOTH: u32 = 2;
+        const ACCESS: u32 = 3;
+        let is_null = fs::read_link("/proc/self/fd/1").is_ok_and(|device| device == Path::new("/dev/null"));
+        let described = fs::read_to_string("/proc/self/fdinfo/1").unwrap_or_default();
+        let flags = described.lines().find_map(|line| line.strip_prefix("flags:"));
+        let flags = flags.and_then(|flags| u32::from_str_radix(flags.trim(), 8).ok()).unwrap_or_default();
+        if is_null && flags & ACCESS == OPEN_FOR_BOTH {
+            let complaint = "standard output is closed, or is the null device open for reading as well; `>/dev/null` \
+                             drops what is written";
+            return Err(io::Error::other(complaint));
+        }
+    }
+    Ok(())
+}
+
+fn folder_of(file: &Path) -> &Path {
+    match file.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    }
+}
+
 /// Writes `content` under a temporary name in the same folder, then gives it its own name in one step, so that whatever
 /// interrupts the program, nothing partial ever stands under the final name. Missing folders are made.
 pub fn write_whole(file: &Path, content: &[u8], existing: Existing) -> Result<(), OutputError> {
     check_free(file, existing)?;
-    let folder = match file.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(file);
     fs::create_dir_all(folder).map_err(unwritable(file))?;
     let temporary = written(folder, content).map_err(unwritable(file))?;
     let outcome = match existing {
@@ -156,18 +236,23 @@ pub fn write_whole(file: &Path, content: &[u8], existing: Existing) -> Result<()
 }
 
 fn written(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
-    let mut builder = Builder::new();
-    builder.prefix(".zonobench-");
-    // Ordinary permissions (the process's mask applies) in place of a temporary file's private ones.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let temporary = builder.tempfile_in(folder)?;
+    let temporary = new_file(folder)?;
     let mut writer = BufWriter::new(&temporary);
     writer.write_all(content)?;
     writer.flush()?;
     drop(writer);
     temporary.as_file().sync_all()?;
     Ok(temporary)
+}
+
+/// An empty file of a temporary name, which goes when it is dropped.
+fn new_file(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = Builder::new();
+    builder.prefix(".zonobench-");
+    // Ordinary permissions (the process's mask applies) in place of a temporary file's private ones.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
 }
 
 fn unwritable(file: &Path) -> impl FnOnce(io::Error) -> OutputError {
@@ -224,6 +309,34 @@ mod tests {
         assert!(refused.ends_with("link: is a link; name the file that it leads to, or - for standard output"));
         assert!(write_whole(&link, b"", Existing::Replace).is_err());
         assert!(link.is_symlink() && fs::read(&file).expect("readable") == b"mine");
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_written_is_refused_before_the_work() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let at = |name: &str| folder.path().join(name);
+        fs::write(at("file"), "1").expect("writable");
+        let long = "n".repeat(300);
+        for name in ["file/a.json", "file/b/a.json", &long, "."] {
+            let refused = Outputs::checked([&at(name)], &[], Existing::Replace).expect_err(name);
+            assert!(matches!(refused, OutputError::Unwritable { .. }), "{name}: {refused}");
+        }
+        Outputs::checked([&at("new/folder/a.json")], &[], Existing::Keep).expect("folders are made");
+        assert_eq!(fs::read_dir(folder.path()).expect("listed").count(), 1, "nothing is left of the trial");
+    }
+
+    #[test]
+    fn a_result_that_fails_keeps_no_other_back() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let [broken, good] = ["broken", "good"].map(|name| folder.path().join(name));
+        let outputs = Outputs::checked([&broken, &good], &[], Existing::Keep).expect("free");
+        let mut results = Results::default();
+        results.add(Some(&broken), || Err(anyhow::anyhow!("no faces")));
+        results.add(Some(&good), || Ok(b"1".to_vec()));
+        results.add(None, || unreachable!("nobody asked for it"));
+        let failure = outputs.finish(results, "").expect_err("the first result fails");
+        assert_eq!(failure.to_string(), "no faces");
+        assert_eq!((broken.exists(), fs::read(&good).expect("written")), (false, b"1".to_vec()));
     }
 
     #[test]

@@ -1,36 +1,36 @@
 //! `zonobench contains`: on which side of a zonotope's boundary each point of a file lies.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::json;
 
 use super::Ending;
-use super::asked::{Asked, floats, how_to_verify};
+use super::asked::{About, Asked, body_formats, floats, how_to_verify, record};
 use super::asking::PointOptions;
 use super::placing::{Placing, describe};
-use super::table::{Table, figure};
+use super::table::{Table, in_full, with_six_digits};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
 use crate::input::{Format, Placed, Reading, Wanted};
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
-use batch::json::vector_to_json;
 
 /// Options of `contains`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The zonotope, of one to four dimensions: JSON with `generators` and perhaps a `center`, an answer that holds
-    /// one, or a table whose rows are generators; `-` is standard input.
+    /// The zonotope, of one to four dimensions: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard
+    /// input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
     body: PathBuf,
-    /// The points: CSV, GeoJSON, JSON, NPY or a mesh, told from the extension; `-` is standard input.
+    /// The points: a table, GeoJSON, JSON, an array of NumPy or a mesh, as the extension tells; `-` is standard input.
     points: PathBuf,
     #[command(flatten)]
     reading: PointOptions,
     /// The format of the zonotope, where the extension does not tell it.
-    #[arg(long, value_name = "FORMAT")]
+    #[arg(long, value_name = "FORMAT", value_parser = body_formats())]
     body_format: Option<Format>,
     #[command(flatten)]
     placing: Placing,
@@ -53,25 +53,29 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let body = options.placing.read(&options.body, options.body_format)?;
+    let file = options.placing.read(&options.body, options.body_format)?;
     let reading = source.read(Wanted::Any)?;
-    reading.check_dimension(&options.points, body.dimension())?;
+    reading.check_dimension(&options.points, file.placed.dimension())?;
 
     let name = format!("{} and {}", question_name(&options.body), question_name(&options.points));
-    let mut input = body.question();
-    input["points"] = reading.points.rows().map(vector_to_json).collect();
-    let asked = Asked::of(json!({"id": name, "kind": "member_batch", "input": input}))?;
+    let request = record(About::Contains, &[&file], Some((&options.reading, &reading)), None);
+    let asked = Asked::of(About::Contains.question(&name, &[file.placed.question()], Some(&reading), None))?;
     let verdict = asked.verdict();
-    asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
 
     let statuses: Vec<&str> =
         asked.result()["status"].as_array().into_iter().flatten().filter_map(|status| status.as_str()).collect();
     let mut lines = String::new();
     for (number, (status, gauge)) in (1..).zip(statuses.iter().zip(floats(&asked.result()["gauge"]))) {
-        writeln!(lines, "{number}\t{status}\t{}", figure(gauge)).expect("writing to a string does not fail");
+        writeln!(lines, "{number}\t{status}\t{}", in_full(gauge)).expect("writing to a string does not fail");
     }
-    outputs.print(&lines)?;
-    io::stderr().lock().write_all(summary(options, &body, &reading, &statuses, &verdict).as_bytes())?;
+    let [question, answer] = asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    let printed = outputs.print(&lines);
+    let summary = summary(options, &file.placed, &reading, &statuses, &verdict);
+    outputs.finish_on_standard_error(results, &summary)?;
+    printed?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
@@ -86,11 +90,14 @@ fn summary(options: &Options, body: &Placed, reading: &Reading, statuses: &[&str
         table.row(status, statuses.iter().filter(|&&found| found == status).count().to_string());
     }
     let certificate = match verdict {
-        Verdict::Right(proved) => format!("checked: {proved}"),
+        Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
         Verdict::Unchecked(reason) => format!("not checked: {reason}"),
         Verdict::Wrong(reason) => format!("WRONG: {reason}"),
     };
     table.row("certificate", certificate);
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row(
+        "verify",
+        how_to_verify(&[&options.body, &options.points], options.question.as_ref(), options.json.as_ref()),
+    );
     table.text()
 }

@@ -19,13 +19,13 @@ use super::usage::{Usage, check_inputs, check_names};
 use super::verify::question_name;
 use crate::enclosure::{Enclosure, exact_to_json};
 use crate::input::{Points, Reading};
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use crate::progress::Progress;
 
 /// Options of `enclose`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The points: CSV, GeoJSON, JSON or a mesh, told from the extension; `-` is standard input.
+    /// The points: a table, GeoJSON, JSON, an array of NumPy or a mesh, as the extension tells; `-` is standard input.
     file: PathBuf,
     #[command(flatten)]
     asking: Asking,
@@ -96,11 +96,9 @@ fn by_area(options: &Options, reading: &Reading, progress: Progress, outputs: Ou
     drop(progress);
 
     let exact = options.exact.then(|| enclosure.exact());
-    if let Some(file) = &options.svg {
-        let svg = drawing::draw(&options.file, points, &enclosure);
-        outputs.write(file, svg.as_bytes())?;
-    }
-    if let Some(file) = &options.json {
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || Ok(drawing::draw(&options.file, points, &enclosure).into_bytes()));
+    results.add(options.json.as_ref(), || {
         let mut result = enclosure.result();
         if let Some(exact) = &exact {
             result["exact"] = exact_to_json(exact);
@@ -112,8 +110,8 @@ fn by_area(options: &Options, reading: &Reading, progress: Progress, outputs: Ou
             "request": options.asking.record(reading, Objective::Area)?,
             "result": result,
         });
-        outputs.write(file, format!("{answer}\n").as_bytes())?;
-    }
-    outputs.tell(&summary::summary(options, reading, &enclosure, proof.as_ref(), exact.as_ref()))?;
+        Ok(format!("{answer}\n").into_bytes())
+    });
+    outputs.finish(results, &summary::summary(options, reading, &enclosure, proof.as_ref(), exact.as_ref()))?;
     Ok(if proof.is_ok() { Ending::Good } else { Ending::Bad })
 }

@@ -9,8 +9,9 @@ use figures::figure::FigureInput;
 
 use super::Ending;
 use super::usage::{Usage, check_names};
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use crate::progress::RunProgress;
+use crate::report::USUAL_SEED;
 
 /// Options of `figure`.
 #[derive(Debug, Args)]
@@ -21,7 +22,7 @@ pub struct Options {
     #[arg(long, value_name = "FILE")]
     svg: PathBuf,
     /// The seed of the experiments that the figure shows, if it shows any.
-    #[arg(long, default_value_t = 2003)]
+    #[arg(long, default_value_t = USUAL_SEED)]
     seed: u64,
     /// Replace a file that exists.
     #[arg(long)]
@@ -45,7 +46,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
     let records = runner::run(&experiments, &run, &RunProgress::default())?;
     let svg = figure.draw(&FigureInput { records: Some(&records) })?;
-    outputs.write(&options.svg, svg.as_bytes())?;
-    outputs.tell(&format!("{}\n{}\n", figure.title, figure.caption))?;
+    let mut results = Results::default();
+    results.add(Some(&options.svg), || Ok(svg.into_bytes()));
+    outputs.finish(results, &format!("{}\n{}\n", figure.title, figure.caption))?;
     Ok(Ending::Good)
 }

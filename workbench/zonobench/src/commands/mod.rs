@@ -30,6 +30,7 @@ use std::path::Path;
 use anyhow::Context;
 
 pub use usage::Usage;
+pub(crate) use usage::tell;
 
 /// How a command ended that ran to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,6 +9,7 @@ use anyhow::{anyhow, bail};
 use clap::Args;
 
 pub(super) use self::motion::{Shift, Turn};
+use super::asked::BodyFile;
 use super::table::{ROUNDED, Table, counted, figure, tuple};
 use super::usage::tell;
 use crate::input::{BodySource, Format, Layout, Placed};
@@ -89,9 +90,9 @@ impl Placing {
 
     /// Reads the body, and puts it where its file and the options say: first the pose of its file, then that of the
     /// option, then the turn, then the move.
-    pub(super) fn read(&self, file: &Path, format: Option<Format>) -> anyhow::Result<Placed> {
+    pub(super) fn read(&self, file: &Path, format: Option<Format>) -> anyhow::Result<BodyFile> {
         let layout = Layout { columns_are_generators: self.columns_are_generators, center_first: self.center_first };
-        let mut placed = BodySource { file: file.to_path_buf(), format, layout }.read(tell)?;
+        let (mut placed, origin) = BodySource { file: file.to_path_buf(), format, layout }.read(tell)?;
         let dimension = placed.dimension();
         let given = [
             self.pose.as_deref().map(|pose| pose_file::read(pose, dimension)),
@@ -115,7 +116,7 @@ impl Placing {
                 }
             });
         }
-        Ok(placed)
+        Ok(BodyFile { placed, origin, layout })
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use batch::did_you_mean;
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
@@ -38,7 +39,10 @@ pub fn man(options: &ManOptions, mut program: Command) -> anyhow::Result<Ending>
     let page = match &options.command {
         None => program,
         Some(name) => {
-            let found = program.find_subcommand(name).ok_or_else(|| Usage::UnknownCommand(name.clone()))?;
+            let found = program.find_subcommand(name).ok_or_else(|| {
+                let near = did_you_mean(name, program.get_subcommands().map(Command::get_name));
+                Usage::UnknownCommand { name: name.clone(), near }
+            })?;
             found.clone()
         }
     };

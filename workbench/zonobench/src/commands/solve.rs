@@ -3,11 +3,13 @@
 use std::io::{self, BufRead, BufWriter, Write};
 use std::path::PathBuf;
 
+use anyhow::Context;
 use clap::Args;
 use thiserror::Error;
 
 use super::{Ending, open};
 use crate::lines::Lines;
+use crate::output::check_standard_output;
 use crate::progress::Progress;
 use batch::MAX_LINE_BYTES;
 
@@ -26,6 +28,7 @@ pub struct Options {
 
 /// Answers every question.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
+    check_standard_output().context("the answers cannot be written")?;
     let name = options.file.as_ref().map_or("standard input".to_owned(), |file| file.display().to_string());
     let source = open(options.file.as_deref())?;
     let progress = Progress::counting("questions");

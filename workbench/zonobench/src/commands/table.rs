@@ -31,11 +31,99 @@ pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
 }
 
 /// A number as it is written in the answer: enough digits to be read back unchanged.
-pub(super) fn figure(number: f64) -> String {
+pub(super) fn in_full(number: f64) -> String {
     if number.is_finite() { format!("{number:?}") } else { "beyond the range of doubles".to_owned() }
+}
+
+/// A number for the eye, rounded to six digits.
+pub(super) fn figure(number: f64) -> String {
+    rounded(number, |_, _| false)
+}
+
+/// A bound from below: rounded down.
+pub(super) fn at_least(number: f64) -> String {
+    rounded(number, |shown, number| shown > number)
+}
+
+/// A bound from above: rounded up.
+pub(super) fn at_most(number: f64) -> String {
+    rounded(number, |shown, number| shown < number)
+}
+
+/// The digits that are shown of a number.
+const DIGITS: i64 = 6;
+
+/// A number in six digits: the nearest such number, or its neighbour on the other side where it is on the wrong one.
+fn rounded(number: f64, is_wrong: impl Fn(f64, f64) -> bool) -> String {
+    let scientific = format!("{number:.*e}", DIGITS as usize - 1);
+    let Some((digits, exponent)) = scientific.split_once('e') else { return in_full(number) };
+    let (Ok(digits), Ok(exponent)) = (digits.replace('.', "").parse::<i64>(), exponent.parse::<i64>()) else {
+        return in_full(number);
+    };
+    let shown = |digits: i64, exponent: i64| {
+        let shown = format!("{digits}e{}", exponent - DIGITS + 1).parse().ok();
+        shown.filter(|shown: &f64| shown.is_finite()).unwrap_or(number)
+    };
+    let nearest = shown(digits, exponent);
+    if !is_wrong(nearest, number) {
+        return in_full(nearest);
+    }
+    let step = if nearest > number { -1 } else { 1 };
+    // Numbers below a power of ten are ten times closer to each other.
+    let is_finer = digits.abs() == 10i64.pow(DIGITS as u32 - 1) && digits.signum() != step;
+    in_full(if is_finer { shown(10 * digits + step, exponent - 1) } else { shown(digits + step, exponent) })
+}
+
+/// A sentence of the verifier with its numbers in six digits: bounds, as the words around them tell, on their side.
+pub(super) fn with_six_digits(sentence: &str) -> String {
+    let words: Vec<&str> = sentence.split(' ').collect();
+    let before = |index: usize, back: usize| index.checked_sub(back).map_or("", |index| words[index]);
+    let shown = |(index, word): (usize, &&str)| {
+        let number = word.trim_end_matches([';', ',', ':', ')', '.']);
+        let digits = number.split('e').next().unwrap_or_default().bytes().filter(u8::is_ascii_digit).count();
+        let value = number.parse::<f64>().ok().filter(|_| number.contains('.') && digits > DIGITS as usize);
+        let Some(value) = value else { return (*word).to_owned() };
+        let rounded = match (before(index, 2), before(index, 1)) {
+            ("at", "most") | (_, "to") => at_most(value),
+            ("at", "least") => at_least(value),
+            _ if words.get(index + 1) == Some(&"to") => at_least(value),
+            _ => figure(value),
+        };
+        rounded + &word[number.len()..]
+    };
+    words.iter().enumerate().map(shown).collect::<Vec<_>>().join(" ")
 }
 
 /// A vector.
 pub(super) fn tuple(vector: &[f64]) -> String {
     format!("({})", vector.iter().map(|&x| figure(x)).collect::<Vec<_>>().join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn screens_show_six_digits_on_the_safe_side() {
+        for (number, nearest, below, above) in [
+            (1.0 / 3.0, "0.333333", "0.333333", "0.333334"),
+            (-2.0 / 3.0, "-0.666667", "-0.666667", "-0.666666"),
+            (12.0, "12.0", "12.0", "12.0"),
+            (0.0, "0.0", "0.0", "0.0"),
+            (123_456_789.0, "123457000.0", "123456000.0", "123457000.0"),
+            (0.999_999_9, "1.0", "0.999999", "1.0"),
+            (1.000_000_1, "1.0", "1.0", "1.00001"),
+            (5e-324, "5e-324", "5e-324", "5e-324"),
+        ] {
+            assert_eq!([figure(number), at_least(number), at_most(number)], [nearest, below, above], "{number:?}");
+        }
+        let sentence = "the distance is 1.601571521802106 to 1.616587602298466; at most 1.000000000613 times 2.5";
+        let shown = "the distance is 1.60157 to 1.61659; at most 1.00001 times 2.5";
+        assert_eq!(with_six_digits(sentence), shown);
+        for beyond in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(figure(beyond), "beyond the range of doubles");
+        }
+        assert_eq!(at_most(f64::MAX), "1.7976931348623157e308", "no number of six digits is above");
+        assert!(at_least(2.0f64.powi(-1074) * 3.0).parse::<f64>().is_ok_and(|below| below <= 2.0f64.powi(-1074) * 3.0));
+    }
 }

@@ -1,7 +1,9 @@
 //! Command lines that parse but make no sense.
 
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use batch::did_you_mean;
 use thiserror::Error;
 
 /// Why a command line that parses makes no sense.
@@ -17,11 +19,19 @@ pub enum Usage {
         reason: &'static str,
     },
     /// An id names nothing that there is.
-    #[error("'{0}': there is no experiment or figure of this name; `zonobench list` names those that there are")]
+    #[error(
+        "'{0}': there is no experiment or figure of this name; `zonobench list` names those that there are{near}",
+        near = near_id(.0)
+    )]
     UnknownId(String),
     /// There is no command of the name.
-    #[error("'{0}': there is no command of this name; `zonobench help` names those that there are")]
-    UnknownCommand(String),
+    #[error("'{name}': there is no command of this name; `zonobench help` names those that there are{near}")]
+    UnknownCommand {
+        /// The name.
+        name: String,
+        /// The nearest one as the end of the sentence, if there is a near one.
+        near: String,
+    },
     /// Options tell what was asked of a data file, but there is a file of questions.
     #[error(
         "{}: read as questions, which tell themselves what is asked; other options are for a data file, whose format \
@@ -29,6 +39,12 @@ pub enum Usage {
         .0.display()
     )]
     OptionsForQuestions(PathBuf),
+    /// An answer stands beside two files, but is not about two.
+    #[error(
+        "two files stand before the answer, but it is not about two bodies, or a body and points; zonobench verify \
+         FILE ANSWER checks an answer about one file, and QUESTIONS ANSWERS those of `solve`"
+    )]
+    NotAboutTwoFiles,
     /// The name of a result ends as that of a file in another format.
     #[error(
         "{}: the name is that of another format; {format} is written here, so name it .{extension}",
@@ -45,6 +61,18 @@ pub enum Usage {
     /// Two inputs would be read from standard input, which can be read once.
     #[error("-: two inputs cannot both be read from standard input; give the name of a file for one of them")]
     StandardInputTwice,
+}
+
+/// The nearest id of an experiment or a figure as the end of a sentence; of a claim the experiments that it rests on.
+fn near_id(id: &str) -> String {
+    let Some(claim) = paper_checks::catalog::find(id) else {
+        let experiments = experiments::catalog::EXPERIMENTS.iter().map(|experiment| experiment.id);
+        return did_you_mean(id, experiments.chain(figures::catalog::FIGURES.iter().map(|figure| figure.id)));
+    };
+    match claim.experiments() {
+        none if none.is_empty() => "; it is a claim that rests on no experiment".to_owned(),
+        some => format!("; it is a claim that rests on the experiments {}", some.join(", ")),
+    }
 }
 
 impl Usage {
@@ -83,9 +111,10 @@ pub(super) fn check_names(results: &[(&'static str, Option<&PathBuf>)]) -> Resul
     Ok(())
 }
 
-/// Tells a person on standard error what was understood, where something else may have been meant.
-pub(super) fn tell(line: &str) {
-    eprintln!("zonobench: {line}");
+/// Tells a person on standard error what is wrong, or what was understood where something else may have been meant.
+pub(crate) fn tell(line: &str) {
+    // A person who has gone away needs no message.
+    let _ = writeln!(io::stderr(), "zonobench: {line}");
 }
 
 /// Refuses inputs of which more than one is standard input.

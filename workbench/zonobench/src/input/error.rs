@@ -142,7 +142,10 @@ pub enum Problem {
         expected: usize,
     },
     /// A named column does not exist.
-    #[error("there is no column '{name}'; the columns are {available}")]
+    #[error(
+        "there is no column '{name}'; the columns are {available}{near}",
+        near = batch::did_you_mean(name, available.split(", "))
+    )]
     NoSuchColumn {
         /// The name asked for.
         name: String,

@@ -4,6 +4,7 @@
 //! the same bytes; what depends on them stands in `times.html`.
 //!
 //! - [`chapter`] is what a chapter is, `chapters` has them, in the order of the page.
+//! - `repeat` has the commands that find parts of it again.
 //! - `measured` looks numbers up in the records, `tables` has every table, `pages` puts the two pages together.
 
 pub mod chapter;
@@ -12,6 +13,7 @@ mod html;
 mod manifest;
 mod measured;
 mod pages;
+mod repeat;
 mod tables;
 
 use std::path::PathBuf;
@@ -23,6 +25,7 @@ use paper_checks::{CheckContext, ClaimResult};
 
 pub use manifest::{Manifest, OutputFile};
 pub use pages::{CITATION, DrawnFigure, report, times};
+pub use repeat::USUAL_SEED;
 
 /// Everything that a report is made of.
 #[derive(Debug)]

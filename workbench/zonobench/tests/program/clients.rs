@@ -1,11 +1,17 @@
-//! The client in Python, as the README shows it.
+//! The client in Python, as the README shows it, and when something comes in between.
 
 use std::fs;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Tells on standard error itself, which a test that passes does not keep for itself.
+fn tell_skipped(reason: &str) {
+    let _ = writeln!(io::stderr(), "SKIPPED, the client in Python was not run: {reason}");
 }
 
 /// Runs a script with the client in Python's path; none, and said so, where there is no Python.
@@ -19,10 +25,18 @@ fn run_python(script: &str) -> Option<Output> {
     match run {
         Ok(output) => Some(output),
         Err(error) => {
-            eprintln!("SKIPPED, the client in Python was not run: python3: {error}");
+            tell_skipped(&format!("python3: {error}"));
             None
         }
     }
+}
+
+/// Runs a script that raises where it does not find what it expects.
+fn holds(script: &str) -> String {
+    let Some(Output { status, stdout, stderr }) = run_python(script) else { return String::new() };
+    let [stdout, stderr] = [stdout, stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    assert!(status.success(), "{stderr}");
+    stdout
 }
 
 #[test]
@@ -48,6 +62,7 @@ fn a_refused_question_does_not_end_the_process() {
 from zonobench import Refused, Workbench
 
 with Workbench() as workbench:
+    process = workbench._process
     try:
         workbench.ask('support', direction=[0, float('nan')], center=[0, 0], generators=[])
     except Refused as refused:
@@ -61,6 +76,7 @@ with Workbench() as workbench:
     except Refused as refused:
         print(refused)
     print(workbench.ask('support', direction=[0, 2], center=[0, 1], generators=[[1, 1]])['value'])
+    assert workbench._process is process
 ";
     let Some(Output { stdout, .. }) = run_python(script) else { return };
     let lines = String::from_utf8(stdout).expect("Python writes text");
@@ -84,4 +100,34 @@ except FileNotFoundError as error:
     for word in ["'no-such-program'", "ZONOBENCH", "cargo install --path workbench/zonobench"] {
         assert!(said.contains(word), "{said}");
     }
+}
+
+#[test]
+fn four_threads_get_their_own_answers() {
+    holds(include_str!("clients/threads.py"));
+}
+
+#[test]
+fn numbers_of_every_sort_are_asked_about() {
+    if holds(include_str!("clients/sorts_of_numbers.py")).contains("numpy is not there") {
+        tell_skipped("its part with the arrays of NumPy, which is not installed");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn no_question_gets_the_answer_of_one_that_a_signal_interrupted() {
+    holds(include_str!("clients/interrupts.py"));
+}
+
+#[cfg(unix)]
+#[test]
+fn lines_that_answer_something_else_are_never_returned() {
+    holds(include_str!("clients/wrong_answers.py"));
+}
+
+#[cfg(unix)]
+#[test]
+fn processes_end_with_their_workbench_and_not_with_a_fork() {
+    holds(include_str!("clients/endings.py"));
 }

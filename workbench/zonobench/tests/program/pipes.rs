@@ -141,3 +141,31 @@ fn vertices_of_a_planar_body_are_points() {
         assert!(refused.stderr.contains(complaint), "{}", refused.stderr);
     }
 }
+
+/// The case `vertices-repeated`: two pairs of the six vertices round to the same doubles.
+#[test]
+fn vertices_that_round_to_one_point_are_written_once() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let folder = folder.path();
+    fs::write(folder.join("z.json"), r#"{"generators": [[1, 0], [0, 1], [1e-20, 1e-20]]}"#).expect("written");
+    let told = "zonobench: z.json: 6 vertices round to 4 points of doubles, each of which is written once\n";
+    let piped = good(run(folder, &["inspect", "z.json", "--vertices", "-"]), "-");
+    assert_eq!(piped.stdout, "x,y\n-1.0,-1.0\n1.0,-1.0\n1.0,1.0\n-1.0,1.0\n");
+    assert!(piped.stderr.starts_with(told), "{}", piped.stderr);
+    let written = good(run(folder, &["inspect", "z.json", "--vertices", "v.geojson"]), "v.geojson");
+    assert_eq!(written.stderr, told);
+    let ring = fs::read_to_string(folder.join("v.geojson")).expect("written");
+    let corners = "[[[-1.0,-1.0],[1.0,-1.0],[1.0,1.0],[-1.0,1.0],[-1.0,-1.0]]]";
+    assert!(ring.contains(corners), "{ring}");
+    for (body, geometry, rows) in [
+        (r#"{"center": [1, 1], "generators": [[1e-30, 0], [0, 1e-30], [1e-30, 1e-30]]}"#, "\"Point\"", 1),
+        (r#"{"center": [1, 1], "generators": [[1e-30, 2], [0, 1e-30]]}"#, "\"LineString\"", 2),
+    ] {
+        fs::write(folder.join("thin.json"), body).expect("written");
+        good(run(folder, &["inspect", "thin.json", "--vertices", "thin.geojson", "--force"]), body);
+        let written = fs::read_to_string(folder.join("thin.geojson")).expect("written");
+        let table = good(run(folder, &["inspect", "thin.json", "--vertices", "-"]), body);
+        assert!(written.contains(geometry), "{body}: {written}");
+        assert_eq!(table.stdout.lines().count(), 1 + rows, "{body}: {}", table.stdout);
+    }
+}

@@ -118,6 +118,17 @@ fn two_runs_are_compared() {
         "{}",
         other.stdout
     );
+    let reseeded = run(folder, &["reproduce", "--config", "my.toml", "--out", "seed7", "--seed", "7"]);
+    assert_eq!(reseeded.status, 0, "{}{}", reseeded.stdout, reseeded.stderr);
+    let seeds = run(folder, &["compare", "a", "seed7"]);
+    assert!(seeds.stdout.contains("seeds         2003 and 7: random inputs are not the same\n"), "{}", seeds.stdout);
+    assert!(seeds.stdout.contains("counts        not compared: all cases have other seeds\n"), "{}", seeds.stdout);
+    assert!(seeds.status == 1 && !seeds.stdout.contains("profiles"), "{}", seeds.stdout);
+    let manifest = folder.join("b/manifest.json");
+    let text = fs::read_to_string(&manifest).expect("a manifest");
+    fs::write(&manifest, text.replacen("\"quick\"", "\"full\"", 1)).expect("written");
+    let profiles = run(folder, &["compare", "a", "b"]).stdout;
+    assert!(profiles.contains("profiles      quick and full: sizes and numbers of instances"), "{profiles}");
     let missing = run(folder, &["compare", "a", "c"]);
     assert!(missing.stderr.starts_with("zonobench: c/records/counts.jsonl: cannot be read"), "{}", missing.stderr);
     assert_eq!(missing.status, 1);

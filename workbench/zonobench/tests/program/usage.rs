@@ -1,5 +1,9 @@
 //! Command lines that make no sense: status 2, nothing on standard output.
 
+mod ends;
+mod help;
+mod nearest;
+
 use std::fs;
 use std::path::Path;
 

@@ -1,5 +1,7 @@
 //! `verify`: right answers pass, every changed one is caught.
 
+mod requests;
+
 use std::fs;
 use std::path::Path;
 

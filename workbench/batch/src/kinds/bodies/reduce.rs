@@ -10,6 +10,7 @@ use crate::dimension::in_dimension;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
 use crate::kinds::{Kind, Solution};
+use crate::nearest::did_you_mean;
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const REDUCE: Kind = Kind {
@@ -43,7 +44,8 @@ fn reduce(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resu
     let rule = fields.text("rule")?;
     let Some(rule) = Method::from_id(rule) else {
         let known = Method::ALL.map(Method::id).join(", ");
-        return Err(Refusal::bad_input(format!("`rule` is \"{rule}\", not one of {known}")));
+        let near = did_you_mean(rule, Method::ALL.map(Method::id));
+        return Err(Refusal::bad_input(format!("`rule` is \"{rule}\", not one of {known}{near}")));
     };
     if let Some(other) = method.filter(|name| *name != rule.id()) {
         let message = format!("the method `{other}` is not the rule `{}` of the input", rule.id());

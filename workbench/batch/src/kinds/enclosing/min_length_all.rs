@@ -8,6 +8,7 @@ use crate::dimension::refused;
 use crate::fields::Fields;
 use crate::json::{to_json, vector_to_json};
 use crate::kinds::{Kind, Solution};
+use crate::nearest::did_you_mean;
 use crate::refusal::{Code, Refusal};
 
 pub(in crate::kinds) const KIND: Kind = Kind {
@@ -30,7 +31,8 @@ fn solve(fields: &Fields<'_>, method: Option<&'static str>, _seed: u64) -> Resul
         None | Some("length") => false,
         Some("volume") => true,
         Some(other) => {
-            return Err(Refusal::bad_input(format!("`objective` is \"{other}\", neither length nor volume")));
+            let near = did_you_mean(other, ["length", "volume"]);
+            return Err(Refusal::bad_input(format!("`objective` is \"{other}\", neither length nor volume{near}")));
         }
     };
     let result = match fields.dimension_of_first("points")?.unwrap_or(1) {

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use anyhow::{Context, bail};
+use batch::nearest;
 use zonotope::enclosing::min_total_length::direction_net::cell_corners;
 
-use crate::input::{PointSource, Wanted};
+use crate::input::{Format, PointSource, Wanted};
 
 /// Where directions come from.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,13 +33,25 @@ impl FromStr for Directions {
             return Ok(Self::Axes);
         }
         let Some(cells) = text.strip_prefix("net:") else {
-            return Ok(Self::File(PathBuf::from(text)));
+            return misspelt(text).map_or_else(|| Ok(Self::File(PathBuf::from(text))), Err);
         };
         match cells.parse() {
             Ok(cells) if (1..=NET_LIMIT).contains(&cells) => Ok(Self::Net(cells)),
-            _ => Err(format!("a net has 1 to {NET_LIMIT} cells a side")),
+            _ => Err(format!("a net has 1 to {NET_LIMIT} cells a side, as `net:2`")),
         }
     }
+}
+
+/// The complaint about a text that is nearly `axes` or a net and that no file is named.
+fn misspelt(text: &str) -> Option<String> {
+    if Path::new(text).exists() {
+        return None;
+    }
+    let near = match text.split_once(':') {
+        Some((name, cells)) => nearest(name, ["net"]).map(|net| format!("{net}:{cells}")),
+        None => nearest(text, ["axes", "net"]).map(|name| name.replace("net", "net:2")),
+    };
+    near.map(|near| format!("there is no such file; did you mean `{near}`?"))
 }
 
 impl Directions {
@@ -62,6 +75,10 @@ impl Directions {
                 None => vectors.clone(),
             },
             Self::File(file) => {
+                if Format::of_extension(file).is_none() && file.is_file() {
+                    let advice = "the name alone tells the format of directions; name the file .csv, .json or .npy";
+                    bail!("--directions: {}: {advice}", file.display());
+                }
                 let reading = PointSource::of_file(file.clone()).read(Wanted::Any).context("--directions")?;
                 let found = reading.points.dimension();
                 if found != dimension {
@@ -114,6 +131,13 @@ mod tests {
         for wrong in ["net:", "net:0", "net:x", "net:1001"] {
             assert!(wrong.parse::<Directions>().is_err(), "{wrong}");
         }
+        for (wrong, near) in
+            [("nett:2", "net:2"), ("NET:3", "net:3"), ("axis", "axes"), ("Axes", "axes"), ("net", "net:2")]
+        {
+            let complaint = wrong.parse::<Directions>().expect_err("a name that is nearly another");
+            assert_eq!(complaint, format!("there is no such file; did you mean `{near}`?"), "{wrong}");
+        }
+        assert_eq!("c:directions.csv".parse(), Ok(Directions::File("c:directions.csv".into())));
     }
 
     #[test]

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use self::directions::{Directions, length};
 pub use self::points::PointOptions;
 pub(super) use self::request::Recorded;
+pub(crate) use self::request::{POINT_FIELDS, RecordError, field, record_points, recorded_points, truth};
 use super::usage::{Usage, tell};
 use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
@@ -22,21 +23,25 @@ pub struct Asking {
     /// How to read the points.
     #[command(flatten)]
     pub points: PointOptions,
-    /// What is to be least: the area (in the plane), the total length of the generators, or the volume (in space, where
-    /// a local minimum is found). Without it, the area of points of the plane, the length of points of space (a mesh,
-    /// or columns named x, y and z) and where three or four columns, directions, a precision or a number of generators
-    /// are given.
+    /// What is to be least: the area (in the plane), the total length of the generators, or the volume (in space).
+    ///
+    /// Of the volume a local minimum is found. Without this option it is the area of points of the plane, and the
+    /// length of points of space (a mesh, or columns named x, y and z) and where three or four columns, directions, a
+    /// precision or a number of generators are given.
     #[arg(long)]
     objective: Option<Objective>,
-    /// Use these directions alone: a file with a direction a row, `axes`, or `net:K`, the corners of K cells along
-    /// each side of the faces of a cube.
+    /// Use these directions alone: the rows of a file, the coordinate axes, or a net of K cells a side.
+    ///
+    /// The directions of a net are the corners of K cells along each side of the faces of a cube.
     #[arg(long, value_name = "FILE|axes|net:K", conflicts_with = "epsilon")]
     directions: Option<Directions>,
-    /// How far the length may exceed the least one, relative to it: between 0 and 1, by default 0.001.
+    /// How far the length may exceed the least one, relative to it: between 0 and 1 [default: 0.001].
     #[arg(long, value_parser = precision)]
     epsilon: Option<f64>,
-    /// Use so many generators at most, at least as many as the points span dimensions, and as short ones as are found;
-    /// without it, few generators within epsilon of the least length.
+    /// Use so many generators at most, and as short ones as are found.
+    ///
+    /// There are at least as many as the points span dimensions. Without this option few generators within epsilon of
+    /// the least length are used.
     #[arg(long, value_name = "K", conflicts_with = "directions", value_parser = clap::value_parser!(u64).range(1..))]
     max_generators: Option<u64>,
 }
@@ -72,6 +77,18 @@ impl Asking {
         let Self { points, objective, directions, epsilon, max_generators } = self;
         let is_open = objective.is_none() && directions.is_none() && epsilon.is_none() && max_generators.is_none();
         is_open && *points == PointOptions::default()
+    }
+
+    /// The first option that asks for something around the points, if there is one.
+    pub(super) fn goal(&self) -> Option<&'static str> {
+        let Self { points: _, objective, directions, epsilon, max_generators } = self;
+        let given = [
+            ("--objective", objective.is_some()),
+            ("--directions", directions.is_some()),
+            ("--epsilon", epsilon.is_some()),
+            ("--max-generators", max_generators.is_some()),
+        ];
+        given.into_iter().find_map(|(option, is_given)| is_given.then_some(option))
     }
 
     /// These options, and for what they leave open those of `other`. A precision takes the place of directions, and

@@ -16,8 +16,10 @@ pub struct PointOptions {
     /// The format, where the extension does not tell it.
     #[arg(long)]
     pub format: Option<Format>,
-    /// How many lines of a table to leave out at its start: 1 where the first line holds other things, 0 where a first
-    /// line of data might be taken for such a line.
+    /// How many lines of a table to leave out at its start.
+    ///
+    /// 1 leaves out a first line that holds other things than data; 0 says that a first line which might be taken for
+    /// such a line holds data.
     #[arg(long, value_name = "N")]
     pub skip: Option<u64>,
     /// Leave out points of which a coordinate is missing, NaN or infinite, and say how many.
@@ -46,7 +48,7 @@ impl PointOptions {
     }
 
     /// These options, and for what they leave open those of `other`.
-    pub(super) fn or(&self, other: &Self) -> Self {
+    pub(in crate::commands) fn or(&self, other: &Self) -> Self {
         Self {
             columns: self.columns.clone().or_else(|| other.columns.clone()),
             format: self.format.or(other.format),

@@ -39,7 +39,7 @@ const FIELDS: [&str; 10] = [
 /// A `request` that cannot be read.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error("the answer's `request` has no readable `{0}`")]
-pub(crate) struct RecordError(&'static str);
+pub(crate) struct RecordError(pub(crate) &'static str);
 
 impl Asking {
     /// The `request` of an answer about the points that were read.
@@ -48,22 +48,7 @@ impl Asking {
         request.insert("command".to_owned(), COMMAND.into());
         let objective_name = objective.to_possible_value().expect("no objective is hidden from the command line");
         request.insert("objective".to_owned(), objective_name.get_name().into());
-        if let Some(format) = reading.format {
-            request.insert("format".to_owned(), format.to_string().into());
-        }
-        if !reading.columns.is_empty() {
-            let column = |column: &Column| match column {
-                Column::Number(number) => Value::from(*number),
-                Column::Name(name) => Value::from(name.as_str()),
-            };
-            request.insert("columns".to_owned(), reading.columns.iter().map(column).collect());
-        }
-        if let Some(skip) = self.points.skip {
-            request.insert("skip".to_owned(), skip.into());
-        }
-        if self.points.skip_nan {
-            request.insert("skip_nan".to_owned(), true.into());
-        }
+        insert_points(&mut request, &self.points, reading);
         if objective != Objective::Area {
             match &self.directions {
                 Some(directions) => {
@@ -84,6 +69,64 @@ impl Asking {
     }
 }
 
+/// The record of points that are a part of a question: how they were read, and the SHA-256 of their file.
+pub(crate) fn record_points(options: &PointOptions, reading: &Reading) -> Value {
+    let mut record = Map::new();
+    insert_points(&mut record, options, reading);
+    record.insert("sha256".to_owned(), reading.sha256.clone().into());
+    Value::Object(record)
+}
+
+/// How the points were read.
+fn insert_points(request: &mut Map<String, Value>, options: &PointOptions, reading: &Reading) {
+    if let Some(format) = reading.format {
+        request.insert("format".to_owned(), format.to_string().into());
+    }
+    if !reading.columns.is_empty() {
+        let column = |column: &Column| match column {
+            Column::Number(number) => Value::from(*number),
+            Column::Name(name) => Value::from(name.as_str()),
+        };
+        request.insert("columns".to_owned(), reading.columns.iter().map(column).collect());
+    }
+    if let Some(skip) = options.skip {
+        request.insert("skip".to_owned(), skip.into());
+    }
+    if options.skip_nan {
+        request.insert("skip_nan".to_owned(), true.into());
+    }
+}
+
+/// The fields of the record of a file with points.
+pub(crate) const POINT_FIELDS: [&str; 5] = ["format", "columns", "skip", "skip_nan", "sha256"];
+
+/// How the points of a record were read.
+pub(crate) fn recorded_points(record: &Tree) -> Result<PointOptions, RecordError> {
+    Ok(PointOptions {
+        columns: field(record, "columns", columns)?,
+        format: field(record, "format", |value| Format::from_str(value.text()?, false).ok())?,
+        skip: field(record, "skip", |value| value.index().and_then(|lines| u64::try_from(lines).ok()))?,
+        skip_nan: field(record, "skip_nan", truth)?.unwrap_or(false),
+    })
+}
+
+/// A value that is true or false.
+pub(crate) fn truth(value: &Tree) -> Option<bool> {
+    match value {
+        Tree::Bool(truth) => Some(*truth),
+        _ => None,
+    }
+}
+
+/// The field of a record as it is read; none where the record has none.
+pub(crate) fn field<T>(
+    record: &Tree,
+    name: &'static str,
+    read: fn(&Tree) -> Option<T>,
+) -> Result<Option<T>, RecordError> {
+    record.field(name).map(|value| read(value).ok_or(RecordError(name))).transpose()
+}
+
 impl Recorded {
     /// The question that an answer records; `None` if it records none.
     pub(crate) fn of(answer: &Tree) -> Option<Result<Self, RecordError>> {
@@ -92,21 +135,8 @@ impl Recorded {
 }
 
 fn recorded(request: &Tree) -> Result<Recorded, RecordError> {
-    fn field<T>(request: &Tree, name: &'static str, read: fn(&Tree) -> Option<T>) -> Result<Option<T>, RecordError> {
-        request.field(name).map(|value| read(value).ok_or(RecordError(name))).transpose()
-    }
-    let points = PointOptions {
-        columns: field(request, "columns", columns)?,
-        format: field(request, "format", |value| Format::from_str(value.text()?, false).ok())?,
-        skip: field(request, "skip", |value| value.index().and_then(|lines| u64::try_from(lines).ok()))?,
-        skip_nan: field(request, "skip_nan", |value| match value {
-            Tree::Bool(is_on) => Some(*is_on),
-            _ => None,
-        })?
-        .unwrap_or(false),
-    };
     let asking = Asking {
-        points,
+        points: recorded_points(request)?,
         objective: field(request, "objective", |value| Objective::from_str(value.text()?, false).ok())?,
         directions: field(request, "directions", directions)?,
         epsilon: field(request, "epsilon", |value| value.float().filter(|&epsilon| 0.0 < epsilon && epsilon < 1.0))?,

@@ -13,7 +13,10 @@ pub(super) struct Comparison<'a> {
     pub(super) common: usize,
     /// The numbers of cases that one run has alone.
     pub(super) alone: [usize; 2],
-    /// The cases whose records differ, in the order of the first run.
+    /// The number of common cases that have another seed in the second run: other instances, which nothing can be
+    /// compared of.
+    pub(super) reseeded: usize,
+    /// The cases of the same seeds whose records differ, in the order of the first run.
     pub(super) differences: Vec<Difference<'a>>,
 }
 
@@ -32,9 +35,12 @@ impl<'a> Comparison<'a> {
         let pairs: Vec<(&CountRow, &CountRow)> =
             first.iter().filter_map(|row| Some((row, *others.get(row.key.case.as_str())?))).collect();
         let common = pairs.len();
+        let seeds = |row: &'a CountRow| [&row.key.instance_seed, &row.key.seed];
+        let (pairs, others): (Vec<_>, Vec<_>) = pairs.into_iter().partition(|(a, b)| seeds(a) == seeds(b));
         let differing = pairs.into_iter().map(|(a, b)| Difference { key: &a.key, quantities: differing(a, b) });
         Self {
             common,
+            reseeded: others.len(),
             alone: [first.len() - common, second.len() - common],
             differences: differing.filter(|difference| !difference.quantities.is_empty()).collect(),
         }
@@ -55,10 +61,7 @@ impl fmt::Display for Difference<'_> {
 /// What differs in two records of a case.
 fn differing(first: &CountRow, second: &CountRow) -> Vec<[String; 3]> {
     let records = [first, second].map(|row| {
-        let mut record = BTreeMap::from([
-            ("seed of the instance".to_owned(), row.key.instance_seed.clone()),
-            ("seed of the method".to_owned(), row.key.seed.clone()),
-        ]);
+        let mut record = BTreeMap::new();
         match &row.outcome {
             CountOutcome::Failed { error } => {
                 record.insert("outcome".to_owned(), format!("failed ({error})"));
@@ -112,13 +115,14 @@ mod tests {
     }
 
     #[test]
-    fn failures_and_other_seeds_are_differences() {
+    fn failures_are_differences_and_other_seeds_are_other_instances() {
         let case = Case::new(1, "toy", "disc", "m", 4, 0);
         let failed = [CountRow::new(&case, Err("no".to_owned()))];
         let told = Comparison::of(&[row(4, 10, 0.5)], &failed).differences[0].to_string();
         assert!(told.contains("outcome right, then failed (no)") && told.contains("ratio 0.5, then –"), "{told}");
         let reseeded = CountRow::new(&Case::new(2, "toy", "disc", "m", 4, 0), Err("no".to_owned()));
-        let told = Comparison::of(&failed, &[reseeded]).differences[0].to_string();
-        assert!(told.contains("seed of the instance") && !told.contains("outcome"), "{told}");
+        let reseeded = [reseeded];
+        let comparison = Comparison::of(&failed, &reseeded);
+        assert_eq!((comparison.common, comparison.reseeded, comparison.differences.len()), (1, 1, 0));
     }
 }

@@ -12,7 +12,7 @@ use clap::Args;
 
 use self::counts::Comparison;
 use super::Ending;
-use super::records::RunRecords;
+use super::records::{Run, RunRecords};
 use super::table::{Table, counted};
 
 /// Options of `compare`.
@@ -25,22 +25,32 @@ pub struct Options {
 }
 
 /// Reads the records of both runs, and tells where counts differ and how times compare. The ending is bad if counts,
-/// values or answers of a case differ, or no case is in both runs.
+/// values or answers of a case differ, if it has other seeds, or if no case is in both runs.
 pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let [first, second] = [RunRecords::read(&options.first)?, RunRecords::read(&options.second)?];
     let comparison = Comparison::of(&first.counts, &second.counts);
-    let mut text = summary(options, &comparison);
+    let mut text = summary(options, [first.run.as_ref(), second.run.as_ref()], &comparison);
     text.push_str(&times::text(&first.times, &second.times));
     io::stdout().lock().write_all(text.as_bytes())?;
-    Ok(if comparison.differences.is_empty() && comparison.common > 0 { Ending::Good } else { Ending::Bad })
+    let is_same = comparison.differences.is_empty() && comparison.reseeded == 0;
+    Ok(if is_same && comparison.common > 0 { Ending::Good } else { Ending::Bad })
 }
 
 /// What the counts of both runs say.
-fn summary(options: &Options, comparison: &Comparison) -> String {
-    let Comparison { common, alone, differences } = comparison;
+fn summary(options: &Options, runs: [Option<&Run>; 2], comparison: &Comparison) -> String {
+    let Comparison { common, reseeded, alone, differences } = comparison;
     let mut table = Table::default();
     table.row("first", options.first.display().to_string());
     table.row("second", options.second.display().to_string());
+    if let [Some(first), Some(second)] = runs {
+        if first.seed != second.seed {
+            table.row("seeds", format!("{} and {}: random inputs are not the same", first.seed, second.seed));
+        }
+        if first.profile != second.profile {
+            let [first, second] = [&first.profile, &second.profile];
+            table.row("profiles", format!("{first} and {second}: sizes and numbers of instances are not the same"));
+        }
+    }
     let [in_first, in_second] = alone;
     let cases = counted(*common, "case", "cases");
     table.row(
@@ -48,13 +58,19 @@ fn summary(options: &Options, comparison: &Comparison) -> String {
         format!("{cases} in both runs, {in_first} in the first alone, {in_second} in the second alone"),
     );
     let cases = counted(differences.len(), "case differs", "cases differ");
+    let others = match reseeded {
+        0 => String::new(),
+        all if all == common => String::new(),
+        some => format!("; {} not compared, of other seeds", counted(*some, "case is", "cases are")),
+    };
     table.row(
         "counts",
         match (differences.len(), common) {
-            (0, 0) => "no case is in both runs".to_owned(),
+            (_, 0) => "no case is in both runs".to_owned(),
+            (_, common) if reseeded == common => "not compared: all cases have other seeds".to_owned(),
             (0, _) => "the same, values and answers as well".to_owned(),
             _ => cases,
-        },
+        } + &others,
     );
     let mut text = table.text();
     for difference in differences {

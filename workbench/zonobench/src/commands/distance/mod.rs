@@ -5,29 +5,32 @@ mod summary;
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::Ending;
-use super::asked::{Asked, check_dimensions, floats};
+use super::asked::{About, Asked, body_formats, check_dimensions, floats, record};
 use super::intersect::drawing::draw_with_points;
 use super::intersect::meeting::{Gap, Meeting, Proof};
 use super::placing::{Placing, PlacingOfSecond};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
 use crate::input::{Format, Placed};
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 
 /// Options of `distance`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The first zonotope, of one to three dimensions: JSON with `generators` and perhaps a `center`, or a table whose
-    /// rows are generators; `-` is standard input.
+    /// The first zonotope, of one to three dimensions: JSON, or a table or an array of NumPy (csv, json, npy); `-` is
+    /// standard input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
     a: PathBuf,
     /// The second zonotope.
     b: PathBuf,
     /// The format of both files, where their extensions do not tell it.
-    #[arg(long)]
+    #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
     #[command(flatten)]
     placing: Placing,
@@ -59,27 +62,35 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let files = [&options.a, &options.b];
-    let bodies = [placings[0].read(files[0], options.format)?, placings[1].read(files[1], options.format)?];
-    check_dimensions(files, &bodies)?;
+    let names = [&options.a, &options.b];
+    let files = [placings[0].read(names[0], options.format)?, placings[1].read(names[1], options.format)?];
+    let request = record(About::Distance, &files.each_ref(), None, None);
+    let bodies = files.map(|file| file.placed);
+    check_dimensions(names, &bodies)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
-    let [a, b] = bodies.each_ref().map(Placed::question);
-    let asked = Asked::of(json!({"id": name, "kind": "distance", "input": {"a": a, "b": b}}))?;
+    let questions = bodies.each_ref().map(Placed::question);
+    let asked = Asked::of(About::Distance.question(&name, &questions, None, None))?;
     let verdict = asked.verdict();
 
-    if let Some(file) = &options.svg {
-        let points = ["a", "b"].map(|body| floats(&asked.result()["nearest"][body]));
-        let mut meeting = Meeting::of(&name, files, bodies.clone())?;
-        if let Proof::Gap(_) = meeting.proof {
-            let between: Vec<Value> = points[1].iter().zip(&points[0]).map(|(b, a)| (b - a).into()).collect();
-            // a gap that is too narrow for doubles is drawn along the direction that separates
-            if between.iter().any(|c| c.as_f64() != Some(0.0)) {
-                meeting.proof = Proof::Gap(Gap::of(&meeting.exact, &between)?);
-            }
-        }
-        outputs.write(file, draw_with_points(&name, &meeting, &points).as_bytes())?;
-    }
-    asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
-    outputs.tell(&summary::summary(options, &bodies, &asked, &verdict))?;
+    let [question, answer] = asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || picture(&name, names, &bodies, &asked));
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    outputs.finish(results, &summary::summary(options, &bodies, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
+}
+
+/// Both bodies with the segment between their nearest points.
+fn picture(name: &str, files: [&PathBuf; 2], bodies: &[Placed; 2], asked: &Asked) -> anyhow::Result<Vec<u8>> {
+    let points = ["a", "b"].map(|body| floats(&asked.result()["nearest"][body]));
+    let mut meeting = Meeting::of(name, files, bodies.clone())?;
+    if let Proof::Gap(_) = meeting.proof {
+        let between: Vec<Value> = points[1].iter().zip(&points[0]).map(|(b, a)| (b - a).into()).collect();
+        // a gap that is too narrow for doubles is drawn along the direction that separates
+        if between.iter().any(|c| c.as_f64() != Some(0.0)) {
+            meeting.proof = Proof::Gap(Gap::of(&meeting.exact, &between)?);
+        }
+    }
+    Ok(draw_with_points(name, &meeting, &points).into_bytes())
 }

@@ -3,7 +3,7 @@
 use super::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
 use crate::commands::placing::describe;
-use crate::commands::table::{Table, figure, tuple};
+use crate::commands::table::{Table, at_least, at_most, figure, tuple, with_six_digits};
 use crate::input::Placed;
 use batch::Verdict;
 
@@ -35,19 +35,21 @@ pub(super) fn summary(options: &Options, bodies: &[Placed; 2], asked: &Asked, ve
     if result["status"] == "inside" {
         let depth = &result["penetration"];
         let (lower, upper) = (float(&depth["lower"]), float(&depth["upper"]));
-        table
-            .row("depth", format!("between {} and {}: so far b is to be moved at least", figure(lower), figure(upper)));
+        table.row(
+            "depth",
+            format!("between {} and {}: so far b is to be moved at least", at_least(lower), at_most(upper)),
+        );
         table.row("direction", format!("{}, of any length", tuple(&floats(&depth["direction"]))));
     }
     table.row(
         "certificate",
         match verdict {
-            Verdict::Right(proved) => format!("checked: {proved}"),
+            Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
             Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
     table.row("method", asked.answer["method"].as_str().unwrap_or_default().to_owned());
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row("verify", how_to_verify(&[&options.a, &options.b], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }

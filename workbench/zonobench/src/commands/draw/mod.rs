@@ -11,7 +11,7 @@ use figures::own_data;
 use super::Ending;
 use super::asking::PointOptions;
 use super::placing::{Placing, in_words, rounded_in_words};
-use super::usage::{Usage, check_inputs, check_names};
+use super::usage::{Usage, check_inputs, check_names, tell};
 use super::verify::question_name;
 use crate::input::{Body, Points, RoundedBody, Wanted};
 use crate::output::{Existing, Outputs};
@@ -21,15 +21,18 @@ use crate::output::{Existing, Outputs};
 pub struct Options {
     /// What to draw.
     what: Picture,
-    /// The data: a zonotope of space for the tiling, the arrangement, the separators and a search with --point, else
-    /// points of the plane; `-` is standard input.
+    /// The data: a zonotope of space, or points of the plane; `-` is standard input.
+    ///
+    /// The tiling, the arrangement, the separators and a search with --point are those of a zonotope (csv, json, npy).
+    /// The zonogon and a search without it are those of points.
     file: PathBuf,
     #[command(flatten)]
     reading: PointOptions,
     #[command(flatten)]
     placing: Placing,
-    /// Search for this point in the tiling of a zonotope (Theorem 5.2); without it, the search is for the centre of the
-    /// smallest zonogon around points (Theorem 4.5).
+    /// Search for this point in the tiling of a zonotope (Theorem 5.2).
+    ///
+    /// Without it, the search is for the centre of the smallest zonogon around points (Theorem 4.5).
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     point: Option<SpacePoint>,
     /// Show the separator with so many crossings, or tiles, on its left.
@@ -135,7 +138,7 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
 
 /// The picture, and what is to be said of the body's pose.
 fn of_body(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
-    let placed = options.placing.read(&options.file, options.reading.format)?;
+    let placed = options.placing.read(&options.file, options.reading.format)?.placed;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let mut more = placed.pose.as_ref().map(|pose| format!("pose: {}\n", in_words(pose))).unwrap_or_default();
     if off > 0.0 {

@@ -1,6 +1,6 @@
 //! The zonotope of least total length, along given directions or along any.
 
-use anyhow::bail;
+use anyhow::{Context, bail};
 use serde_json::Value;
 
 use super::summary::verification;
@@ -8,10 +8,10 @@ use super::{Options, comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
-use crate::commands::table::{Table, counted, figure, tuple};
+use crate::commands::table::{Table, at_least, at_most, counted, figure, tuple, with_six_digits};
 use crate::commands::verify::question_name;
 use crate::input::{Body, Reading, body_of_answer};
-use crate::output::Outputs;
+use crate::output::{Outputs, Results};
 use crate::progress::Progress;
 use batch::Line;
 use batch::json::{self, MAX_VALUES, Tree};
@@ -45,22 +45,15 @@ pub(super) fn run(
     drop(progress);
 
     let body = body_of_answer(file, &answered)?;
-    if body.is_none() && (options.svg.is_some() || options.obj.is_some()) {
-        bail!("{}: no zonotope along the directions contains the points, so none is drawn", file.display());
-    }
-    let drawn = |body: &Body| options.svg.as_ref().map(|file| (file, solid::draw(&name, reading, body)));
-    let meshed = |body: &Body| -> anyhow::Result<_> {
-        options.obj.as_ref().map(|file| Ok((file, export::mesh(&name, body, f64::MAX)?.to_obj()))).transpose()
+    let drawn = || {
+        let none = "no zonotope along the directions contains the points, so none is drawn";
+        body.as_ref().with_context(|| format!("{}: {none}", file.display()))
     };
-    let picture = body.as_ref().and_then(drawn);
-    let mesh = body.as_ref().map(meshed).transpose()?.flatten();
-    for (file, content) in picture.iter().chain(&mesh) {
-        outputs.write(file, content.as_bytes())?;
-    }
-    if let Some(file) = &options.json {
-        outputs.write(file, format!("{answer}\n").as_bytes())?;
-    }
-    outputs.tell(&summary(options, reading, &question, &answer, body.as_ref(), &verdict))?;
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || Ok(solid::draw(&name, reading, drawn()?).into_bytes()));
+    results.add(options.obj.as_ref(), || Ok(export::mesh(&name, drawn()?, f64::MAX)?.to_obj().into_bytes()));
+    results.add(options.json.as_ref(), || Ok(format!("{answer}\n").into_bytes()));
+    outputs.finish(results, &summary(options, reading, &question, &answer, body.as_ref(), &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
@@ -91,7 +84,7 @@ fn summary(
         let bound = number("lower_bound");
         table.row("length", format!("{}, the sum of the half-lengths", figure(length)));
         let of_all = if directions.is_some() { "along these directions" } else { "around the points" };
-        table.row("lower bound", format!("{}, for every zonotope {of_all}", figure(bound)));
+        table.row("lower bound", format!("{}, for every zonotope {of_all}", at_least(bound)));
         let ratio = if length == bound { 1.0 } else { length / bound };
         let is_short = result["within_epsilon"].as_bool() == Some(false);
         let is_asked = |name: &str| question.field("input").is_some_and(|input| input.field(name).is_some());
@@ -101,7 +94,7 @@ fn summary(
             true if is_asked("max_generators") => "; the shortest found with so few generators",
             true => "; above 1 + epsilon: the search ended before",
         };
-        table.row("ratio", format!("{ratio:.12}, proven: none is shorter by more{above}"));
+        table.row("ratio", format!("{}, proven: none is shorter by more{above}", at_most(ratio)));
         if let Some(volume) = result["volume"].as_f64() {
             table.row("volume", format!("{}, a local minimum: another zonotope may have less", figure(volume)));
         }
@@ -113,7 +106,7 @@ fn summary(
         table.row("outcome", "no zonotope along these directions contains the points".to_owned());
     }
     let certificate = match verdict {
-        Verdict::Right(proved) => format!("checked, exactly: {proved}"),
+        Verdict::Right(proved) => format!("checked, exactly: {}", with_six_digits(proved)),
         Verdict::Unchecked(reason) => format!("not checked: {reason}"),
         Verdict::Wrong(reason) => format!("WRONG: {reason}"),
     };

@@ -10,38 +10,39 @@ use std::path::PathBuf;
 
 use anyhow::bail;
 use clap::Args;
-use serde_json::json;
 use zonotope::zonotope::faces::FaceLattice;
 
 use self::measures::Measures;
 use self::vertices::{VertexFormat, VerticesError};
 use super::Ending;
+use super::asked::{About, Asked, body_formats, record};
 use super::placing::Placing;
-use super::usage::{check_inputs, check_names};
+use super::usage::{check_inputs, check_names, tell};
 use super::verify::question_name;
 use crate::input::{Format, RoundedBody};
-use crate::output::{Existing, Outputs};
-use batch::Line;
+use crate::output::{Existing, Outputs, Results};
 use batch::MAX_DIMENSION;
 use batch::Verdict;
-use batch::json::rows_to_json;
 
 /// Options of `inspect`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
-    /// standard input.
+    /// The zonotope: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
     file: PathBuf,
     /// The format, where the extension does not tell it.
-    #[arg(long)]
+    #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
     #[command(flatten)]
     placing: Placing,
     /// Write a picture of the body.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// Write the vertices of a planar body, counter-clockwise: a table (.csv, or standard output) or a polygon
-    /// (.geojson).
+    /// Write the vertices of a planar body, counter-clockwise: a table (.csv) or a polygon (.geojson).
+    ///
+    /// On standard output it is a table. Vertices that round to one point of doubles are written once.
     #[arg(long, value_name = "FILE")]
     vertices: Option<PathBuf>,
     /// Write a body of space as a mesh, Wavefront OBJ.
@@ -82,7 +83,9 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
-    let placed = options.placing.read(&options.file, options.format)?;
+    let file = options.placing.read(&options.file, options.format)?;
+    let request = record(About::Inspect, &[&file], None, None);
+    let placed = file.placed;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let measures = match body.center.len() {
         1 => Measures::of::<1>(&placed, &body),
@@ -95,38 +98,23 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
 
     let name = question_name(&options.file);
-    let corners =
-        corners.map(|(file, format)| Ok::<_, VerticesError>((file, format.text(&name, &body)?))).transpose()?;
-    let wanted = meshes.iter().any(|file| file.is_some());
-    let largest = if options.stl.is_some() { f64::from(f32::MAX) } else { f64::MAX };
-    let lattice = wanted.then(|| export::mesh(&name, &body, largest)).transpose()?;
-    let mut question =
-        json!({"id": name, "kind": "combinatorics", "input": {"generators": rows_to_json(&placed.body.generators)}});
-    if let Some(pose) = &placed.pose {
-        question["input"]["pose"] = pose.to_json();
+    let asked = Asked::even_if_refused(About::Inspect.question(&name, &[placed.question()], None, None));
+    let [question, answer] = asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || Ok(drawing::draw(&name, &body).into_bytes()));
+    results.add(corners.map(|(file, _)| file), || {
+        let format = corners.map_or(VertexFormat::Csv, |(_, format)| format);
+        Ok(format.text(&name, &body, tell)?.into_bytes())
+    });
+    let formats: [fn(&FaceLattice) -> Vec<u8>; 3] =
+        [|mesh| mesh.to_obj().into_bytes(), |mesh| mesh.to_ply().into_bytes(), FaceLattice::to_stl];
+    let largest = [f64::MAX, f64::MAX, f64::from(f32::MAX)];
+    for ((file, content), largest) in meshes.into_iter().zip(formats).zip(largest) {
+        results.add(file.as_ref(), || Ok(content(&export::mesh(&name, &body, largest)?)));
     }
-    let answer = batch::answer_line(1, &Line::Content(question.to_string().into_bytes()), 0);
-    if let Some(file) = &options.svg {
-        outputs.write(file, drawing::draw(&name, &body).as_bytes())?;
-    }
-    if let Some((file, corners)) = corners {
-        outputs.write(file, corners.as_bytes())?;
-    }
-    if let Some(lattice) = lattice {
-        let formats: [fn(&FaceLattice) -> Vec<u8>; 3] =
-            [|mesh| mesh.to_obj().into_bytes(), |mesh| mesh.to_ply().into_bytes(), FaceLattice::to_stl];
-        for (file, content) in meshes.into_iter().zip(formats) {
-            if let Some(file) = file {
-                outputs.write(file, &content(&lattice))?;
-            }
-        }
-    }
-    for (file, content) in [(&options.question, &question), (&options.json, &answer.content)] {
-        if let Some(file) = file {
-            outputs.write(file, format!("{content}\n").as_bytes())?;
-        }
-    }
-    let verdict = batch::verify(&question.to_string(), &answer.content.to_string());
-    outputs.tell(&summary::summary(options, (&placed, off), &measures, &answer.content, &verdict))?;
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    let verdict = asked.verdict();
+    outputs.finish(results, &summary::summary(options, (&placed, off), &measures, &asked.answer, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }

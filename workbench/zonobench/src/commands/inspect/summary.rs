@@ -6,13 +6,17 @@ use zonotope::numeric::dyadic::Dyadic;
 
 use super::Options;
 use super::measures::Measures;
+use crate::commands::asked::how_to_verify;
 use crate::commands::placing::{in_words, rounded_in_words};
-use crate::commands::table::{ROUNDED, Table, counted, figure, tuple};
+use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, in_full, tuple};
 use crate::input::Placed;
 use batch::Verdict;
 
 /// Exact numbers longer than this are rounded.
 const EXACT_DIGIT_LIMIT: usize = 40;
+
+/// The part of its width by which an interval may grow where it is rounded.
+const HIDDEN_WIDTH: f64 = 1e-3;
 
 /// Counts and sizes in a few lines.
 pub(super) fn summary(
@@ -51,7 +55,7 @@ pub(super) fn summary(
     if off > 0.0 {
         table.row("rounded", format!("lengths, areas, vertices, meshes: {}", rounded_in_words(off)));
     }
-    let bounds = measures.bounds.iter().map(|[low, high]| format!("[{}, {}]", figure(*low), figure(*high)));
+    let bounds = measures.bounds.iter().map(|&[low, high]| interval(low, high));
     table.row("bounding box", bounds.collect::<Vec<_>>().join(" × "));
     table.row("total length", format!("{}, the sum of the half-lengths", figure(measures.total_length)));
 
@@ -88,10 +92,12 @@ pub(super) fn summary(
         "check",
         match verdict {
             Verdict::Right(proved) => proved.clone(),
-            Verdict::Unchecked(_) => "no faces, nothing to check".to_owned(),
+            Verdict::Unchecked(_) if answer.get("error").is_some() => "no faces, nothing to check".to_owned(),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
+    table.row("verify", how_to_verify(&[&options.file], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }
 
@@ -101,6 +107,20 @@ fn measure(exact: &str) -> String {
         return exact.to_owned();
     };
     let (numerator, denominator) = number.into_parts();
-    let rounded = figure(Dyadic::new(numerator, 0).ratio(&Dyadic::new(denominator.into(), 0)));
-    if exact.len() <= EXACT_DIGIT_LIMIT { format!("{exact} = {rounded}") } else { format!("{rounded}, rounded") }
+    let (numerator, denominator) = (Dyadic::new(numerator, 0), Dyadic::new(denominator.into(), 0));
+    let shown = figure(numerator.ratio(&denominator));
+    let is_exact = shown.parse().is_ok_and(|shown| &Dyadic::from_f64(shown) * &denominator == numerator);
+    match (exact.len() <= EXACT_DIGIT_LIMIT, is_exact) {
+        (true, true) => format!("{exact} = {shown}"),
+        (true, false) => format!("{exact}, about {shown}"),
+        (false, _) => format!("{shown}, rounded"),
+    }
+}
+
+/// An interval, rounded outwards; in full where six digits would hide how wide it is.
+fn interval(low: f64, high: f64) -> String {
+    let shown = [at_least(low), at_most(high)];
+    let [from, to] = shown.each_ref().map(|end| end.parse::<f64>().unwrap_or(f64::NAN));
+    let is_close = (to - from) - (high - low) <= HIDDEN_WIDTH * (high - low);
+    if is_close { format!("[{}, {}]", shown[0], shown[1]) } else { format!("[{}, {}]", in_full(low), in_full(high)) }
 }

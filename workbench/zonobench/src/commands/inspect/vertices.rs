@@ -1,5 +1,6 @@
 //! The vertices of a planar body, as a table or as GeoJSON.
 
+use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -49,19 +50,31 @@ impl VertexFormat {
         }
     }
 
-    /// The vertices of a body, counter-clockwise, their coordinates rounded to doubles.
-    pub(super) fn text(self, name: &str, body: &Body) -> Result<String, VerticesError> {
+    /// The vertices of a body, counter-clockwise, their coordinates rounded to doubles. Of vertices that round to one
+    /// point one is written, and their number is told.
+    pub(super) fn text(self, name: &str, body: &Body, tell: impl FnOnce(&str)) -> Result<String, VerticesError> {
         let planar = |v: &Vec<f64>| <[f64; 2]>::try_from(v.as_slice()).ok();
         let (Some(center), Some(generators)) = (planar(&body.center), body.generators.iter().map(planar).collect())
         else {
             return Err(VerticesError::NotPlanar { name: name.to_owned(), dimension: body.center.len() });
         };
-        let vertices = Zonotope::new(center, generators).expect("a body that was read is finite").vertices();
+        let all = Zonotope::new(center, generators).expect("a body that was read is finite").vertices();
+        let vertices = each_once(&all);
+        if vertices.len() < all.len() {
+            let [written, of] = [vertices.len(), all.len()];
+            tell(&format!("{name}: {of} vertices round to {written} points of doubles, each of which is written once"));
+        }
         Ok(match self {
             Self::Csv => table(&vertices),
             Self::GeoJson => format!("{}\n", feature(name, &vertices)),
         })
     }
+}
+
+/// The points in their order, each where it occurs first; zeros of either sign are one number.
+fn each_once(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut seen = BTreeSet::new();
+    points.iter().filter(|point| seen.insert(point.map(|x| (x + 0.0).to_bits()))).copied().collect()
 }
 
 fn table(vertices: &[[f64; 2]]) -> String {
@@ -97,7 +110,7 @@ mod tests {
     #[test]
     fn a_square_a_segment_and_a_point() {
         let square = body(&[[1.0, 0.0], [0.0, 0.5]]);
-        let [csv, geojson] = [VertexFormat::Csv, VertexFormat::GeoJson].map(|format| format.text("s", &square));
+        let [csv, geojson] = [VertexFormat::Csv, VertexFormat::GeoJson].map(|format| format.text("s", &square, |_| {}));
         assert_eq!(csv.as_deref(), Ok("x,y\n0.0,1.5\n2.0,1.5\n2.0,2.5\n0.0,2.5\n"));
         let ring = "[[0.0,1.5],[2.0,1.5],[2.0,2.5],[0.0,2.5],[0.0,1.5]]";
         let expected = format!(
@@ -108,7 +121,7 @@ mod tests {
             (body(&[[1.0, 1.0]]), r#"{"type":"LineString","coordinates":[[0.0,1.0],[2.0,3.0]]}"#),
             (body(&[]), r#"{"type":"Point","coordinates":[1.0,2.0]}"#),
         ] {
-            let text = VertexFormat::GeoJson.text("s", &flat).expect("a body of the plane");
+            let text = VertexFormat::GeoJson.text("s", &flat, |_| {}).expect("a body of the plane");
             assert!(text.contains(geometry), "{text}");
         }
     }
@@ -120,7 +133,7 @@ mod tests {
             assert_eq!(refused, format!("{name}: vertices are written as .csv or .geojson"));
         }
         let solid = Body { center: vec![0.0; 3], generators: Vec::new(), is_rounded: false };
-        let refused = VertexFormat::Csv.text("solid", &solid).expect_err("a body of space").to_string();
+        let refused = VertexFormat::Csv.text("solid", &solid, |_| {}).expect_err("a body of space").to_string();
         assert!(refused.starts_with("solid: has 3 coordinates"), "{refused}");
     }
 }

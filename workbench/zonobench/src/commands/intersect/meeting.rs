@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use zonotope::numeric::Rational;
 use zonotope::numeric::dyadic::Dyadic;
 
-use crate::commands::asked::{Asked, float, floats};
+use crate::commands::asked::{About, Asked, float, floats};
 use crate::input::{Body, ExactBody, Placed};
 use batch::json::{rows_to_json, vector_to_json};
 
@@ -51,8 +51,7 @@ impl Meeting {
     pub(in crate::commands) fn of(name: &str, files: [&PathBuf; 2], placed: [Placed; 2]) -> anyhow::Result<Self> {
         let rounded = [placed[0].rounded(files[0])?, placed[1].rounded(files[1])?];
         let exact = placed.each_ref().map(Placed::exact);
-        let [a, b] = placed.each_ref().map(Placed::question);
-        let asked = Asked::of(json!({"id": name, "kind": "intersect", "input": {"a": a, "b": b}}))?;
+        let asked = Asked::of(About::Intersect.question(name, &placed.each_ref().map(Placed::question), None, None))?;
         let is_exact = rounded.iter().all(|body| body.off == 0.0);
         let bodies = rounded.map(|rounded| rounded.body);
         let generators = [rows_to_json(&bodies[0].generators), rows_to_json(&bodies[1].generators)].into_iter();

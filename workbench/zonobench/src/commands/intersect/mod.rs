@@ -10,24 +10,26 @@ use clap::Args;
 
 use self::meeting::Meeting;
 use super::Ending;
-use super::asked::check_dimensions;
+use super::asked::{About, body_formats, check_dimensions, record};
 use super::placing::{Placing, PlacingOfSecond};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
 use crate::input::Format;
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 
 /// Options of `intersect`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The first zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
-    /// standard input.
+    /// The first zonotope: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
     a: PathBuf,
     /// The second zonotope.
     b: PathBuf,
     /// The format of both files, where their extensions do not tell it.
-    #[arg(long)]
+    #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
     #[command(flatten)]
     placing: Placing,
@@ -59,17 +61,20 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let files = [&options.a, &options.b];
-    let bodies = [placings[0].read(files[0], options.format)?, placings[1].read(files[1], options.format)?];
-    check_dimensions(files, &bodies)?;
+    let names = [&options.a, &options.b];
+    let files = [placings[0].read(names[0], options.format)?, placings[1].read(names[1], options.format)?];
+    let request = record(About::Intersect, &files.each_ref(), None, None);
+    let bodies = files.map(|file| file.placed);
+    check_dimensions(names, &bodies)?;
     let name = format!("{} and {}", question_name(&options.a), question_name(&options.b));
-    let meeting = Meeting::of(&name, files, bodies)?;
+    let meeting = Meeting::of(&name, names, bodies)?;
     let verdict = meeting.asked.verdict();
 
-    if let Some(file) = &options.svg {
-        outputs.write(file, drawing::draw(&name, &meeting).as_bytes())?;
-    }
-    meeting.asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
-    outputs.tell(&summary::summary(options, &meeting, &verdict))?;
+    let [question, answer] = meeting.asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || Ok(drawing::draw(&name, &meeting).into_bytes()));
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    outputs.finish(results, &summary::summary(options, &meeting, &verdict))?;
     Ok(if matches!(verdict, Verdict::Right(_)) { Ending::Good } else { Ending::Bad })
 }

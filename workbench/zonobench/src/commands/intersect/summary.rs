@@ -4,7 +4,7 @@ use super::Options;
 use super::meeting::{Meeting, Proof};
 use crate::commands::asked::how_to_verify;
 use crate::commands::placing::describe;
-use crate::commands::table::{Table, figure, tuple};
+use crate::commands::table::{Table, at_least, figure, tuple, with_six_digits};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -27,7 +27,7 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
         Proof::Gap(gap) => {
             table.row(
                 "gap",
-                format!("{}, between two parallel planes; the bodies are at least so far apart", figure(gap.width)),
+                format!("{}, between two parallel planes; the bodies are at least so far apart", at_least(gap.width)),
             );
             table.row("direction", format!("{}, the unit normal of the planes, rounded", tuple(&gap.direction)));
             table.row(
@@ -52,12 +52,13 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
     table.row(
         "certificate",
         match verdict {
-            Verdict::Right(proved) => format!("checked: {proved}"),
-            Verdict::Wrong(reason) | Verdict::Unchecked(reason) => format!("WRONG: {reason}"),
+            Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
+            Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
     table.row("method", meeting.asked.answer["method"].as_str().unwrap_or_default().to_owned());
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row("verify", how_to_verify(&[&options.a, &options.b], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }
 

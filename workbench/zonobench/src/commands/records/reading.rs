@@ -4,8 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use experiments::record::{CountRow, TimeRow};
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use thiserror::Error;
+
+use crate::commands::reproduce::MANIFEST;
 
 /// Why the records of a run are not read.
 #[derive(Debug, Error)]
@@ -35,6 +38,15 @@ pub enum RecordsError {
 pub(in crate::commands) struct RunRecords {
     pub(in crate::commands) counts: Vec<CountRow>,
     pub(in crate::commands) times: Vec<TimeRow>,
+    /// What the run was; an interrupted one does not say.
+    pub(in crate::commands) run: Option<Run>,
+}
+
+/// What a run was, as its manifest has it.
+#[derive(Debug, Deserialize)]
+pub(in crate::commands) struct Run {
+    pub(in crate::commands) seed: u64,
+    pub(in crate::commands) profile: String,
 }
 
 impl RunRecords {
@@ -46,7 +58,9 @@ impl RunRecords {
     /// The records of a run in its folder.
     pub(in crate::commands) fn read(run: &Path) -> Result<Self, RecordsError> {
         let [counts, times] = Self::files(run);
-        Ok(Self { counts: rows(&counts)?, times: rows(&times)? })
+        let manifest = fs::read_to_string(run.join(MANIFEST)).ok();
+        let run = manifest.and_then(|manifest| serde_json::from_str(&manifest).ok());
+        Ok(Self { counts: rows(&counts)?, times: rows(&times)?, run })
     }
 }
 

@@ -6,26 +6,27 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::Ending;
-use super::asked::{Asked, float, floats, how_to_verify};
+use super::asked::{About, Asked, body_formats, float, floats, how_to_verify, record, zonotope_of};
 use super::placing::{Placing, describe, rounded_in_words};
-use super::table::{Table, counted, figure};
+use super::table::{Table, at_least, at_most, counted, figure, with_six_digits};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
 use crate::input::{Body, Format, Placed, RoundedBody};
-use crate::output::{Existing, Outputs};
+use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
-use batch::json::{rows_to_json, vector_to_json};
 use zonotope::Zonotope;
 use zonotope::reduction::Method;
 
 /// Options of `reduce`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// The zonotope: JSON with `generators` and perhaps a `center`, or a table whose rows are generators; `-` is
-    /// standard input.
+    /// The zonotope: JSON, or a table or an array of NumPy (csv, json, npy); `-` is standard input.
+    ///
+    /// JSON holds `center` and `generators`, or a list of generators, or an answer with a zonotope. Rows of tables and
+    /// arrays are generators.
     file: PathBuf,
     /// The most generators of the answer: at least as many as there are coordinates.
     #[arg(long, value_name = "K")]
@@ -34,7 +35,7 @@ pub struct Options {
     #[arg(long, default_value = Method::Clusters.id(), value_parser = rules())]
     rule: String,
     /// The format, where the extension does not tell it.
-    #[arg(long)]
+    #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
     #[command(flatten)]
     placing: Placing,
@@ -67,24 +68,22 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let placed = options.placing.read(&options.file, options.format)?;
+    let file = options.placing.read(&options.file, options.format)?;
+    let reduction = Some((options.count, options.rule.as_str()));
+    let request = record(About::Reduce, &[&file], None, reduction);
+    let placed = file.placed;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let name = question_name(&options.file);
-    let input = json!({
-        "center": vector_to_json(&body.center),
-        "generators": rows_to_json(&body.generators),
-        "count": options.count,
-        "rule": options.rule,
-    });
-    let asked = Asked::of(json!({"id": name, "kind": "reduce", "input": input}))?;
+    let asked = Asked::of(About::Reduce.question(&name, &[zonotope_of(&body)], None, reduction))?;
     let verdict = asked.verdict();
     let rows = asked.result()["generators"].as_array().into_iter().flatten();
     let reduced: Vec<Vec<f64>> = rows.map(floats).collect();
-    if let Some(file) = &options.svg {
-        outputs.write(file, drawing::draw(&name, &body, &reduced).as_bytes())?;
-    }
-    asked.write(options.question.as_ref(), options.json.as_ref(), outputs)?;
-    outputs.tell(&summary(options, &placed, (&body, off), &reduced, &asked, &verdict))?;
+    let [question, answer] = asked.lines(request);
+    let mut results = Results::default();
+    results.add(options.svg.as_ref(), || Ok(drawing::draw(&name, &body, &reduced).into_bytes()));
+    results.add(options.question.as_ref(), || Ok(question));
+    results.add(options.json.as_ref(), || Ok(answer));
+    outputs.finish(results, &summary(options, &placed, (&body, off), &reduced, &asked, &verdict))?;
     Ok(if matches!(verdict, Verdict::Wrong(_)) { Ending::Bad } else { Ending::Good })
 }
 
@@ -126,8 +125,8 @@ fn summary(
         "distance",
         format!(
             "between {} and {}: no point of the answer is farther than that from the body",
-            figure(float(&distance["lower"])),
-            figure(float(&distance["upper"]))
+            at_least(float(&distance["lower"])),
+            at_most(float(&distance["upper"]))
         ),
     );
     let lengths = [reduced, &body.generators].map(|generators| figure(total_length(body.center.len(), generators)));
@@ -135,10 +134,11 @@ fn summary(
     table.row(
         "certificate",
         match verdict {
-            Verdict::Right(proved) | Verdict::Unchecked(proved) => format!("checked: {proved}"),
+            Verdict::Right(proved) => format!("checked: {}", with_six_digits(proved)),
+            Verdict::Unchecked(reason) => format!("not all was checked: {reason}"),
             Verdict::Wrong(reason) => format!("WRONG: {reason}"),
         },
     );
-    table.row("verify", how_to_verify(options.question.as_ref(), options.json.as_ref()));
+    table.row("verify", how_to_verify(&[&options.file], options.question.as_ref(), options.json.as_ref()));
     table.text()
 }

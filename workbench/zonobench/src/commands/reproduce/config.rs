@@ -5,6 +5,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use batch::did_you_mean;
 use experiments::catalog::EXPERIMENTS;
 use experiments::data::{self, OwnInput};
 use experiments::definition::{Experiment, FitPlan, PerProfile, Timing, Variant};
@@ -70,6 +71,9 @@ struct Document {
     experiment: BTreeMap<String, Spanned<Section>>,
 }
 
+/// The names of the fields of a file and of a section.
+const FIELDS: [&str; 7] = ["experiment", "families", "inputs", "sizes", "instances", "repetitions", "variants"];
+
 /// What is given takes the place of what the catalog has.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -119,13 +123,17 @@ impl Config {
         let source = Source { file, text: &text };
         let document: Document = toml::from_str(&text).map_err(|error| {
             let problem = error.message().lines().collect::<Vec<_>>().join(" ");
-            source.refused(error.span().unwrap_or(0..0), problem)
+            let unknown = problem.strip_prefix("unknown field `").and_then(|rest| rest.split('`').next());
+            let near = unknown.map_or_else(String::new, |name| did_you_mean(name, FIELDS));
+            source.refused(error.span().unwrap_or(0..0), problem + &near)
         })?;
         let mut changed: BTreeMap<&str, &'static Experiment> = BTreeMap::new();
         let mut own: BTreeMap<String, OwnInput> = BTreeMap::new();
         for (id, section) in &document.experiment {
             let Some(base) = experiments::catalog::find(id) else {
-                let problem = format!("there is no experiment `{id}`; `zonobench list` names those that there are");
+                let near = did_you_mean(id, EXPERIMENTS.iter().map(|experiment| experiment.id));
+                let problem =
+                    format!("there is no experiment `{id}`; `zonobench list` names those that there are{near}");
                 return Err(source.refused(section.span(), problem));
             };
             changed.insert(id, changed_experiment(base, section.get_ref(), &source, &mut own)?);
@@ -214,7 +222,8 @@ fn family(
         return Ok(wanted.to_owned().leak());
     }
     let known = base.families.join(", ");
-    let problem = format!("`{wanted}` is no family that `{}` takes; its own are {known}", base.id);
+    let near = did_you_mean(wanted, base.families.iter().copied());
+    let problem = format!("`{wanted}` is no family that `{}` takes; its own are {known}{near}", base.id);
     Err(source.refused(name.span(), problem))
 }
 
@@ -233,7 +242,8 @@ fn input(
     } else {
         let file = source.file.parent().unwrap_or(Path::new("")).join(wanted);
         if !file.exists() {
-            return Err(refused(format!("`{wanted}` is neither a real input nor a file")));
+            let near = did_you_mean(wanted, base.real_inputs.iter().copied());
+            return Err(refused(format!("`{wanted}` is neither a real input nor a file{near}")));
         }
         let reading = PointSource::of_file(file).read(Wanted::Any)?;
         if let Some(remarks) = reading.remarks() {
@@ -258,7 +268,8 @@ fn variant(base: &Experiment, name: &Spanned<String>, source: &Source<'_>) -> Re
     let wanted = name.get_ref();
     base.variants.iter().find(|variant| variant.id == wanted).copied().ok_or_else(|| {
         let known: Vec<&str> = base.variants.iter().map(|variant| variant.id).collect();
-        let problem = format!("`{}` has no variant `{wanted}`; they are {}", base.id, known.join(", "));
+        let near = did_you_mean(wanted, known.iter().copied());
+        let problem = format!("`{}` has no variant `{wanted}`; they are {}{near}", base.id, known.join(", "));
         source.refused(name.span(), problem)
     })
 }

@@ -14,7 +14,7 @@ const UNFINISHED: &str = "reproduce.unfinished";
 pub(super) const RECORDS: &str = "records";
 
 /// The list of what a finished run wrote.
-pub(super) const MANIFEST: &str = "manifest.json";
+pub(in crate::commands) const MANIFEST: &str = "manifest.json";
 
 /// Why a run does not get its folder.
 #[derive(Debug, Error)]

@@ -17,13 +17,14 @@ use paper_checks::catalog::CLAIMS;
 use paper_checks::{ClaimResult, Finding};
 
 use self::config::Config;
-use self::folder::{Folder, MANIFEST, RECORDS};
+pub(super) use self::folder::MANIFEST;
+use self::folder::{Folder, RECORDS};
 use self::selection::Selection;
 use super::Ending;
 use super::records::table;
 use crate::output::{Existing, write_whole};
 use crate::progress::{Progress, RunProgress};
-use crate::report::{self, Evidence, Manifest, OutputFile};
+use crate::report::{self, Evidence, Manifest, OutputFile, USUAL_SEED};
 
 /// Options of `reproduce`.
 #[derive(Debug, Args)]
@@ -35,17 +36,21 @@ pub struct Options {
     #[arg(long, value_name = "DIR", default_value = "out/reproduce")]
     out: PathBuf,
     /// The seed of all random numbers.
-    #[arg(long, default_value_t = 2003)]
+    #[arg(long, default_value_t = USUAL_SEED)]
     seed: u64,
-    /// Threads for counting; all processors if absent. Times are taken on one.
+    /// Threads for counting; all processors if absent.
+    ///
+    /// Times are taken on one.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Run these experiments alone, or those that these figures show, with their figures and the claims that rest on
-    /// nothing else; `list` names them.
+    /// Run these experiments alone, or those that these figures show; `list` names them.
+    ///
+    /// Their figures are drawn and the claims checked that rest on nothing else.
     #[arg(long, value_name = "ID", num_args = 1..)]
     only: Vec<String>,
-    /// Run the experiments of a TOML file alone, with its families, sizes, variants and own files as inputs, and plot
-    /// them.
+    /// Run the experiments of a TOML file alone, as it changes them, and plot them.
+    ///
+    /// The file has families, sizes, variants and own files as inputs.
     #[arg(long, value_name = "FILE", conflicts_with = "only")]
     config: Option<PathBuf>,
     /// Write into the folder although it holds something.
@@ -93,6 +98,19 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         claims,
     };
 
+    let written = write_all(options, profile, &plan, folder, &evidence);
+    let told = summarize(&evidence, written.is_ok().then_some(options.out.as_path()));
+    written.and(told)
+}
+
+/// Writes what was found; the manifest comes last.
+fn write_all(
+    options: &Options,
+    profile: Profile,
+    plan: &Plan,
+    folder: Folder,
+    evidence: &Evidence,
+) -> anyhow::Result<()> {
     let mut outputs = folder.record_files()?;
     let mut write = |path: &str, content: &[u8], deterministic: bool| -> anyhow::Result<()> {
         write_whole(&options.out.join(path), content, Existing::Replace)?;
@@ -117,8 +135,8 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
         write("CLAIMS.md", paper_checks::markdown(&evidence.claims).as_bytes(), true)?;
     }
     write("CITATION.cff", report::CITATION.as_bytes(), true)?;
-    write("report.html", report::report(&evidence).as_bytes(), true)?;
-    write("times.html", report::times(&evidence).as_bytes(), false)?;
+    write("report.html", report::report(evidence).as_bytes(), true)?;
+    write("times.html", report::times(evidence).as_bytes(), false)?;
 
     outputs.sort_by(|a, b| a.path.cmp(&b.path));
     let manifest = Manifest {
@@ -131,12 +149,11 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
     let manifest = format!("{}\n", serde_json::to_string_pretty(&manifest)?);
     write_whole(&options.out.join(MANIFEST), manifest.as_bytes(), Existing::Replace)?;
-    folder.release()?;
-    summarize(&evidence, &options.out)
+    Ok(folder.release()?)
 }
 
 /// What a person wants to know at the end; the ending is bad if an answer was wrong or a figure is missing.
-fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
+fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> {
     let faults = evidence.records.counts.iter().filter_map(|row| Some((&row.key.case, row.fault()?)));
     let missing = evidence.figures.iter().filter_map(|figure| Some((figure.figure.id, figure.drawing.as_ref().err()?)));
     let mut output = io::stdout().lock();
@@ -164,7 +181,9 @@ fn summarize(evidence: &Evidence, out: &Path) -> anyhow::Result<Ending> {
         ending = Ending::Bad;
         writeln!(output, "NOT DRAWN {id}: {reason}")?;
     }
-    writeln!(output, "{}", out.join("report.html").display())?;
+    if let Some(out) = out {
+        writeln!(output, "{}", out.join("report.html").display())?;
+    }
     Ok(ending)
 }
 

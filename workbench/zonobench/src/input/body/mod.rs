@@ -6,12 +6,14 @@ mod names;
 mod placed;
 mod pose;
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::bytes::read_limited;
 use super::document::parse;
 use super::error::{InputError, Place, Problem, on_one_line};
 use super::{Format, npy, table};
+use crate::digest::sha256;
 
 pub use document::body_of_answer;
 pub use layout::Layout;
@@ -29,6 +31,15 @@ pub struct Body {
     pub is_rounded: bool,
 }
 
+/// The content that a zonotope was read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Origin {
+    /// Its format.
+    pub format: Format,
+    /// Its SHA-256.
+    pub sha256: String,
+}
+
 /// A file with a zonotope.
 #[derive(Debug, Clone)]
 pub struct BodySource {
@@ -41,17 +52,42 @@ pub struct BodySource {
 }
 
 impl BodySource {
-    /// Reads the zonotope: vectors of a table or of an array, or a document: a list of generators, an object with a
-    /// centre and generators by any of their names, perhaps with a `pose`, a question about one body, or an answer that
-    /// holds one. What a reader may have meant otherwise, and what is not read, is told in one line each.
-    pub fn read(&self, tell: impl Fn(&str)) -> Result<Placed, InputError> {
+    /// Reads the zonotope, and tells which content of which format it was read from: vectors of a table or of an array,
+    /// or a document: a list of generators, an object with a centre and generators by any of their names, perhaps with a
+    /// `pose`, a question about one body, or an answer that holds one. What a reader may have meant otherwise, and what
+    /// is not read, is told in one line each.
+    pub fn read(&self, tell: impl Fn(&str)) -> Result<(Placed, Origin), InputError> {
+        let format = self.told_format().map_err(|problem| problem.at(&self.file, Place::File))?;
+        let content = read_limited(&self.file)?;
+        let mut tell = |line: &str| tell(&on_one_line(&format!("{}: {line}", self.file.display())));
+        let placed = self.placed(format, &content, &mut tell)?;
+        Ok((placed, Origin { format, sha256: sha256(&content) }))
+    }
+
+    /// The format that was chosen, or that the name tells.
+    fn told_format(&self) -> Result<Format, Problem> {
         let file = &self.file;
-        let format = Format::of_file(file, self.format)?;
-        let content = read_limited(file)?;
-        let mut tell = |line: &str| tell(&on_one_line(&format!("{}: {line}", file.display())));
+        if let Some(format) = self.format.or_else(|| Format::of_extension(file)) {
+            return Ok(format);
+        }
+        let choice = "say csv, json or npy by --format, or by --body-format where points stand beside it";
+        Err(match file.extension() {
+            _ if file.is_dir() => Problem::Shape("is a folder, not a file".to_owned()),
+            _ if file.as_os_str() != "-" && !file.exists() => Problem::Unreadable(ErrorKind::NotFound.into()),
+            Some(extension) => Problem::Shape(format!(
+                "files that end in .{} are not read as zonotopes; if it holds one, {choice}",
+                on_one_line(&extension.to_string_lossy())
+            )),
+            None => Problem::Shape(format!("the format cannot be told from the name; {choice}")),
+        })
+    }
+
+    /// The zonotope of a content.
+    fn placed(&self, format: Format, content: &[u8], mut tell: &mut dyn FnMut(&str)) -> Result<Placed, InputError> {
+        let file = &self.file;
         match format {
             Format::Csv => {
-                let rows = table::rows(file, &content)?;
+                let rows = table::rows(file, content)?;
                 rows.notes.iter().for_each(|note| tell(note));
                 if rows.are_named_as_points() && self.layout == Layout::default() {
                     let names = rows.names.join(", ");
@@ -63,10 +99,10 @@ impl BodySource {
                 Ok(Placed { body, pose: None })
             }
             Format::Npy => {
-                let body = self.layout.body(file, &[], npy::rows(file, &content)?, &mut tell)?;
+                let body = self.layout.body(file, &[], npy::rows(file, content)?, &mut tell)?;
                 Ok(Placed { body, pose: None })
             }
-            Format::Json => document::placed(file, &parse(file, &content)?, self.layout, &mut tell),
+            Format::Json => document::placed(file, &parse(file, content)?, self.layout, &mut tell),
             other => {
                 let problem = format!(
                     "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \

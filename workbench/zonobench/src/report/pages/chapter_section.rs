@@ -11,6 +11,7 @@ use crate::report::Evidence;
 use crate::report::chapter::{Chapter, ChapterTable};
 use crate::report::html::{Escaped, badge, prose, table};
 use crate::report::measured::Measured;
+use crate::report::repeat::Repeat;
 use crate::report::tables::{finding_badge, growth_summary, overall_table, value_table, value_table_on};
 
 /// The chapter.
@@ -28,14 +29,14 @@ pub(super) fn section(part: &Part<'_>, layout: &Layout<'_>, evidence: &Evidence)
     }
     text.push_str(&findings(part, evidence));
     let number = |drawn: &DrawnFigure| number_of(layout, drawn);
-    text.push_str(&plates(&part.pictures, number));
+    text.push_str(&plates(&part.pictures, Repeat::of(evidence), number));
     text.push_str(&open_table(part, evidence));
     text.push_str("<details>\n<summary>How it is solved, and what it costs</summary>\n");
     for paragraph in chapter.method {
         text.push_str(&format!("<p>{}</p>\n", prose(paragraph)));
     }
     text.push_str(&format!("<p><b>Cost.</b> {}</p>\n</details>\n", Escaped(chapter.bound)));
-    text.push_str(&folded_figures(&part.folded, layout));
+    text.push_str(&folded_figures(&part.folded, layout, evidence));
     for experiment in &part.experiments {
         text.push_str(&experiment::folded(experiment, evidence));
     }
@@ -48,11 +49,11 @@ pub(super) fn section(part: &Part<'_>, layout: &Layout<'_>, evidence: &Evidence)
 }
 
 /// The plots of experiments that the reader's file has changed, above all else.
-pub(super) fn own_section(layout: &Layout<'_>) -> String {
+pub(super) fn own_section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     if layout.own_figures.is_empty() {
         return String::new();
     }
-    let plots = plates(&layout.own_figures, |drawn| number_of(layout, drawn));
+    let plots = plates(&layout.own_figures, Repeat::of(evidence), |drawn| number_of(layout, drawn));
     format!("<section id=\"own\">\n<h2>Your plots</h2>\n{plots}</section>\n")
 }
 
@@ -62,7 +63,7 @@ pub(super) fn remaining_section(layout: &Layout<'_>, evidence: &Evidence) -> Str
         return String::new();
     }
     let mut text = String::from("<section id=\"parts\">\n<h2>Parts and tools</h2>\n");
-    text.push_str(&plates(&layout.other_figures, |drawn| number_of(layout, drawn)));
+    text.push_str(&plates(&layout.other_figures, Repeat::of(evidence), |drawn| number_of(layout, drawn)));
     for experiment in &layout.other_experiments {
         text.push_str(&experiment::folded(experiment, evidence));
     }
@@ -75,7 +76,7 @@ fn number_of(layout: &Layout<'_>, drawn: &DrawnFigure) -> Option<usize> {
 }
 
 /// The figures that do not stand open, with their titles to choose by.
-fn folded_figures(figures: &[&DrawnFigure], layout: &Layout<'_>) -> String {
+fn folded_figures(figures: &[&DrawnFigure], layout: &Layout<'_>, evidence: &Evidence) -> String {
     if figures.is_empty() {
         return String::new();
     }
@@ -87,7 +88,7 @@ fn folded_figures(figures: &[&DrawnFigure], layout: &Layout<'_>) -> String {
     format!(
         "<details>\n<summary>More pictures <small>{}</small></summary>\n{}</details>\n",
         titles.join("; "),
-        plates(figures, |drawn| number_of(layout, drawn))
+        plates(figures, Repeat::of(evidence), |drawn| number_of(layout, drawn))
     )
 }
 

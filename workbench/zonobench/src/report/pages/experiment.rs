@@ -5,6 +5,7 @@ use experiments::record::CountOutcome;
 
 use crate::report::Evidence;
 use crate::report::html::{Escaped, grouped, prose};
+use crate::report::repeat::{Repeat, shown};
 use crate::report::tables::{growth_table, value_table};
 
 /// The experiment with its laws and its other numbers. It stands open if an answer was wrong.
@@ -41,6 +42,10 @@ pub(super) fn folded(experiment: &'static Experiment, evidence: &Evidence) -> St
     if experiment.timing.is_some() {
         text.push_str(&format!(", <a href=\"times.html#experiment-{}\">times</a>", experiment.id));
     }
-    text.push_str(".</p>\n</details>\n");
+    text.push_str(".</p>\n");
+    if let Some(command) = Repeat::of(evidence).experiment(experiment) {
+        text.push_str(&format!("<p>By itself: {}</p>\n", shown(&command)));
+    }
+    text.push_str("</details>\n");
     text
 }

@@ -3,6 +3,7 @@
 use figures::figure::{Figure, FigureInput};
 
 use crate::report::html::{Escaped, prose};
+use crate::report::repeat::{Repeat, shown};
 
 /// A figure with its drawing.
 #[derive(Debug)]
@@ -26,11 +27,15 @@ impl DrawnFigure {
 }
 
 /// The figures with their captions, the drawings within the page; `number` has each one's place in the page, from 0.
-pub(super) fn plates(figures: &[&DrawnFigure], number: impl Fn(&DrawnFigure) -> Option<usize>) -> String {
-    figures.iter().map(|figure| plate(figure, number(figure))).collect()
+pub(super) fn plates(
+    figures: &[&DrawnFigure],
+    repeat: Repeat,
+    number: impl Fn(&DrawnFigure) -> Option<usize>,
+) -> String {
+    figures.iter().map(|figure| plate(figure, repeat, number(figure))).collect()
 }
 
-fn plate(drawn: &DrawnFigure, number: Option<usize>) -> String {
+fn plate(drawn: &DrawnFigure, repeat: Repeat, number: Option<usize>) -> String {
     let figure = drawn.figure;
     let drawing = match &drawn.drawing {
         Ok(svg) => inlined(svg, figure.id),
@@ -43,12 +48,12 @@ fn plate(drawn: &DrawnFigure, number: Option<usize>) -> String {
         number.map_or_else(String::new, |number| format!("Figure {}. ", number + 1)),
         prose(figure.title),
         prose(figure.caption),
-        sources(drawn).join(" · ")
+        sources(drawn, repeat).join(" · ")
     )
 }
 
-/// Links to the drawing as a file, and to the numbers that it shows.
-fn sources(drawn: &DrawnFigure) -> Vec<String> {
+/// Links to the drawing as a file, and to the numbers that it shows; the command that draws it again.
+fn sources(drawn: &DrawnFigure, repeat: Repeat) -> Vec<String> {
     let mut links = Vec::new();
     if drawn.drawing.is_ok() {
         links.push(format!("<a href=\"{}\">SVG</a>", drawn.path()));
@@ -58,6 +63,7 @@ fn sources(drawn: &DrawnFigure) -> Vec<String> {
         links.push(format!("<a href=\"records/{id}.{sort}.csv\">numbers as CSV</a>"));
         links.push(format!("<a href=\"records/{sort}.jsonl\">record</a> of <a href=\"#experiment-{id}\">{id}</a>"));
     }
+    links.extend(repeat.figure(drawn.figure).map(|command| shown(&command)));
     links
 }
 

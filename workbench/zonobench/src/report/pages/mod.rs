@@ -18,6 +18,7 @@ use self::figures::plates;
 use self::layout::Layout;
 use super::Evidence;
 use super::html::{Escaped, grouped, page, table};
+use super::repeat::Repeat;
 use super::tables::{growth_table, time_table};
 
 /// `report.html`: nothing in it depends on a clock or a machine.
@@ -25,7 +26,7 @@ pub fn report(evidence: &Evidence) -> String {
     let layout = Layout::of(evidence);
     let mut body = String::from("<main>\n");
     body.push_str(&opening::section(&layout, evidence));
-    body.push_str(&chapter_section::own_section(&layout));
+    body.push_str(&chapter_section::own_section(&layout, evidence));
     for part in &layout.parts {
         body.push_str(&chapter_section::section(part, &layout, evidence));
     }
@@ -76,7 +77,10 @@ pub fn times(evidence: &Evidence) -> String {
     let figures: Vec<&DrawnFigure> = evidence.figures.iter().filter(|drawn| !drawn.figure.deterministic).collect();
     if !figures.is_empty() {
         let number = |drawn: &DrawnFigure| figures.iter().position(|other| other.figure.id == drawn.figure.id);
-        body.push_str(&format!("<section><h2>Figures</h2>\n{}</section>\n", plates(&figures, number)));
+        body.push_str(&format!(
+            "<section><h2>Figures</h2>\n{}</section>\n",
+            plates(&figures, Repeat::of(evidence), number)
+        ));
     }
     body.push_str("</main>\n");
     page("Zonotope Workbench: times", &body)

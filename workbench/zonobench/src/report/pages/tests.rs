@@ -1,5 +1,6 @@
 use std::collections::BTreeSet;
 
+use clap::Parser;
 use experiments::definition::Profile;
 use experiments::environment::Environment;
 use experiments::runner::Records;
@@ -46,6 +47,53 @@ fn links_within_a_page_lead_somewhere_and_anchors_are_unique() {
     for link in values(&report, "href").into_iter().filter_map(|link| link.strip_prefix("times.html#")) {
         assert!(values(&times, "id").contains(&link), "times.html#{link}");
     }
+}
+
+/// The parts of a page that are to be copied as commands.
+fn commands(page: &str) -> Vec<&str> {
+    let all = page.split("<code class=\"repeat\">").skip(1);
+    all.filter_map(|rest| rest.split_once("</code>")).map(|(command, _)| command).collect()
+}
+
+#[test]
+fn the_command_of_each_figure_and_experiment_stands_under_it() {
+    let mut evidence = evidence();
+    let check = |evidence: &Evidence, page: &str, options: &str| {
+        let commands = commands(page);
+        for command in &commands {
+            let words: Vec<&str> = command.strip_prefix("cargo run --release -- ").expect(command).split(' ').collect();
+            assert!(crate::cli::Cli::try_parse_from([&["zonobench"], &words[..]].concat()).is_ok(), "{command}");
+        }
+        for experiment in &evidence.experiments {
+            let id = experiment.id;
+            let command = format!("cargo run --release -- reproduce --only {id} --out out/{id}{options}");
+            let own = page.split(&format!("id=\"experiment-{id}\"")).nth(1).expect(id);
+            assert!(self::commands(own).contains(&command.as_str()), "{command}");
+        }
+        commands.len()
+    };
+    evidence.seed = crate::report::USUAL_SEED;
+    let page = report(&evidence);
+    let shown = ::figures::catalog::FIGURES.iter().filter(|figure| figure.deterministic);
+    for figure in shown.clone() {
+        let own = page.split(&format!("<figure id=\"figure-{}\"", figure.id)).nth(1).expect(figure.id);
+        let command = format!("cargo run --release -- figure {0} --svg {0}.svg", figure.id);
+        assert_eq!(commands(own).first(), Some(&command.as_str()));
+    }
+    assert_eq!(check(&evidence, &page, ""), shown.count() + evidence.experiments.len());
+    evidence.seed = 7;
+    evidence.profile = Profile::Full;
+    let page = report(&evidence);
+    check(&evidence, &page, " --profile full --seed 7");
+    for (id, command) in [
+        ("paper-figure-1", "figure paper-figure-1 --svg paper-figure-1.svg"),
+        ("country-outlines", "reproduce --only country-outlines --out out/country-outlines --profile full --seed 7"),
+    ] {
+        let own = page.split(&format!("<figure id=\"figure-{id}\"")).nth(1).expect("a figure");
+        assert_eq!(commands(own)[0], format!("cargo run --release -- {command}"));
+    }
+    evidence.config = Some("my.toml".into());
+    assert_eq!(commands(&report(&evidence)), Vec::<&str>::new(), "a part of a changed run has no command of its own");
 }
 
 #[test]

@@ -1,0 +1,109 @@
+//! An answer about the bodies of files, and perhaps about points: the question that it answers.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, anyhow};
+use batch::json::{self, MAX_VALUES, Tree};
+use batch::placement::Placement;
+use serde_json::Value;
+
+use super::about::{AboutData, NO_RECORD, OTHER_DATA};
+use super::question_name;
+use crate::commands::asked::{About, Recorded, zonotope_of};
+use crate::commands::asking::{Asking, PointOptions};
+use crate::commands::usage::{Usage, tell};
+use crate::input::{BodySource, Reading, Wanted};
+
+/// What is said where two files are those of the answer, but in the other order.
+const OTHER_ORDER: &str = "the files are those of the answer in the other order, and so it fails";
+
+/// The question about the files that an answer is about.
+pub(super) fn question(files: &[PathBuf], asking: &Asking, about: About, answer: &Tree) -> anyhow::Result<AboutData> {
+    check_options(asking, about)?;
+    let recorded = match Recorded::of(about, answer) {
+        Some(Ok(recorded)) => Some(recorded),
+        Some(Err(error)) => return Ok(AboutData::without_question(error.to_string())),
+        None if about == About::Reduce => {
+            let reason = "the answer does not record how many generators and which rule were asked for; `zonobench \
+                          verify` checks it against its question";
+            return Ok(AboutData::without_question(reason.to_owned()));
+        }
+        None => None,
+    };
+    let is_recorded = recorded.is_some();
+    let recorded = recorded.unwrap_or_else(|| Recorded::nothing(about));
+    let (question, hashes) = match ask_again(files, asking, about, &recorded) {
+        Ok(found) => found,
+        Err(error) => {
+            let reason = format!("the question that the answer records cannot be asked: {error:#}");
+            return Ok(AboutData::without_question(reason));
+        }
+    };
+    let kept: Vec<&str> = recorded.files.iter().filter_map(|file| file.sha256.as_deref()).collect();
+    let doubt = if !is_recorded {
+        Some(NO_RECORD)
+    } else if hashes == kept {
+        None
+    } else if hashes.iter().rev().eq(kept.iter()) {
+        Some(OTHER_ORDER)
+    } else {
+        Some(OTHER_DATA)
+    };
+    Ok(AboutData { question: Ok(question), doubt, unknown: recorded.unknown })
+}
+
+/// Refuses options that say nothing about such files.
+fn check_options(asking: &Asking, about: About) -> Result<(), Usage> {
+    if let Some(option) = asking.goal() {
+        return Err(Usage::not_applicable(option, "the answer is about bodies, not around points"));
+    }
+    let PointOptions { columns, skip, skip_nan, .. } = &asking.points;
+    let given = [("--columns", columns.is_some()), ("--skip", skip.is_some()), ("--skip-nan", *skip_nan)];
+    match given.into_iter().find(|(_, is_given)| *is_given && about != About::Contains) {
+        Some((option, _)) => Err(Usage::not_applicable(option, "the answer is about bodies alone")),
+        None => Ok(()),
+    }
+}
+
+/// The question with the SHA-256 of every file.
+fn ask_again(
+    files: &[PathBuf],
+    asking: &Asking,
+    about: About,
+    recorded: &Recorded,
+) -> anyhow::Result<(Tree, Vec<String>)> {
+    let mut bodies: Vec<Value> = Vec::new();
+    let mut points: Option<Reading> = None;
+    let mut hashes = Vec::new();
+    for ((file, record), is_body) in files.iter().zip(&recorded.files).zip(about.are_bodies()) {
+        if is_body {
+            let chosen = asking.points.format.filter(|_| about != About::Contains);
+            let (format, layout) = (chosen.or(record.points.format), record.layout);
+            let (mut placed, origin) = BodySource { file: file.clone(), format, layout }.read(tell)?;
+            if let Some(pose) = &record.pose {
+                let read =
+                    Placement::read(pose, placed.dimension()).map_err(|refusal| anyhow!("{}", refusal.message))?;
+                placed.pose = Some(read);
+            }
+            hashes.push(origin.sha256);
+            bodies.push(match about {
+                // rounded before it was reduced
+                About::Reduce => zonotope_of(&placed.rounded(file)?.body),
+                _ => placed.question(),
+            });
+        } else {
+            let reading = asking.points.or(&record.points).source(file)?.read(Wanted::Any)?;
+            hashes.push(reading.sha256.clone());
+            points = Some(reading);
+        }
+    }
+    let names: Vec<String> = files.iter().map(|file| question_name(file)).collect();
+    let reduction = recorded.reduction.as_ref().map(|(count, rule)| (*count, rule.as_str()));
+    let question = about.question(&names.join(" and "), &bodies, points.as_ref(), reduction);
+    let read = json::read(question.to_string().as_bytes(), MAX_VALUES);
+    Ok((read.with_context(|| display(files))?, hashes))
+}
+
+fn display(files: &[PathBuf]) -> String {
+    files.iter().map(|file| Path::new(file).display().to_string()).collect::<Vec<_>>().join(" and ")
+}
