@@ -34,6 +34,7 @@ mod transcript;
 use serde_json::{Map, Value, json};
 
 pub use dimension::MAX_DIMENSION;
+pub use fields::read_pose;
 pub use kinds::{KINDS, Kind, min_area_result};
 pub use refusal::{Code, Refusal};
 pub use transcript::{Verdict, check, check_unread, verify};
