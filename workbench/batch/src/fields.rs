@@ -219,9 +219,17 @@ fn coordinates_of(row: &[Tree], place: &Place, dimension: usize) -> Result<Vec<f
     Ok(vector)
 }
 
+/// The placement of a `pose` as a question has it: an object with `matrix`, `translation` or both.
+///
+/// # Errors
+/// A refusal that names the place in the pose.
+pub fn read_pose(pose: &Tree, dimension: usize) -> Result<Placement, Refusal> {
+    placement_of(pose, Place::default().field("pose"), dimension)
+}
+
 /// The placement of a pose at a place: a matrix, which is the identity if absent, and a translation, which is zero if
 /// absent.
-pub(super) fn placement_of(pose: &Tree, place: Place, dimension: usize) -> Result<Placement, Refusal> {
+fn placement_of(pose: &Tree, place: Place, dimension: usize) -> Result<Placement, Refusal> {
     let pose = Fields::at(pose, &[], &["matrix", "translation"], place)?;
     let has = |name: &str| pose.object.field(name).is_some();
     if !has("matrix") && !has("translation") {

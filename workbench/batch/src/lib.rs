@@ -35,6 +35,7 @@ mod transcript;
 use serde_json::{Map, Value, json};
 
 pub use dimension::MAX_DIMENSION;
+pub use fields::read_pose;
 pub use kinds::{KINDS, Kind, min_area_result};
 pub use nearest::{did_you_mean, nearest};
 pub use refusal::{Code, Refusal};

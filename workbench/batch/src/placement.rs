@@ -6,10 +6,7 @@ use zonotope::Pose;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::Zonotope;
 
-use crate::fields::placement_of;
-use crate::json::{Tree, rows_to_json, vector_to_json};
-use crate::place::Place;
-use crate::refusal::Refusal;
+use crate::json::{rows_to_json, vector_to_json};
 
 /// The number of coordinates of the library's own poses.
 const SPACE: usize = 3;
@@ -33,14 +30,6 @@ impl Placement {
         let is_even = |row: &Vec<f64>| row.len() == translation.len() && row.iter().all(|entry| entry.is_finite());
         let fits = matrix.len() == translation.len() && matrix.iter().chain([&translation]).all(is_even);
         fits.then_some(Self { matrix, translation })
-    }
-
-    /// The placement of a `pose` as a question has it: an object with `matrix`, `translation` or both.
-    ///
-    /// # Errors
-    /// A refusal that names the place in the pose.
-    pub fn read(pose: &Tree, dimension: usize) -> Result<Self, Refusal> {
-        placement_of(pose, Place::default().field("pose"), dimension)
     }
 
     /// The placement as a `pose` of a question.

@@ -5,7 +5,7 @@ mod pose_file;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{anyhow, bail};
+use anyhow::anyhow;
 use clap::Args;
 
 pub(super) use self::motion::{Shift, Turn};
@@ -145,9 +145,4 @@ pub(super) fn describe(table: &mut Table, [name, pose_name]: [&str; 2], placed: 
 /// What is said of a body whose centre and generators are rounded images under its pose.
 pub(super) fn rounded_in_words(off: f64) -> String {
     format!("the body under the pose is taken in doubles, no point of it farther off than {}", figure(off))
-}
-
-/// Refuses a number of coordinates that an option does not have.
-fn check_count(option: &str, found: usize, dimension: usize) -> anyhow::Result<()> {
-    if found == dimension { Ok(()) } else { bail!("{option}: {found} numbers for a body with {dimension} coordinates") }
 }

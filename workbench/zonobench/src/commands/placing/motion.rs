@@ -3,9 +3,8 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::str::FromStr;
 
-use anyhow::bail;
+use anyhow::{bail, ensure};
 
-use super::check_count;
 use batch::placement::Placement;
 
 /// The numbers by which a body is moved.
@@ -23,7 +22,8 @@ impl FromStr for Shift {
 impl Shift {
     /// The placement that moves a body of the dimension.
     pub(super) fn placement(&self, dimension: usize) -> anyhow::Result<Placement> {
-        check_count("--move", self.0.len(), dimension)?;
+        let found = self.0.len();
+        ensure!(found == dimension, "--move: {found} numbers for a body with {dimension} coordinates");
         let matrix = Placement::identity(dimension).matrix().to_vec();
         Ok(Placement::new(matrix, self.0.clone()).expect("the numbers are finite and counted"))
     }

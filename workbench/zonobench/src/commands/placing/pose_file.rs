@@ -7,16 +7,17 @@ use anyhow::anyhow;
 use crate::input::PoseDocument;
 use batch::json::Tree;
 use batch::placement::Placement;
+use batch::read_pose;
 
-/// The pose of a file, for a body of the dimension: an object as it stands in a question, or the rows of a matrix, which
-/// is square, or has the translation as its last column, perhaps with a last row 0, …, 0, 1.
+/// The pose of a file, for a body of the dimension: an object as it stands in a question, or the rows of a matrix,
+/// which is square, or has the translation as its last column, perhaps with a last row 0, …, 0, 1.
 pub(super) fn read(file: &Path, dimension: usize) -> anyhow::Result<Placement> {
     let name = || format!("--pose {}", file.display());
     let rows = match PoseDocument::read(file)? {
         PoseDocument::Rows(rows) => rows,
         PoseDocument::Object(object) => {
             let pose = object.field("pose").filter(|pose| matches!(pose, Tree::Object(_))).unwrap_or(&object);
-            return Placement::read(pose, dimension).map_err(|refusal| anyhow!("{}: {}", name(), refusal.message));
+            return read_pose(pose, dimension).map_err(|refusal| anyhow!("{}: {}", name(), refusal.message));
         }
     };
     of_rows(&rows, dimension).ok_or_else(|| {

@@ -3,6 +3,7 @@
 mod document;
 mod layout;
 mod names;
+mod object;
 mod placed;
 mod pose;
 

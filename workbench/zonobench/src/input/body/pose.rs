@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::document::vectors;
+use super::object::vectors;
 use crate::input::bytes::read_limited;
 use crate::input::document::parse;
 use crate::input::error::{InputError, Place, Problem};

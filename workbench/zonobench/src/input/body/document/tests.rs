@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::*;
+use crate::input::Body;
 use crate::input::document::parse;
 
 /// The body with its pose, or the complaint, with the lines that are told.
@@ -65,47 +66,10 @@ fn two_centres_and_two_lists_of_generators_are_named() {
 /// What would make another body of it is refused by its name, wherever the zonotope stands.
 #[test]
 fn fields_that_could_change_the_body_are_named() {
-    let names = [
-        "A",
-        "b",
-        "Ac",
-        "Ab",
-        "bc",
-        "Gc",
-        "Gb",
-        "GI",
-        "Grest",
-        "E",
-        "expMat",
-        "Aeq",
-        "H",
-        "h",
-        "Center",
-        "CENTRE",
-        "C",
-        "centroid",
-        "origin",
-        "offset",
-        "translation",
-        "position",
-        "Position",
-        "mid_point",
-        "t",
-        "X",
-        "Generators",
-        "g",
-        "gens",
-        "rotation",
-        "R",
-        "quaternion",
-        "transform",
-        "scale",
-        "Pose",
-        "poses",
-        "motion",
-        "Zentrum",
-    ];
-    for name in names {
+    let names = "\
+        A b Ac Ab bc Gc Gb GI Grest E expMat Aeq H h Center CENTRE C centroid origin offset translation position \
+        Position mid_point t X Generators g gens rotation R quaternion transform scale Pose poses motion Zentrum";
+    for name in names.split_whitespace() {
         for value in ["[7,8]", "[[7,8],[9,1]]"] {
             for content in [
                 format!(r#"{{"{name}":{value},"c":[1,2],"G":[[1,0],[0,1]]}}"#),
