@@ -104,6 +104,22 @@ impl<'a> Fields<'a> {
         (0..).zip(rows).map(|(index, row)| vector_at(row, &place, index)).collect()
     }
 
+    /// The vector under `name`, of a number of coordinates that is no constant.
+    pub(super) fn vector_of(&self, name: &str, dimension: usize) -> Result<Vec<f64>, Refusal> {
+        all_coordinates(self.list(name)?, &self.place.field(name), dimension)
+    }
+
+    /// The vectors under `name`, of a number of coordinates that is no constant.
+    pub(super) fn vectors_of(&self, name: &str, dimension: usize) -> Result<Vec<Vec<f64>>, Refusal> {
+        let place = self.place.field(name);
+        let rows = (0..).zip(self.limited(name)?);
+        let row = |(index, row)| {
+            let place = place.element(index);
+            all_coordinates(list_of_numbers(row, &place)?, &place, dimension)
+        };
+        rows.map(row).collect()
+    }
+
     /// The text under `name`.
     pub(super) fn text(&self, name: &str) -> Result<&'a str, Refusal> {
         let value = self.value(name);
@@ -176,10 +192,12 @@ fn vector_at<const D: usize>(row: &Tree, place: &Place, index: usize) -> Result<
         return Ok(vector);
     }
     let place = place.element(index);
-    let Tree::List(row) = row else {
-        return Err(Refusal::bad_input(format!("{place} is {}, not a list", row.describe())));
-    };
-    coordinates(row, &place)
+    coordinates(list_of_numbers(row, &place)?, &place)
+}
+
+/// The list that one of several vectors is.
+fn list_of_numbers<'a>(row: &'a Tree, place: &Place) -> Result<&'a [Tree], Refusal> {
+    row.list().ok_or_else(|| Refusal::bad_input(format!("{place} is {}, not a list", row.describe())))
 }
 
 /// The vector, if there is nothing to complain about: the only way that millions of rows take.
@@ -194,19 +212,19 @@ fn plain_vector<const D: usize>(row: &Tree) -> Option<[f64; D]> {
 }
 
 fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], Refusal> {
-    let mut vector = [0.0; D];
-    for (index, value) in row.iter().enumerate() {
-        let number = number(value, &place.element(index))?;
-        if let Some(slot) = vector.get_mut(index) {
-            *slot = number;
-        }
-    }
-    if row.len() != D {
+    let coordinates = all_coordinates(row, place, D)?;
+    Ok(std::array::from_fn(|index| coordinates[index]))
+}
+
+fn all_coordinates(row: &[Tree], place: &Place, dimension: usize) -> Result<Vec<f64>, Refusal> {
+    let numbers: Vec<f64> =
+        row.iter().enumerate().map(|(index, value)| number(value, &place.element(index))).collect::<Result<_, _>>()?;
+    if numbers.len() != dimension {
         let plural = if row.len() == 1 { "coordinate" } else { "coordinates" };
-        let message = format!("{place} has {} {plural}, not {D}", row.len());
+        let message = format!("{place} has {} {plural}, not {dimension}", row.len());
         return Err(Refusal::new(Code::DimensionMismatch, message));
     }
-    Ok(vector)
+    Ok(numbers)
 }
 
 fn number(value: &Tree, place: &Place) -> Result<f64, Refusal> {

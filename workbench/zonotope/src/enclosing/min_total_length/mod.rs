@@ -37,6 +37,7 @@
 //! work in doubles alone.
 
 mod answer;
+mod axis_box;
 mod box_coordinates;
 pub mod by_direction_net;
 pub mod by_vertex_sets;
@@ -50,6 +51,7 @@ mod frame_zonotope;
 pub mod in_the_plane;
 mod lower_bound;
 mod method;
+mod on_a_line;
 
 pub use answer::{LengthMultiplier, LengthProof, MinLengthError, MinLengthZonotope, Outcome};
 pub use direction_net::Net;

@@ -91,6 +91,7 @@ use super::conclude::{around_equal_points, conclude, proven, validate};
 use super::frame::Frame;
 use super::in_the_plane::min_length_in_plane;
 use super::lower_bound::BestBound;
+use super::on_a_line::segment_around;
 use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::linear::dot;
 use crate::tally::Tally;
@@ -131,6 +132,7 @@ fn around_outer<const D: usize>(
     }
     match frame.rank() {
         0 => around_equal_points(points),
+        1 if let Some(segment) = on_a_line_within(points, &frame, &best, epsilon) => Ok(segment),
         2 => {
             let (inner, progress) = min_length_in_plane(&frame, epsilon, &mut best);
             let directions = inner.generators.len();
@@ -150,6 +152,17 @@ fn around_outer<const D: usize>(
             Ok(proven(points, &frame, around, &best, shorter.effort.progress, directions, epsilon))
         }
     }
+}
+
+/// The answer for points on a line: a segment of doubles, if one is within 1 + ε of the least length.
+fn on_a_line_within<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    best: &BestBound<D>,
+    epsilon: f64,
+) -> Option<MinLengthZonotope<D>> {
+    let answer = proven(points, frame, segment_around(points)?, best, Vec::new(), 1, epsilon);
+    (answer.proof.outcome == Outcome::WithinEpsilon).then_some(answer)
 }
 
 /// The answer by set generation, for points that span one dimension, or three and more, with steps in the scalar `R`.
