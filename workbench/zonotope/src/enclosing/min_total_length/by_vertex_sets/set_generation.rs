@@ -37,7 +37,7 @@ const RECENTRING_FACTOR: f64 = 100.0;
 const RECENTRING_LIMIT: usize = 4;
 
 /// Set generation ends after this many multiplications and additions, which take about half a minute.
-const WORK_LIMIT: f64 = 1e11;
+pub(super) const WORK_LIMIT: f64 = 1e11;
 
 /// All points are looked at where the zonotope would close this share of the gap between the bounds.
 const SHARE_WORTH_A_LOOK: f64 = 0.1;

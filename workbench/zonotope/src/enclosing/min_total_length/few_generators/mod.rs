@@ -21,9 +21,11 @@
 //! 2. Solve the linear program along the merged directions (`along`) and search for the least number of them that
 //!    suffices (`search`). Nets of directions, three boxes, and the differences of few points are tried beside them.
 //! 3. Merge generators of the sparsest zonotope further, and move the directions (`moving`) until it is short enough.
-//! 4. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
+//! 4. Points on a line have the segment of doubles (`on_a_line`), and where the search fails, as for numbers of all
+//!    sizes, there is the box along the axes (`axis_box`).
+//! 5. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
 //!    the volume (`volume`), from the answer and from three boxes.
-//! 5. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
+//! 6. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
 //!    few units in the last place for that, and no generators are added: a zonotope whose generators span the space
 //!    makes up for rounding by itself. A plane of space that no doubles span takes one generator off the plane, as
 //!    short as rounding.
@@ -41,8 +43,8 @@
 //!
 //! # Errors
 //! [`TooFewGenerators`](super::MinLengthError::TooFewGenerators) ⇔ the count is less than the dimension that the points
-//! span exactly, or no doubles span that; [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ no zonotope of so few
-//! generators is found, as may happen near the ends of the range of doubles.
+//! span exactly, or less than D and no doubles that span it are found; [`OutOfRange`](super::MinLengthError::OutOfRange)
+//! ⇔ the length leaves the range of doubles: with D generators there is the box along the axes around any points.
 //!
 //! # Panics
 //! Never.
