@@ -104,6 +104,22 @@ impl<'a> Fields<'a> {
         (0..).zip(rows).map(|(index, row)| vector_at(row, &place, index)).collect()
     }
 
+    /// The vector under `name`, of a number of coordinates that is no constant.
+    pub(super) fn vector_of(&self, name: &str, dimension: usize) -> Result<Vec<f64>, Refusal> {
+        all_coordinates(self.list(name)?, &self.place.field(name), dimension)
+    }
+
+    /// The vectors under `name`, of a number of coordinates that is no constant.
+    pub(super) fn vectors_of(&self, name: &str, dimension: usize) -> Result<Vec<Vec<f64>>, Refusal> {
+        let place = self.place.field(name);
+        let rows = (0..).zip(self.limited(name)?);
+        let row = |(index, row)| {
+            let place = place.element(index);
+            all_coordinates(list_of_numbers(row, &place)?, &place, dimension)
+        };
+        rows.map(row).collect()
+    }
+
     /// The text under `name`.
     pub(super) fn text(&self, name: &str) -> Result<&'a str, Refusal> {
         let value = self.value(name);
@@ -187,10 +203,12 @@ fn vector_at<const D: usize>(row: &Tree, place: &Place, index: usize) -> Result<
         return Ok(vector);
     }
     let place = place.element(index);
-    let Tree::List(row) = row else {
-        return Err(Refusal::bad_input(format!("{place} is {}, not a list", row.describe())));
-    };
-    coordinates(row, &place)
+    coordinates(list_of_numbers(row, &place)?, &place)
+}
+
+/// The list that one of several vectors is.
+fn list_of_numbers<'a>(row: &'a Tree, place: &Place) -> Result<&'a [Tree], Refusal> {
+    row.list().ok_or_else(|| Refusal::bad_input(format!("{place} is {}, not a list", row.describe())))
 }
 
 /// The vector, if there is nothing to complain about: the only way that millions of rows take.
@@ -205,18 +223,19 @@ fn plain_vector<const D: usize>(row: &Tree) -> Option<[f64; D]> {
 }
 
 fn coordinates<const D: usize>(row: &[Tree], place: &Place) -> Result<[f64; D], Refusal> {
-    Ok(coordinates_of(row, place, D)?.try_into().expect("the coordinates were counted"))
+    let coordinates = all_coordinates(row, place, D)?;
+    Ok(std::array::from_fn(|index| coordinates[index]))
 }
 
-fn coordinates_of(row: &[Tree], place: &Place, dimension: usize) -> Result<Vec<f64>, Refusal> {
-    let vector: Vec<f64> =
-        (0..).zip(row).map(|(index, value)| number(value, &place.element(index))).collect::<Result<_, _>>()?;
-    if row.len() != dimension {
+fn all_coordinates(row: &[Tree], place: &Place, dimension: usize) -> Result<Vec<f64>, Refusal> {
+    let numbers: Vec<f64> =
+        row.iter().enumerate().map(|(index, value)| number(value, &place.element(index))).collect::<Result<_, _>>()?;
+    if numbers.len() != dimension {
         let plural = if row.len() == 1 { "coordinate" } else { "coordinates" };
         let message = format!("{place} has {} {plural}, not {dimension}", row.len());
         return Err(Refusal::new(Code::DimensionMismatch, message));
     }
-    Ok(vector)
+    Ok(numbers)
 }
 
 /// The placement of a `pose` as a question has it: an object with `matrix`, `translation` or both.
@@ -238,7 +257,7 @@ fn placement_of(pose: &Tree, place: Place, dimension: usize) -> Result<Placement
     let none = Placement::identity(dimension);
     let matrix = if has("matrix") { pose.square("matrix", dimension)? } else { none.matrix().to_vec() };
     let translation = if has("translation") {
-        coordinates_of(pose.list("translation")?, &pose.place.field("translation"), dimension)?
+        all_coordinates(pose.list("translation")?, &pose.place.field("translation"), dimension)?
     } else {
         none.translation().to_vec()
     };

@@ -145,4 +145,4 @@ pub use enclosing::Enclosing;
 pub use numeric::non_finite::{NonFinite, Place};
 pub use seed::DEFAULT_SEED;
 pub use zonotope::pose::{Pose, PoseError};
-pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError};
+pub use zonotope::{BoundingBox, Support, Zonotope, ZonotopeError, support_of};

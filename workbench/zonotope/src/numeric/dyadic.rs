@@ -156,9 +156,17 @@ impl Dyadic {
     /// [`ratio`](Self::ratio) where that is not finite.
     pub fn rounded_ratio(&self, divisor: &Self) -> f64 {
         let first = self.ratio(divisor);
-        if !first.is_finite() {
-            return first;
+        if first.is_infinite() {
+            // Near the largest double the first quotient may overflow though the exact one does not.
+            let half = self.clone().scaled(-1);
+            let first_half = half.ratio(divisor);
+            return if first_half.is_finite() { 2.0 * half.corrected(first_half, divisor) } else { first };
         }
+        if first.is_nan() { first } else { self.corrected(first, divisor) }
+    }
+
+    /// The quotient from a first one that is finite, by what that leaves of the number.
+    fn corrected(&self, first: f64, divisor: &Self) -> f64 {
         first + (self - &(divisor * &Self::from_f64(first))).ratio(divisor)
     }
 

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::numeric::dyadic::Dyadic;
-use crate::numeric::linear::dot;
+use crate::numeric::linear::{dot, sum_of_products};
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::outward::{Loss, at_least};
 use crate::numeric::tolerance::UNIT;
@@ -83,19 +83,9 @@ impl<const D: usize> Zonotope<D> {
     /// # Panics
     /// If a coordinate of the direction is NaN or infinite.
     pub fn support(&self, direction: [f64; D]) -> Support<D> {
-        let direction = direction.map(Dyadic::from_f64);
-        let mut point = self.center.map(Dyadic::from_f64);
-        let mut value = dot(&point, &direction);
-        for generator in &self.generators {
-            let generator = generator.map(Dyadic::from_f64);
-            let gain = dot(&generator, &direction);
-            let signed = if gain.sign().is_lt() { generator.map(|v| -v) } else { generator };
-            value = value + gain.abs();
-            for (sum, v) in point.iter_mut().zip(signed) {
-                *sum = &*sum + &v;
-            }
-        }
-        Support { exact_value: value, exact_point: point }
+        let (exact_value, point) =
+            support_of(&direction, &self.center, self.generators.iter().map(<[f64; D]>::as_slice));
+        Support { exact_value, exact_point: std::array::from_fn(|i| point[i].clone()) }
     }
 
     /// The total length Σ |g_i| of the generators, rounded up: at most a relative 10^-14 above the exact one.
@@ -114,6 +104,29 @@ impl<const D: usize> Support<D> {
     pub fn point(&self) -> [f64; D] {
         std::array::from_fn(|i| self.exact_point[i].to_f64())
     }
+}
+
+/// The value and the vertex of [`Zonotope::support`] for a body whose number of coordinates is no constant.
+///
+/// # Panics
+/// If a number is NaN or infinite, or if a vector has fewer coordinates than the direction.
+pub fn support_of<'a>(
+    direction: &[f64],
+    center: &[f64],
+    generators: impl Iterator<Item = &'a [f64]>,
+) -> (Dyadic, Vec<Dyadic>) {
+    let exact = |v: &[f64]| -> Vec<Dyadic> { v.iter().copied().map(Dyadic::from_f64).collect() };
+    let direction = exact(direction);
+    let mut point = exact(center);
+    let mut value = sum_of_products(&point, &direction);
+    for generator in generators.map(exact) {
+        let gain = sum_of_products(&generator, &direction);
+        for (sum, v) in point.iter_mut().zip(&generator) {
+            *sum = if gain.sign().is_lt() { &*sum - v } else { &*sum + v };
+        }
+        value = value + gain.abs();
+    }
+    (value, point)
 }
 
 /// The total length Σ |g_i|, rounded up.

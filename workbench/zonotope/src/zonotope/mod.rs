@@ -33,6 +33,6 @@ pub mod zonogon;
 
 pub use combinatorics::{Combinatorics, combinatorics};
 pub use directions::Directions;
-pub use implicit::{Support, Zonotope, ZonotopeError};
+pub use implicit::{Support, Zonotope, ZonotopeError, support_of};
 pub use operations::BoundingBox;
 pub use prepared::{BodyView, PreparedBody};

@@ -55,7 +55,7 @@ pub mod support_form;
 pub use answer::{DirectedZonotope, DirectionsProof, Enclosure, ExactOptimum, Multiplier, OPTIMAL_GAP, OffSpan};
 pub(crate) use by_row_generation::Generation;
 pub(crate) use lower_bound::balanced;
-pub(crate) use solve::contained;
+pub(crate) use solve::{cheapest_center_along, contained};
 
 pub use by_row_generation::{min_length_along, min_length_along_counted};
 pub use method::Method;

@@ -18,6 +18,7 @@ use super::rational::refine;
 use super::scaled::{KeptDirection, Scaled, Setting};
 use crate::enclosing::answer::Effort;
 use crate::enclosing::fixed_directions::departure::first_departure;
+use crate::numeric::Rational;
 use crate::numeric::exact_linear::{Span, rational};
 use crate::numeric::outward::at_most;
 use crate::numeric::scaling::scale_by_power_of_two;
@@ -115,4 +116,17 @@ pub(crate) fn contained<const D: usize>(
     let mut map = FacetMap::new(scaled.rank, &vectors);
     let container = contain(problem, &scaled, center, &guess, &mut map).ok()?;
     Some(container.zonotope.coefficients)
+}
+
+/// The centre of doubles from which a generator along one direction reaches points of that line and is nearly as short
+/// as from an exact centre. `None` if the points and the direction are no problem.
+pub(crate) fn cheapest_center_along<const D: usize>(
+    points: &[[f64; D]],
+    direction: &[f64; D],
+    exact: &[Rational; D],
+) -> Option<[f64; D]> {
+    let problem = FixedDirections::new(points, std::slice::from_ref(direction), &[1.0]).ok()?;
+    let span = Span::of_doubles(problem.directions());
+    let scaled = Scaled::new(&problem, &span);
+    Some(cheapest_center(Setting { problem: &problem, scaled: &scaled, span: &span }, exact, &[1.0]))
 }

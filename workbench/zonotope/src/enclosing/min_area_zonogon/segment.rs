@@ -1,7 +1,5 @@
 //! Points on a line: the least area is zero.
 
-use std::cmp::Ordering;
-
 use super::answer::{AreaProof, MinAreaZonogon};
 use crate::enclosing::answer::{Effort, Enclosing};
 use crate::enclosing::bisectors::Bisectors;
@@ -10,6 +8,7 @@ use crate::enclosing::outward::round_outward_exactly;
 use crate::hull::ConvexHull;
 use crate::lad::{LadCertificate, Minimizer};
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::exact_linear::doubles;
 use crate::zonotope::Zonotope;
 
 /// The answer for points on a line, whose hull is one point, or two that span all the others.
@@ -43,13 +42,6 @@ pub(super) fn around_segment(hull: ConvexHull) -> MinAreaZonogon {
         certificate: LadCertificate { signs: Vec::new(), basis: Vec::new() },
     };
     Enclosing { body: zonogon, value: area, lower_bound: 0.0, proof, effort: Effort::default() }
-}
-
-/// A vector as doubles, if it is one.
-fn doubles(exact: &[Dyadic; 2]) -> Option<[f64; 2]> {
-    let rounded = [exact[0].to_f64(), exact[1].to_f64()];
-    let same = |i: usize| rounded[i].is_finite() && Dyadic::from_f64(rounded[i]).cmp(&exact[i]) == Ordering::Equal;
-    (same(0) && same(1)).then_some(rounded)
 }
 
 /// The smallest zonogon with a centre around a segment, rounded outward, and its area, rounded up.

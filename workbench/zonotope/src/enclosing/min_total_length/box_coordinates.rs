@@ -100,11 +100,13 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
     }
 
     /// Where points of the frame, given by their places, lie relative to the zonotope with a centre and generators.
+    /// The normals that the search for a place's facet ended with, in box coordinates, are where the next one begins.
     pub(super) fn positions(
         &self,
         center: [f64; D],
         generators: &[[f64; D]],
         places: impl Iterator<Item = usize>,
+        normals: &mut [Option<[f64; D]>],
     ) -> impl Iterator<Item = (usize, Position<D>)> {
         let coordinates: Vec<[f64; D]> = generators.iter().map(|g| self.vector(g)).collect();
         let mut descent = FacetDescent::new(self.frame.rank(), &coordinates);
@@ -112,7 +114,10 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
         places.map(move |place| {
             let point = &self.frame.points[place];
             let ray = self.vector(&std::array::from_fn(|c| point[c] - center[c]));
-            let position = match descent.facet(&ray) {
+            let near = normals[place].and_then(|normal| descent.facet_from(&ray, &normal));
+            let facet = near.or_else(|| descent.facet(&ray));
+            normals[place] = facet.as_ref().map(|facet| facet.normal);
+            let position = match facet {
                 _ if ray == [0.0; D] => Position::Center,
                 // Generators that hardly span leave so small a multiple that rounding may make it negative.
                 Some(facet) => Position::Facet { reach: facet.reach.max(0.0), normal: self.normal(&facet.normal) },
@@ -131,7 +136,8 @@ impl<'a, const D: usize> BoxCoordinates<'a, D> {
     /// points, in floating point; infinite if no factor is enough.
     pub(super) fn stretch(&self, center: [f64; D], generators: &[[f64; D]]) -> f64 {
         let all = 0..self.frame.points.len();
-        self.positions(center, generators, all).fold(1.0, |stretch: f64, (_, position)| match position {
+        let mut normals = vec![None; self.frame.points.len()];
+        self.positions(center, generators, all, &mut normals).fold(1.0, |stretch: f64, (_, position)| match position {
             Position::Facet { reach, .. } => stretch.max(1.0 / reach),
             Position::OffSpan { .. } => f64::INFINITY,
             Position::Center => stretch,

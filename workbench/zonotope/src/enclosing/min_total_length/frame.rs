@@ -4,7 +4,7 @@
 //! Lengths and angles are those of space but for that factor, so the total length may be minimised in the frame.
 
 use crate::numeric::linear::dot;
-use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two, scaled_difference};
 
 /// Orthonormal axes of the affine hull of points, within rounding, and the points in their coordinates. If the points
 /// span all space, the axes are the coordinate axes, so that no coordinate is rounded by turning.
@@ -29,14 +29,18 @@ impl<const D: usize> Frame<D> {
     /// The frame of points, at least one; its rank is 0 just when all points are equal.
     pub(super) fn new(points: &[[f64; D]]) -> Self {
         let origin = points[0];
-        // Differences of halved coordinates do not overflow, and those of whole coordinates lose no bit to underflow.
-        let reach = points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));
-        let (factor, lost) = if reach > 1.0 { (0.5, 1) } else { (1.0, 0) };
-        let differences = |p: &[f64; D]| -> [f64; D] { std::array::from_fn(|c| p[c] * factor - origin[c] * factor) };
-        let largest = points.iter().flat_map(differences).fold(0.0, |max: f64, c| max.max(c.abs()));
-        let exponent = binary_exponent(largest).map_or(0, |e| i64::from(e) + 1 + lost);
-        let scaled: Vec<[f64; D]> =
-            points.iter().map(|p| differences(p).map(|c| scale_by_power_of_two(c, lost - exponent))).collect();
+        // Where a difference overflows, half of it does not, and it exceeds by far what halving rounds.
+        let differences = |p: &[f64; D], shift: i64| -> [f64; D] {
+            std::array::from_fn(|c| scaled_difference(p[c], origin[c], shift))
+        };
+        let largest =
+            |shift: i64| points.iter().flat_map(|p| differences(p, shift)).fold(0.0, |m: f64, c| m.max(c.abs()));
+        let exponent = match binary_exponent(largest(0)).map(i64::from) {
+            Some(exponent) if exponent < f64::MAX_EXP.into() => exponent + 1,
+            Some(_) => 1 + binary_exponent(largest(-1)).map_or(0, i64::from) + 1,
+            None => 0,
+        };
+        let scaled: Vec<[f64; D]> = points.iter().map(|p| differences(p, -exponent)).collect();
         let mut axes = long_axes(&scaled);
         let mut long: Vec<[f64; D]> = (0..axes.len()).map(unit_vector).collect();
         if axes.len() == D {
@@ -74,8 +78,13 @@ impl<const D: usize> Frame<D> {
     /// A point of the frame in the coordinates and the units of the input, rounded, and moved into the range of
     /// doubles.
     pub(super) fn point(&self, p: &[f64; D]) -> [f64; D] {
-        let half = self.outside(p).map(|c| scale_by_power_of_two(c, self.exponent - 1));
-        std::array::from_fn(|c| (2.0 * (self.origin[c] / 2.0 + half[c])).clamp(-f64::MAX, f64::MAX))
+        let outside = self.outside(p);
+        std::array::from_fn(|c| {
+            let moved = self.origin[c] + scale_by_power_of_two(outside[c], self.exponent);
+            // Where the shift alone overflows, halves are added, which lose no more than the smallest double.
+            let halves = || 2.0 * (self.origin[c] / 2.0 + scale_by_power_of_two(outside[c], self.exponent - 1));
+            (if moved.is_finite() { moved } else { halves() }).clamp(-f64::MAX, f64::MAX)
+        })
     }
 }
 

@@ -20,8 +20,8 @@
 //! # The way from points to a zonotope
 //! 1. `by_vertex_sets` is the default method; its `outer_points` leaves out points that lie in a simplex of others, its
 //!    `set_generation` is the loop of steps 3 to 5.
-//! 2. `frame` takes coordinates of the points' affine hull, of ordinary size; `box_coordinates` stretches them until a
-//!    thin body is no longer thin.
+//! 2. `on_a_line` answers for points on a line. For others `frame` takes coordinates of the points' affine hull, of
+//!    ordinary size; `box_coordinates` stretches them until a thin body is no longer thin.
 //! 3. `by_vertex_sets/vertex_sets` holds the second-order cone program so far, `by_vertex_sets/interior` takes a step
 //!    of an interior-point method for it.
 //! 4. `dual_zonotope` finds the vertices of Σ [−1, 1] λ_j outside the unit ball: constraints that the program lacks.
@@ -37,6 +37,7 @@
 //! work in doubles alone.
 
 mod answer;
+mod axis_box;
 mod box_coordinates;
 pub mod by_direction_net;
 pub mod by_vertex_sets;
@@ -50,6 +51,7 @@ mod frame_zonotope;
 pub mod in_the_plane;
 mod lower_bound;
 mod method;
+mod on_a_line;
 
 pub use answer::{LengthMultiplier, LengthProof, MinLengthError, MinLengthZonotope, Outcome};
 pub use direction_net::Net;

@@ -67,6 +67,9 @@ const FIRST_ANGLE: f64 = 0.2;
 /// The axis stops moving once the angle is less than this.
 const LAST_ANGLE: f64 = 1e-3;
 
+/// The axis moves at most so often: on few points it moves some ten times, and rounding must not keep it moving.
+const STEP_LIMIT: usize = 400;
+
 /// The smallest box around points that the search finds.
 pub fn small_box(points: &[[f64; 3]]) -> Option<OrientedBox<3>> {
     let hull = solid_hull(points).ok()??;
@@ -88,7 +91,10 @@ pub fn small_box(points: &[[f64; 3]]) -> Option<OrientedBox<3>> {
         nearer(axis, &mut best);
     }
     let mut angle = FIRST_ANGLE;
-    while angle > LAST_ANGLE {
+    for _ in 0..STEP_LIMIT {
+        if angle <= LAST_ANGLE {
+            break;
+        }
         let [axis, a, b] = best?.axes;
         let mut moves = [a, b].into_iter().flat_map(|v| [angle, -angle].map(|turn| (v, turn)));
         let moved = |v: [f64; 3], turn: f64| std::array::from_fn(|c| axis[c] + turn * v[c]);

@@ -14,6 +14,8 @@ mod vector;
 
 pub(crate) use elimination::{dependence, inverse, solve};
 pub(crate) use span::Span;
-pub(crate) use vector::{ExactVector, difference, exact, is_zero, multiple, negated, rational, rounded_direction, sum};
+pub(crate) use vector::{
+    ExactVector, difference, doubles, exact, is_zero, multiple, negated, rational, rounded_direction, sum,
+};
 
 pub(crate) use super::linear::{cross, cyclic_cross_products, determinant, dot, hyperplane_normal, sum_of_products};

@@ -46,3 +46,10 @@ pub(crate) fn rounded_direction(a: &ExactVector) -> [f64; 3] {
     let exponent = a.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
     [0, 1, 2].map(|i| a[i].clone().scaled(-exponent).to_f64())
 }
+
+/// A vector of exact numbers as doubles, if each of them is one.
+pub(crate) fn doubles<const D: usize>(exact: &[Dyadic; D]) -> Option<[f64; D]> {
+    let rounded = exact.each_ref().map(Dyadic::to_f64);
+    let is_double = |c: usize| rounded[c].is_finite() && Dyadic::from_f64(rounded[c]) == exact[c];
+    (0..D).all(is_double).then_some(rounded)
+}

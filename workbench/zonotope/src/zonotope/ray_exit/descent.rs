@@ -105,7 +105,12 @@ impl<const D: usize> FacetDescent<D> {
     /// The facet through which the ray of `point` leaves; `None` if the search fails: a point at the centre, generators
     /// that do not span, ties.
     pub(crate) fn facet(&mut self, point: &[f64; D]) -> Option<Facet<D>> {
-        let mut basis = self.first_basis(point)?;
+        self.facet_from(point, &apply(&self.inverse_moments, point))
+    }
+
+    /// The same facet, searched for from a direction near its normal: the nearer, the fewer steps it takes.
+    pub(crate) fn facet_from(&mut self, point: &[f64; D], start: &[f64; D]) -> Option<Facet<D>> {
+        let mut basis = self.first_basis(point, start)?;
         let rank = self.rank;
         let mut rows = self.rows(&basis, point)?;
         let mut normal = rows[rank - 1];
@@ -201,10 +206,10 @@ impl<const D: usize> FacetDescent<D> {
         }
     }
 
-    /// d − 1 independent generators that are most nearly orthogonal to W⁻¹ q, W = Σ g gᵀ / |g|.
-    fn first_basis(&mut self, point: &[f64; D]) -> Option<[usize; D]> {
-        let start = apply(&self.inverse_moments, point);
-        Self::products(&self.columns, &start, &mut self.heights);
+    /// d − 1 independent generators that are most nearly orthogonal to a direction: without a better one it is W⁻¹ q,
+    /// W = Σ g gᵀ / |g|.
+    fn first_basis(&mut self, point: &[f64; D], start: &[f64; D]) -> Option<[usize; D]> {
+        Self::products(&self.columns, start, &mut self.heights);
         let mut basis = [usize::MAX; D];
         let mut reduced: Vec<[f64; D]> = Vec::with_capacity(self.rank);
         let length = dot(point, point).sqrt();

@@ -1,8 +1,11 @@
 //! The zonotope whose containment is being proved: a centre and coefficients in doubles, with a basis of directions.
 
+use std::cell::Cell;
+
 use dashu_int::ops::Abs;
 
 use super::basis::{exact_inverse, long_basis};
+use super::rational_coefficients::RATIONAL_WORK_LIMIT;
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::Scaled;
 use crate::numeric::Rational;
@@ -26,6 +29,8 @@ pub(super) struct Body<'a, const D: usize> {
     pub(super) basis_inverse: [[f64; D]; D],
     /// The inverse of the basis's matrix in the coordinates of the input, exactly.
     pub(super) exact_inverse: Vec<Vec<Rational>>,
+    /// The work that linear programs in rationals may still take, in products of words.
+    pub(super) rational_work: Cell<u64>,
 }
 
 /// The generators in scaled coordinates, rounded, from coefficients in scaled units.
@@ -57,7 +62,8 @@ impl<'a, const D: usize> Body<'a, D> {
         }
         // A singular matrix gets an inverse that `basis_inverse_error` refuses.
         let basis_inverse = inverse(scaled.rank, &columns).unwrap_or([[f64::INFINITY; D]; D]);
-        Self { problem, scaled, center, coefficients, generators, basis, basis_inverse, exact_inverse }
+        let rational_work = Cell::new(RATIONAL_WORK_LIMIT);
+        Self { problem, scaled, center, coefficients, generators, basis, basis_inverse, exact_inverse, rational_work }
     }
 
     /// The coefficient of a kept direction in units of the scaled problem.

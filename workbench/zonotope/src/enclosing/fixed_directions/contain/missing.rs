@@ -42,17 +42,24 @@ impl<const D: usize> Body<'_, D> {
         for step in 0..thickened.steps() {
             let Some(facet) = thickened.facet(step, q) else { continue };
             let reach = facet.reach.max(1.0);
-            size = keep(facet.coefficients.iter().map(|delta| delta / reach).collect());
+            let deltas: Vec<f64> = facet.coefficients.iter().map(|delta| delta / reach).collect();
+            if !deltas.iter().all(|delta| delta.is_finite()) {
+                continue;
+            }
+            size = keep(deltas);
             if facet.reach > 1.0 - REACH_TOLERANCE {
                 break;
             }
         }
         let extent = q.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
-        if size > LARGE_RESIDUAL * extent {
+        // Where the numbers are of too many sizes for floating point, no size is a number.
+        let is_small_enough = size <= LARGE_RESIDUAL * extent && extent.is_finite();
+        if !is_small_enough {
             let is_small = self.generators.len() <= RATIONAL_DIRECTION_LIMIT;
             keep(if is_small { self.rational_coefficients(point) } else { vec![0.0; self.generators.len()] });
         }
-        least.map_or_else(|| vec![Rational::ZERO; self.scaled.rank], |(_, missing)| missing)
+        // Coefficients of zero leave the whole of the point.
+        least.map_or_else(|| self.missing(point, &mut vec![0.0; self.generators.len()]), |(_, missing)| missing)
     }
 
     /// The largest of the magnitudes of a residual with respect to the basis, in scaled units and rounded.
@@ -114,7 +121,8 @@ impl<const D: usize> Body<'_, D> {
         }
         let Some(rows) = (basis.len() == rank).then(|| inverse(rank, &columns)).flatten() else { return false };
         for (row, &b) in rows.iter().zip(&basis) {
-            deltas[b] = (deltas[b] + dot(row, residual)).clamp(-1.0, 1.0);
+            let changed = deltas[b] + dot(row, residual);
+            deltas[b] = if changed.is_nan() { deltas[b] } else { changed.clamp(-1.0, 1.0) };
         }
         true
     }

@@ -5,8 +5,8 @@ use crate::enclosing::fixed_directions::rational::simplex::{Column, maximize};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::rational;
 
-/// The pivots for one point may take this much work, in products of words: some hundredths of a second.
-const POINT_WORK_LIMIT: u64 = 1 << 27;
+/// The pivots for all points of a body may take this much work together, in products of words: some tenths of a second.
+pub(super) const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
 
 impl<const D: usize> Body<'_, D> {
     /// Coefficients, rounded to doubles, for which enlarging the basis by the residual costs least.
@@ -36,9 +36,10 @@ impl<const D: usize> Body<'_, D> {
         let cost = self.basis.iter().zip(whole).fold(Rational::ONE, |sum, (&b, x)| sum + weight(b) * x);
         add(count, &|a| rational(self.center[a]) - rational(point[a]), &cost);
         let bounds = vec![Rational::ONE; count + 1];
-        let Ok(optimum) = maximize(&columns, &bounds, coordinates.len(), POINT_WORK_LIMIT) else {
-            return vec![0.0; count];
-        };
+        let mut work = self.rational_work.get();
+        let optimum = maximize(&columns, &bounds, coordinates.len(), &mut work);
+        self.rational_work.set(work);
+        let Ok(optimum) = optimum else { return vec![0.0; count] };
         let pairs = optimum.solution.chunks_exact(2).take(count);
         pairs.map(|pair| (&pair[0] - &pair[1]).to_f64_fast().clamp(-1.0, 1.0)).collect()
     }

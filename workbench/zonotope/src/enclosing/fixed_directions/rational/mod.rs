@@ -64,11 +64,11 @@ pub(super) use refine::refine;
 /// directions contains the points.
 #[inline(never)]
 pub fn min_length_in_rationals<const D: usize>(problem: &FixedDirections<'_, D>) -> Option<ExactOptimum<D>> {
-    optimum_within(problem, ANY_WORK)
+    optimum_within(problem, &mut ANY_WORK.clone())
 }
 
-/// The same if pivots take at most so much work, in products of words; `None` as well if they take more.
-fn optimum_within<const D: usize>(problem: &FixedDirections<'_, D>, work: u64) -> Option<ExactOptimum<D>> {
+/// The same if pivots take no more than the work that is left, in products of words; `None` as well if they take more.
+fn optimum_within<const D: usize>(problem: &FixedDirections<'_, D>, work: &mut u64) -> Option<ExactOptimum<D>> {
     let span = Span::of_doubles(problem.directions());
     if first_departure(&span, problem.points()).is_some() {
         return None;

@@ -21,9 +21,9 @@ const RATIONAL_NORMAL_LIMIT: usize = 130;
 /// The rational program is solved for at most this many points.
 const RATIONAL_POINT_LIMIT: usize = 80;
 
-/// The pivots of one rational program may take this much work, in products of words: some tenths of a second. It is
-/// more than programs of a hundred normals take in numbers of like sizes; those of numbers of all sizes would take
-/// minutes.
+/// The pivots of all rational programs of a problem may take this much work together, in products of words: some tenths
+/// of a second. It is more than programs of a hundred normals take in numbers of like sizes; those of numbers of all
+/// sizes would take minutes.
 const RATIONAL_WORK_LIMIT: u64 = 1 << 31;
 
 /// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
@@ -44,6 +44,7 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
     }
     let directions: Vec<[f64; D]> = kept.iter().map(|d| problem.directions()[d.index]).collect();
     let weights: Vec<f64> = kept.iter().map(|d| problem.weights()[d.index]).collect();
+    let mut work = RATIONAL_WORK_LIMIT;
     loop {
         active.sort_unstable();
         active.dedup();
@@ -52,7 +53,7 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
         }
         let points: Vec<[f64; D]> = active.iter().map(|&j| problem.points()[j]).collect();
         let part = FixedDirections::new(&points, &directions, &weights)?;
-        let Some(optimum) = optimum_within(&part, RATIONAL_WORK_LIMIT) else { return Ok(()) };
+        let Some(optimum) = optimum_within(&part, &mut work) else { return Ok(()) };
         let lower_bound = fraction_at_most(&optimum.value);
         let (centers, coefficients) = candidates(setting, &optimum);
         answer.effort.exact = true;

@@ -44,14 +44,14 @@ pub(crate) enum NoOptimum {
 
 /// The tableau. A row holds the entries of the unknowns, of one slack for each inequality and of one artificial unknown
 /// for each equality, then the right-hand side. The last row holds the negated reduced gains, then the value.
-struct Tableau {
+struct Tableau<'a> {
     rows: Vec<Vec<Rational>>,
     basis: Vec<usize>,
     /// The work that is left, in products of words.
-    work: u64,
+    work: &'a mut u64,
 }
 
-impl Tableau {
+impl Tableau<'_> {
     /// Makes a column basic in a row.
     fn pivot(&mut self, row: usize, column: usize) -> Result<(), NoOptimum> {
         let inverse = Rational::ONE / &self.rows[row][column];
@@ -69,7 +69,7 @@ impl Tableau {
             for (entry, pivot) in other.iter_mut().zip(&pivot_row) {
                 if !pivot.is_zero() {
                     let longest = words(&factor) + words(pivot) + words(entry);
-                    self.work = self.work.checked_sub(longest * longest).ok_or(NoOptimum::TooMuchWork)?;
+                    *self.work = self.work.checked_sub(longest * longest).ok_or(NoOptimum::TooMuchWork)?;
                     *entry -= &factor * pivot;
                 }
             }
@@ -85,7 +85,7 @@ fn words(number: &Rational) -> u64 {
     (number.numerator().bit_len() + number.denominator().bit_len()) as u64 / 64 + 1
 }
 
-/// The optimum, if it takes at most so much work, in products of words.
+/// The optimum, if it takes no more than the work that is left, in products of words; what it takes is taken off.
 ///
 /// # Errors
 /// [`NoOptimum`] says which of the two does not hold.
@@ -93,7 +93,7 @@ pub(crate) fn maximize(
     columns: &[Column],
     bounds: &[Rational],
     equalities: usize,
-    work: u64,
+    work: &mut u64,
 ) -> Result<Optimum, NoOptimum> {
     let (inequalities, unknowns) = (bounds.len(), columns.len());
     let height = inequalities + equalities;
@@ -163,7 +163,7 @@ mod tests {
     fn a_program_by_hand() {
         // Maximise 3a + 2b with a + b ≤ 4, a + 3b ≤ 6, a ≤ 3: the optimum is a = 3, b = 1.
         let columns = [column(&[1, 1, 1], &[], 3), column(&[1, 3, 0], &[], 2)];
-        let optimum = maximize(&columns, &numbers(&[4, 6, 3]), 0, ANY_WORK).expect("bounded");
+        let optimum = maximize(&columns, &numbers(&[4, 6, 3]), 0, &mut ANY_WORK.clone()).expect("bounded");
         assert_eq!(optimum.value, Rational::from(11));
         assert_eq!(optimum.solution, numbers(&[3, 1]));
         assert_eq!(optimum.inequality_prices, numbers(&[2, 0, 1]));
@@ -173,14 +173,15 @@ mod tests {
     fn equalities_have_prices_and_a_gain_may_have_no_bound() {
         // Maximise 3a − b with a = b and a ≤ 5.
         let columns = [column(&[1], &[1], 3), column(&[0], &[-1], -1)];
-        let optimum = maximize(&columns, &numbers(&[5]), 1, ANY_WORK).expect("bounded");
+        let optimum = maximize(&columns, &numbers(&[5]), 1, &mut ANY_WORK.clone()).expect("bounded");
         assert_eq!(
             (optimum.value, optimum.inequality_prices, optimum.equality_prices),
             (10.into(), numbers(&[2]), numbers(&[1]))
         );
-        let of = |work| maximize(&[column(&[0], &[0], 1)], &numbers(&[1]), 1, work).map(|optimum| optimum.value);
+        let of =
+            |mut work| maximize(&[column(&[0], &[0], 1)], &numbers(&[1]), 1, &mut work).map(|optimum| optimum.value);
         assert_eq!(of(ANY_WORK), Err(NoOptimum::Unbounded));
-        let of = |work| maximize(&columns, &numbers(&[5]), 1, work).map(|optimum| optimum.value);
+        let of = |mut work| maximize(&columns, &numbers(&[5]), 1, &mut work).map(|optimum| optimum.value);
         assert_eq!((of(10), of(1000)), (Err(NoOptimum::TooMuchWork), Ok(10.into())));
     }
 
@@ -194,6 +195,9 @@ mod tests {
             Column { inequalities: vec![q(-1, 25), q(-1, 50), q(1, 1)], equalities: vec![], gain: q(1, 50) },
             Column { inequalities: vec![q(9, 1), q(3, 1), q(0, 1)], equalities: vec![], gain: q(-6, 1) },
         ];
-        assert_eq!(maximize(&columns, &numbers(&[0, 0, 1]), 0, ANY_WORK).expect("bounded").value, q(1, 20));
+        assert_eq!(
+            maximize(&columns, &numbers(&[0, 0, 1]), 0, &mut ANY_WORK.clone()).expect("bounded").value,
+            q(1, 20)
+        );
     }
 }

@@ -17,6 +17,18 @@ const LEAST_JOINING_LIMIT: usize = 16;
 /// hinders the search for a facet.
 const NEGLIGIBLE_LENGTH: f64 = 1e-12;
 
+/// Of up to this many points all are looked at each time.
+const FULL_LOOK_LIMIT: usize = 400;
+
+/// A look passes over this share of the points that were inside when they were last looked at, in turns.
+const TURNS: usize = 4;
+
+/// A point whose ray left the zonotope nearer than this multiple of it is looked at again each time.
+const NEAR_REACH: f64 = 1.0 + 1e-3;
+
+/// The search for a facet takes about this many operations for each generator.
+const WORK_PER_GENERATOR: f64 = 30.0;
+
 /// A point is outside if the ray to it leaves the zonotope at a multiple of the point that is below 1 by more than
 /// this.
 const REACH_ROUNDING: f64 = 1e-14;
@@ -30,6 +42,12 @@ pub(super) struct Members<'a, R, const D: usize> {
     pub(super) places: Vec<usize>,
     /// Whether each point of the frame is a member.
     is_member: Vec<bool>,
+    /// The multiple of each point at which its ray left the zonotope when it was last looked at.
+    reaches: Vec<f64>,
+    /// The normal of the facet through which it left, in box coordinates.
+    normals: Vec<Option<[f64; D]>>,
+    /// The number of looks so far.
+    looks: usize,
 }
 
 /// The points outside a zonotope.
@@ -39,6 +57,10 @@ pub(super) struct PointsOutside<const D: usize> {
     /// The places of the points outside, the farthest first, with the normals of the facets that their rays leave
     /// through.
     pub(super) points: Vec<(usize, [f64; D])>,
+    /// The number of points that were looked at.
+    pub(super) looked_at: usize,
+    /// Whether these were all that are no members.
+    pub(super) is_of_all: bool,
 }
 
 impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
@@ -53,7 +75,9 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         for &j in &places {
             is_member[j] = true;
         }
-        Self { frame, coordinates, sets, places, is_member }
+        let count = frame.points.len();
+        let (reaches, normals) = (vec![0.0; count], vec![None; count]);
+        Self { frame, coordinates, sets, places, is_member, reaches, normals, looks: 0 }
     }
 
     /// The place of the first point that is farthest along a direction.
@@ -124,17 +148,44 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         self.places.iter().copied().zip(signs).collect()
     }
 
-    /// The points outside a zonotope, of those that are no members.
-    pub(super) fn points_outside(&self, center: [f64; D], generators: &[[f64; D]]) -> PointsOutside<D> {
+    /// The points outside a zonotope, of those that are no members and were outside when they were last looked at, or
+    /// nearly, or whose turn it is.
+    pub(super) fn points_likely_outside(&mut self, center: [f64; D], generators: &[[f64; D]]) -> PointsOutside<D> {
+        if self.is_member.len() <= FULL_LOOK_LIMIT {
+            self.normals.fill(None);
+            return self.all_points_outside(center, generators);
+        }
+        self.looks += 1;
+        let turn = self.looks % TURNS;
+        let is_looked_at = |j: usize, reach: f64| reach < NEAR_REACH || j % TURNS == turn;
+        self.points_outside(center, generators, is_looked_at)
+    }
+
+    /// The points outside a zonotope, of all that are no members.
+    pub(super) fn all_points_outside(&mut self, center: [f64; D], generators: &[[f64; D]]) -> PointsOutside<D> {
+        self.points_outside(center, generators, |_, _| true)
+    }
+
+    /// The points outside a zonotope, of those that are no members and are looked at.
+    fn points_outside(
+        &mut self,
+        center: [f64; D],
+        generators: &[[f64; D]],
+        is_looked_at: impl Fn(usize, f64) -> bool,
+    ) -> PointsOutside<D> {
+        let others = (0..self.is_member.len()).filter(|&j| !self.is_member[j] && is_looked_at(j, self.reaches[j]));
+        let others: Vec<usize> = others.collect();
+        let looked_at = others.len();
+        self.sets.work += WORK_PER_GENERATOR * (looked_at * generators.len()) as f64;
         let mut least: f64 = 1.0;
         let mut outside = Vec::new();
-        let others = (0..self.is_member.len()).filter(|&j| !self.is_member[j]);
-        for (j, position) in self.coordinates.positions(center, generators, others) {
+        for (j, position) in self.coordinates.positions(center, generators, others.into_iter(), &mut self.normals) {
             let (reach, normal) = match position {
                 Position::Facet { reach, normal } => (reach, normal),
                 Position::OffSpan { normal } => (0.0, normal),
                 Position::Center => continue,
             };
+            self.reaches[j] = reach;
             least = least.min(reach);
             if reach < 1.0 - REACH_ROUNDING {
                 outside.push((reach, j, normal));
@@ -142,6 +193,7 @@ impl<'a, R: Scalar, const D: usize> Members<'a, R, D> {
         }
         outside.sort_by(|a, b| a.0.total_cmp(&b.0));
         let points = outside.into_iter().map(|(_, j, normal)| (j, normal)).collect();
-        PointsOutside { stretch: 1.0 / least, points }
+        let is_of_all = looked_at == self.is_member.len() - self.places.len();
+        PointsOutside { stretch: 1.0 / least, points, looked_at, is_of_all }
     }
 }

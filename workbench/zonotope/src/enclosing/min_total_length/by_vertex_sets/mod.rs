@@ -24,7 +24,8 @@
 //! # Method
 //! 1. Leave out points that lie in a simplex of others: every zonotope around the others contains them.
 //! 2. Take coordinates in the affine hull of the points. Two opposite multipliers at two points far apart are a first
-//!    lower bound, nearly the best one for a thin body. In a plane, find the centre of the shortest zonogon by cutting
+//!    lower bound, nearly the best one for a thin body, and the best for points on a line, which are done then: the
+//!    shortest segment of doubles contains them. In a plane, find the centre of the shortest zonogon by cutting
 //!    planes; edges are the generators, turns of the boundary the multipliers. Then go to 6.
 //! 3. Begin with the smallest box around the points as the zonotope. In space, begin with the points, multipliers and
 //!    vertices that a coarse net of directions yields; in other dimensions with the farthest points along the axes,
@@ -35,16 +36,19 @@
 //! 5. Find the vertices of Σ [−1, 1] λ_j. The farthest one, at distance ρ, proves the lower bound Σ λ_j · p_j / ρ.
 //!    Vertices farther than 1, or nearer to 1 than the duality gap, add their sets. Find the points outside the
 //!    zonotope: the generators lengthened to contain them are an upper bound, and some of these points get a
-//!    multiplier. If the new constraints are violated by much more than the gap, widen the gap. Forget the sets whose
-//!    generators fell shortest of their expected length. Repeat from 4 until the bounds are within ε.
+//!    multiplier. Of many points those are looked at that were outside or nearly, and a fourth of the others; all of
+//!    them where the zonotope would close a tenth of the gap between the bounds. If the new constraints are violated
+//!    by much more than the gap, widen the gap. Forget the sets whose generators fell shortest of their expected
+//!    length. Repeat from 4 until the bounds are within ε.
 //! 6. Round the generators, and add along the axes the most that they miss of any point.
 //! 7. If the ratio is still above 1 + ε, repeat steps 3 to 6 with pairs of doubles.
 //!
 //! # Complexity
 //! n points, m of them with a multiplier, K sets (at most 4 d m, or 1000 if that is more). A step costs O((d m)³ + d² m
 //! (K + Δ)), where Δ counts the points by which neighbouring sets differ, some ten for each set. The vertices cost
-//! O(m^{d−1} log m), and each look at the points takes a search for a facet for each of the n points. There are some
-//! ten to hundred steps; their number has no useful bound. In a plane the method takes O(n log n) for each of some
+//! O(m^{d−1} log m), and each look at the points takes a search for a facet for each of them, O(K) and a few steps from
+//! where the search before ended. There are some ten to hundred steps, at most 400, and they end with the work: 10^11
+//! operations, those of the looks included. In a plane the method takes O(n log n) for each of some
 //! fifty centres. Leaving out points takes some passes over at most 500 points for each point. A step with pairs of
 //! doubles costs about fifty times as much.
 //!
@@ -91,12 +95,13 @@ use super::conclude::{around_equal_points, conclude, proven, validate};
 use super::frame::Frame;
 use super::in_the_plane::min_length_in_plane;
 use super::lower_bound::BestBound;
+use super::on_a_line::segment_around;
 use crate::numeric::double_double::DoubleDouble;
 use crate::numeric::linear::dot;
 use crate::tally::Tally;
 use interior::scalar::Scalar;
 pub(super) use outer_points::outer_points;
-use set_generation::min_length_by_set_generation;
+use set_generation::{WORK_LIMIT, min_length_by_set_generation};
 
 /// A zonotope around the points whose total length is within 1 + ε of the least possible, counting operations: points
 /// read and rounds.
@@ -131,6 +136,7 @@ fn around_outer<const D: usize>(
     }
     match frame.rank() {
         0 => around_equal_points(points),
+        1 if let Some(segment) = on_a_line_within(points, &frame, &best, epsilon) => Ok(segment),
         2 => {
             let (inner, progress) = min_length_in_plane(&frame, epsilon, &mut best);
             let directions = inner.generators.len();
@@ -139,7 +145,8 @@ fn around_outer<const D: usize>(
         _ => {
             let mut work = 0.0;
             let answer = around_by_set_generation::<f64, D>(points, &frame, epsilon, &mut best, &mut work, tally)?;
-            if answer.proof.outcome == Outcome::WithinEpsilon {
+            // Pairs of doubles help where rounding ended the search, not where its work was used up.
+            if answer.proof.outcome == Outcome::WithinEpsilon || work > WORK_LIMIT {
                 return Ok(answer);
             }
             let other =
@@ -150,6 +157,17 @@ fn around_outer<const D: usize>(
             Ok(proven(points, &frame, around, &best, shorter.effort.progress, directions, epsilon))
         }
     }
+}
+
+/// The answer for points on a line: a segment of doubles, if one is within 1 + ε of the least length.
+fn on_a_line_within<const D: usize>(
+    points: &[[f64; D]],
+    frame: &Frame<D>,
+    best: &BestBound<D>,
+    epsilon: f64,
+) -> Option<MinLengthZonotope<D>> {
+    let answer = proven(points, frame, segment_around(points)?, best, Vec::new(), 1, epsilon);
+    (answer.proof.outcome == Outcome::WithinEpsilon).then_some(answer)
 }
 
 /// The answer by set generation, for points that span one dimension, or three and more, with steps in the scalar `R`.

@@ -37,7 +37,10 @@ const RECENTRING_FACTOR: f64 = 100.0;
 const RECENTRING_LIMIT: usize = 4;
 
 /// Set generation ends after this many multiplications and additions, which take about half a minute.
-const WORK_LIMIT: f64 = 1e11;
+pub(super) const WORK_LIMIT: f64 = 1e11;
+
+/// All points are looked at where the zonotope would close this share of the gap between the bounds.
+const SHARE_WORTH_A_LOOK: f64 = 0.1;
 
 /// A step aims at a relative duality gap of this share of the excess, the distance of the farthest vertex from the unit
 /// ball: solving the program more precisely is of no use while sets are missing.
@@ -98,16 +101,23 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
         };
         let (center, sets, generators) = members.zonotope(stepped.generators);
         let gap = (stepped.mu * count / members.sets.length).min(LARGEST_RELATIVE_MARGIN);
-        let outside = members.points_outside(center, &generators);
-        tally.add(Operation::PointRead, frame.points.len() as u64);
+        let mut outside = members.points_likely_outside(center, &generators);
+        tally.add(Operation::PointRead, outside.looked_at as u64);
         let before = (inner.upper, best.lower);
         let length: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum::<f64>() + stepped.missed.iter().sum::<f64>();
-        if outside.stretch * length < inner.upper {
+        let far = best.improve(frame.rank(), &frame.points, members.balanced_multipliers(), 1.0 - gap);
+        // A zonotope counts once all points have been looked at, which is worth the while where it may be much better.
+        let would_gain = inner.upper - outside.stretch * length;
+        let is_worth_it = would_gain > 0.0 && would_gain >= SHARE_WORTH_A_LOOK * (inner.upper - best.lower);
+        if is_worth_it && !outside.is_of_all {
+            outside = members.all_points_outside(center, &generators);
+            tally.add(Operation::PointRead, outside.looked_at as u64);
+        }
+        if outside.is_of_all && outside.stretch * length < inner.upper {
             let generators = generators.iter().map(|g| g.map(|c| c * outside.stretch)).collect();
             let witnesses = members.witnesses(&sets, 1.0 / outside.stretch);
             inner = FrameZonotope { upper: outside.stretch * length, center, generators, witnesses };
         }
-        let far = best.improve(frame.rank(), &frame.points, members.balanced_multipliers(), 1.0 - gap);
         excess = far.radius - 1.0;
         if best.lower > before.1 {
             members.sets.length = best.lower;

@@ -7,6 +7,7 @@
 //! the axes add to the length about what the generators miss of the points, which is rounding.
 
 use crate::numeric::dyadic::Dyadic;
+use crate::numeric::linear::dot;
 use crate::numeric::outward::{at_least, axis_generators};
 use crate::numeric::tolerance::UNIT;
 use crate::zonotope::Zonotope;
@@ -22,6 +23,12 @@ use coefficients::CoefficientRefinement;
 /// A generator shorter than this in box coordinates, relative to the longest, is left out: it is rounding noise, which
 /// hinders the search for a facet.
 const NEGLIGIBLE_LENGTH: f64 = 1e-12;
+
+/// Of up to this many points the facet of each is searched for by itself.
+const UNLINKED_POINT_LIMIT: usize = 400;
+
+/// A ray is near another one if the cosine of their angle is above this.
+const NEARBY_COSINE: f64 = 0.95;
 
 /// Up to this many products δ_i g_i are computed exactly; the rounding errors of more products are bounded instead,
 /// which is faster and costs a little length.
@@ -50,7 +57,7 @@ pub(super) fn around<const D: usize>(
     // Coefficients do not depend on coordinates; in box coordinates, where no body is thin, they are found more
     // precisely.
     let refinement = CoefficientRefinement::new(&coordinates, frame.rank(), &used);
-    let mut descent = FacetDescent::new(frame.rank(), &refinement.in_box);
+    let mut facets = NearbyFacets::new(frame.rank(), &refinement.in_box, points.len());
     let mut witness_of: Vec<Option<&[f64]>> = vec![None; points.len()];
     for (point, deltas) in witnesses {
         witness_of[*point] = Some(deltas);
@@ -62,7 +69,7 @@ pub(super) fn around<const D: usize>(
                 let reach = facet.reach.max(1.0);
                 facet.coefficients.iter().map(|delta| delta / reach).collect()
             };
-            let nearly = descent.facet(&coordinates.vector(&ray)).map_or_else(|| vec![0.0; used.len()], scaled);
+            let nearly = facets.facet(&coordinates.vector(&ray)).map_or_else(|| vec![0.0; used.len()], scaled);
             refinement.refined(&ray, nearly)
         };
         let deltas = witness.map_or_else(searched, |deltas| {
@@ -92,4 +99,30 @@ pub(super) fn around<const D: usize>(
     let zonotope = Zonotope::new(outer, generators).ok()?;
     let length = zonotope.total_length();
     length.is_finite().then_some((zonotope, length))
+}
+
+/// Searches for the facets that many rays meet: of points in some order along a surface one ray is near the one before,
+/// and so are their facets.
+struct NearbyFacets<const D: usize> {
+    descent: FacetDescent<D>,
+    /// Whether there are so many points that the search for one begins where the one before ended.
+    is_linked: bool,
+    /// The ray before and the normal of its facet.
+    last: Option<([f64; D], [f64; D])>,
+}
+
+impl<const D: usize> NearbyFacets<D> {
+    fn new(rank: usize, generators: &[[f64; D]], points: usize) -> Self {
+        let descent = FacetDescent::new(rank, generators);
+        Self { descent, is_linked: points > UNLINKED_POINT_LIMIT, last: None }
+    }
+
+    fn facet(&mut self, ray: &[f64; D]) -> Option<Facet<D>> {
+        let is_near = |last: &[f64; D]| dot(ray, last) > NEARBY_COSINE * (dot(ray, ray) * dot(last, last)).sqrt();
+        let near = self.last.filter(|(last, _)| self.is_linked && is_near(last));
+        let found = near.and_then(|(_, normal)| self.descent.facet_from(ray, &normal));
+        let found = found.or_else(|| self.descent.facet(ray));
+        self.last = found.as_ref().map(|facet| (*ray, facet.normal));
+        found
+    }
 }

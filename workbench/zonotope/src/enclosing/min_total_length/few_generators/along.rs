@@ -23,7 +23,8 @@ const WORK_LIMIT: f64 = 3e8;
 pub(super) struct Programs<'a, const D: usize> {
     pub(super) frame: &'a Frame<D>,
     precision: f64,
-    /// The work so far: for each program its rows times the square of its columns.
+    /// The work so far: for each program its rows times the square of its columns, and the points of all passes times
+    /// its columns.
     work: Cell<f64>,
 }
 
@@ -71,7 +72,9 @@ impl<'a, const D: usize> Programs<'a, D> {
         generation.set_precision(self.precision);
         let ended = generation.run(&mut ());
         let columns = (directions.len() + rank) as f64;
-        self.work.set(self.work.get() + generation.program.rows().len() as f64 * columns * columns);
+        let passes = generation.passes as f64 * self.frame.points.len() as f64;
+        let work = (generation.program.rows().len() as f64 * columns + passes) * columns;
+        self.work.set(self.work.get() + work);
         ended.ok()?;
         let coefficients: Vec<f64> = generation.program.coefficients().iter().map(|c| c.max(0.0)).collect();
         let length = coefficients.iter().sum::<f64>();

@@ -21,9 +21,11 @@
 //! 2. Solve the linear program along the merged directions (`along`) and search for the least number of them that
 //!    suffices (`search`). Nets of directions, three boxes, and the differences of few points are tried beside them.
 //! 3. Merge generators of the sparsest zonotope further, and move the directions (`moving`) until it is short enough.
-//! 4. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
+//! 4. Points on a line have the segment of doubles (`on_a_line`), and where the search fails, as for numbers of all
+//!    sizes, there is the box along the axes (`axis_box`).
+//! 5. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
 //!    the volume (`volume`), from the answer and from three boxes.
-//! 5. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
+//! 6. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
 //!    few units in the last place for that, and no generators are added: a zonotope whose generators span the space
 //!    makes up for rounding by itself. A plane of space that no doubles span takes one generator off the plane, as
 //!    short as rounding.
@@ -41,8 +43,8 @@
 //!
 //! # Errors
 //! [`TooFewGenerators`](super::MinLengthError::TooFewGenerators) ⇔ the count is less than the dimension that the points
-//! span exactly, or no doubles span that; [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ no zonotope of so few
-//! generators is found, as may happen near the ends of the range of doubles.
+//! span exactly, or less than D and no doubles that span it are found; [`OutOfRange`](super::MinLengthError::OutOfRange)
+//! ⇔ the length leaves the range of doubles: with D generators there is the box along the axes around any points.
 //!
 //! # Panics
 //! Never.
@@ -70,10 +72,10 @@ mod search;
 mod volume;
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
+use super::axis_box::axis_box_around;
 use super::by_vertex_sets::outer_points;
 use super::frame::Frame;
-use crate::numeric::dyadic::Dyadic;
-use crate::numeric::exact_linear::Span;
+use super::on_a_line::{differences, segment_around};
 use crate::numeric::scaling::scale_by_power_of_two;
 use along::{Along, Programs};
 use exactly::exactly_around;
@@ -176,7 +178,7 @@ pub fn shortest_of_few<const D: usize>(
     if answer.body.generators().len() <= count {
         return Ok(sparser(points, answer, epsilon, slack));
     }
-    let dimension = spanned_dimension(points);
+    let dimension = differences(points).rank();
     if count < dimension {
         return Err(MinLengthError::TooFewGenerators { count, needed: dimension });
     }
@@ -188,10 +190,15 @@ pub fn shortest_of_few<const D: usize>(
         let found = search.shortest_of_few(count.checked_sub(off)?, slack)?;
         search.concluded(found, &answer).filter(|sparse| sparse.body.generators().len() <= count)
     };
-    let sparse = with_off(off[0]).or_else(|| with_off(off[1]));
+    let replaced = |(body, value)| MinLengthZonotope { body, value, ..answer.clone() };
+    let on_a_line = segment_around(points).map(replaced);
+    let sparse = on_a_line.into_iter().chain(with_off(off[0]).or_else(|| with_off(off[1])));
+    let sparse = sparse.min_by(|a, b| a.value.total_cmp(&b.value));
+    // Around any points there is the box along the axes.
+    let boxed = || if count < D { None } else { axis_box_around(points).map(replaced) };
     let needed =
         if count < D { MinLengthError::TooFewGenerators { count, needed: D } } else { MinLengthError::OutOfRange };
-    let mut sparse = sparse.ok_or(needed)?;
+    let mut sparse = sparse.or_else(boxed).ok_or(needed)?;
     sparse.proof.outcome = outcome(&sparse, epsilon);
     Ok(sparse)
 }
@@ -225,14 +232,6 @@ pub fn of_less_volume(points: &[[f64; 3]], answer: MinLengthZonotope<3>, epsilon
 /// Whether the ratio of an answer is at most 1 + ε.
 fn outcome<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Outcome {
     if answer.ratio() <= 1.0 + epsilon { Outcome::WithinEpsilon } else { Outcome::EndedBefore }
-}
-
-/// The dimension of the points' affine hull, exactly.
-fn spanned_dimension<const D: usize>(points: &[[f64; D]]) -> usize {
-    let difference = |p: &[f64; D]| -> [Dyadic; D] {
-        std::array::from_fn(|c| Dyadic::from_f64(p[c]) - Dyadic::from_f64(points[0][c]))
-    };
-    Span::of(points.iter().map(difference), D).rank()
 }
 
 #[cfg(test)]

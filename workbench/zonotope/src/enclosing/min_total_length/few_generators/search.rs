@@ -79,6 +79,9 @@ impl<const D: usize> Search<D> {
     /// fail.
     pub(super) fn shortest_of_few(&self, count: usize, slack: f64) -> Option<Along<D>> {
         let frame = &self.frame;
+        if count < frame.rank() {
+            return None;
+        }
         let programs = Programs::new(frame, PRECISION);
         let along = |vectors: &[[f64; D]]| programs.along(vectors);
         let starts = self.starts().take_while(|vectors| vectors.len() <= NET_SIZE_FACTOR * count);

@@ -88,6 +88,9 @@ impl<const D: usize> Target<'_, D> {
             image.iter().zip(&target).fold(Rational::ZERO, |sum, (a, b)| sum + (a - b) * (a - b))
         };
         let own = self.problem.points().iter().copied().take(TRIED_POINT_LIMIT);
+        if let Some(exact) = self.exactly() {
+            return exact;
+        }
         let candidates = self.on_a_grid().into_iter().chain(own).map(|center| (miss(&center), center));
         let least = candidates.reduce(|a, b| if b.0 < a.0 { b } else { a });
         least.map_or(self.problem.points()[0], |(_, center)| center)
@@ -98,13 +101,28 @@ impl<const D: usize> Target<'_, D> {
         self.cost.iter().map(|row| sum_of_products(row, coordinates)).collect()
     }
 
-    /// The point nearest to the place, of the finest grid for which it is a point of doubles.
-    fn on_a_grid(&self) -> Option<[f64; D]> {
+    /// The place itself, if it is a point of doubles.
+    fn exactly(&self) -> Option<[f64; D]> {
+        let exact = self.exact_place();
+        let rounded: [f64; D] = std::array::from_fn(|c| exact[c].to_f64_fast());
+        let is_double = |c: usize| rounded[c].is_finite() && rational(rounded[c]) == exact[c];
+        (0..D).all(is_double).then_some(rounded)
+    }
+
+    /// The place in the coordinates of space.
+    fn exact_place(&self) -> [Rational; D] {
         let first = self.problem.points()[0].map(rational);
         let shift: Vec<Rational> = self.place.iter().zip(self.span.pivots()).map(|(p, c)| p - &first[c]).collect();
         let lifted = self.span.member(&shift);
+        std::array::from_fn(|c| &first[c] + &lifted[c])
+    }
+
+    /// The point nearest to the place, of the finest grid for which it is a point of doubles.
+    fn on_a_grid(&self) -> Option<[f64; D]> {
+        let first = self.problem.points()[0].map(rational);
+        let exact = self.exact_place();
         let exponents: [i64; D] = std::array::from_fn(|c| {
-            let place = (&first[c] + &lifted[c]).to_f64_fast();
+            let place = exact[c].to_f64_fast();
             binary_exponent(place.clamp(-f64::MAX, f64::MAX)).map_or(LEAST_EXPONENT, i64::from)
         });
         let top = exponents.into_iter().max().unwrap_or(LEAST_EXPONENT);
