@@ -35,7 +35,7 @@ use serde_json::{Map, Value, json};
 pub use dimension::MAX_DIMENSION;
 pub use kinds::{KINDS, Kind, min_area_result};
 pub use refusal::{Code, Refusal};
-pub use transcript::{Verdict, check, check_unread, verify};
+pub use transcript::{Verdict, check, check_unread, guarded, verify};
 
 /// The longest line that is read, in bytes.
 pub const MAX_LINE_BYTES: usize = 128 << 20;
