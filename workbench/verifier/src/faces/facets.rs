@@ -6,7 +6,7 @@
 use std::cell::OnceCell;
 
 use dashu_int::IBig;
-use dashu_int::ops::Abs;
+use dashu_int::ops::{Abs, BitTest};
 
 use crate::exact::length::Length;
 use crate::exact::linear::{Echelon, Vector, dot, is_zero};
@@ -100,10 +100,14 @@ impl Facets {
             let most = if *low > 0.0 { (along + doubt) / low * (1.0 + QUOTIENT_ERROR) } else { f64::INFINITY };
             Some([(along - doubt).max(0.0) / high * (1.0 - QUOTIENT_ERROR), most])
         };
+        let mut rounded = (0.0, 0);
         for facet in self.contenders(|facet| bounds(facet).map(|[low, high]| [-high, -low])) {
             let (along, reach) = (dot(&facet.normal, p).abs(), self.reach(facet));
-            if &along * &largest.1 > &largest.0 * reach {
+            let own = rounded_quotient(&along, reach);
+            // Products of long numbers take long, and are needed for quotients near each other alone.
+            if !is_surely_less(own, rounded) && &along * &largest.1 > &largest.0 * reach {
                 largest = (along, reach.clone());
+                rounded = own;
             }
         }
         Proportion::new(largest.0, largest.1, 0)
@@ -141,6 +145,25 @@ impl Facets {
         let may_be = move |low: f64| low.is_nan() || low <= least;
         self.facets.iter().zip(lows).filter(move |(_, low)| may_be(*low)).map(|(facet, _)| facet)
     }
+}
+
+/// The quotient of two whole numbers that are not negative as m · 2^e, m within a few roundings and 0 or from 1/4 to 4.
+fn rounded_quotient(numerator: &IBig, denominator: &IBig) -> (f64, i64) {
+    let leading = |number: &IBig| {
+        let dropped = number.bit_len().saturating_sub(64);
+        let kept = (number >> dropped).to_f64().value();
+        // Long numbers keep 64 bits, short ones are whole.
+        let length = number.bit_len() - dropped;
+        (kept / 2.0_f64.powi(length as i32), (dropped + length) as i64)
+    };
+    let ((above, up), (below, down)) = (leading(numerator), leading(denominator));
+    (above / below, up - down)
+}
+
+/// Whether a quotient is less than another one, beyond all doubt of rounding.
+fn is_surely_less(a: (f64, i64), b: (f64, i64)) -> bool {
+    let apart = (a.1 - b.1).clamp(-1_000, 1_000) as i32;
+    a.0 * 2.0_f64.powi(apart) < b.0 * (1.0 - 64.0 * f64::EPSILON)
 }
 
 /// The support function Σ |u · g_i|.
