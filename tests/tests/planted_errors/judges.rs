@@ -2,16 +2,21 @@
 
 use dashu_ratio::RBig;
 use serde_json::Value;
-use zonotope::collision::{Query, brute_force};
 
+use crate::bounds::{self, Known};
 use crate::proximity;
 use crate::rationals::{absolute, dot, index, indices, minus, number, solved, vector, vectors};
+use crate::truth::contains;
 
-/// Figures within a relative error of this are the same but for rounding; planted errors are far smaller or far larger.
-const SAME: f64 = 1e-10;
+/// Figures within a relative error of this are the same but for rounding: both may be off by the stated 1e-12.
+const SAME: f64 = 2.01e-12;
 
-/// Whether `changed` answers the question, as `right` does. What cannot be read is false.
-pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> bool {
+/// The relative distance from the lower bound up to which a value is called the least one.
+const OPTIMAL: f64 = 1e-11;
+
+/// Whether `changed` answers the question, as `right` does. What cannot be read is false. What takes long to find of the
+/// question is kept in `known`.
+pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value, known: &mut Option<Known>) -> bool {
     let judged = match kind {
         "member" => {
             let body = placed(input, "center");
@@ -44,8 +49,11 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> boo
             });
             Some(same_fields(&["status"], right, changed)).zip(figures)
         }
-        "support" => Some(true).zip(farthest(input, &right["value"], changed)),
-        "combinatorics" | "slope_selection" | "separator" | "upper_hull" => Some((true, right == changed)),
+        "support" => Some(true).zip(farthest(input, changed)),
+        "combinatorics" | "slope_selection" | "upper_hull" => Some((true, is_same(right, changed))),
+        "separator" => Some((steps(right).is_some(), steps(right) == steps(changed))),
+        "hausdorff" => bounds::of_two_bodies(input, right, changed, known),
+        "approx" | "reduce" => bounds::of_enclosing(kind, input, right, changed, known),
         // the order of the neighbours is free
         "walk" => {
             let sorted = |result: &Value| {
@@ -59,10 +67,10 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value) -> boo
         "min_length_dirs" => {
             if right["status"] != changed["status"] {
                 Some((false, false))
-            } else if right["status"] == "optimal" {
-                cheapest(input, right, changed)
-            } else {
+            } else if right["status"] == "infeasible" {
                 out_of_reach(input, changed)
+            } else {
+                cheapest(input, right, changed)
             }
         }
         "min_length_all" => shortest(input, right, changed),
@@ -82,14 +90,6 @@ pub fn same_figure(right: &Value, changed: &Value) -> bool {
         (Some(right), Some(changed)) => right == changed,
         _ => right == changed,
     }
-}
-
-/// Whether two points are the same but for rounding.
-pub fn is_near(right: &Value, changed: &Value) -> bool {
-    let Some((right, changed)) = doubles(right).zip(doubles(changed)) else { return false };
-    let size: f64 = right.iter().map(|c| c.abs()).sum();
-    let is_beside = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME * (1.0 + size);
-    right.len() == changed.len() && right.iter().zip(&changed).all(is_beside)
 }
 
 /// The centre, under the given name, and the generators of a body where its pose puts them.
@@ -140,55 +140,72 @@ fn doubles(value: &Value) -> Option<Vec<f64>> {
     value.as_array()?.iter().map(Value::as_f64).collect()
 }
 
-/// Whether a zonotope contains a point.
-fn contains(center: &[f64], generators: &[Vec<f64>], point: &[f64]) -> bool {
-    match center.len() {
-        2 => contains_in::<2>(center, generators, point),
-        _ => contains_in::<3>(center, generators, point),
+/// The first point of a chain and its steps; steps along one line may come in any order.
+fn steps(result: &Value) -> Option<(Vec<RBig>, Vec<Vec<RBig>>)> {
+    let chain = vectors(&result["chain"])?;
+    if chain.iter().any(|point| point.len() != 2) {
+        return None;
+    }
+    let mut steps: Vec<Vec<RBig>> = chain.windows(2).map(|pair| minus(&pair[1], &pair[0])).collect();
+    steps.chunk_by_mut(|a, b| &a[0] * &b[1] == &a[1] * &b[0]).for_each(<[_]>::sort);
+    Some((chain.first().cloned()?, steps))
+}
+
+/// Whether two values are the same, however their numbers are spelled.
+fn is_same(right: &Value, changed: &Value) -> bool {
+    match (right, changed) {
+        (Value::Array(right), Value::Array(changed)) => {
+            right.len() == changed.len() && right.iter().zip(changed).all(|(right, changed)| is_same(right, changed))
+        }
+        (Value::Object(right), Value::Object(changed)) => {
+            right.len() == changed.len()
+                && right.iter().all(|(name, right)| changed.get(name).is_some_and(|changed| is_same(right, changed)))
+        }
+        (Value::String(_), Value::String(_)) => match (number(right), number(changed)) {
+            (Some(right), Some(changed)) => right == changed,
+            _ => right == changed,
+        },
+        _ => right == changed || right.is_number() && right.as_f64() == changed.as_f64(),
     }
 }
 
-fn contains_in<const D: usize>(center: &[f64], generators: &[Vec<f64>], point: &[f64]) -> bool {
-    let array = |v: &[f64]| <[f64; D]>::try_from(v).expect("one dimension");
-    let generators: Vec<[f64; D]> = generators.iter().map(|g| array(g)).collect();
-    let query = Query::new(array(center), array(point), &generators).expect("finite");
-    brute_force::locate(&query).is_member()
-}
-
 /// Whether value and point are those of a farthest point, but for rounding.
-fn farthest(input: &Value, value: &Value, changed: &Value) -> Option<bool> {
-    let (u, center, y) = (doubles(&input["direction"])?, doubles(&input["center"])?, doubles(&changed["point"])?);
-    let mut generators: Vec<Vec<f64>> = input["generators"].as_array()?.iter().map(doubles).collect::<Option<_>>()?;
-    let size = center.iter().chain(generators.iter().flatten()).fold(0.0, |sum: f64, x| sum + x.abs());
-    let room = SAME * size;
-    let along: f64 = u.iter().zip(&y).map(|(u, y)| u * y).sum();
-    let length: f64 = u.iter().map(|u| u.abs()).sum();
-    generators
-        .extend((0..u.len()).map(|axis| (0..u.len()).map(|other| if other == axis { room } else { 0.0 }).collect()));
-    let is_near = |along: f64| Some((along - value.as_f64()?).abs() <= 2.0 * room * length);
-    let is_value = is_near(changed["value"].as_f64()?)? && is_near(along)?;
-    Some(y.len() == u.len() && is_value && contains(&center, &generators, &y))
+fn farthest(input: &Value, changed: &Value) -> Option<bool> {
+    let (u, center, y) = (vector(&input["direction"])?, vector(&input["center"])?, vector(&changed["point"])?);
+    let generators = vectors(&input["generators"])?;
+    let size =
+        |axis: usize| generators.iter().fold(absolute(center[axis].clone()), |sum, g| sum + absolute(g[axis].clone()));
+    let same = RBig::try_from(SAME).ok()?;
+    let smallest = RBig::try_from(f64::from_bits(1)).ok()?;
+    let value = generators.iter().fold(dot(&u, &center), |sum, g| sum + absolute(dot(&u, g)));
+    let scale = (0..u.len()).fold(RBig::ZERO, |sum, axis| sum + absolute(u[axis].clone()) * size(axis));
+    let is_value = absolute(number(&changed["value"])? - value) <= scale * &same + &smallest;
+    // The point must be one of the face of all farthest points, but for a box of rounding.
+    let mut middle = center.clone();
+    let mut face: Vec<Vec<RBig>> = Vec::new();
+    for g in &generators {
+        let along = dot(&u, g);
+        if along == RBig::ZERO {
+            face.push(g.clone());
+        } else {
+            let is_minus = along < RBig::ZERO;
+            middle = middle.iter().zip(g).map(|(sum, c)| if is_minus { sum - c } else { sum + c }).collect();
+        }
+    }
+    for axis in 0..u.len() {
+        let room = size(axis) * &same + &smallest;
+        face.push((0..u.len()).map(|other| if other == axis { room.clone() } else { RBig::ZERO }).collect());
+    }
+    Some(y.len() == u.len() && is_value && contains(&middle, &face, &y))
 }
 
-/// Whether all points of a question in the plane lie in the zonotope of an answer: each is held against every edge,
-/// and, for bodies without area, against their ends.
+/// Whether all points of a question lie in the zonotope of an answer.
 fn encloses(input: &Value, center: &Value, generators: &[Vec<RBig>]) -> Option<bool> {
     let (points, center) = (vectors(&input["points"])?, vector(center)?);
-    let is_planar = |v: &Vec<RBig>| v.len() == 2;
-    let holds = |p: &Vec<RBig>| {
-        let p = minus(p, &center);
-        let is_within = |u: &[RBig]| {
-            let reach = generators.iter().fold(RBig::ZERO, |sum, g| sum + absolute(dot(u, g)));
-            absolute(dot(u, &p)) <= reach
-        };
-        let axes = [vec![RBig::ONE, RBig::ZERO], vec![RBig::ZERO, RBig::ONE]];
-        generators.iter().all(|g| is_within(&[-g[1].clone(), g[0].clone()])) && axes.iter().all(|u| is_within(u))
-    };
-    Some(is_planar(&center) && generators.iter().all(is_planar) && points.iter().all(holds))
-}
-
-fn rows(value: &Value) -> Option<Vec<Vec<f64>>> {
-    value.as_array()?.iter().map(doubles).collect()
+    let has_shape = |v: &Vec<RBig>| v.len() == points.first().map_or(0, Vec::len);
+    let is_shaped = has_shape(&center) && generators.iter().all(has_shape);
+    let used: Vec<Vec<RBig>> = generators.iter().filter(|g| g.iter().any(|c| *c != RBig::ZERO)).cloned().collect();
+    Some(is_shaped && points.iter().all(|point| contains(&center, &used, point)))
 }
 
 fn least_area(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bool)> {
@@ -199,13 +216,29 @@ fn least_area(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bo
         sum + RBig::from(4) * absolute(&exact[i][0] * &exact[j][1] - &exact[i][1] * &exact[j][0])
     });
     let is_area = near(&area, &changed["area"])? && same_figure(&right["area"], &changed["area"]);
-    let is_bound = number(&changed["lower_bound"])? <= number(&right["area"])? && bounds_area(input, right, changed)?;
+    let (least, most) = (number(&changed["lower_bound"])?, number(&right["area"])?);
+    let smallest = RBig::try_from(f64::MIN_POSITIVE).ok()?;
+    let allowed = RBig::try_from(SAME).ok()? * &most + rounding(&vectors(&input["points"])?)?;
+    let is_near = least >= &most - allowed * RBig::from(2) - smallest;
+    let is_bound = least <= most && is_near && bounds_area(input, right, changed)?;
     Some((encloses && is_area, is_bound))
 }
 
 fn near(exact: &RBig, claimed: &Value) -> Option<bool> {
     let claimed = claimed.as_f64()?;
     Some((exact.to_f64().value() - claimed).abs() <= SAME * claimed.abs())
+}
+
+/// What rounding centre and generators to doubles may add to an area: (2^-49 · largest coordinate + 2^-1068) · (width +
+/// height).
+fn rounding(points: &[Vec<RBig>]) -> Option<RBig> {
+    let extent = |axis: usize| {
+        let (least, most) = (points.iter().map(|p| &p[axis]).min()?, points.iter().map(|p| &p[axis]).max()?);
+        Some(most - least)
+    };
+    let largest = points.iter().flatten().map(|c| absolute(c.clone())).max()?;
+    let [unit, floor] = [2.0_f64.powi(-49), 64.0 * f64::from_bits(1)].map(|x| RBig::try_from(x).unwrap_or_default());
+    Some((largest * unit + floor) * (extent(0)? + extent(1)?))
 }
 
 /// Whether the certificate proves the bound: its hull and farthest vertices are the right answer's or as good, its
@@ -251,7 +284,8 @@ fn bounds_area(input: &Value, right: &Value, changed: &Value) -> Option<bool> {
         lost + absolute(v.clone()) - &coefficients[t] * v
     });
     let is_within = coefficients.into_iter().all(|c| absolute(c) <= RBig::ONE);
-    Some(is_within && lost.to_f64().value() <= SAME * right["area"].as_f64()?)
+    let allowed = RBig::try_from(SAME).ok()? * number(&right["area"])? + rounding(&points)?;
+    Some(is_within && lost <= allowed * RBig::from(2))
 }
 
 /// The points and vectors of forces that add up to zero, and what they gain.
@@ -284,7 +318,10 @@ fn cheapest(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bool
     let is_loaded = directions.iter().zip(&weights).all(|(direction, weight)| {
         forces.iter().fold(RBig::ZERO, |load, force| load + absolute(dot(force, direction))) <= *weight
     });
-    Some((body && value, is_loaded && number(&changed["lower_bound"])? <= gain))
+    let (least, cost) = (number(&changed["lower_bound"])?, number(&changed["value"])?);
+    let gap = RBig::try_from(OPTIMAL).ok()? * &least;
+    let is_called = changed["status"] == if cost - &least <= gap { "optimal" } else { "feasible" };
+    Some((body && value, is_loaded && least <= gain && is_called))
 }
 
 fn out_of_reach(input: &Value, changed: &Value) -> Option<(bool, bool)> {
@@ -297,7 +334,7 @@ fn out_of_reach(input: &Value, changed: &Value) -> Option<(bool, bool)> {
 }
 
 fn shortest(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bool)> {
-    let generators = rows(&changed["generators"])?;
+    let generators: Vec<Vec<f64>> = changed["generators"].as_array()?.iter().map(doubles).collect::<Option<_>>()?;
     let length: f64 = generators.iter().map(|g| g.iter().map(|x| x * x).sum::<f64>().sqrt()).sum();
     let claimed = changed["length"].as_f64()?;
     let exact = vectors(&changed["generators"])?;
@@ -307,8 +344,9 @@ fn shortest(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bool
         || bound != RBig::ZERO && near(&(number(&changed["length"])? / &bound), &changed["ratio"])?;
     let fields = same_fields(&["within_epsilon"], right, changed) || changed.get("within_epsilon").is_none();
     let (forces, gain) = balanced(input, changed)?;
+    let dimension = input["points"][0].as_array()?.len();
     let farthest = (0..1_u32 << forces.len()).fold(RBig::ZERO, |farthest, signs| {
-        let zero = vec![RBig::ZERO; 2];
+        let zero = vec![RBig::ZERO; dimension];
         let corner = forces.iter().enumerate().fold(zero, |corner, (i, force)| {
             let sign = if signs >> i & 1 == 0 { RBig::ONE } else { RBig::NEG_ONE };
             corner.iter().zip(force).map(|(corner, x)| corner + &sign * x).collect()

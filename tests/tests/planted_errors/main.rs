@@ -3,16 +3,28 @@
 //! Every number, name, flag and list of an answer is changed in several ways. A change may leave an answer true:
 //! another vertex that is as far away, a figure within the accepted rounding. So whenever the verifier still calls the
 //! answer right, a judge decides whether it is, from the definition and in rationals, by code that shares nothing with
-//! the verifier.
+//! the verifier. Beside the errors that are planted one by one there are random mutants, a million of them where
+//! `ZONOTOPE_MUTANTS` asks for so many.
 
+mod bounds;
+mod dice;
 mod errors;
+mod fields;
 mod judges;
+mod mutants;
+mod mutation;
 mod plain;
 mod proximity;
+mod questions;
 mod rationals;
+mod truth;
+
+use std::collections::BTreeMap;
 
 use batch::json::{MAX_VALUES, Tree, read};
-use batch::{Line, Verdict, answer_line, check};
+use batch::{KINDS, Line, Verdict, answer_line, check};
+use dice::Dice;
+use mutants::{Counts, MUTANTS_AN_ANSWER};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -30,12 +42,18 @@ fn errors_are_noticed(kind: &str, input: &Value) -> Result<usize, TestCaseError>
     if right.get("error").is_some() || !check(&asked, &tree(&right)).is_right() {
         return Ok(0);
     }
-    let mut harmless = 0;
+    let (mut harmless, mut known) = (0, None);
     for (place, result) in errors::planted(&right["result"]) {
         let wrong = json!({"id": "q", "kind": kind, "result": result});
         if matches!(check(&asked, &tree(&wrong)), Verdict::Right(_)) {
-            let verdict = judges::is_true(kind, input, &right["result"], &result);
-            prop_assert!(verdict, "{}: {} is no answer to {}", place, wrong, question);
+            let verdict = judges::is_true(kind, input, &right["result"], &result, &mut known);
+            prop_assert!(
+                fields::are_exact(kind, &wrong) && verdict,
+                "{}: {} is no answer to {}",
+                place,
+                wrong,
+                question
+            );
             harmless += 1;
         }
     }
@@ -106,6 +124,16 @@ proptest! {
     }
 
     #[test]
+    fn in_distances_of_bodies((generators, [p, q, _]) in bodies()) {
+        let (first, second) = generators.split_at(generators.len() / 2);
+        let [a, b] = [(&p, first), (&q, second)].map(|(center, own)| json!({"center": center, "generators": own}));
+        errors_are_noticed("hausdorff", &json!({"a": a, "b": b}))?;
+        errors_are_noticed("approx", &json!({"generators": first, "epsilon": 0.25}))?;
+        let around = json!({"center": p, "generators": first, "count": p.len(), "rule": "pca"});
+        errors_are_noticed("reduce", &around)?;
+    }
+
+    #[test]
     fn in_arrangements(generators in vectors(3, 2..6), k in 1usize..4, p0 in vector(2)) {
         errors_are_noticed("slope_selection", &json!({"generators": generators, "k": [k]}))?;
         errors_are_noticed("separator", &json!({"generators": generators, "k": k}))?;
@@ -154,6 +182,38 @@ proptest! {
     fn in_tilings(generators in prop::collection::vec(prop::array::uniform(number()), 1..5)) {
         plain::in_tilings(&generators)?;
     }
+}
+
+/// How many mutants an ordinary run makes, of all kinds together.
+const MUTANTS: usize = 17_000;
+
+/// The variable of the environment that names another number of mutants.
+const MUTANTS_VARIABLE: &str = "ZONOTOPE_MUTANTS";
+
+#[test]
+fn random_mutants_are_judged_as_by_the_definition() {
+    let wanted = std::env::var(MUTANTS_VARIABLE).map_or(MUTANTS, |text| text.parse().expect("a number of mutants"));
+    let questions = wanted.div_ceil(KINDS.len() * MUTANTS_AN_ANSWER);
+    let mut counts: BTreeMap<String, Counts> = BTreeMap::new();
+    for (number, kind) in (1..).zip(KINDS) {
+        let mut dice = Dice::new(number);
+        let mut pairs = Vec::new();
+        // Refused questions have no answer to change.
+        while pairs.len() < questions {
+            let question = questions::question(&mut dice, kind.name, &format!("{} {}", kind.name, pairs.len()));
+            let answer = answer_line(1, &Line::Content(question.to_string().into_bytes()), 0).content;
+            if answer.get("result").is_some() {
+                pairs.push((question, answer));
+            }
+        }
+        mutants::judge(&mut dice, &pairs, &mut counts);
+        let Counts { mutants, harmless, wrong, unchecked, faults } = &counts[kind.name];
+        println!("{}: {mutants} mutants, {wrong} wrong, {unchecked} unchecked, {harmless} right", kind.name);
+        assert!(faults.is_empty(), "{} of {mutants} mutants of {}: {}", faults.len(), kind.name, faults[0]);
+        assert!(wrong + unchecked > 8 * harmless / 2, "{} mutants of {} are harmless", harmless, kind.name);
+    }
+    let mutants: usize = counts.values().map(|counts| counts.mutants).sum();
+    assert!(mutants >= wanted / 2, "{mutants}");
 }
 
 /// Points of a face are as far as any other, so an answer may be changed to another right one.

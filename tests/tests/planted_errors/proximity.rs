@@ -3,8 +3,9 @@
 use dashu_ratio::RBig;
 use serde_json::Value;
 
-use crate::judges::{is_near, placed, proves, same_fields, same_figure};
+use crate::judges::{placed, proves, same_fields, same_figure};
 use crate::rationals::{absolute, dot, indices, minus, number, solved, vector};
+use crate::truth::{reach, squared_depth};
 
 /// Bounds of a depth differ by this much of the upper one.
 const DEPTH_ACCURACY: f64 = 0.01;
@@ -24,14 +25,32 @@ pub fn judged(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bo
     let question = Question { p, generators: [own, others].concat(), count };
     let is_same = same_fields(&["status", "features"], right, changed)
         && same_figure(&right["distance"], &changed["distance"])
-        && ["a", "b"].iter().all(|name| is_near(&right["nearest"][name], &changed["nearest"][name]));
+        && is_one_point(right, changed)
+        && ["a", "b"].iter().all(|name| is_near(input, &right["nearest"][name], &changed["nearest"][name]));
     let is_proved = proves(&Some(question.p.clone()), &Some(question.generators.clone()), right, changed)?;
     let parts = match right["status"].as_str()? {
         "outside" => is_nearest(&question, &changed["distance_certificate"])?,
         "boundary" => supports(&question, right, changed)? && right["penetration"] == changed["penetration"],
-        _ => is_deep(&question, &right["penetration"], &changed["penetration"])?,
+        _ => is_deep(&question, &changed["penetration"])?,
     };
     Some((is_same && is_proved, parts))
+}
+
+/// Whether the nearest points of bodies that meet are one.
+fn is_one_point(right: &Value, changed: &Value) -> bool {
+    let [a, b] = ["a", "b"].map(|name| vector(&changed["nearest"][name]));
+    right["status"] == "outside" || a == b
+}
+
+/// Whether a point is the same but for rounding.
+fn is_near(input: &Value, right: &Value, changed: &Value) -> bool {
+    let Some((right, changed)) = vector(right).zip(vector(changed)) else { return right == changed };
+    let bodies = [placed(&input["a"], "center"), placed(&input["b"], "center")];
+    let size = bodies.iter().flatten().flat_map(|(center, list)| center.iter().chain(list.iter().flatten()));
+    let size = size.fold(RBig::ZERO, |sum, c| sum + absolute(c.clone()));
+    let [room, smallest] = [4.0 * f64::EPSILON, f64::from_bits(1)].map(|x| RBig::try_from(x).unwrap_or_default());
+    let allowed = size * room + smallest;
+    right.len() == changed.len() && right.iter().zip(&changed).all(|(a, b)| absolute(a - b) <= allowed)
 }
 
 /// Whether coefficients prove that their point is nearest: r = p − Σ δ_i g_i leads nowhere nearer.
@@ -89,14 +108,20 @@ fn supports(question: &Question, right: &Value, changed: &Value) -> Option<bool>
     Some(is_supporting && ranks(&old) == ranks(&new))
 }
 
-/// Whether the bounds hold the depth that the right bounds hold, and the direction is one in which it is about that.
-fn is_deep(question: &Question, right: &Value, changed: &Value) -> Option<bool> {
-    let bounds = |value: &Value| Some([number(&value["lower"])?, number(&value["upper"])?]);
-    let ([least, most], [lower, upper]) = (bounds(right)?, bounds(changed)?);
-    let u = vector(&changed["direction"])?;
-    let reach = question.generators.iter().fold(RBig::ZERO, |sum, g| sum + absolute(dot(&u, g)));
-    let along = (reach - dot(&u, &question.p)).to_f64().value();
-    let length = dot(&u, &u).to_f64().value().sqrt();
-    let is_about = along <= (1.0 + 3.0 * DEPTH_ACCURACY) * most.to_f64().value() * length + 1e-9 * length;
-    Some(u.len() == question.p.len() && length > 0.0 && lower <= most && upper >= least && lower <= upper && is_about)
+/// Whether the bounds are true and near each other, and the direction is one in which it is that deep.
+fn is_deep(question: &Question, changed: &Value) -> Option<bool> {
+    let (lower, u) = (number(&changed["lower"])?, vector(&changed["direction"])?);
+    let is_infinite = changed["upper"] == "Infinity";
+    let upper = if is_infinite { RBig::try_from(f64::MAX).ok()? } else { number(&changed["upper"])? };
+    let squared = squared_depth(&question.p, &question.generators)?;
+    let is_true = lower >= RBig::ZERO
+        && &lower * &lower <= squared
+        && (&upper * &upper >= squared) != is_infinite
+        && &lower + RBig::try_from(f64::from_bits(64)).ok()? >= &upper * RBig::try_from(1.0 - DEPTH_ACCURACY).ok()?;
+    let along = reach(&u, &question.generators) - dot(&u, &question.p);
+    let size = question.generators.iter().flatten().fold(RBig::ZERO, |sum, c| sum + absolute(c.clone()));
+    let most = upper + size * RBig::try_from(4.0 * f64::EPSILON).ok()?;
+    let length = dot(&u, &u);
+    let is_about = length > RBig::ZERO && &along * &along <= &most * &most * length;
+    Some(u.len() == question.p.len() && is_true && is_about)
 }

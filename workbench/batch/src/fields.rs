@@ -82,7 +82,7 @@ impl<'a> Fields<'a> {
         }
         let row = |(index, row)| {
             let place = place.element(index);
-            coordinates_of(list(row, &place)?, &place, dimension)
+            all_coordinates(list_of_numbers(row, &place)?, &place, dimension)
         };
         (0..).zip(rows).map(row).collect()
     }

@@ -39,7 +39,7 @@ pub use fields::read_pose;
 pub use kinds::{KINDS, Kind, min_area_result};
 pub use nearest::{did_you_mean, nearest};
 pub use refusal::{Code, Refusal};
-pub use transcript::{Verdict, check, check_unread, verify};
+pub use transcript::{Verdict, check, check_unread, guarded, verify};
 
 /// The longest line that is read, in bytes.
 pub const MAX_LINE_BYTES: usize = 128 << 20;

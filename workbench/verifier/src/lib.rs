@@ -23,8 +23,8 @@
 //! | [`check_min_area`] | no enclosing zonogon has less area | hull edges e_t and coefficients δ_t in [−1, 1] with Σ δ_t e_t = 0 |
 //! | [`check_min_length_dirs`] | no cheaper one along given directions | forces λ_j at points, Σ λ_j = 0, that load no direction beyond its weight: Σ_j abs(λ_j · v_i) ≤ w_i |
 //! | [`check_min_length_all`] | none is shorter by more than a factor | forces λ_j at points, Σ λ_j = 0, and the farthest vertex of Σ [−1, 1] λ_j |
-//! | [`check_reduction`] | a zonotope of few generators contains another one, how far apart they are | shares, which write each generator in terms of the enclosing ones; else none: every facet normal; none for the upper bound: every vertex |
-//! | [`check_hausdorff`] | how far apart two bodies are, whether one contains the other | a direction in which their support functions differ by so much; none for the upper bound: every vertex |
+//! | [`check_reduction`] | a zonotope of few generators contains another one, how far apart they are | shares, which write each generator in terms of the enclosing ones; else none: every facet normal; none for the upper bound: the nearest point to every vertex |
+//! | [`check_hausdorff`] | how far apart two bodies are, whether one contains the other | a direction in which their support functions differ by so much; none for the upper bound: the nearest point to every vertex |
 //! | [`check_combinatorics`] | numbers of faces, the volume | none: counted in another way, Σ abs(det) |
 //! | [`check_measure`] | the volume, rounded | none: Σ abs(det) |
 //! | [`check_slope_selection`] | the k-th leftmost vertex of lines | none: the vertices on both sides are counted |

@@ -23,25 +23,31 @@ pub(super) fn intersect(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict
 pub(super) fn distance(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let [a, b] = [Placed::read(member(input, "a")?, "center")?, Placed::read(member(input, "b")?, "center")?];
     let [nearest, features] = [member(result, "nearest")?, member(result, "features")?];
-    let part = |name| result.field(name);
-    let proof = |tree: Traced<'_>| -> Result<_, String> {
-        Ok((vector(member(tree, "coefficients")?, "coefficients")?, indices(tree, "basis")?))
-    };
-    let parts = ProximityParts {
-        distance: part("distance_certificate").map(proof).transpose()?,
-        normal: part("contact_normal")
-            .map(|tree| exact_numbers(tree).ok_or("`contact_normal` is not a list of exact numbers"))
-            .transpose()?,
-        penetration: part("penetration").map(penetration).transpose()?,
-    };
+    let location = location(result)?;
     let answer = ProximityAnswer {
         distance: float(result, "distance")?,
-        location: location(result)?,
+        parts: parts(result, location.status)?,
+        location,
         nearest: [point(member(nearest, "a")?, "a")?, point(member(nearest, "b")?, "b")?],
         features: [text(features, "a")?.to_owned(), text(features, "b")?.to_owned()],
-        parts,
     };
     Ok(check_proximity(&a.body(), &b.body(), &answer).in_words())
+}
+
+/// The fields that an answer of this status has beside those of all: others are not read, so they are not called right.
+fn parts(result: Traced<'_>, status: Status) -> Result<ProximityParts, String> {
+    let mut parts = ProximityParts::default();
+    if status == Status::Outside {
+        let proof = member(result, "distance_certificate")?;
+        parts.distance = Some((vector(member(proof, "coefficients")?, "coefficients")?, indices(proof, "basis")?));
+        return Ok(parts);
+    }
+    if status == Status::Boundary {
+        let normal = exact_numbers(member(result, "contact_normal")?);
+        parts.normal = Some(normal.ok_or("`contact_normal` is not a list of exact numbers")?);
+    }
+    parts.penetration = Some(penetration(member(result, "penetration")?)?);
+    Ok(parts)
 }
 
 fn penetration(tree: Traced<'_>) -> Result<PenetrationAnswer, String> {
@@ -81,13 +87,24 @@ pub(super) fn gauge(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, St
     Ok(check_gauge(&Displaced::to_point(&body.body(), &q)?, &answer).in_words())
 }
 
-pub(super) fn member_batch(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
+/// How much work it was says nothing about the points, so no check repeats it; but some counts cannot be.
+pub(super) fn member_batch(input: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> {
+    let result = member(answer, "result")?;
     let body = Placed::read(input, "center")?;
     let points = vectors(member(input, "points")?, "points")?;
     let list = |name| member(result, name)?.tree.list().ok_or_else(|| format!("`{name}` is not a list"));
     let (statuses, gauges) = (list("status")?, list("gauge")?);
-    for count in ["build", "query"] {
-        index(result, count)?;
+    let [build, query] = [index(result, "build")?, index(result, "query")?];
+    let prepared = match answer.field("method").and_then(Traced::text) {
+        Some("by_lad") => Some(0),
+        Some("by_direction_tree") => Some(body.body().generators.len()),
+        _ => None,
+    };
+    if prepared.is_some_and(|prepared| build != prepared) {
+        return Err(format!("`build` is {build}, which the method does not spend before the points"));
+    }
+    if query < points.len() && !body.body().generators.is_empty() {
+        return Err(format!("`query` is {query} operations for {} points", points.len()));
     }
     if statuses.len() != gauges.len() {
         return Err("`status` and `gauge` have different lengths".to_owned());
@@ -97,7 +114,10 @@ pub(super) fn member_batch(input: Traced<'_>, result: Traced<'_>) -> Result<Verd
         Ok((status(name)?, gauge.float().ok_or("`gauge` holds something else than numbers")?))
     });
     let answers: Vec<(Status, f64)> = answers.collect::<Result<_, String>>()?;
-    Ok(check_member_batch(&body.body(), &points, &answers).in_words())
+    Ok(match check_member_batch(&body.body(), &points, &answers).in_words() {
+        Verdict::Right(proved) => Verdict::Right(format!("{proved}; `build` and `query` claim nothing")),
+        other => other,
+    })
 }
 
 /// A proof of either form.

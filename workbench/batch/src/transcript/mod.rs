@@ -8,6 +8,8 @@ mod reduction;
 mod solids;
 mod traced;
 
+use std::panic::{self, AssertUnwindSafe};
+
 use crate::json::{self, MAX_VALUES, Tree};
 use crate::kinds::{KINDS, Kind};
 use crate::place::Place;
@@ -37,10 +39,17 @@ pub fn check_unread(answer: &Tree) -> Verdict {
 
 /// Checks an answer against its question.
 pub fn check(question: &Tree, answer: &Tree) -> Verdict {
-    match checked(question, answer) {
-        Ok(verdict) => verdict,
-        Err(complaint) => Verdict::Wrong(complaint),
-    }
+    guarded(|| checked(question, answer).unwrap_or_else(Verdict::Wrong))
+}
+
+/// The verdict of a check; one that panics has found nothing out, and the caller goes on with the next answer.
+pub fn guarded(check: impl FnOnce() -> Verdict) -> Verdict {
+    // A check owns what it changes, so nothing half done is left behind.
+    panic::catch_unwind(AssertUnwindSafe(check)).unwrap_or_else(|payload| {
+        let text = payload.downcast_ref::<String>().map(String::as_str);
+        let reason = text.or_else(|| payload.downcast_ref::<&str>().copied()).unwrap_or("a check panicked");
+        Verdict::Unchecked(format!("internal error: {reason}"))
+    })
 }
 
 fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
@@ -65,8 +74,8 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     let verdict = by_kind(question, answer)?;
     let Verdict::Right(proved) = &verdict else { return Ok(verdict) };
     let unknown = question.unread().into_iter().filter(|place| !is_known_in_question(place, question));
-    let unclaimed = answer.unread().into_iter().filter(|place| !place.is_field_of(&[], &NOT_CLAIMED));
-    let unread: Vec<Place> = unknown.chain(unclaimed).collect();
+    let claimed = answer.unread().into_iter().filter(|place| !place.is_field_of(&[], &NOT_CLAIMED));
+    let unread: Vec<Place> = unknown.chain(claimed).collect();
     Ok(unchecked_beside(&unread, proved).map_or(verdict, Verdict::Unchecked))
 }
 
@@ -111,7 +120,7 @@ fn by_kind(question: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> 
         "separator" => solids::separator(input, result),
         "upper_hull" => solids::upper_hull(input, result),
         "walk" => solids::walk(input, result),
-        "member_batch" => collision::member_batch(input, result),
+        "member_batch" => collision::member_batch(input, answer),
         "distance" => collision::distance(input, result),
         "approx" => reduction::approx(input, result),
         "reduce" => reduction::reduce(input, result),

@@ -31,14 +31,14 @@ fn checked(question: &Reduction, result: Traced<'_>) -> Result<Verdict, String> 
     Ok(check_reduction(question, &answer))
 }
 
-/// The shares; without them every facet normal is tried, whether the certificate says so or nothing.
+/// The shares, or nothing where every facet normal is to be tried: the certificate says which of them.
 fn proof(certificate: Traced<'_>) -> Result<Option<Shares>, String> {
     if let Some(list) = certificate.field("shares") {
         return shares(list, certificate).map(Some);
     }
     match certificate.field("facet_normals").map(|_| boolean(certificate, "facet_normals")).transpose()? {
-        Some(false) => Err("there are neither `shares` nor `facet_normals`".to_owned()),
-        Some(true) | None => Ok(None),
+        Some(true) => Ok(None),
+        Some(false) | None => Err("certificate: there are neither `shares` nor `facet_normals`".to_owned()),
     }
 }
 

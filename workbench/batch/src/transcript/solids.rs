@@ -28,7 +28,9 @@ pub(super) fn slope_selection(input: Traced<'_>, result: Traced<'_>) -> Result<V
 pub(super) fn combinatorics(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
     let body = Placed::around_origin(input)?;
     let sizes = member(result, "facet_sizes")?.fields().ok_or("`facet_sizes` is not an object")?;
-    let sizes = sizes.map(|(size, count)| Some((size.parse().ok()?, count.tree.index()? as u64)));
+    // A size has one spelling, so that none comes twice.
+    let size = |name: &str| name.parse::<usize>().ok().filter(|size| size.to_string() == name);
+    let sizes = sizes.map(|(name, count)| Some((size(name)?, count.tree.index()? as u64)));
     let count = |name| index(result, name).map(|count| count as u64);
     let answer = CombinatoricsAnswer {
         affine_dim: index(result, "affine_dim")?,

@@ -1,6 +1,7 @@
 //! The interface as its callers see it: what is read, what is refused, what is answered and what is proved.
 
 mod enclosures_of_all_sizes;
+mod false_answers;
 mod json;
 mod many_points;
 mod near_the_largest_double;

@@ -89,11 +89,7 @@ fn proved(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugeProof, Stop
         .find_map(|facet| tight_gauge(&p, &generators, facet, &found).or_else(|| facet_gauge(&p, &generators, facet)));
     let exact = exact.or_else(|| searched(&p, &generators));
     if let Some(exact) = exact {
-        if answer.gauge == f64::MAX && exact.nearest() == f64::INFINITY {
-            return Ok(right);
-        }
-        let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
-        check_figure("gauge", answer.gauge, &exact, &allowed)?;
+        check_gauge_figure("gauge", answer.gauge, &exact)?;
         return Ok(right);
     }
     if !answer.gauge.is_finite() {
@@ -119,6 +115,22 @@ fn proved(question: &Displaced, answer: &GaugeAnswer) -> Result<GaugeProof, Stop
     } else {
         Err(format!("gauge is {:?}, against its own certificate", answer.gauge).into())
     }
+}
+
+/// Accepts the gauge of a vector in the span of the generators, but for rounding: it is finite, and the largest double
+/// stands for whatever is larger.
+pub(super) fn check_gauge_figure(name: &str, claimed: f64, exact: &Proportion) -> Result<(), String> {
+    let is_beyond = exact.compare(&Proportion::of_double(f64::MAX)).is_gt();
+    if claimed.is_finite() && !(claimed == f64::MAX && is_beyond) {
+        let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
+        return check_figure(name, claimed, exact, &allowed);
+    }
+    if claimed.is_finite() {
+        return Ok(());
+    }
+    let truth =
+        if is_beyond { "finite, but above the largest double".to_owned() } else { format!("{:?}", exact.nearest()) };
+    Err(format!("{name} is {claimed:?}, exactly it is {truth}"))
 }
 
 /// The generators with the smallest coefficients, ascending.
@@ -218,7 +230,7 @@ fn normal(p: &Vector, generators: &[Vector], facet: &[usize]) -> Option<Vector> 
 
 /// The gauge as the largest of u · p / Σ |u · g_i| over all facets, if they are few enough.
 fn searched(p: &Vector, generators: &[Vector]) -> Option<Proportion> {
-    Some(Facets::of(p.len(), generators)?.gauge(p))
+    Some(Facets::of(p.len(), generators, std::slice::from_ref(p))?.gauge(0))
 }
 
 #[cfg(test)]
@@ -261,5 +273,14 @@ mod tests {
         assert_eq!(check(&[6.0, 6.0, 0.0], &segment, 2.0, separation(&[1, 1, 0])), Ok(2.0));
         assert_eq!(check(&[1.0, 1.0, 1.0], &segment, f64::INFINITY, separation(&[0, 0, 1])), Ok(f64::INFINITY));
         assert!(check(&[1.0, 1.0, 1.0], &segment, 5.0, separation(&[0, 0, 1])).is_err());
+    }
+
+    #[test]
+    fn a_gauge_beyond_all_doubles_is_the_largest_one_and_not_infinite() {
+        let segment: [&[f64]; 1] = [&[1e-300]];
+        assert_eq!(check(&[1e300], &segment, f64::MAX, separation(&[1])), Ok(f64::MAX));
+        assert!(check(&[1e300], &segment, f64::INFINITY, separation(&[1])).is_err());
+        assert!(check(&[1e300], &segment, 1e300, separation(&[1])).is_err());
+        assert!(check(&[1e-200], &segment, f64::MAX, separation(&[1])).is_err(), "it is 1e100");
     }
 }

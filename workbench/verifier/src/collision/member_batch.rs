@@ -6,13 +6,13 @@
 use std::cmp::Ordering;
 use std::fmt::{self, Display};
 
+use super::gauge::check_gauge_figure;
 use super::location::Status;
 use super::placed::{Body, Frame};
 use crate::verdict::{Stop, Verdict};
 
-use crate::RELATIVE_ERROR;
 use crate::exact::linear::{Echelon, Vector};
-use crate::exact::proportion::{Proportion, check_figure};
+use crate::exact::proportion::Proportion;
 use crate::faces::facets::Facets;
 
 /// So many products of facets and points are tried.
@@ -58,20 +58,28 @@ fn held<G: AsRef<[f64]>>(
     let span = Echelon::spanned(dimension, &generators);
     let pivots = span.pivots();
     let projected = |v: &Vector| -> Vector { pivots.iter().map(|&axis| v[axis].clone()).collect() };
+    let placed_points: Vec<Vector> = points
+        .iter()
+        .map(|point| frame.point(point).iter().zip(&center).map(|(point, center)| point - center).collect())
+        .collect();
     let facets = match pivots.len() {
         0 => None,
-        rank => match Facets::of(rank, &generators.iter().map(projected).collect::<Vec<_>>()) {
-            Some(facets) if facets.count().saturating_mul(points.len()) <= MOST_TRIALS => Some(facets),
-            _ => {
-                let reason = "too many facets to hold points without certificates against";
-                return Err(Stop::Unchecked(reason.to_owned()));
+        rank => {
+            let [generators, points] =
+                [&generators, &placed_points].map(|list| list.iter().map(projected).collect::<Vec<_>>());
+            match Facets::of(rank, &generators, &points) {
+                Some(facets) if facets.count().saturating_mul(points.len()) <= MOST_TRIALS => Some(facets),
+                _ => {
+                    let reason = "too many facets to hold points without certificates against";
+                    return Err(Stop::Unchecked(reason.to_owned()));
+                }
             }
-        },
+        }
     };
 
-    for (number, (point, (status, gauge))) in (1..).zip(points.iter().zip(answers)) {
-        let p: Vector = frame.point(point).iter().zip(&center).map(|(point, center)| point - center).collect();
-        if !span.contains(&p) {
+    for (index, (p, (status, gauge))) in placed_points.iter().zip(answers).enumerate() {
+        let number = index + 1;
+        if !span.contains(p) {
             if *status != Status::Outside || *gauge != f64::INFINITY {
                 let status = status.name();
                 return Err(format!(
@@ -81,7 +89,7 @@ fn held<G: AsRef<[f64]>>(
             }
             continue;
         }
-        let exact = facets.as_ref().map_or(Proportion::of_double(0.0), |facets| facets.gauge(&projected(&p)));
+        let exact = facets.as_ref().map_or(Proportion::of_double(0.0), |facets| facets.gauge(index));
         let truth = match exact.compare(&Proportion::of_double(1.0)) {
             Ordering::Greater => Status::Outside,
             Ordering::Less if span.rank() == dimension => Status::Inside,
@@ -90,10 +98,7 @@ fn held<G: AsRef<[f64]>>(
         if *status != truth {
             return Err(format!("point {number} is said to be {}, but it is {}", status.name(), truth.name()).into());
         }
-        if *gauge != f64::MAX || exact.nearest().is_finite() {
-            let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));
-            check_figure(&format!("the gauge of point {number}"), *gauge, &exact, &allowed)?;
-        }
+        check_gauge_figure(&format!("the gauge of point {number}"), *gauge, &exact)?;
     }
     Ok(MemberBatchProof { points: points.len() })
 }

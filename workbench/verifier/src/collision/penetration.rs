@@ -7,8 +7,7 @@ use dashu_int::ops::Abs;
 
 use super::displaced::Displaced;
 use super::location::Status;
-use crate::RELATIVE_ERROR;
-use crate::exact::length::root;
+use crate::exact::length::{COARSENESS, Length};
 use crate::exact::linear::dot;
 use crate::exact::proportion::Proportion;
 use crate::faces::facets::Facets;
@@ -28,6 +27,10 @@ pub struct PenetrationAnswer {
 /// By how much the bounds of a depth may differ, in terms of the upper one.
 const ACCURACY: f64 = 0.01;
 
+/// By how much rounding a direction to doubles may change the depth in it, relative to the sum of the magnitudes of all
+/// components of the generators: each component of the direction is off by half an ulp.
+const DIRECTION_ERROR: f64 = 4.0 * f64::EPSILON;
+
 /// Checks the bounds, and that the direction is one in which p is that deep but for rounding.
 pub(super) fn check_penetration(question: &Displaced, status: Status, answer: &PenetrationAnswer) -> Result<(), Stop> {
     let PenetrationAnswer { lower, upper, direction } = answer;
@@ -38,58 +41,48 @@ pub(super) fn check_penetration(question: &Displaced, status: Status, answer: &P
         let is_none = *lower == 0.0 && *upper == 0.0 && direction.iter().all(|c| *c == 0.0);
         return if is_none { Ok(()) } else { Err("bodies without a common inner point do not overlap".into()) };
     }
-    if !(*lower >= 0.0 && lower <= upper) {
+    if !(0.0..=f64::MAX).contains(lower) {
+        return Err(format!("the lower bound of the depth is {lower:?}, no finite number from 0 on").into());
+    }
+    // NaN is above nothing.
+    if !(lower <= upper) {
         return Err("the bounds of the depth are in no order".into());
     }
-    let Some(facets) = Facets::of(question.dimension(), &question.generators) else {
-        return Err(Stop::Unchecked("there are too many facets to measure the depth".to_owned()));
-    };
-    let unit = Proportion::whole(IBig::ONE, question.exponent());
-    let mut depth: Option<[Proportion; 2]> = None;
-    for (normal, reach) in facets.normals() {
-        let along = Proportion::whole(reach - dot(normal, &question.p).abs(), 0).times(&unit);
-        let [short, long] = root(&dot(normal, normal));
-        let [low, high] = [along.over(&long), along.over(&short)].map(|bound| bound.expect("a normal is not zero"));
-        depth = Some(match depth {
-            Some([lowest, highest]) => [lesser(lowest, low), lesser(highest, high)],
-            None => [low, high],
-        });
+    let facets = Facets::of(question.dimension(), &question.generators, std::slice::from_ref(&question.p))
+        .ok_or_else(|| Stop::Unchecked("there are too many facets to measure the depth".to_owned()))?;
+    let depth = facets.depth(0).ok_or("a body without facets has no inside".to_owned())?;
+    // In units of the question's numbers.
+    let units = |number: f64| Proportion::of_double(number).times(&Proportion::whole(IBig::ONE, -question.exponent()));
+    let told = || depth.rounded_at(question.exponent());
+    if depth.compare(&units(*lower)).is_lt() {
+        return Err(format!("the depth is {:?}, below its lower bound", told()).into());
     }
-    let [low, high] = depth.ok_or("a body without facets has no inside".to_owned())?;
-    let claims = [*lower, if upper.is_finite() { *upper } else { f64::MAX }].map(Proportion::of_double);
-    if claims[0].compare(&high).is_gt() {
-        return Err(format!("the depth is {:?}, below its lower bound", high.nearest()).into());
+    let most = upper.min(f64::MAX);
+    if depth.compare(&units(most)).is_gt() != upper.is_infinite() {
+        let relation = if upper.is_infinite() { "and the upper bound infinite" } else { "above its upper bound" };
+        return Err(format!("the depth is {:?}, {relation}", told()).into());
     }
-    if claims[1].compare(&low).is_lt() && upper.is_finite() {
-        return Err(format!("the depth is {:?}, above its upper bound", low.nearest()).into());
-    }
-    // a bound that is rounded up may leave the range of doubles where the depth nearly does
-    let nearly = low.times(&Proportion::of_double(1.0 + RELATIVE_ERROR));
-    if upper.is_infinite() && nearly.compare(&claims[1]).is_le() {
-        return Err("the upper bound of the depth is infinite".into());
-    }
-    check_direction(question, direction, &high)
-}
-
-/// Checks that p is no deeper in a direction than it is at least, but for the accuracy of the bounds and for what
-/// rounding the direction takes from sums.
-fn check_direction(question: &Displaced, direction: &[f64], depth: &Proportion) -> Result<(), Stop> {
-    let unit = Proportion::whole(IBig::ONE, question.exponent());
-    let exact: Option<Vec<_>> = direction.iter().map(|&c| crate::Fraction::of_double(c)).collect();
-    let u = crate::whole_direction(&exact.unwrap_or_default());
-    let [short, _] = root(&dot(&u, &u));
-    let reach = question.support(&u);
-    let along = Proportion::whole(&reach - dot(&u, &question.p), 0).times(&unit);
-    let Some(deep) = along.over(&short) else { return Err("the depth has no direction".into()) };
-    let total = question.generators.iter().flatten().fold(IBig::ZERO, |sum, c| sum + c.clone().abs());
-    let rounding = Proportion::whole(total, 0).times(&unit).times(&Proportion::of_double(RELATIVE_ERROR));
-    let allowed = depth.times(&Proportion::of_double(1.0 + 2.0 * ACCURACY)).plus(&rounding);
-    if deep.compare(&allowed).is_gt() {
-        return Err("in the direction of the depth it is deeper".into());
+    check_direction(question, direction, &units(most))?;
+    let narrowest = Proportion::of_double(most).times(&Proportion::of_double(1.0 - ACCURACY));
+    if Proportion::of_double(*lower).plus(&Proportion::of_double(COARSENESS)).compare(&narrowest).is_lt() {
+        return Err(Stop::Unchecked(format!(
+            "the bounds of the depth, {lower:?} and {upper:?}, are right, but more than 1 % apart"
+        )));
     }
     Ok(())
 }
 
-fn lesser(a: Proportion, b: Proportion) -> Proportion {
-    if b.compare(&a).is_lt() { b } else { a }
+/// Checks that p is no deeper in a direction than the upper bound, but for what rounding the direction takes from sums.
+fn check_direction(question: &Displaced, direction: &[f64], upper: &Proportion) -> Result<(), Stop> {
+    let exact: Option<Vec<_>> = direction.iter().map(|&c| crate::Fraction::of_double(c)).collect();
+    let u = crate::whole_direction(&exact.unwrap_or_default());
+    let reach = question.support(&u);
+    let along = Proportion::whole(&reach - dot(&u, &question.p), 0);
+    let Some(deep) = Length::along(&along, &u) else { return Err("the depth has no direction".into()) };
+    let total = question.generators.iter().flatten().fold(IBig::ZERO, |sum, c| sum + c.clone().abs());
+    let rounding = Proportion::whole(total, 0).times(&Proportion::of_double(DIRECTION_ERROR));
+    if deep.compare(&upper.plus(&rounding)).is_gt() {
+        return Err("in the direction of the depth it is deeper".into());
+    }
+    Ok(())
 }

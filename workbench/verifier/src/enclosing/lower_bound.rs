@@ -15,9 +15,11 @@ pub(crate) fn check_bound(claimed: f64, proven: &Proportion) -> Result<(), Strin
             proven.nearest()
         ));
     }
-    let smallest = Proportion::of_double(f64::MIN_POSITIVE);
-    let weaker = proven.times(&Proportion::of_double(1.0 - 1e-9)).minus(&smallest);
-    if proven.nearest().is_finite() && Proportion::of_double(claimed).compare(&weaker) == Ordering::Less {
+    // The largest double is the most that can be claimed.
+    let [smallest, largest] = [f64::MIN_POSITIVE, f64::MAX].map(Proportion::of_double);
+    let most = if proven.compare(&largest) == Ordering::Greater { &largest } else { proven };
+    let weaker = most.times(&Proportion::of_double(1.0 - 1e-9)).minus(&smallest);
+    if Proportion::of_double(claimed).compare(&weaker) == Ordering::Less {
         return Err(format!("lower_bound {claimed:?} says less than the certificate proves, {:?}", proven.nearest()));
     }
     Ok(())

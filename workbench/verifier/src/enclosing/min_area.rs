@@ -140,8 +140,10 @@ fn proved(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, S
         ));
     }
     let smallest = Proportion::of_double(f64::MIN_POSITIVE);
-    let in_range = area.nearest().is_finite();
-    if in_range && area.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
+    // The largest double is the most that can be claimed.
+    let largest = Proportion::of_double(f64::MAX);
+    let most = if area.compare(&largest) == Ordering::Greater { &largest } else { &area };
+    if most.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
         return Err(format!(
             "lower_bound {:?} says less than the certificate proves, {:?}",
             answer.lower_bound,

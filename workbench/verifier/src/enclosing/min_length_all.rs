@@ -140,36 +140,33 @@ fn proved(
 
     let bound = proven_bound(&places, &answer.forces)?.map_err(too_many)?.times(&unit);
     check_bound(answer.lower_bound, &bound)?;
-    check_ratio(answer)?;
-    let mut is_within = true;
-    if answer.length.is_finite() {
-        let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
-        let rounding = Proportion::of_double(largest)
-            .times(&Proportion::of_double(dimension as f64 * 2.0_f64.powi(-46)))
-            .plus(&length.times(&relative));
-        let allowed = Proportion::of_double(answer.lower_bound)
-            .times(&Proportion::of_double(1.0).plus(&Proportion::of_double(epsilon)))
-            .plus(&rounding);
-        is_within = Proportion::of_double(answer.length).compare(&allowed) != Ordering::Greater;
-        if !is_within && answer.within_epsilon != Some(false) {
-            return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio).into());
-        }
-        if answer.within_epsilon == Some(false) && answer.ratio < (1.0 + epsilon) * (1.0 - RELATIVE_ERROR) {
-            return Err(
-                format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio).into()
-            );
-        }
+    // A length beyond the range of doubles is measured exactly.
+    let claimed = if answer.length.is_finite() { Proportion::of_double(answer.length) } else { length.clone() };
+    check_ratio(answer, &claimed)?;
+    let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
+    let rounding = Proportion::of_double(largest)
+        .times(&Proportion::of_double(dimension as f64 * 2.0_f64.powi(-46)))
+        .plus(&length.times(&relative));
+    let lower_bound = Proportion::of_double(answer.lower_bound);
+    let share = Proportion::of_double(1.0).plus(&Proportion::of_double(epsilon));
+    let is_within = claimed.compare(&lower_bound.times(&share).plus(&rounding)) != Ordering::Greater;
+    if !is_within && answer.within_epsilon != Some(false) {
+        return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio).into());
+    }
+    let nearly = share.times(&Proportion::of_double(1.0 - RELATIVE_ERROR));
+    if answer.within_epsilon == Some(false) && claimed.compare(&lower_bound.times(&nearly)) != Ordering::Greater {
+        return Err(format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio).into());
     }
     let (length, ratio) = (answer.length, answer.ratio);
     Ok(MinLengthProof { points: points.len(), length, proven_bound: bound.nearest(), ratio, is_within })
 }
 
-fn check_ratio(answer: &MinLengthAnswer) -> Result<(), String> {
-    if !answer.length.is_finite() {
-        return if answer.ratio.is_nan() { Err("ratio is NaN".to_owned()) } else { Ok(()) };
+/// Checks the quotient of the length and the lower bound; that of an infinite length may be infinite as well.
+fn check_ratio(answer: &MinLengthAnswer, length: &Proportion) -> Result<(), String> {
+    if answer.length.is_infinite() && answer.ratio == f64::INFINITY {
+        return Ok(());
     }
-    let [length, bound] = [answer.length, answer.lower_bound].map(Proportion::of_double);
-    match length.over(&bound) {
+    match length.over(&Proportion::of_double(answer.lower_bound)) {
         Some(exact) => {
             // The ratio of tiny numbers has few bits.
             let allowed = exact.times(&Proportion::of_double(RELATIVE_ERROR));

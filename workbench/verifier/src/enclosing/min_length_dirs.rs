@@ -98,9 +98,33 @@ pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Ve
     proved(question, answer).into()
 }
 
-/// Proves what [`check_min_length_dirs`] does, however far the value is above the proven bound.
+/// Proves what [`check_min_length_dirs`] does of an answer that claims no optimum: its value is above `lower_bound` by
+/// more than a relative 10^-11.
 pub fn check_min_length_dirs_at_any_gap(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
-    enclosed(question, answer).into()
+    let checked = enclosed(question, answer).and_then(|proof| {
+        if figures(answer).is_some_and(|[value, bound]| !is_apart(value, bound, 1.0 - SHARE_ERROR)) {
+            return Err("the value is the least, but for rounding, and not called so".into());
+        }
+        Ok(proof)
+    });
+    checked.into()
+}
+
+/// By how much rounding may change the share of a bound that is computed in doubles.
+const SHARE_ERROR: f64 = 1e-9;
+
+/// The value and the lower bound of an answer.
+fn figures(answer: &DirectedAnswer) -> Option<[f64; 2]> {
+    match answer {
+        DirectedAnswer::Optimal { value, lower_bound, .. } => Some([*value, *lower_bound]),
+        DirectedAnswer::Infeasible { .. } => None,
+    }
+}
+
+/// Whether a value is more above a finite bound than the stated share of the bound, about.
+fn is_apart(value: f64, lower_bound: f64, about: f64) -> bool {
+    let [value, bound, share] = [value.min(f64::MAX), lower_bound, PROVEN_GAP * about].map(Proportion::of_double);
+    value.minus(&bound).compare(&bound.times(&share)) == Ordering::Greater
 }
 
 fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof, Stop> {
@@ -109,6 +133,9 @@ fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof,
             "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be \
              the least"
         ))),
+        proof if figures(answer).is_some_and(|[value, bound]| is_apart(value, bound, 1.0 + SHARE_ERROR)) => {
+            Err(format!("{proof}, but it is not within 1e-11 of `lower_bound`, as the least one is").into())
+        }
         proof => Ok(proof),
     }
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, BitTest, DivEuclid, DivRem};
+use dashu_int::ops::{Abs, BitTest, DivEuclid, DivRem, SquareRoot};
 
 use super::fraction::Fraction;
 use super::grid::Grid;
@@ -16,6 +16,9 @@ const SMALLEST: f64 = f64::from_bits(1);
 
 /// The exponent of the last place of the largest double.
 const LARGEST_EXPONENT: i64 = 971;
+
+/// The bits of the quotient of which a root is taken.
+const ROOT_BITS: i64 = 240;
 
 /// The number numerator / denominator · 2^exponent, with a positive denominator.
 #[derive(Debug, Clone)]
@@ -96,6 +99,24 @@ impl Proportion {
     /// The distance from zero.
     pub(crate) fn magnitude(&self) -> Self {
         Self { numerator: self.numerator.clone().abs(), ..self.clone() }
+    }
+
+    /// Whether it is below zero.
+    pub(crate) fn is_negative(&self) -> bool {
+        self.numerator < IBig::ZERO
+    }
+
+    /// The square root of a number that is not negative, rounded: its relative error is below 2^-100.
+    pub(crate) fn root(&self) -> Self {
+        let bits = |number: &IBig| i64::try_from(number.bit_len()).expect("numbers of a check fit into memory");
+        // The quotient gets more than 240 bits, and an even exponent.
+        let missing = (ROOT_BITS + bits(&self.denominator) - bits(&self.numerator)).max(0);
+        let shift = missing + (missing + i64::from(self.exponent)).rem_euclid(2);
+        let places = usize::try_from(shift).expect("the shift is not negative");
+        let quotient = (&self.numerator << places) / &self.denominator;
+        let exponent = (i64::from(self.exponent) - shift) / 2;
+        let root = if quotient < IBig::ZERO { IBig::ZERO } else { IBig::from(quotient.sqrt()) };
+        Self::whole(root, i32::try_from(exponent).expect("numbers of a check fit into memory"))
     }
 
     /// Exact comparison.

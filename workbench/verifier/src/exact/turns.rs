@@ -1,5 +1,7 @@
 //! Vectors of the plane in the order of their angles: what adds up along the way.
 
+use std::cmp::Ordering;
+
 use dashu_int::IBig;
 
 use crate::exact::linear::{Vector, is_zero};
@@ -15,9 +17,26 @@ pub(crate) fn by_angle(vectors: Vec<Vector>) -> Vec<Vector> {
         let down = v[1] < IBig::ZERO || v[1] == IBig::ZERO && v[0] < IBig::ZERO;
         if down { v.into_iter().map(|component| -component).collect() } else { v }
     };
-    let mut sorted: Vec<Vector> = vectors.into_iter().filter(|v| !is_zero(v)).map(upward).collect();
-    sorted.sort_by(|a, b| IBig::ZERO.cmp(&turn(a, b)));
-    sorted
+    let with_image = |v: Vector| ([v[0].to_f64().value(), v[1].to_f64().value()], v);
+    let mut sorted: Vec<([f64; 2], Vector)> =
+        vectors.into_iter().filter(|v| !is_zero(v)).map(upward).map(with_image).collect();
+    sorted.sort_by(|a, b| side(a, b).reverse());
+    sorted.into_iter().map(|(_, v)| v).collect()
+}
+
+/// A relative bound of the error of a turn of rounded vectors: each product is rounded three times, the difference once.
+const TURN_ERROR: f64 = 8.0 * f64::EPSILON;
+
+/// The side of a on which b lies: in floating point where its error leaves no doubt, else exactly.
+fn side((a_image, a): &([f64; 2], Vector), (b_image, b): &([f64; 2], Vector)) -> Ordering {
+    let (left, right) = (a_image[0] * b_image[1], a_image[1] * b_image[0]);
+    let doubt = (left.abs() + right.abs()) * TURN_ERROR;
+    // Where a product leaves the range of doubles, nothing compares. Whole numbers have no small products but zero.
+    match left - right {
+        turn if turn > doubt => Ordering::Greater,
+        turn if turn < -doubt => Ordering::Less,
+        _ => turn(a, b).cmp(&IBig::ZERO),
+    }
 }
 
 /// Σ |a × b| over all pairs of vectors of the plane.

@@ -12,7 +12,7 @@ use crate::exact::linear::{Echelon, Vector, dot, is_zero};
 use crate::exact::subsets::{count_subsets, subsets};
 use crate::faces::facets::reach;
 use crate::faces::normals::{
-    DOT_ERROR, Image, MOST_COORDINATES, Normal, TooMany, UNDERFLOW, image_dot, image_size, images,
+    DOT_ERROR, Image, MOST_COORDINATES, Normal, TooMany, image_dot, image_size, images, normals, reach_bounds,
 };
 
 /// So many pairs of a facet and a point are gone through, and of an open facet and a generator.
@@ -105,10 +105,8 @@ pub(crate) fn contains_body(dimension: usize, outer: &[Vector], inner: &[Vector]
     let all = [outer.clone(), inner.clone()].concat();
     let all = images(&all);
     let (outer_images, inner_images) = all.split_at(outer.len());
-    let [large, small] =
-        [Body { generators: &outer, images: outer_images }, Body { generators: &inner, images: inner_images }];
-    Ok(subsets(outer.len(), rank - 1).filter_map(|facet| Normal::of(rank, &facet, &outer)).all(|normal| {
-        let [[low, _], [_, high]] = [&large, &small].map(|body| body.reach_bounds(&normal));
+    Ok(normals(rank, &outer).all(|normal| {
+        let [[low, _], [_, high]] = [outer_images, inner_images].map(|images| reach_bounds(&normal, images));
         high < low || reach(&inner, &normal.exact) <= reach(&outer, &normal.exact)
     }))
 }
@@ -120,21 +118,9 @@ struct Body<'a> {
 }
 
 impl Body<'_> {
-    /// Bounds of Σ |u · g_i| for a normal u.
-    fn reach_bounds(&self, normal: &Normal) -> [f64; 2] {
-        let (mut reach, mut size) = (0.0, 0.0);
-        for image in self.images {
-            reach += image_dot(&normal.image, image).abs();
-            size += image_size(&normal.image, image);
-        }
-        let count = self.images.len() as f64;
-        let doubt = size * (DOT_ERROR + count * f64::EPSILON) + (count + 1.0) * UNDERFLOW;
-        [(reach - doubt).next_down(), (reach + doubt).next_up()]
-    }
-
     /// The first point that is beyond one of the two facets with a normal.
     fn first_beyond(&self, normal: &Normal, points: &[Vector], images: &[Image]) -> Option<usize> {
-        let [least, _] = self.reach_bounds(normal);
+        let [least, _] = reach_bounds(normal, self.images);
         let is_open = |image: &Image| {
             let certain = (least - image_size(&normal.image, image) * DOT_ERROR).next_down();
             image_dot(&normal.image, image).abs() >= certain

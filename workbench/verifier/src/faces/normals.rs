@@ -124,6 +124,18 @@ pub(crate) fn side(normal: &Normal, exact: &Vector, image: &Image) -> i8 {
     }
 }
 
+/// Bounds of Σ |u · g_i| for a normal u and the images of generators.
+pub(crate) fn reach_bounds(normal: &Normal, images: &[Image]) -> [f64; 2] {
+    let (mut reach, mut size) = (0.0, 0.0);
+    for image in images {
+        reach += image_dot(&normal.image, image).abs();
+        size += image_size(&normal.image, image);
+    }
+    let count = images.len() as f64;
+    let doubt = size * (DOT_ERROR + count * f64::EPSILON) + (count + 1.0) * UNDERFLOW;
+    [(reach - doubt).next_down(), (reach + doubt).next_up()]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,16 +4,13 @@
 //! The distance is the largest difference |h_a(u) − h_b(u)| over unit vectors u. One direction proves a lower bound.
 //! The upper one holds if every vertex of each body is that near to the other body.
 
-use std::cmp::Ordering;
-
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 
 use super::within::Within;
-use crate::RELATIVE_ERROR;
 use crate::exact::fraction::Fraction;
 use crate::exact::grid::{Grid, check_finite};
-use crate::exact::length::root;
+use crate::exact::length::{COARSENESS, Length};
 use crate::exact::linear::{Vector, dot};
 use crate::exact::proportion::Proportion;
 use crate::exact::whole_direction;
@@ -55,9 +52,9 @@ impl BodyPair {
         self.displacement.len()
     }
 
-    /// A length in whole numbers of the unit, in the unit of the input.
-    pub(super) fn in_units(&self, length: &Proportion) -> Proportion {
-        length.times(&Proportion::whole(IBig::ONE, self.exponent))
+    /// A number in units of the whole ones.
+    pub(super) fn units(&self, number: f64) -> Proportion {
+        Proportion::of_double(number).times(&Proportion::whole(IBig::ONE, -self.exponent))
     }
 
     /// Proves that every point of the first body is at most so far from the second.
@@ -74,10 +71,21 @@ impl BodyPair {
     }
 }
 
-/// Checks that the support functions differ by the lower bound in the direction, up to rounding, and that the upper
-/// bound is not below it.
+/// By how much the bounds of a distance may differ, in terms of the upper one.
+const ACCURACY: f64 = 0.01;
+
+/// By how much they may differ beside that, relative to the magnitudes of all components: the distance of bodies that
+/// are nearly equal is lost in what rounding leaves of their sums.
+const ROUNDING: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// Checks that the support functions differ by the lower bound in the direction, and that the upper bound is not below
+/// it.
 pub(super) fn check_bounds(pair: &BodyPair, [lower, upper]: [f64; 2], direction: &[f64]) -> Result<(), Stop> {
-    if !(lower >= 0.0 && lower <= upper) {
+    if !(0.0..=f64::MAX).contains(&lower) {
+        return Err(format!("the lower bound of the distance is {lower:?}, no finite number from 0 on").into());
+    }
+    // NaN is above nothing.
+    if !(lower <= upper) {
         return Err("the bounds of the distance are in no order".into());
     }
     if direction.len() != pair.displacement.len() || direction.iter().any(|c| !c.is_finite()) {
@@ -90,17 +98,30 @@ pub(super) fn check_bounds(pair: &BodyPair, [lower, upper]: [f64; 2], direction:
     let u = whole_direction(&exact.unwrap_or_default());
     let [a, b] = pair.generators.each_ref().map(|list| reach(list, &u));
     let difference = (a - b).abs() + dot(&u, &pair.displacement).abs();
-    let [_, length] = root(&dot(&u, &u));
-    let unit = Proportion::whole(IBig::ONE, pair.exponent);
-    let Some(proved) = Proportion::whole(difference, 0).times(&unit).over(&length) else {
+    let Some(proved) = Length::along(&Proportion::whole(difference, 0), &u) else {
         return Err("the direction of the distance is zero".into());
     };
-    let claimed = if lower.is_finite() { lower } else { f64::MAX };
-    let claimed = Proportion::of_double(claimed).times(&Proportion::of_double(1.0 - RELATIVE_ERROR));
-    if claimed.compare(&proved) == Ordering::Greater {
-        return Err(format!("in the direction of the distance the bodies differ by {:?}", proved.nearest()).into());
+    if proved.compare(&pair.units(lower)).is_lt() {
+        let proved = proved.rounded_at(pair.exponent);
+        return Err(format!("in the direction of the distance the bodies differ by {proved:?}").into());
     }
     Ok(())
+}
+
+/// Leaves bounds unchecked that are true but say little: the accuracy that is stated of them is not reached.
+pub(super) fn check_width(pair: &BodyPair, [lower, upper]: [f64; 2]) -> Result<(), Stop> {
+    let components = pair.generators.iter().flatten().flatten().chain(&pair.displacement);
+    let size: IBig = components.map(|c| c.clone().abs()).sum();
+    let unit = Proportion::whole(IBig::ONE, pair.exponent);
+    let rounding = Proportion::whole(size, 0).times(&unit).times(&Proportion::of_double(ROUNDING));
+    let narrowest = Proportion::of_double(upper.min(f64::MAX)).times(&Proportion::of_double(1.0 - ACCURACY));
+    let rounding = rounding.plus(&Proportion::of_double(COARSENESS));
+    if Proportion::of_double(lower).plus(&rounding).compare(&narrowest).is_ge() {
+        return Ok(());
+    }
+    Err(Stop::Unchecked(format!(
+        "the bounds of the distance, {lower:?} and {upper:?}, are right, but more than 1 % apart"
+    )))
 }
 
 /// An answer as it was written.
@@ -122,20 +143,26 @@ pub fn check_hausdorff(a: (&[f64], &[Vec<f64>]), b: (&[f64], &[Vec<f64>]), answe
     let upper = answer.bounds[1];
     let bounded = proved(a, b, answer).and_then(|pair| {
         let both = pair.check_first_within(upper).and_then(|()| pair.check_second_within(upper));
-        bounded("containment", answer.bounds, both)
+        bounded("containment", both)?;
+        check_width(&pair, answer.bounds)?;
+        Ok(words("containment", answer.bounds))
     });
     bounded.into()
 }
 
-/// What is said of bounds of which the lower one is proved, after a check of the upper one.
-pub(super) fn bounded(proved: &str, [lower, upper]: [f64; 2], upper_bound: Result<(), Stop>) -> Result<String, Stop> {
-    match upper_bound {
-        Ok(()) => Ok(format!("{proved}; the distance is {lower:?} to {upper:?}")),
-        Err(Stop::Unchecked(reason)) => Err(Stop::Unchecked(format!(
+/// What was proved, and the bounds of the distance.
+pub(super) fn words(proved: &str, [lower, upper]: [f64; 2]) -> String {
+    format!("{proved}; the distance is {lower:?} to {upper:?}")
+}
+
+/// The outcome of a check of the upper bound, after that of all the rest.
+pub(super) fn bounded(proved: &str, upper_bound: Result<(), Stop>) -> Result<(), Stop> {
+    upper_bound.map_err(|stop| match stop {
+        Stop::Unchecked(reason) => Stop::Unchecked(format!(
             "{proved} and the lower bound of the distance are proved; the upper bound is not checked: {reason}"
-        ))),
-        Err(wrong) => Err(wrong),
-    }
+        )),
+        wrong => wrong,
+    })
 }
 
 fn proved(a: Plain<'_>, b: Plain<'_>, answer: &HausdorffAnswer) -> Result<BodyPair, Stop> {
@@ -173,11 +200,13 @@ mod tests {
             is_subset,
         };
         // side 2 around side 1: the corners are √2 apart; moved by 1 it still is in it
-        let root = 2.0_f64.sqrt() * (1.0 - 1e-14);
+        let root = 2.0_f64.sqrt().next_down();
         assert!(!is_wrong(0.0, 2.0, &answer(root, [1.0, 1.0], true)));
-        assert!(is_wrong(0.0, 2.0, &answer(1.5, [1.0, 1.0], true)), "not so far");
+        assert!(is_wrong(0.0, 2.0, &answer(root.next_up(), [1.0, 1.0], true)), "not so far, by less than an ulp");
         assert!(is_wrong(0.0, 2.0, &answer(root, [1.0, 0.0], true)), "not in this direction");
         assert!(is_wrong(0.0, 2.0, &answer(root, [1.0, 1.0], false)), "it is contained");
+        let tight = HausdorffAnswer { bounds: [root, root], ..answer(root, [1.0, 1.0], true) };
+        assert!(is_wrong(0.0, 2.0, &tight), "the root is above the double");
         // moved by 1 as well: the corner (-2, 2) is √5 from the nearest one, (0, 1)
         let moved = HausdorffAnswer { bounds: [2.0, 2.2361], ..answer(2.0, [-1.0, 0.0], true) };
         assert!(!is_wrong(1.0, 2.0, &moved));
@@ -187,7 +216,33 @@ mod tests {
         // in the direction (1, 0) they differ by 1, and the corners by more than that
         let low = HausdorffAnswer { bounds: [1.0, 1.4], ..answer(1.0, [1.0, 0.0], true) };
         assert!(is_wrong(0.0, 2.0, &low), "a corner is farther away");
-        let right = HausdorffAnswer { bounds: [1.0, 1.42], ..low };
-        assert!(!is_wrong(0.0, 2.0, &right));
+    }
+
+    #[test]
+    fn true_bounds_that_say_little_are_left_unchecked() {
+        let square = vec![vec![1.0, 0.0], vec![0.0, 1.0]];
+        let verdict = |bounds: [f64; 2], value: f64| {
+            let answer = HausdorffAnswer { value, bounds, direction: vec![1.0, 0.0], is_subset: false };
+            check_hausdorff((&[0.0, 0.0], &square), (&[5.0, 0.0], &square), &answer)
+        };
+        assert!(verdict([5.0, 5.0], 5.0).is_right() && verdict([4.96, 5.0], 5.0).is_right());
+        let infinite = f64::INFINITY;
+        for (bounds, value) in [([4.9, 5.0], 5.0), ([5.0, 5.1], 5.0), ([0.0, infinite], 5.0), ([5.0, infinite], 7.0)] {
+            assert!(matches!(verdict(bounds, value), Verdict::Unchecked(_)), "{bounds:?}");
+        }
+        for bounds in [[5.0, 4.0], [infinite, infinite], [f64::NAN, 5.0], [5.0, f64::NAN], [-1.0, 5.0]] {
+            assert!(verdict(bounds, 5.0).is_wrong(), "{bounds:?}");
+        }
+        let huge = vec![vec![f64::MAX, 0.0]];
+        let answer = HausdorffAnswer {
+            value: infinite,
+            bounds: [f64::MAX, infinite],
+            direction: vec![1.0, 0.0],
+            is_subset: false,
+        };
+        assert!(
+            check_hausdorff((&[f64::MAX, 0.0], &huge), (&[0.0, 0.0], &[]), &answer).is_right(),
+            "beyond all doubles"
+        );
     }
 }

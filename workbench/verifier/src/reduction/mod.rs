@@ -1,6 +1,10 @@
 //! Zonotopes around zonotopes, and how far apart two zonotopes are at most.
 
+mod difference;
 pub(crate) mod hausdorff;
+mod nearest_point;
 pub(crate) mod reduced;
+mod rounded_search;
 pub(crate) mod shares;
+mod vertices;
 mod within;

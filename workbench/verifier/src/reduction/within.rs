@@ -1,43 +1,28 @@
 //! Whether a zonotope lies within a distance of another one: every vertex of it has a point of the other that near.
 //!
 //! The distance from a convex body is a convex function, so nowhere on a zonotope is it larger than at its farthest
-//! vertex. A vertex has the signs of a direction in general position; next to the normal u of a facet these are the
-//! signs of u · g_i, and any signs for the generators of the facet itself: those that belong to no vertex belong to
-//! points of the zonotope, which may be looked at as well. Coefficients of a near point of the other zonotope are
-//! sought in floating point; the point that they name, and its distance, are exact. Where none is found, the direction
-//! in which the search ended may prove that the vertex is farther away.
-
-use std::cmp::Ordering;
-use std::collections::BTreeSet;
+//! vertex. Generators that both bodies have in common are left out before: they leave the distance as it is. A near
+//! point of the other zonotope is sought in floating point with a bound of all rounding; where that leaves a doubt,
+//! the nearest point is found exactly, and so is whether it is near enough.
 
 use dashu_int::IBig;
-use dashu_int::ops::BitTest;
+use dashu_int::ops::{Abs, BitTest};
 
-use crate::RELATIVE_ERROR;
-use crate::exact::fraction::Fraction;
-use crate::exact::length::root;
-use crate::exact::linear::{Echelon, Vector, dot};
+use super::difference::without_common_summands;
+use super::nearest_point::{Reach, reach};
+use super::rounded_search::RoundedBody;
+use super::vertices::{is_of_half, point, vertices};
+use crate::exact::length::Length;
+use crate::exact::linear::{Vector, dot, is_zero};
 use crate::exact::proportion::Proportion;
-use crate::exact::subsets::count_subsets;
-use crate::exact::whole_direction;
-use crate::faces::facets::reach;
-use crate::faces::normals::{Image, MOST_COORDINATES, image_dot, images, normals, side};
+use crate::faces::normals::{Image, MOST_COORDINATES, images};
 use crate::verdict::Stop;
-
-/// So many pairs of a facet and a generator are gone through for the vertices of a zonotope.
-const MOST_PAIRS: u64 = 3_000_000;
 
 /// So many pairs of a vertex and a generator of the other zonotope are gone through.
 const MOST_PRODUCTS: usize = 3_000_000;
 
-/// Of a facet of more generators not all signs are tried.
-const MOST_IN_A_FACET: usize = 8;
-
-/// The search for a near point ends after so many rounds over all coefficients.
-const MOST_ROUNDS: usize = 400;
-
-/// Coefficients are whole multiples of 2^-COEFFICIENT_BITS.
-const COEFFICIENT_BITS: usize = 45;
+/// So many steps are taken for nearest points that are found exactly: some tenths of a microsecond each.
+const MOST_EXACT_STEPS: u64 = 1_500_000;
 
 /// Two zonotopes in whole numbers of a unit, the first to lie within a distance of the second.
 pub(super) struct Within<'a> {
@@ -50,188 +35,68 @@ pub(super) struct Within<'a> {
 }
 
 impl Within<'_> {
-    /// Proves that every point of the first zonotope is at most so far from the second, up to rounding.
+    /// Proves that every point of the first zonotope is at most so far from the second. Nothing is beyond an infinite
+    /// distance.
     pub(super) fn check(&self, distance: f64) -> Result<(), Stop> {
         if distance == f64::INFINITY {
             return Ok(());
         }
-        let vertices = self.vertices().ok_or_else(|| Stop::Unchecked("too many vertices to try".to_owned()))?;
-        if vertices.len().saturating_mul(self.second.len()) > MOST_PRODUCTS {
-            return Err(Stop::Unchecked("too many vertices to try".to_owned()));
+        let limit = Proportion::of_double(distance).times(&Proportion::whole(IBig::ONE, -self.exponent));
+        let [first, second] = without_common_summands([self.first, self.second]);
+        if self.is_small(&first, &limit) {
+            return Ok(());
         }
-        let allowed = Proportion::of_double(distance).times(&Proportion::of_double(1.0 + RELATIVE_ERROR));
-        let points: Vec<Vector> = vertices.iter().map(|signs| self.point(signs)).collect();
-        let all: Vec<Vector> = points.iter().chain(self.second).cloned().collect();
-        let largest = all.iter().flatten().map(|c| c.bit_len()).max().unwrap_or(0);
-        let all = images(&all);
-        let (point_images, generators) = all.split_at(points.len());
-        // Images are in units of the power of two above all components.
-        let unit = Proportion::whole(IBig::ONE, -self.exponent - largest as i32);
-        let limit = Limit { rounded: allowed.times(&unit).nearest(), exact: allowed };
-        points
+        let too_many = || Stop::Unchecked("too many vertices to try".to_owned());
+        let most = MOST_PRODUCTS / second.len().max(1);
+        let signs = vertices(self.offset.len(), &first, most).ok_or_else(too_many)?;
+        // Without an offset both bodies are symmetric about one point.
+        let is_centred = is_zero(self.offset);
+        let points: Vec<Vector> = signs
             .iter()
-            .zip(point_images)
-            .try_for_each(|(point, image)| self.check_point(point, image, generators, &limit))
-    }
-
-    /// The signs of all vertices, and perhaps of more points; `None` if they are too many. Opposite ones count once
-    /// where both zonotopes have the same centre.
-    fn vertices(&self) -> Option<BTreeSet<Vec<i8>>> {
-        let dimension = self.offset.len();
-        let span = Echelon::spanned(dimension, self.first);
-        let (rank, pivots) = (span.rank(), span.pivots());
-        if rank == 0 {
-            return Some(BTreeSet::from([vec![1; self.first.len()]]));
-        }
-        let count = self.first.len();
-        if dimension > MOST_COORDINATES || count_subsets(count, rank - 1).saturating_mul(count as u64) > MOST_PAIRS {
-            return None;
-        }
-        let seen: Vec<Vector> =
-            self.first.iter().map(|v| pivots.iter().map(|&axis| v[axis].clone()).collect()).collect();
-        let seen_images = images(&seen);
-        let opposites: &[i8] = if self.offset.iter().all(|c| *c == IBig::ZERO) { &[1] } else { &[1, -1] };
-        let mut vertices = BTreeSet::new();
-        for normal in normals(rank, &seen) {
-            let sides: Vec<i8> =
-                seen.iter().zip(&seen_images).map(|(exact, image)| side(&normal, exact, image)).collect();
-            let open: Vec<usize> = (0..count).filter(|&index| sides[index] == 0).collect();
-            if open.len() > MOST_IN_A_FACET {
-                return None;
-            }
-            for choice in 0..1_usize << open.len() {
-                for &opposite in opposites {
-                    let mut signs: Vec<i8> = sides.iter().map(|side| side * opposite).collect();
-                    for (place, &index) in open.iter().enumerate() {
-                        signs[index] = if choice >> place & 1 == 1 { 1 } else { -1 };
-                    }
-                    vertices.insert(signs);
-                    if vertices.len().saturating_mul(self.second.len()) > MOST_PRODUCTS {
-                        return None;
-                    }
+            .filter(|signs| !is_centred || is_of_half(signs))
+            .map(|signs| point(self.offset, &first, signs))
+            .collect();
+        let doubtful = doubtful(&points, &second, &limit);
+        let mut work = MOST_EXACT_STEPS;
+        for point in doubtful {
+            match reach(point, &second, &limit, &mut work) {
+                Reach::Near => {}
+                Reach::Far => return Err("the bodies are farther apart than the upper bound".into()),
+                Reach::Open => {
+                    return Err(Stop::Unchecked("the nearest points of all vertices take too long to find".to_owned()));
                 }
             }
         }
-        Some(vertices)
+        Ok(())
     }
 
-    /// The point of the first zonotope with these signs, relative to the centre of the second.
-    fn point(&self, signs: &[i8]) -> Vector {
-        let mut point = self.offset.clone();
-        for (generator, &sign) in self.first.iter().zip(signs) {
-            for (sum, c) in point.iter_mut().zip(generator) {
-                if sign > 0 { *sum += c } else { *sum -= c }
-            }
+    /// Whether even the centre of the second zonotope is near enough to every point of the first one: it is if the
+    /// offset and all generators together are no longer than the limit.
+    fn is_small(&self, first: &[Vector], limit: &Proportion) -> bool {
+        let mut extent: Vector = self.offset.iter().map(|c| c.clone().abs()).collect();
+        for generator in first {
+            extent.iter_mut().zip(generator).for_each(|(sum, c)| *sum += c.clone().abs());
         }
-        point
-    }
-
-    /// Proves that the second zonotope has a point near enough to one of the first.
-    fn check_point(&self, point: &Vector, image: &Image, generators: &[Image], limit: &Limit) -> Result<(), Stop> {
-        let mut search = Nearest::new(*image, generators);
-        for round in 0..MOST_ROUNDS {
-            let gained = search.round();
-            let is_last = !gained || round + 1 == MOST_ROUNDS;
-            let length = image_dot(&search.rest, &search.rest).sqrt();
-            let may_be_near = is_last || length <= limit.rounded;
-            if may_be_near && self.is_near(point, &search.coefficients, &limit.exact) {
-                return Ok(());
-            }
-            let may_be_far = is_last || round.is_power_of_two() && search.gap(image) > limit.rounded * length;
-            if may_be_far && self.is_far(point, &search.rest, &limit.exact) {
-                return Err("the bodies are farther apart than the upper bound".into());
-            }
-            if is_last {
-                break;
-            }
-        }
-        Err(Stop::Unchecked("no near point is found for a vertex".to_owned()))
-    }
-
-    /// Whether the point of the second zonotope with these coefficients, rounded, is at most so far away.
-    fn is_near(&self, point: &Vector, coefficients: &[f64], allowed: &Proportion) -> bool {
-        let one = (1_u64 << COEFFICIENT_BITS) as f64;
-        let mut rest: Vector = point.iter().map(|c| c << COEFFICIENT_BITS).collect();
-        for (generator, coefficient) in self.second.iter().zip(coefficients) {
-            let whole = IBig::from((coefficient * one).round() as i64);
-            for (rest, c) in rest.iter_mut().zip(generator) {
-                *rest -= &whole * c;
-            }
-        }
-        let exponent = self.exponent - COEFFICIENT_BITS as i32;
-        let [_, length] = root(&dot(&rest, &rest));
-        length.times(&Proportion::whole(IBig::ONE, exponent)).compare(allowed) != Ordering::Greater
-    }
-
-    /// Whether a plane orthogonal to a direction proves that the point is farther away.
-    fn is_far(&self, point: &Vector, direction: &Image, allowed: &Proportion) -> bool {
-        let exact: Option<Vec<Fraction>> = direction[..point.len()].iter().map(|&c| Fraction::of_double(c)).collect();
-        let u = whole_direction(&exact.unwrap_or_default());
-        let [_, length] = root(&dot(&u, &u));
-        let gap = dot(&u, point) - reach(self.second, &u);
-        let unit = Proportion::whole(IBig::ONE, self.exponent);
-        let proved = Proportion::whole(gap, 0).times(&unit).over(&length);
-        proved.is_some_and(|proved| proved.compare(allowed) == Ordering::Greater)
+        let square = Proportion::whole(dot(&extent, &extent), 0);
+        Length::of_square(square).compare(limit).is_le()
     }
 }
 
-/// The largest distance that is allowed.
-struct Limit {
-    exact: Proportion,
-    /// The same in the units of images.
-    rounded: f64,
-}
-
-/// The search for the point Σ δ_i g_i, |δ_i| ≤ 1, that is nearest to a point: one coefficient after the other.
-struct Nearest<'a> {
-    generators: &'a [Image],
-    squares: Vec<f64>,
-    coefficients: Vec<f64>,
-    /// The point without Σ δ_i g_i.
-    rest: Image,
-}
-
-impl<'a> Nearest<'a> {
-    /// Begins with the vertex that lies farthest towards the point.
-    fn new(point: Image, generators: &'a [Image]) -> Self {
-        let towards = |g: &Image| if image_dot(g, &point) < 0.0 { -1.0 } else { 1.0 };
-        let coefficients: Vec<f64> = generators.iter().map(towards).collect();
-        let squares = generators.iter().map(|g| image_dot(g, g)).collect();
-        let mut rest = point;
-        for (g, coefficient) in generators.iter().zip(&coefficients) {
-            subtract(&mut rest, *coefficient, g);
-        }
-        Self { generators, squares, coefficients, rest }
+/// The points for which floating point finds no near point of a zonotope.
+fn doubtful<'a>(points: &'a [Vector], generators: &[Vector], limit: &Proportion) -> Vec<&'a Vector> {
+    if points.first().is_none_or(|point| point.len() > MOST_COORDINATES) {
+        return points.iter().collect();
     }
-
-    /// By how much the point is beyond all Σ δ_i g_i along what is left of it, times the length of that.
-    fn gap(&self, point: &Image) -> f64 {
-        let reach: f64 = self.generators.iter().map(|g| image_dot(g, &self.rest).abs()).sum();
-        image_dot(point, &self.rest) - reach
-    }
-
-    /// Improves each coefficient once; whether one of them changed.
-    fn round(&mut self) -> bool {
-        let mut has_changed = false;
-        for ((g, square), coefficient) in self.generators.iter().zip(&self.squares).zip(&mut self.coefficients) {
-            if *square == 0.0 {
-                continue;
-            }
-            let better = (*coefficient + image_dot(g, &self.rest) / square).clamp(-1.0, 1.0);
-            if better != *coefficient {
-                subtract(&mut self.rest, better - *coefficient, g);
-                *coefficient = better;
-                has_changed = true;
-            }
-        }
-        has_changed
-    }
-}
-
-fn subtract(from: &mut Image, factor: f64, vector: &Image) {
-    for (slot, c) in from.iter_mut().zip(vector) {
-        *slot -= factor * c;
-    }
+    let all: Vec<Vector> = points.iter().chain(generators).cloned().collect();
+    let largest = all.iter().flatten().map(|c| c.bit_len()).max().unwrap_or(0);
+    let all = images(&all);
+    let (point_images, generator_images) = all.split_at(points.len());
+    // Images are in units of the power of two above all components.
+    let shift = -i32::try_from(largest).expect("numbers of a check fit into memory");
+    let rounded = limit.times(&Proportion::whole(IBig::ONE, shift)).nearest().next_down();
+    let body = RoundedBody::new(generator_images);
+    let is_open = |image: &Image| !body.is_near(image, rounded);
+    points.iter().zip(point_images).filter(|(_, image)| is_open(image)).map(|(point, _)| point).collect()
 }
 
 #[cfg(test)]
@@ -255,16 +120,31 @@ mod tests {
     fn squares_and_cubes_by_hand() {
         let [small, large]: [[&[i64]; 2]; 2] = [[&[1, 0], &[0, 1]], [&[2, 0], &[0, 2]]];
         let root = 2.0_f64.sqrt();
-        assert!(check(&[0, 0], &large, &small, root).is_ok());
-        assert!(is_wrong(check(&[0, 0], &large, &small, root * (1.0 - 1e-10))));
+        assert!(check(&[0, 0], &large, &small, root).is_ok(), "the double is above the root");
+        assert!(is_wrong(check(&[0, 0], &large, &small, root.next_down())));
         assert!(check(&[0, 0], &small, &large, 0.0).is_ok(), "it is inside");
         assert!(check(&[3, 0], &small, &large, 2.0).is_ok());
         assert!(is_wrong(check(&[3, 0], &small, &large, 1.9)));
         let cube: [&[i64]; 3] = [&[1, 0, 0], &[0, 1, 0], &[0, 0, 1]];
-        assert!(check(&[0, 0, 0], &cube, &[], 3.0_f64.sqrt()).is_ok(), "a corner of the cube");
+        let diagonal = 3.0_f64.sqrt();
+        assert!(check(&[0, 0, 0], &cube, &[], diagonal.next_up()).is_ok(), "a corner of the cube");
         assert!(is_wrong(check(&[0, 0, 0], &cube, &[], 1.73)));
-        assert!(check(&[0, 0, 0], &cube, &cube, 0.0).is_ok());
         assert!(check(&[0, 0, 0], &cube, &[], f64::INFINITY).is_ok());
+    }
+
+    #[test]
+    fn a_body_is_at_no_distance_from_itself() {
+        let moment: [&[i64]; 3] = [&[1, 1, 1], &[1, 2, 4], &[1, 3, 9]];
+        assert!(check(&[0, 0, 0], &moment, &moment, 0.0).is_ok());
+        assert!(is_wrong(check(&[0, 0, 1], &moment, &moment, 0.5)));
+        // of another one a generator, of three parallel ones, is longer by a unit
+        let longer: [&[i64]; 5] = [&[1, 3, 9], &[-1, -1, -1], &[1, 2, 4], &[1, 1, 1], &[0, 0, 0]];
+        assert!(check(&[0, 0, 0], &longer, &moment, 3.0_f64.sqrt().next_up()).is_ok());
+        assert!(check(&[0, 0, 0], &moment, &longer, 0.0).is_ok(), "it is inside");
+        let six: [&[i64]; 2] = [&[1, 2, 0, 1, 0, 1], &[1, 1, 0, 2, 0, 1]];
+        assert!(
+            check(&[0; 6], &six[..1], &six[1..], 1.4).is_ok() && is_wrong(check(&[0; 6], &six[..1], &six[1..], 1.3))
+        );
     }
 
     #[test]
@@ -272,7 +152,7 @@ mod tests {
         // a hexagonal prism around its axis: the corners of the hexagon are at (2, 2), (2, 0), (0, 2), …
         let prism: [&[i64]; 4] = [&[1, 0, 0], &[0, 1, 0], &[1, 1, 0], &[0, 0, 5]];
         let axis: [&[i64]; 1] = [&[0, 0, 5]];
-        assert!(check(&[0, 0, 0], &prism, &axis, 8.0_f64.sqrt()).is_ok());
+        assert!(check(&[0, 0, 0], &prism, &axis, 8.0_f64.sqrt().next_up()).is_ok());
         assert!(is_wrong(check(&[0, 0, 0], &prism, &axis, 2.8)));
         let segment: [&[i64]; 2] = [&[1, 1, 0], &[2, 2, 0]];
         assert!(check(&[0, 0, 1], &segment, &segment, 1.0).is_ok());
@@ -284,7 +164,7 @@ mod tests {
     fn what_takes_too_long_is_left_open() {
         let many: Vec<Vector> = (0..3000).map(|i| vec![IBig::from(i), IBig::from(i * i), IBig::ONE]).collect();
         let offset = vec![IBig::ZERO; 3];
-        let within = Within { offset: &offset, first: &many, second: &many, exponent: 0 };
+        let within = Within { offset: &offset, first: &many, second: &many[..1], exponent: 0 };
         assert!(matches!(within.check(1.0), Err(Stop::Unchecked(_))));
     }
 }
