@@ -1,10 +1,19 @@
-//! From records to growth laws: one fit for every fit plan and family.
+//! From records to growth laws: one fit for every fit plan, family and range of sizes.
 
-use crate::definition::{Experiment, FitPlan, Quantity};
-use crate::fit::{self, FitError, Growth, GrowthModel, ModelVerdict};
+use crate::definition::{Bound, Experiment, FitPlan, Quantity, StatedBy};
+use crate::fit::{self, FitError, Growth, GrowthModel, LackOfFit, ModelFit, ModelVerdict};
 use crate::record::CountRow;
 use crate::runner::Records;
 use std::collections::BTreeMap;
+
+/// The sizes that a law is fitted on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Range {
+    /// All sizes.
+    Whole,
+    /// The last four doublings of the size.
+    LastDoublings,
+}
 
 /// The fit of one plan on one family.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +27,11 @@ pub struct FittedGrowth {
     /// The quantity that was fitted.
     pub quantity: Quantity,
     /// The bound that the theory gives.
-    pub bound: Option<GrowthModel>,
+    pub bound: Option<Bound>,
+    /// What the quantity cannot grow slower than.
+    pub floor: Option<GrowthModel>,
+    /// Which sizes were fitted.
+    pub range: Range,
     /// The samples (n, y), by increasing size.
     pub samples: Vec<(f64, f64)>,
     /// The number of rows that were left out because they failed, were wrong, or had their time voided.
@@ -28,14 +41,42 @@ pub struct FittedGrowth {
 }
 
 impl FittedGrowth {
-    /// The verdict on the bound, when there is one and the fit succeeded.
-    pub fn verdict(&self) -> Option<ModelVerdict> {
-        Some(self.growth.as_ref().ok()?.model(self.bound?)?.verdict)
+    /// The fit of the bound, when there is one and the fit succeeded.
+    pub fn bound_fit(&self) -> Option<&ModelFit> {
+        self.growth.as_ref().ok()?.model(self.bound?.model)
     }
 
-    /// Whether the samples support the bound, as far as they can: they do not grow beyond it.
+    /// The verdict on the bound, when there is one and the fit succeeded. What has to read its input does not grow
+    /// slower than that: where its bound is the input, it is within the bound, though the samples are below it.
+    pub fn verdict(&self) -> Option<ModelVerdict> {
+        let fit = self.bound_fit()?;
+        let is_at_floor = self.floor == Some(fit.model) && fit.verdict == ModelVerdict::Below;
+        Some(if is_at_floor { ModelVerdict::Within } else { fit.verdict })
+    }
+
+    /// Whether the samples keep the bound; `None` without a bound, without a fit, and where that is undecided.
     pub fn supports_bound(&self) -> Option<bool> {
-        self.verdict().map(|verdict| verdict != ModelVerdict::Above)
+        self.verdict()?.keeps_bound()
+    }
+
+    /// Whether the samples grow slower than the quantity can in the end, so that lower-order terms show.
+    pub fn shows_lower_order_terms(&self) -> bool {
+        let floor = self.floor.and_then(|floor| self.growth.as_ref().ok()?.model(floor));
+        floor.is_some_and(|fit| fit.verdict == ModelVerdict::Below)
+    }
+
+    /// The place of the paper that states the bound.
+    pub fn paper_place(&self) -> Option<&'static str> {
+        match self.bound?.stated_by {
+            StatedBy::Paper(place) => Some(place),
+            StatedBy::Workbench => None,
+        }
+    }
+
+    /// Whether the law bends: of the samples over the bound, or of the power law where there is no bound.
+    pub fn lack_of_fit(&self) -> Option<LackOfFit> {
+        let power = || self.growth.as_ref().ok().map(|growth| growth.lack_of_fit);
+        self.bound_fit().map(|fit| fit.lack_of_fit).or_else(power)
     }
 
     /// Whether the fit depends on the operation counts alone, so that it is the same on every machine.
@@ -50,22 +91,28 @@ pub fn fits(experiment: &Experiment, records: &Records) -> Vec<FittedGrowth> {
 }
 
 fn of_plan(experiment: &'static str, plan: &FitPlan, records: &Records) -> Vec<FittedGrowth> {
-    let sampled = |&family: &&'static str| (family, samples(experiment, family, plan.variant, plan.quantity, records));
+    let sampled = |&family: &&'static str| {
+        let (mut samples, left_out) = samples(experiment, family, plan.variant, plan.quantity, records);
+        samples.retain(|&(n, _)| n >= plan.smallest as f64);
+        (family, (samples, left_out))
+    };
     let families: Vec<_> = plan.families.iter().map(sampled).collect();
-    let fitted = |family, samples: &[(f64, f64)], left_out| FittedGrowth {
+    let fitted = |family, range, samples: &[(f64, f64)], left_out| FittedGrowth {
         experiment,
         family,
         variant: plan.variant,
         quantity: plan.quantity,
         bound: plan.bound,
+        floor: plan.floor,
+        range,
         growth: fit::fit_growth(samples, plan.models),
         samples: samples.to_vec(),
         left_out,
     };
-    let whole = families.iter().map(|(family, (samples, left_out))| fitted(family, samples, *left_out));
+    let whole = families.iter().map(|(family, (samples, left_out))| fitted(family, Range::Whole, samples, *left_out));
     let last = families.iter().filter_map(|(family, (samples, left_out))| {
         let last = fit::last_doublings(samples);
-        (last.len() < samples.len()).then(|| fitted(family, last, *left_out))
+        (last.len() < samples.len()).then(|| fitted(family, Range::LastDoublings, last, *left_out))
     });
     whole.chain(last).collect()
 }
@@ -178,6 +225,45 @@ mod tests {
         assert_eq!(of(Quantity::Value("ratio")), (vec![(4.0, 1.5), (8.0, 1.5)], 1));
         assert_eq!(of(Quantity::Time("total")), (vec![(4.0, 20.0)], 1));
         assert_eq!(samples("toy", "disc", "other", Quantity::AllCounts, &records), (vec![], 0));
+    }
+
+    /// A law on samples of y(n) at 2^6 to 2^14, with a floor and the size from which it is fitted.
+    fn fitted(y: impl Fn(f64) -> f64, floor: Option<GrowthModel>, smallest: usize) -> Vec<FittedGrowth> {
+        let plan = FitPlan {
+            floor,
+            smallest,
+            ..FitPlan::of_operations("m", &["disc"]).within(Bound::of_paper(GrowthModel::Linear, "Theorem 0"))
+        };
+        let row = |log: u32| count_row(1 << log, y(f64::from(1 << log)) as u64, Verdict::Correct(String::new()));
+        let records =
+            Records { counts: (6..=14).map(row).collect(), times: Vec::new(), environment: Environment::current() };
+        of_plan("toy", &plan, &records)
+    }
+
+    #[test]
+    fn laws_are_fitted_over_all_sizes_and_over_the_last_doublings() {
+        let fits = fitted(|n| 3.0 * n, None, 0);
+        assert_eq!([fits[0].range, fits[1].range], [Range::Whole, Range::LastDoublings]);
+        assert_eq!(fits.iter().map(|fit| fit.samples.len()).collect::<Vec<_>>(), [9, 5]);
+        assert_eq!((fits[1].verdict(), fits[1].paper_place()), (Some(ModelVerdict::Within), Some("Theorem 0")));
+    }
+
+    /// Small inputs are read a hundred times, larger ones twice; the law is that of the larger ones.
+    #[test]
+    fn where_a_method_changes_the_law_begins() {
+        let switched = |n: f64| if n < 1024.0 { 100.0 * n } else { 2.0 * n };
+        assert_eq!(fitted(switched, None, 0)[0].verdict(), Some(ModelVerdict::Below));
+        let fits = fitted(switched, None, 1024);
+        assert_eq!((fits.len(), fits[0].samples.len(), fits[0].verdict()), (1, 5, Some(ModelVerdict::Within)));
+    }
+
+    #[test]
+    fn what_reads_its_input_is_not_below_it() {
+        let slow = |n: f64| n + 200.0 * n.sqrt();
+        let [free, reading] = [None, Some(GrowthModel::Linear)].map(|floor| fitted(slow, floor, 0).swap_remove(0));
+        assert_eq!((free.verdict(), free.shows_lower_order_terms()), (Some(ModelVerdict::Below), false));
+        assert_eq!((reading.verdict(), reading.shows_lower_order_terms()), (Some(ModelVerdict::Within), true));
+        assert_eq!(reading.supports_bound(), Some(true));
     }
 
     #[test]

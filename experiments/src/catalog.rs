@@ -4,8 +4,9 @@ use crate::definition::Experiment;
 use crate::definitions::{
     area_ratio, coherence, collision_scaling, directions_scaling, enclosing_quality, faces_scaling, fallback_rate,
     few_generators, gap_curve, gauge_passes, hierarchy_levels, hull_scaling, lad_race, lad_scaling, length_ratio,
-    methods_agree, min_area_scaling, min_area_stages, points_scaling, pruning_passes, query_trade_off, reduction_error,
-    rung_shares, scan_race, slope_selection_scaling, tree_queries, walk_steps, wrong_answers,
+    methods_agree, min_area_scaling, min_area_stages, net_points, net_scaling, patches_error, patches_scaling,
+    points_scaling, pruning_passes, query_growth, query_trade_off, reduction_error, rung_shares, scan_race,
+    slope_selection_scaling, tree_queries, walk_steps, wrong_answers,
 };
 
 /// Every experiment, in the order of reports.
@@ -23,6 +24,9 @@ pub static EXPERIMENTS: &[Experiment] = &[
     points_scaling::EXPERIMENT,
     scan_race::EXPERIMENT,
     length_ratio::EXPERIMENT,
+    net_scaling::PLANE,
+    net_scaling::SPACE,
+    net_points::EXPERIMENT,
     gap_curve::EXPERIMENT,
     few_generators::EXPERIMENT,
     enclosing_quality::EXPERIMENT,
@@ -33,8 +37,11 @@ pub static EXPERIMENTS: &[Experiment] = &[
     faces_scaling::EXPERIMENT,
     wrong_answers::EXPERIMENT,
     query_trade_off::EXPERIMENT,
+    query_growth::EXPERIMENT,
     tree_queries::EXPERIMENT,
     reduction_error::EXPERIMENT,
+    patches_error::EXPERIMENT,
+    patches_scaling::EXPERIMENT,
     hierarchy_levels::EXPERIMENT,
     walk_steps::EXPERIMENT,
     coherence::EXPERIMENT,
@@ -50,6 +57,7 @@ mod tests {
     use super::*;
     use crate::definition::{Profile, Quantity};
     use crate::families;
+    use crate::fit::{LAST_DOUBLINGS, SIZES_OF_LAST_DOUBLINGS};
     use crate::runner;
     use std::collections::BTreeSet;
 
@@ -95,13 +103,43 @@ mod tests {
         }
     }
 
+    /// The experiments whose sizes cost too much for four doublings.
+    const SHORTER: [&str; 2] = ["directions-scaling", "net-scaling-in-space"];
+
+    #[test]
+    fn laws_of_counts_have_five_sizes_over_their_last_four_doublings() {
+        for experiment in EXPERIMENTS.iter().filter(|experiment| !SHORTER.contains(&experiment.id)) {
+            for plan in experiment.fits.iter().filter(|plan| !matches!(plan.quantity, Quantity::Time(_))) {
+                let variant = experiment.variants.iter().find(|variant| variant.id == plan.variant);
+                for profile in PROFILES {
+                    let largest = variant.expect("it is among the variants").largest.get(profile);
+                    let all = experiment.sizes.get(profile).iter().copied();
+                    let sizes: Vec<usize> = all.filter(|n| (plan.smallest..=largest).contains(n)).collect();
+                    let [first, last] = [sizes[0], sizes[sizes.len() - 1]];
+                    let count = sizes.iter().filter(|n| **n << LAST_DOUBLINGS >= last).count();
+                    let is_long = first << LAST_DOUBLINGS <= last && count >= SIZES_OF_LAST_DOUBLINGS;
+                    assert!(is_long, "{}: {} of {} in {profile}", experiment.id, plan.quantity, plan.variant);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_grow_slower_is_compared_with_that() {
+        for experiment in EXPERIMENTS {
+            for plan in experiment.fits {
+                assert!(plan.floor.is_none_or(|model| plan.models.contains(&model)), "{}", experiment.id);
+            }
+        }
+    }
+
     #[test]
     fn fits_ask_for_what_exists() {
         for experiment in EXPERIMENTS {
             for plan in experiment.fits {
                 assert!(experiment.variants.iter().any(|v| v.id == plan.variant), "{}", experiment.id);
                 assert!(plan.families.iter().all(|f| experiment.families.contains(f)), "{}", experiment.id);
-                assert!(plan.bound.is_none_or(|model| plan.models.contains(&model)), "{}", experiment.id);
+                assert!(plan.bound.is_none_or(|bound| plan.models.contains(&bound.model)), "{}", experiment.id);
                 assert!(
                     !matches!(plan.quantity, Quantity::Time(_)) || experiment.timing.is_some(),
                     "{}",

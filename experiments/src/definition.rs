@@ -85,6 +85,36 @@ impl fmt::Display for Quantity {
     }
 }
 
+/// Who gives a bound.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StatedBy {
+    /// The paper, at this place.
+    Paper(&'static str),
+    /// The workbench, of a method or a quantity of its own.
+    Workbench,
+}
+
+/// A bound from above on the growth of a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bound {
+    /// The quantity is O(model).
+    pub model: GrowthModel,
+    /// Who says that.
+    pub stated_by: StatedBy,
+}
+
+impl Bound {
+    /// A bound that the paper states, at a place such as "Theorem 4.5".
+    pub const fn of_paper(model: GrowthModel, place: &'static str) -> Self {
+        Self { model, stated_by: StatedBy::Paper(place) }
+    }
+
+    /// A bound on a method or a quantity of the workbench's own.
+    pub const fn own(model: GrowthModel) -> Self {
+        Self { model, stated_by: StatedBy::Workbench }
+    }
+}
+
 /// A growth law that an experiment looks for: for every family one fit over all sizes, and one over the last doublings.
 #[derive(Clone, Copy, Debug)]
 pub struct FitPlan {
@@ -97,19 +127,47 @@ pub struct FitPlan {
     /// The growth models that the samples are compared with.
     pub models: &'static [GrowthModel],
     /// The bound that the theory gives, when it gives one. Growth within the bound or below it supports it, growth
-    /// above it contradicts it.
-    pub bound: Option<GrowthModel>,
+    /// above it contradicts it, and an interval that reaches beyond it leaves it undecided.
+    pub bound: Option<Bound>,
+    /// What the quantity cannot grow slower than, as the method has to read its input: where it seems to, lower-order
+    /// terms show.
+    pub floor: Option<GrowthModel>,
+    /// The smallest size that is fitted: where a method changes with the size, the law is that from the change on.
+    pub smallest: usize,
 }
 
 impl FitPlan {
-    /// The growth of a variant's operation counts, all together, over the whole range of sizes.
-    pub const fn of_operations(
+    /// A law of a quantity without a bound, over the whole range of sizes.
+    pub const fn new(
+        quantity: Quantity,
         variant: &'static str,
         families: &'static [&'static str],
-        bound: Option<GrowthModel>,
+        models: &'static [GrowthModel],
     ) -> Self {
-        let models = GrowthModel::RUNNING_TIMES;
-        Self { quantity: Quantity::AllCounts, variant, families, models, bound }
+        Self { quantity, variant, families, models, bound: None, floor: None, smallest: 0 }
+    }
+
+    /// The growth of a variant's operation counts, all together.
+    pub const fn of_operations(variant: &'static str, families: &'static [&'static str]) -> Self {
+        Self::new(Quantity::AllCounts, variant, families, GrowthModel::RUNNING_TIMES)
+    }
+
+    /// The same plan with a bound.
+    #[must_use]
+    pub const fn within(self, bound: Bound) -> Self {
+        Self { bound: Some(bound), ..self }
+    }
+
+    /// The same plan for a quantity that grows at least like a model.
+    #[must_use]
+    pub const fn at_least(self, floor: GrowthModel) -> Self {
+        Self { floor: Some(floor), ..self }
+    }
+
+    /// The same plan from a size on.
+    #[must_use]
+    pub const fn from(self, smallest: usize) -> Self {
+        Self { smallest, ..self }
     }
 
     /// The same plan for another quantity.

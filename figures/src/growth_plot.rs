@@ -173,7 +173,8 @@ impl GrowthPlot {
     /// The best model if its exponent lies in the interval of the samples', else the power law, which is the middle of
     /// that interval; in words and as points of its curve.
     fn law(&self, growth: &Growth) -> (String, Vec<[f64; 2]>) {
-        let near = growth.best().filter(|best| best.verdict == ModelVerdict::Within);
+        let is_near = |verdict| !matches!(verdict, ModelVerdict::Above | ModelVerdict::Below);
+        let near = growth.best().filter(|best| is_near(best.verdict));
         let is_inside = |Estimate { low, high, .. }| (low - SHOWN_PRECISION..=high + SHOWN_PRECISION).contains(&0.0);
         let within = near.filter(|best| is_inside(best.excess_exponent));
         let exponent = growth.exponent;

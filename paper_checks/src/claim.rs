@@ -128,7 +128,7 @@ pub struct Measurement {
     pub method: String,
     /// The result of the measurement in words, with its numbers.
     pub summary: String,
-    /// Whether the measurement agrees with the claim.
+    /// Whether the measurement shows that the bound is kept; it does not where it leaves that undecided.
     pub agrees: bool,
 }
 

@@ -10,24 +10,28 @@ pub(crate) fn sample(n: usize, counts: &OperationCounts) -> (f64, f64) {
     (n as f64, total as f64)
 }
 
-/// A sentence on how the operations of `what` grow beside a model; an error when they grow faster.
+/// A sentence on how the operations of `what` grow beside a model; an error unless they are shown to grow no faster.
 pub(crate) fn evidence(what: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
     evidence_on(&format!("operations of {what}"), samples, model)
 }
 
-/// A sentence on how a quantity grows beside a model; an error when it grows faster.
+/// A sentence on how a quantity grows beside a model; an error unless it is shown to grow no faster.
 pub(crate) fn evidence_on(quantity: &str, samples: &[(f64, f64)], model: GrowthModel) -> Result<String, String> {
     let growth = fit_growth(samples, &[model]).map_err(|error| error.to_string())?;
     let fit = growth.model(model).ok_or("the model was not fitted")?;
     let excess = fit.excess_exponent;
     let [value, low, high] = [excess.value, excess.low, excess.high].map(|number| in_decimals(number, 2));
     let sentence = format!("{quantity}, over {model}, grow with exponent {value} in [{low}, {high}]");
-    if fit.verdict == ModelVerdict::Above { Err(sentence) } else { Ok(sentence) }
+    match fit.verdict {
+        ModelVerdict::Within | ModelVerdict::Below => Ok(sentence),
+        ModelVerdict::Above => Err(format!("{sentence}, above the bound")),
+        ModelVerdict::Undecided => Err(format!("{sentence}, which leaves the bound undecided")),
+    }
 }
 
-/// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth
-/// beyond the bound, here or in the experiments on the methods that it is about, leaves it open. What the experiments
-/// say of other methods is told beside it.
+/// The verdict on a theorem that states what is found and how fast: a witness against the first refutes it; growth that
+/// is not shown to keep the bound, here or in the experiments on the methods that it is about, leaves it open. What the
+/// experiments say of other methods is told beside it.
 pub(crate) fn verdict(
     context: &CheckContext,
     claim: &Claim,

@@ -34,8 +34,8 @@ const PROVED_FRAMES: usize = 10;
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies"];
 
 const SIZES: PerProfile<&[usize]> = PerProfile {
-    quick: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 13, 1 << 15],
-    full: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 13, 1 << 15, 1 << 17, 1 << 19],
+    quick: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15],
+    full: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 13, 1 << 15, 1 << 16, 1 << 17, 1 << 18, 1 << 19],
 };
 
 /// What a frame of a motion costs, against its speed.
@@ -64,20 +64,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
-        FitPlan {
-            quantity: Quantity::Value("reads"),
-            variant: "warm",
-            families: FAMILIES,
-            models: GrowthModel::FALLING,
-            bound: None,
-        },
-        FitPlan {
-            quantity: Quantity::Value("steps"),
-            variant: "walking",
-            families: FAMILIES,
-            models: GrowthModel::FALLING,
-            bound: None,
-        },
+        FitPlan::new(Quantity::Value("reads"), "warm", FAMILIES, GrowthModel::FALLING),
+        FitPlan::new(Quantity::Value("steps"), "walking", FAMILIES, GrowthModel::FALLING),
     ],
 };
 

@@ -6,7 +6,7 @@ use crate::seed::Digest;
 use zonotope::collision::{Finding, Location, Method, Query, Separation, by_linear_program};
 use zonotope::interop::verifier::check_location;
 use zonotope::linear_program::{Clarabel, Engine, Microlp};
-use zonotope::tally::Tally;
+use zonotope::tally::{Operation, OperationCounts, Tally};
 
 /// Near contact on both sides, then clear cases, then exact contact.
 pub(super) const ALL_PLACEMENTS: &[&str] = &[
@@ -69,6 +69,15 @@ pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut
         Finding::Located(location) => Ok(Reply { location, gauge: None, error: 0.0 }),
         Finding::Member(_) | Finding::Undecided => Err(format!("{variant} has left the location open")),
     }
+}
+
+/// What counts as a read of a generator.
+const READS: [Operation; 3] = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
+
+/// How often the generators were read: those that were read, and the lines that were evaluated once few were left,
+/// divided by their number.
+pub(super) fn passes(counts: &OperationCounts, generators: usize) -> f64 {
+    READS.map(|read| counts.get(read)).iter().sum::<u64>() as f64 / generators as f64
 }
 
 /// The status of an answer against the truth of the question, its proof against the independent check.

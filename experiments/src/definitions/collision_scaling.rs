@@ -1,8 +1,8 @@
 //! Operations and time of each collision method against the number of generators.
 
-use super::{BODY_SIZES, collision_methods};
+use super::{BODY_SIZES, PRUNED_BODIES, TIMED_BODY_SIZES, collision_methods};
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use zonotope::tally::OperationCounts;
@@ -13,16 +13,18 @@ const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "lattice_bod
 pub const EXPERIMENT: Experiment = Experiment {
     id: "collision-scaling",
     title: "Collision: growth with the number of generators",
-    question: "The exact gauge by the kernel grows like n, on bodies whose facets have four sides and on bodies with \
-               parallel, coplanar and very uneven generators; the paper's search grows like n log^2 n, explicit faces \
-               like n^2. The instances are just inside, with certified gaps of 1e-3 to 1e-12, where no method can end \
-               early; every proven status agrees with the question's construction, and every proof is checked. Beside \
-               them GJK and the feasibility programs of two engines, which compute in floating point.",
+    question: "The exact gauge by the kernel reads its input a number of times, `passes`, that does not grow from \
+               1,024 generators on; smaller bodies are evaluated at once, so that its operations as a whole have no \
+               law. The paper's search grows like n log^2 n, explicit faces like n^2. The instances are just inside, \
+               with certified gaps of 1e-3 to 1e-12, where no method can end early, and on bodies whose facets have \
+               four sides as on those with parallel, coplanar and very uneven generators. Every proven status agrees \
+               with the question's construction, and every proof is checked. Beside them GJK and the feasibility \
+               programs of two engines, which compute in floating point.",
     claims: &["theorem-5.2", "lemma-5.1", "summary-intersection"],
     families: FAMILIES,
     real_inputs: &[],
     sizes: BODY_SIZES,
-    instances: PerProfile::both(4),
+    instances: PerProfile { quick: 8, full: 4 },
     variants: &[
         Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) },
         Variant {
@@ -49,11 +51,17 @@ pub const EXPERIMENT: Experiment = Experiment {
     ],
     measure,
     table: Tabulated::MedianAtLargest,
-    timing: Some(Timing { sizes: BODY_SIZES, repetitions: PerProfile::both(3), prepare }),
+    timing: Some(Timing { sizes: TIMED_BODY_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
-        FitPlan::of_operations("by_lad", FAMILIES, Some(GrowthModel::Linear)),
-        FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),
-        FitPlan::of_operations("by_explicit_faces", FAMILIES, Some(GrowthModel::Quadratic)),
+        FitPlan::new(Quantity::Value("passes"), "by_lad", FAMILIES, GrowthModel::ALL)
+            .within(Bound::own(GrowthModel::Constant))
+            .at_least(GrowthModel::Constant)
+            .from(PRUNED_BODIES),
+        FitPlan::of_operations("by_slope_selection", FAMILIES)
+            .within(Bound::of_paper(GrowthModel::LinearLogSquared, "Theorem 5.2"))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("by_explicit_faces", FAMILIES)
+            .within(Bound::of_paper(GrowthModel::Quadratic, "section 5.1")),
     ],
 };
 
@@ -66,7 +74,8 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         return Ok(Measurement::new(&counts, answer.map_or(2, u64::from), verdict));
     }
     let reply = collision_methods::ask(case.variant, &question.displacement(), case.seed, &mut counts)?;
-    let measurement = Measurement::new(&counts, reply.digest(), reply.verdict(&question));
+    let measurement = Measurement::new(&counts, reply.digest(), reply.verdict(&question))
+        .with_value("passes", collision_methods::passes(&counts, case.n));
     Ok(match reply.gauge {
         Some(gauge) => measurement.with_value("gauge", gauge),
         None => measurement,

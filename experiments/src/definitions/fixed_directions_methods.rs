@@ -6,7 +6,7 @@ use crate::families::clouds::{Cloud, on_sphere};
 use crate::seed::{self, Digest};
 use zonotope::enclosing::fixed_directions::{DirectedZonotope, Enclosure, FixedDirections, Method};
 use zonotope::interop::verifier::{check_min_length_dirs, check_min_length_dirs_bounds};
-use zonotope::tally::{OperationCounts, Tally};
+use zonotope::tally::{Operation, OperationCounts, Tally};
 
 /// An answer whose value exceeds its proven lower bound by more, relatively, counts as wrong.
 const LARGEST_GAP: f64 = 1e-10;
@@ -80,6 +80,16 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]], k: usize) -> Res
         Some(most) => measurement.with_value("share_of_bound", answer.effort.rows as f64 / most),
         None => measurement,
     };
+    let measurement = match case.variant {
+        "papers_program" => {
+            let reads = |operation| counts.get(operation) as f64;
+            let scan = points.len() as f64 * normals(k, D) as f64;
+            measurement
+                .with_value("share_of_scan", reads(Operation::PointRead) / scan)
+                .with_value("share_of_program", reads(Operation::EntryRead) / (k as f64).powi(2 * D as i32))
+        }
+        _ => measurement,
+    };
     Ok(measurement
         .with_value("rows", answer.effort.rows as f64)
         .with_value("rounds", answer.effort.rounds as f64)
@@ -87,10 +97,15 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]], k: usize) -> Res
         .with_value("relative_gap", answer.relative_gap()))
 }
 
+/// The number of subsets of d - 1 directions, each of which has a normal.
+fn normals(k: usize, dimension: usize) -> usize {
+    (0..dimension - 1).fold(1, |count, i| count * (k - i) / (i + 1))
+}
+
 /// The most rows that the analysis allows: one for each normal and side, or d equations and 2k bounds for the point
 /// that is extreme there.
 fn most_rows(variant: &str, k: usize, dimension: usize) -> Option<f64> {
-    let normals = (0..dimension - 1).fold(1, |count, i| count * (k - i) / (i + 1));
+    let normals = normals(k, dimension);
     let rows = match variant {
         "papers_program" => 2 * normals * (dimension + 2 * k),
         "support_form" => 2 * normals,

@@ -1,7 +1,9 @@
 //! How far two nested hierarchies are descended, against the gap between the bodies.
 
 use super::collision_methods::PROVED;
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict};
+use crate::definition::{
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
+};
 use crate::families::source::RandomSource;
 use crate::fit::GrowthModel;
 use crate::seed::{self, Digest};
@@ -33,10 +35,10 @@ pub const EXPERIMENT: Experiment = Experiment {
     families: FAMILIES,
     real_inputs: &[],
     sizes: PerProfile {
-        quick: &[2, 8, 32, 128, 512, 2048, 8192],
+        quick: &[2, 8, 32, 128, 256, 512, 1024, 2048],
         full: &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768],
     },
-    instances: PerProfile { quick: 1, full: 4 },
+    instances: PerProfile { quick: 2, full: 4 },
     variants: &[
         Variant { id: "apart", title: "Bodies apart", largest: PerProfile::both(usize::MAX) },
         Variant { id: "overlapping", title: "Bodies that overlap", largest: PerProfile::both(usize::MAX) },
@@ -44,23 +46,13 @@ pub const EXPERIMENT: Experiment = Experiment {
     measure,
     table: Tabulated::MedianAtLargest,
     timing: None,
-    fits: &[
-        FitPlan {
-            quantity: Quantity::Value("reads"),
-            variant: "apart",
-            families: FAMILIES,
-            models: GrowthModel::POWERS,
-            bound: Some(GrowthModel::Linear),
-        },
-        FitPlan {
-            quantity: Quantity::Value("reads"),
-            variant: "overlapping",
-            families: FAMILIES,
-            models: GrowthModel::POWERS,
-            bound: Some(GrowthModel::Linear),
-        },
-    ],
+    fits: &[reads("apart"), reads("overlapping")],
 };
+
+const fn reads(variant: &'static str) -> FitPlan {
+    FitPlan::new(Quantity::Value("reads"), variant, FAMILIES, GrowthModel::POWERS)
+        .within(Bound::own(GrowthModel::Linear))
+}
 
 fn measure(case: &Case) -> Result<Measurement, String> {
     let body = |part: &str| {

@@ -2,7 +2,7 @@
 
 use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -31,10 +31,14 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(5), prepare }),
     fits: &[
-        FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES, Some(GrowthModel::Linear))
-            .of(Quantity::Count("turn")),
-        FitPlan::of_operations("brute_force", HULL_FAMILIES, Some(GrowthModel::Quadratic)).of(Quantity::Count("turn")),
-        FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES, None).of(Quantity::Time("total")),
+        FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES)
+            .of(Quantity::Count("turn"))
+            .within(Bound::own(GrowthModel::Linear))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("brute_force", HULL_FAMILIES)
+            .of(Quantity::Count("turn"))
+            .within(Bound::own(GrowthModel::Quadratic)),
+        FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES).of(Quantity::Time("total")),
     ],
 };
 

@@ -2,7 +2,7 @@
 
 use super::kernel_methods::{self, KernelInput};
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use zonotope::interop::verifier::check_lad;
@@ -42,15 +42,17 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: super::KERNEL_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
-        FitPlan::of_operations("by_slope_selection", FAMILIES, Some(GrowthModel::LinearLogSquared)),
-        FitPlan::of_operations("by_line_search", FAMILIES, None),
-        OF_PRUNING,
-        OF_PRUNING.of(Quantity::Count("line_evaluation")),
+        FitPlan::of_operations("by_slope_selection", FAMILIES)
+            .within(Bound::of_paper(GrowthModel::LinearLogSquared, "Theorem 4.5"))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("by_line_search", FAMILIES),
+        OF_PRUNING.at_least(GrowthModel::Linear),
+        OF_PRUNING.of(Quantity::Count("line_evaluation")).at_least(GrowthModel::Linear),
         OF_PRUNING.of(Quantity::Value("operations_on_parts")),
     ],
 };
 
-const OF_PRUNING: FitPlan = FitPlan::of_operations("by_pruning", FAMILIES, Some(GrowthModel::Linear));
+const OF_PRUNING: FitPlan = FitPlan::of_operations("by_pruning", FAMILIES).within(Bound::own(GrowthModel::Linear));
 
 /// Shared with the experiments on passes and on the race.
 pub(super) fn measure(case: &Case) -> Result<Measurement, String> {

@@ -1,6 +1,8 @@
 //! How near nets and column generation come to the least total length, and with how many directions.
 
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict};
+use crate::definition::{
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
+};
 use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -40,23 +42,25 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[
-        net_size("papers_net", &["sphere_2"], GrowthModel::Linear),
-        net_size("papers_net", &["sphere_3"], GrowthModel::Quadratic),
-        net_size("papers_net", &["sphere_4"], GrowthModel::Cubic),
-        net_size("net_of_cells", &["sphere_2"], GrowthModel::SquareRoot),
-        net_size("net_of_cells", &["sphere_3"], GrowthModel::Linear),
-        net_size("net_of_cells", &["sphere_4"], GrowthModel::ThreeHalves),
+        papers_net(&["sphere_2"], GrowthModel::Linear),
+        papers_net(&["sphere_3"], GrowthModel::Quadratic),
+        papers_net(&["sphere_4"], GrowthModel::Cubic),
+        net_of_cells(&["sphere_2"], GrowthModel::SquareRoot),
+        net_of_cells(&["sphere_3"], GrowthModel::Linear),
+        net_of_cells(&["sphere_4"], GrowthModel::ThreeHalves),
     ],
 };
 
-const fn net_size(variant: &'static str, families: &'static [&'static str], bound: GrowthModel) -> FitPlan {
-    FitPlan {
-        quantity: Quantity::Value("net_size"),
-        variant,
-        families,
-        models: GrowthModel::POWERS,
-        bound: Some(bound),
-    }
+const fn papers_net(families: &'static [&'static str], model: GrowthModel) -> FitPlan {
+    net_size("papers_net", families, Bound::of_paper(model, "section 4.3"))
+}
+
+const fn net_of_cells(families: &'static [&'static str], model: GrowthModel) -> FitPlan {
+    net_size("net_of_cells", families, Bound::own(model))
+}
+
+const fn net_size(variant: &'static str, families: &'static [&'static str], bound: Bound) -> FitPlan {
+    FitPlan::new(Quantity::Value("net_size"), variant, families, GrowthModel::POWERS).within(bound)
 }
 
 fn measure(case: &Case) -> Result<Measurement, String> {
@@ -95,7 +99,7 @@ fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measur
     })
 }
 
-fn verdict<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Verdict {
+pub(super) fn verdict<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Verdict {
     let is_kept = if answer.ratio() <= 1.0 + epsilon {
         Ok(())
     } else {
@@ -104,7 +108,7 @@ fn verdict<const D: usize>(answer: &MinLengthZonotope<D>, epsilon: f64) -> Verdi
     Verdict::of_check("the proven ratio", is_kept)
 }
 
-fn digest<const D: usize>(answer: &MinLengthZonotope<D>) -> u64 {
+pub(super) fn digest<const D: usize>(answer: &MinLengthZonotope<D>) -> u64 {
     let digest = Digest::default().floats(&answer.body.center());
     digest.floats(answer.body.generators().as_flattened()).floats(&[answer.value, answer.lower_bound]).finish()
 }

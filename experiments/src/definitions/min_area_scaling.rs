@@ -2,7 +2,7 @@
 
 use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -32,9 +32,13 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
-        FitPlan::of_operations("by_slope_selection", HULL_FAMILIES, Some(GrowthModel::LinearLogSquared)),
-        FitPlan::of_operations("by_pruning", SCALING_FAMILIES, Some(GrowthModel::Linearithmic)),
-        FitPlan::of_operations("by_line_search", HULL_FAMILIES, None),
+        FitPlan::of_operations("by_slope_selection", HULL_FAMILIES)
+            .within(Bound::of_paper(GrowthModel::LinearLogSquared, "Theorem 4.5"))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("by_pruning", SCALING_FAMILIES)
+            .within(Bound::own(GrowthModel::Linearithmic))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("by_line_search", HULL_FAMILIES),
     ],
 };
 

@@ -1,12 +1,17 @@
 //! Passes and time of 4.2 against the number of points.
 
 use super::fixed_directions_methods;
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing};
+use crate::definition::{
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing,
+};
+use crate::fit::GrowthModel;
 
 const SIZES: PerProfile<&[usize]> = PerProfile {
-    quick: &[1 << 8, 1 << 10, 1 << 12, 1 << 14],
-    full: &[1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20],
+    quick: &[1 << 8, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
+    full: &[1 << 8, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 16, 1 << 17, 1 << 18, 1 << 19, 1 << 20],
 };
+
+const FAMILIES: &[&str] = &["ball_3", "sphere_3"];
 
 /// Directions of each instance.
 const DIRECTIONS: usize = 10;
@@ -17,19 +22,26 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Along given directions: growth with the number of points",
     question: "Ten directions in space. The points are read a number of times that does not depend on how many there \
                are: `passes`, and `point_read` over n. The other two forms read all points once for each of the 45 \
-               normals.",
+               normals: the scan of Theorem 4.6, \
+               linear in n along given directions.",
     claims: &["theorem-4.6"],
-    families: &["ball_3", "sphere_3"],
+    families: FAMILIES,
     real_inputs: &[],
     sizes: SIZES,
-    instances: PerProfile { quick: 1, full: 2 },
+    instances: PerProfile::both(2),
     variants: &fixed_directions_methods::variants(PerProfile::both(1 << 14), PerProfile::both(1 << 14)),
     measure,
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[
-        FitPlan::of_operations("by_row_generation", &["ball_3", "sphere_3"], None).of(Quantity::Count("point_read")),
-        FitPlan::of_operations("by_row_generation", &["ball_3", "sphere_3"], None).of(Quantity::Time("total")),
+        FitPlan::of_operations("papers_program", FAMILIES)
+            .of(Quantity::Count("point_read"))
+            .within(Bound::of_paper(GrowthModel::Linear, "Theorem 4.6"))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("by_row_generation", FAMILIES)
+            .of(Quantity::Count("point_read"))
+            .at_least(GrowthModel::Linear),
+        FitPlan::of_operations("by_row_generation", FAMILIES).of(Quantity::Time("total")),
     ],
 };
 

@@ -1,7 +1,7 @@
 //! How often pruning reads its input.
 
 use super::{PRUNING_SIZES, lad_scaling};
-use crate::definition::{Experiment, FitPlan, PerProfile, Quantity, Tabulated, Variant};
+use crate::definition::{Bound, Experiment, FitPlan, PerProfile, Quantity, Tabulated, Variant};
 use crate::fit::GrowthModel;
 
 const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines", "symmetric_lines", "ellipse_thin"];
@@ -23,11 +23,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     measure: lad_scaling::measure,
     table: Tabulated::MedianAtLargest,
     timing: None,
-    fits: &[FitPlan {
-        quantity: Quantity::Value("passes"),
-        variant: "by_pruning",
-        families: FAMILIES,
-        models: GrowthModel::ALL,
-        bound: Some(GrowthModel::Constant),
-    }],
+    fits: &[FitPlan::new(Quantity::Value("passes"), "by_pruning", FAMILIES, GrowthModel::ALL)
+        .within(Bound::own(GrowthModel::Constant))
+        .at_least(GrowthModel::Constant)],
 };

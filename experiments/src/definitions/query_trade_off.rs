@@ -2,7 +2,9 @@
 
 use super::collision_methods::{PROVED, checked};
 use super::repeated_queries::questions;
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict};
+use crate::definition::{
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
+};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::collision::prepared::by_cutting::PreparedByCutting;
@@ -41,22 +43,21 @@ pub const EXPERIMENT: Experiment = Experiment {
     measure,
     table: Tabulated::MedianAtLargest,
     timing: None,
-    fits: &[falling("in_trapezoid", Some(GrowthModel::Inverse)), falling("operations", None)],
+    fits: &[falling("in_trapezoid").within(Bound::own(GrowthModel::Inverse)), falling("operations")],
 };
 
-const fn falling(value: &'static str, bound: Option<GrowthModel>) -> FitPlan {
-    FitPlan {
-        quantity: Quantity::Value(value),
-        variant: "by_cutting",
-        families: FAMILIES,
-        models: GrowthModel::FALLING,
-        bound,
-    }
+const fn falling(value: &'static str) -> FitPlan {
+    FitPlan::new(Quantity::Value(value), "by_cutting", FAMILIES, GrowthModel::FALLING)
 }
 
 fn measure(case: &Case) -> Result<Measurement, String> {
-    let space = case.n as u64;
-    let generators = case.body_family()?.generate(GENERATORS, case.instance_seed);
+    measure_with(case, GENERATORS, case.n as u64)
+}
+
+/// The questions of a case about a body of some generators, to a structure of some space.
+pub(super) fn measure_with(case: &Case, generators: usize, space: u64) -> Result<Measurement, String> {
+    let n = generators as f64;
+    let generators = case.body_family()?.generate(generators, case.instance_seed);
     let body = Zonotope::new([0.0; 3], generators.clone()).map_err(|error| error.to_string())?;
     let prepared = PreparedByCutting::new(body, space, case.seed).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
@@ -73,7 +74,6 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     };
     let to_find_it = mean(&[Operation::SearchStep, Operation::Comparison, Operation::LineEvaluation]);
     let in_trapezoid = mean(&[Operation::GeneratorRead, Operation::PartEvaluation]);
-    let n = GENERATORS as f64;
     let bound = n * n / space as f64 * libm::log2(n) * libm::log2(n);
     Ok(Measurement::new(&counts, digest.finish(), verdict)
         .with_value("to_find_it", to_find_it)

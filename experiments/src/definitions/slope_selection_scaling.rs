@@ -1,7 +1,7 @@
 //! Operations and time of slope selection against the number of lines.
 
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -27,7 +27,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     families: FAMILIES,
     real_inputs: &[],
     sizes: super::SCALING_SIZES,
-    instances: PerProfile { quick: 2, full: 3 },
+    instances: PerProfile { quick: 12, full: 4 },
     variants: &[Variant {
         id: "randomized",
         title: "Randomised, by counting inversions",
@@ -36,7 +36,9 @@ pub const EXPERIMENT: Experiment = Experiment {
     measure,
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: super::SCALING_SIZES, repetitions: PerProfile { quick: 3, full: 5 }, prepare }),
-    fits: &[FitPlan::of_operations("randomized", FAMILIES, Some(GrowthModel::Linearithmic))],
+    fits: &[FitPlan::of_operations("randomized", FAMILIES)
+        .within(Bound::of_paper(GrowthModel::Linearithmic, "section 4.1"))
+        .at_least(GrowthModel::Linear)],
 };
 
 fn arrangement(case: &Case) -> Result<LineArrangement<'static>, String> {

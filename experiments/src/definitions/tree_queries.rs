@@ -1,13 +1,16 @@
 //! What a query to a tree over directions reads, against the number of generators.
 
-use super::collision_methods::{PROVED, checked};
+use super::PRUNED_BODY_SIZES;
+use super::collision_methods::{PROVED, checked, passes};
 use super::repeated_queries::questions;
-use crate::definition::{Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict};
+use crate::definition::{
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
+};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::collision::by_lad;
 use zonotope::collision::prepared::DirectionTree;
-use zonotope::tally::{Operation, OperationCounts};
+use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "polar_bodies", "near_plane_bodies"];
@@ -24,11 +27,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     claims: &["corollary-5.4"],
     families: FAMILIES,
     real_inputs: &[],
-    sizes: PerProfile {
-        quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
-        full: &[1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20],
-    },
-    instances: PerProfile { quick: 1, full: 2 },
+    sizes: PRUNED_BODY_SIZES,
+    instances: PerProfile { quick: 4, full: 2 },
     variants: &[
         Variant { id: "by_direction_tree", title: "Tree over directions", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_lad", title: "Kernel without a tree", largest: PerProfile::both(usize::MAX) },
@@ -37,20 +37,10 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: None,
     fits: &[
-        FitPlan {
-            quantity: Quantity::Value("reads"),
-            variant: "by_direction_tree",
-            families: FAMILIES,
-            models: GrowthModel::POWERS,
-            bound: None,
-        },
-        FitPlan {
-            quantity: Quantity::Value("reads"),
-            variant: "by_lad",
-            families: FAMILIES,
-            models: GrowthModel::ALL,
-            bound: Some(GrowthModel::Linear),
-        },
+        FitPlan::new(Quantity::Value("reads"), "by_direction_tree", FAMILIES, GrowthModel::POWERS),
+        FitPlan::new(Quantity::Value("passes"), "by_lad", FAMILIES, GrowthModel::ALL)
+            .within(Bound::own(GrowthModel::Constant))
+            .at_least(GrowthModel::Constant),
     ],
 };
 
@@ -75,11 +65,10 @@ fn measure(case: &Case) -> Result<Measurement, String> {
         asked += 1;
         verdict = verdict.and(checked(&question, &location));
     }
-    let read = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
-    let reads = read.map(|operation| counts.get(operation)).iter().sum::<u64>() as f64 / f64::from(asked.max(1));
+    let passes = passes(&counts, case.n) / f64::from(asked.max(1));
     let measurement = Measurement::new(&counts, digest.finish(), verdict)
-        .with_value("reads", reads)
-        .with_value("passes", reads / case.n as f64);
+        .with_value("reads", passes * case.n as f64)
+        .with_value("passes", passes);
     Ok(match &tree {
         Some(tree) => measurement.with_value("bytes", tree.bytes() as f64),
         None => measurement,

@@ -1,7 +1,7 @@
 //! What a step from facet to facet costs, against the number of generators.
 
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -14,8 +14,8 @@ const STEPS: usize = 1000;
 const FAMILIES: &[&str] = &["random_bodies", "polar_bodies", "heavy_tailed_bodies"];
 
 const SIZES: PerProfile<&[usize]> = PerProfile {
-    quick: &[1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 14],
-    full: &[1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 16],
+    quick: &[1 << 6, 1 << 8, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
+    full: &[1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16],
 };
 
 /// What a step from facet to facet costs, against the number of generators.
@@ -39,27 +39,19 @@ pub const EXPERIMENT: Experiment = Experiment {
     table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
-        FitPlan {
-            quantity: Quantity::Time("walk"),
-            variant: "by_dynamic_hull",
-            families: FAMILIES,
-            models: &[GrowthModel::Constant, GrowthModel::LogSquared, GrowthModel::SquareRoot, GrowthModel::Linear],
-            bound: Some(GrowthModel::LogSquared),
-        },
-        FitPlan {
-            quantity: Quantity::Time("walk"),
-            variant: "by_scan",
-            families: FAMILIES,
-            models: GrowthModel::ALL,
-            bound: Some(GrowthModel::Linear),
-        },
-        FitPlan {
-            quantity: Quantity::Value("bytes"),
-            variant: "by_dynamic_hull",
-            families: FAMILIES,
-            models: GrowthModel::RUNNING_TIMES,
-            bound: Some(GrowthModel::Linear),
-        },
+        FitPlan::new(
+            Quantity::Time("walk"),
+            "by_dynamic_hull",
+            FAMILIES,
+            &[GrowthModel::Constant, GrowthModel::LogSquared, GrowthModel::SquareRoot, GrowthModel::Linear],
+        )
+        .within(Bound::of_paper(GrowthModel::LogSquared, "Lemma 5.6")),
+        FitPlan::new(Quantity::Time("walk"), "by_scan", FAMILIES, GrowthModel::ALL)
+            .within(Bound::own(GrowthModel::Linear)),
+        FitPlan::of_operations("by_dynamic_hull", FAMILIES)
+            .of(Quantity::Value("bytes"))
+            .within(Bound::of_paper(GrowthModel::Linear, "Lemma 5.6"))
+            .at_least(GrowthModel::Linear),
     ],
 };
 

@@ -1,50 +1,60 @@
 //! Growth of a measured quantity with the size: a power law with an interval, and a comparison with named models.
 //!
 //! # Statement
-//! Input: samples (n, y) with n >= 2 and y > 0, at least [`FEWEST_SAMPLES`] of them on at least [`FEWEST_SIZES`]
-//! different sizes. Output: the exponent of the best power law y = c n^a with its 95 % interval; for every model M the
-//! constant of y = c M(n), its residual sum of squares and AICc in log space, and the exponent of y / M(n) against n
-//! with its 95 % interval.
+//! Input: samples (n, y) with n >= 2 and y > 0, at least [`FEWEST_SAMPLES`] independent ones on at least
+//! [`FEWEST_SIZES`] sizes. Output: the exponent of the best power law y = c n^a with its 95 % interval; for every model
+//! M the constant of y = c M(n), its residual sum of squares and AICc in log space, and the exponent of y / M(n)
+//! against n with its 95 % interval.
 //!
-//! The verdict on a model is defined on that last interval [low, high]:
-//! - within: it meets [-[`EXPONENT_SLACK`], [`EXPONENT_SLACK`]];
-//! - below: it lies below (y grows less than M, so y = O(M) is not contradicted);
-//! - above: it lies above.
+//! The verdict on a model is defined on that last interval [low, high] and the slack s = [`EXPONENT_SLACK`], as a test
+//! of non-inferiority:
+//! - within: high <= s, and not below;
+//! - below: high < -s;
+//! - above: low > s;
+//! - undecided: low <= s < high, so that the samples tell neither that y grows like M at most nor that it grows faster.
 //!
 //! # Method
 //! 1. Take natural logarithms: ln y = ln c + a ln n + error.
-//! 2. Ordinary least squares for a and ln c; the interval uses Student's t with (samples - 2) degrees of freedom.
-//! 3. For a model, ln c is the mean of ln(y / M(n)); the exponent of y / M(n) comes from step 2 on those ratios.
-//! 4. AICc with two fitted parameters for a model (constant, variance) and three for the power law.
+//! 2. Ordinary least squares for a and ln c over all samples. What is independent is counted for the interval:
+//!    where all instances of a size are equal, they are one sample, and Student's t has (independent samples - 2)
+//!    degrees of freedom.
+//! 3. An F test compares the means of the sizes around the line with the instances around these means. Where it finds
+//!    a lack of fit, the instances of a size share their error, and the means are what is independent: the variance is
+//!    theirs, with (sizes - 2) degrees of freedom.
+//! 4. For a model, ln c is the mean of ln(y / M(n)); the exponent of y / M(n) comes from steps 2 and 3 on those ratios.
+//! 5. AICc of the independent samples, with two fitted parameters for a model (constant, variance) and three for the
+//!    power law.
 //!
 //! # Numerics
 //! Logarithms from `libm`, so that fits of operation counts agree bit for bit on every machine. Everything is rounded.
 //!
 //! # Checked by
-//! Synthetic data of known growth, and a regression worked out by hand, in the tests.
+//! Synthetic data of known growth, and regressions worked out by hand, in the tests.
 
+mod f_distribution;
 mod model;
 mod regression;
+mod replicates;
 mod student;
+mod verdict;
 
+pub use f_distribution::f_upper_tail;
 pub use model::GrowthModel;
+pub use replicates::{LACK_OF_FIT_LEVEL, LackOfFit};
 pub use student::t_quantile_975;
+pub use verdict::{EXPONENT_SLACK, ModelVerdict};
 
 use regression::Regression;
+use replicates::{by_size, independent};
 use serde::Serialize;
-
-/// How far from zero an exponent of y / M(n) may be for lower-order terms alone.
-///
-/// Counts are nearly free of noise, so an interval can be so narrow that a lower-order term keeps it off zero: 3n + 5
-/// log n is no pure 3n at any size. The slack must tell neighbouring models apart: a factor log n has a local exponent
-/// of 1 / ln n, that is 0.11 at 2^13, the geometric middle of 2^6 .. 2^20, and 0.14 at 2^10. Less than half of the
-/// smaller one is 0.05.
-pub const EXPONENT_SLACK: f64 = 0.05;
 
 /// The second fit of every growth law is over this many doublings of the size, up to the largest.
 pub const LAST_DOUBLINGS: i32 = 4;
 
-/// With fewer samples an interval says nothing.
+/// The fit over the last doublings has at least this many sizes: all doublings, ends included.
+pub const SIZES_OF_LAST_DOUBLINGS: usize = 5;
+
+/// With fewer independent samples an interval says nothing.
 pub const FEWEST_SAMPLES: usize = 4;
 
 /// With fewer different sizes a trend is an accident.
@@ -64,18 +74,6 @@ pub struct Estimate {
     pub high: f64,
 }
 
-/// What the samples say about one model; defined in the module's statement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ModelVerdict {
-    /// The exponent beyond the model has an interval that meets the slack around zero.
-    Within,
-    /// The exponent of the samples is below the model's.
-    Below,
-    /// The exponent of the samples is above the model's.
-    Above,
-}
-
 /// One model, fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ModelFit {
@@ -89,6 +87,8 @@ pub struct ModelFit {
     pub aicc: f64,
     /// Exponent of y / M(n) against n.
     pub excess_exponent: Estimate,
+    /// Whether y / M(n) bends away from a power of n.
+    pub lack_of_fit: LackOfFit,
     /// What the excess exponent says.
     pub verdict: ModelVerdict,
 }
@@ -98,6 +98,10 @@ pub struct ModelFit {
 pub struct Growth {
     /// Number of samples.
     pub samples: usize,
+    /// Number of independent samples: where all instances of a size are equal, they count once.
+    pub independent: usize,
+    /// Number of sizes.
+    pub sizes: usize,
     /// Smallest size.
     pub smallest: f64,
     /// Largest size.
@@ -108,6 +112,8 @@ pub struct Growth {
     pub constant: f64,
     /// Sum of squares of ln y - ln(c n^a).
     pub residual_squares: f64,
+    /// Whether the samples bend away from the power law.
+    pub lack_of_fit: LackOfFit,
     /// AICc of the power law.
     pub aicc: f64,
     /// The models, in the order asked for.
@@ -130,10 +136,10 @@ impl Growth {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FitError {
-    /// Fewer samples or sizes than the fit needs.
-    #[error("{samples} samples at {sizes} sizes: a fit needs {FEWEST_SAMPLES} at {FEWEST_SIZES}")]
+    /// Fewer independent samples or sizes than the fit needs.
+    #[error("{samples} independent samples at {sizes} sizes: a fit needs {FEWEST_SAMPLES} at {FEWEST_SIZES}")]
     TooFew {
-        /// Number of samples.
+        /// Number of independent samples.
         samples: usize,
         /// Number of different sizes.
         sizes: usize,
@@ -157,26 +163,29 @@ pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Grow
         let (n, y) = samples[index];
         return Err(FitError::OutOfRange { index, n, y });
     }
-    let mut sizes: Vec<f64> = samples.iter().map(|&(n, _)| n).collect();
-    sizes.sort_by(f64::total_cmp);
-    let (smallest, largest) = (sizes.first().copied(), sizes.last().copied());
-    sizes.dedup();
-    let (Some(smallest), Some(largest), true, true) =
-        (smallest, largest, samples.len() >= FEWEST_SAMPLES, sizes.len() >= FEWEST_SIZES)
+    let sorted = by_size(samples);
+    let groups = sorted.chunk_by(|a, b| a.0 == b.0);
+    let (sizes, independent) = (groups.clone().count(), groups.map(independent).sum::<usize>());
+    let (Some(&(smallest, _)), Some(&(largest, _)), true, true) =
+        (sorted.first(), sorted.last(), independent >= FEWEST_SAMPLES, sizes >= FEWEST_SIZES)
     else {
-        return Err(FitError::TooFew { samples: samples.len(), sizes: sizes.len() });
+        return Err(FitError::TooFew { samples: independent, sizes });
     };
 
-    let power = Regression::new(samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y))));
+    let logarithms: Vec<(f64, f64)> = samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y))).collect();
+    let power = Regression::new(&logarithms);
     let models = models.iter().map(|&model| fit_model(samples, model)).collect();
     Ok(Growth {
         samples: samples.len(),
+        independent: power.independent,
+        sizes,
         smallest,
         largest,
         exponent: power.slope,
         constant: libm::exp(power.intercept),
         residual_squares: power.residual_squares,
-        aicc: aicc(samples.len(), power.residual_squares, 3),
+        lack_of_fit: power.lack_of_fit,
+        aicc: aicc(power.independent, power.residual_squares / samples.len() as f64, 3),
         models,
     })
 }
@@ -192,25 +201,16 @@ fn fit_model(samples: &[(f64, f64)], model: GrowthModel) -> ModelFit {
     let ratios: Vec<(f64, f64)> =
         samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y) - model.ln_value(n))).collect();
     let mean = ratios.iter().map(|r| r.1).sum::<f64>() / ratios.len() as f64;
-    let residual_squares = ratios.iter().map(|r| (r.1 - mean) * (r.1 - mean)).sum();
-    let excess_exponent = Regression::new(ratios.iter().copied()).slope;
+    let residual_squares = ratios.iter().map(|r| (r.1 - mean) * (r.1 - mean)).sum::<f64>();
+    let excess = Regression::new(&ratios);
     ModelFit {
         model,
         constant: libm::exp(mean),
         residual_squares,
-        aicc: aicc(samples.len(), residual_squares, 2),
-        excess_exponent,
-        verdict: verdict(excess_exponent),
-    }
-}
-
-fn verdict(excess: Estimate) -> ModelVerdict {
-    if excess.high < -EXPONENT_SLACK {
-        ModelVerdict::Below
-    } else if excess.low > EXPONENT_SLACK {
-        ModelVerdict::Above
-    } else {
-        ModelVerdict::Within
+        aicc: aicc(excess.independent, residual_squares / ratios.len() as f64, 2),
+        excess_exponent: excess.slope,
+        lack_of_fit: excess.lack_of_fit,
+        verdict: ModelVerdict::of(excess.slope),
     }
 }
 
@@ -223,10 +223,10 @@ pub fn in_decimals(number: f64, decimals: usize) -> String {
     }
 }
 
-/// `m` ln(RSS / m) + 2k + 2k(k + 1) / (m - k - 1); the last term is left out where its denominator is not positive.
-fn aicc(samples: usize, residual_squares: f64, parameters: usize) -> f64 {
-    let (m, k) = (samples as f64, parameters as f64);
-    let mean_square = (residual_squares / m).max(LOG_RESOLUTION * LOG_RESOLUTION);
+/// `m` ln(mean square) + 2k + 2k(k + 1) / (m - k - 1); the last term is left out where its denominator is not positive.
+fn aicc(independent: usize, mean_square: f64, parameters: usize) -> f64 {
+    let (m, k) = (independent as f64, parameters as f64);
+    let mean_square = mean_square.max(LOG_RESOLUTION * LOG_RESOLUTION);
     let correction = if m > k + 1.0 { 2.0 * k * (k + 1.0) / (m - k - 1.0) } else { 0.0 };
     m * libm::log(mean_square) + 2.0 * k + correction
 }

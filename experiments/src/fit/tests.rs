@@ -42,6 +42,130 @@ fn each_model_is_recognised_and_its_neighbours_are_refused() {
     }
 }
 
+fn estimate(low: f64, high: f64) -> Estimate {
+    Estimate { value: (low + high) / 2.0, low, high }
+}
+
+#[test]
+fn an_interval_that_reaches_beyond_the_slack_is_undecided() {
+    for (low, high) in [(-1.9, 1.5), (-0.04, 0.051), (0.05, 0.2), (-0.3, 0.2)] {
+        assert_eq!(ModelVerdict::of(estimate(low, high)), ModelVerdict::Undecided, "[{low}, {high}]");
+    }
+    for (low, high) in [(-0.01, 0.01), (-1.9, 0.05), (0.03, 0.05), (-0.2, -0.05)] {
+        assert_eq!(ModelVerdict::of(estimate(low, high)), ModelVerdict::Within, "[{low}, {high}]");
+    }
+    assert_eq!(ModelVerdict::of(estimate(-1.9, -0.06)), ModelVerdict::Below);
+    assert_eq!(ModelVerdict::of(estimate(0.06, 1.9)), ModelVerdict::Above);
+    assert_eq!(ModelVerdict::ALL.map(ModelVerdict::keeps_bound), [Some(true), Some(true), Some(false), None]);
+}
+
+#[test]
+fn few_noisy_samples_of_the_bound_itself_decide_nothing() {
+    let samples = [(1024.0, 1900.0), (2048.0, 1100.0), (4096.0, 9000.0), (8192.0, 6000.0), (16384.0, 31000.0)];
+    let growth = fit_growth(&samples, &[GrowthModel::Linear]).expect("five sizes");
+    assert_eq!(growth.models[0].verdict, ModelVerdict::Undecided, "{:?}", growth.models[0].excess_exponent);
+}
+
+/// Twice the same number at every size is one sample a size: the interval is that of the sizes alone.
+#[test]
+fn equal_instances_of_a_size_are_one_sample() {
+    let once: Vec<(f64, f64)> = [(64.0, 70.0), (128.0, 150.0), (256.0, 260.0), (512.0, 560.0)].to_vec();
+    let thrice: Vec<(f64, f64)> = once.iter().flat_map(|&sample| [sample; 3]).collect();
+    let [once, thrice] = [once, thrice].map(|samples| fit_growth(&samples, GrowthModel::ALL).expect("four sizes"));
+    assert_eq!((once.samples, once.independent), (4, 4));
+    assert_eq!((thrice.samples, thrice.independent), (12, 4));
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-12;
+    let intervals = [once.exponent, thrice.exponent];
+    assert!(near(intervals[0].low, intervals[1].low) && near(intervals[0].high, intervals[1].high), "{intervals:?}");
+    for (a, b) in once.models.iter().zip(&thrice.models) {
+        assert!(near(a.excess_exponent.high, b.excess_exponent.high) && near(a.aicc, b.aicc), "{}", a.model);
+    }
+    assert_eq!(thrice.lack_of_fit, LackOfFit::NoReplicates);
+    let short = [(64.0, 1.0), (64.0, 1.0), (128.0, 2.0), (128.0, 2.0), (256.0, 3.0), (256.0, 3.0)];
+    assert_eq!(fit_growth(&short, &[]), Err(FitError::TooFew { samples: 3, sizes: 3 }));
+}
+
+/// Where instances of a size differ, two of them that are equal are two draws: chance made them so.
+#[test]
+fn equal_draws_among_different_ones_count_each() {
+    let samples: Vec<(f64, f64)> = [64.0, 128.0, 256.0, 512.0]
+        .into_iter()
+        .flat_map(|n| [(n, 1.0), (n, 1.0), (n, 2.0)])
+        .chain([(1024.0, 1.0); 3])
+        .collect();
+    assert_eq!(fit_growth(&samples, &[]).expect("five sizes").independent, 4 * 3 + 1);
+}
+
+/// y = 1, 3 at x = 0; 4, 6 at x = 1; 3, 5 at x = 2: means 2, 5, 4 and slope 1, so the line is 8/3 + x; squares of the
+/// means around it 2 (4/9 + 16/9 + 4/9) = 16/3 with one degree of freedom, of the samples around the means 6 with
+/// three: F = 8/3, whose upper tail is 0.2010.
+#[test]
+fn a_lack_of_fit_worked_out_by_hand() {
+    let samples: Vec<(f64, f64)> = [(1.0, 1.0), (1.0, 3.0), (2.0, 4.0), (2.0, 6.0), (3.0, 3.0), (3.0, 5.0)]
+        .map(|(x, y)| (libm::exp(x), libm::exp(y)))
+        .to_vec();
+    let growth = fit_growth(&samples, &[]).expect("three sizes");
+    let LackOfFit::Tested { ratio, freedom, probability } = growth.lack_of_fit else { panic!("there are replicates") };
+    assert_eq!(freedom, [1, 3]);
+    assert!((ratio - 8.0 / 3.0).abs() < 1e-12, "{ratio}");
+    assert!((probability - 0.2010).abs() < 1e-4, "{probability}");
+    assert!((growth.residual_squares - (16.0 / 3.0 + 6.0)).abs() < 1e-12);
+    assert!((growth.exponent.value - 1.0).abs() < 1e-12);
+}
+
+/// A curve with little noise bends away from every power; then the means of the sizes are what is independent.
+#[test]
+fn a_bend_is_found_and_widens_the_interval() {
+    let curve = synthetic(|n| n + 40.0 * n.sqrt(), 0.003);
+    let growth = fit_growth(&curve, &[GrowthModel::Linear]).expect("enough samples");
+    assert!(growth.lack_of_fit.is_detected(), "{:?}", growth.lack_of_fit);
+    let means: Vec<(f64, f64)> = curve
+        .chunk_by(|a, b| a.0 == b.0)
+        .map(|group| (group[0].0, libm::exp(group.iter().map(|s| libm::log(s.1)).sum::<f64>() / group.len() as f64)))
+        .collect();
+    let of_means = fit_growth(&means, &[]).expect("thirteen sizes").exponent;
+    assert!((growth.exponent.high - of_means.high).abs() < 1e-9 && (growth.exponent.low - of_means.low).abs() < 1e-9);
+
+    let straight = synthetic(|n| 3.0 * n, 0.1);
+    assert!(!fit_growth(&straight, &[]).expect("enough samples").lack_of_fit.is_detected());
+}
+
+/// Of laws that do not bend the test finds one in twenty to bend.
+#[test]
+fn the_test_of_the_bend_errs_about_once_in_twenty() {
+    let mut source = RandomSource::new(8);
+    let trials = 2000;
+    let found = (0..trials)
+        .filter(|_| {
+            let samples: Vec<(f64, f64)> = (6..=10)
+                .flat_map(|log| [f64::from(1 << log); 3])
+                .map(|n| (n, n * libm::exp(0.2 * source.normal_pair()[0])))
+                .collect();
+            fit_growth(&samples, &[]).expect("enough samples").lack_of_fit.is_detected()
+        })
+        .count();
+    // Standard deviation of the count: sqrt(2000 * 0.05 * 0.95) = 9.7; four of them.
+    assert!(found.abs_diff(100) < 40, "{found} of {trials}");
+}
+
+/// Quantiles of any table of the F distribution.
+#[test]
+fn upper_tails_agree_with_tables() {
+    for (ratio, freedom, probability) in [
+        (10.128, [1, 3], 0.05),
+        (3.7083, [3, 10], 0.05),
+        (6.5523, [3, 10], 0.01),
+        (2.7581, [3, 40], 0.0548),
+        (161.45, [1, 1], 0.05),
+        (1.0, [7, 7], 0.5),
+        (0.0, [3, 10], 1.0),
+    ] {
+        let found = f_upper_tail(ratio, freedom);
+        assert!((found - probability).abs() < 1e-4, "{ratio} {freedom:?}: {found}");
+    }
+    assert!(f_upper_tail(1e9, [3, 10]) < 1e-20 && f_upper_tail(1e-9, [3, 10]) > 0.999);
+}
+
 #[test]
 fn a_small_lower_order_term_is_within_the_slack() {
     let samples = synthetic(|n| 3.0 * n + 5.0 * libm::log2(n), 0.0);

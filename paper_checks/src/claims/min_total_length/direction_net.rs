@@ -1,7 +1,7 @@
 //! Section 4.3, second paragraph.
 
 use dashu_ratio::RBig;
-use experiments::fit::{GrowthModel, ModelVerdict, fit_growth};
+use experiments::fit::{GrowthModel, fit_growth};
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::direction_net::cell_middles;
@@ -88,5 +88,5 @@ fn sizes<const D: usize>(model: GrowthModel) -> Option<f64> {
         .to_vec();
     let growth = fit_growth(&samples, &[model]).ok()?;
     let fit = growth.model(model)?;
-    (fit.verdict == ModelVerdict::Within).then_some(growth.exponent.value)
+    (fit.verdict.keeps_bound() == Some(true)).then_some(growth.exponent.value)
 }

@@ -1,6 +1,7 @@
 //! What an engine is asked and what it answers.
 
 use super::program::LinearProgram;
+use crate::tally::Tally;
 
 /// A solver of linear programs in floating point.
 pub trait Engine {
@@ -8,7 +9,12 @@ pub trait Engine {
     fn name(&self) -> &'static str;
 
     /// What the engine believes to be the answer. Every number in it is only a guess, the kind of the answer included.
-    fn solve(&self, program: &LinearProgram) -> Guess;
+    fn solve(&self, program: &LinearProgram) -> Guess {
+        self.solve_counted(program, &mut ())
+    }
+
+    /// The same, counting the entries that are read, if the engine tells of them.
+    fn solve_counted(&self, program: &LinearProgram, tally: &mut dyn Tally) -> Guess;
 }
 
 /// What an engine believes.

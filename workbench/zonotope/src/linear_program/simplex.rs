@@ -4,6 +4,7 @@ use microlp::{ComparisonOp, Error, OptimizationDirection, Problem, Variable};
 
 use super::engine::{Engine, Guess};
 use super::program::{BoundedVariable, LinearProgram, Relation, Row};
+use crate::tally::Tally;
 
 /// The crate `microlp`. It does not say the multipliers of its basis, so the dual program is solved as well.
 #[derive(Debug, Clone, Copy, Default)]
@@ -14,7 +15,8 @@ impl Engine for Microlp {
         "microlp"
     }
 
-    fn solve(&self, program: &LinearProgram) -> Guess {
+    /// The crate does not tell of its pivots, so nothing is counted.
+    fn solve_counted(&self, program: &LinearProgram, _tally: &mut dyn Tally) -> Guess {
         let primal = match optimum(program) {
             Ok(primal) => primal,
             Err(outcome) => return outcome,

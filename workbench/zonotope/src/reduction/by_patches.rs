@@ -58,7 +58,7 @@
 //! ```
 
 use super::answer::{Problem, Reduced, ReductionError, check_epsilon};
-use super::cells::{Cell, SIDE_LIMIT, cells};
+use super::cells::{Cell, SIDE_LIMIT, cells, cells_counted};
 use super::frame_cover::{Frame, covered};
 use super::keeping::order::scaled;
 use super::shares::Share;
@@ -66,6 +66,7 @@ use crate::numeric::exact_sum::ExactSum;
 use crate::numeric::linear::dot;
 use crate::numeric::outward::at_least;
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
+use crate::tally::{Operation, Tally};
 use crate::zonotope::Zonotope;
 
 /// The finest grid for a count: what is left of a generator there is below 2^-12 of it.
@@ -99,15 +100,30 @@ pub fn patches<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, R
 /// # Errors
 /// [`ReductionError::BadEpsilon`] if ε is not in (0, 1), [`ReductionError::TooManyPatches`] if it needs too fine a
 /// grid, [`ReductionError::OutOfRange`] if a generator leaves the range of doubles.
-#[inline(never)]
 pub fn patches_within<const D: usize>(body: &Zonotope<D>, epsilon: f64) -> Result<Reduced<D>, ReductionError> {
+    patches_within_counted(body, epsilon, &mut ())
+}
+
+/// The same, counting a read of a generator each time that one is looked at (for its patch, for the sum of the patch,
+/// for what its share leaves), and a comparison for each that it takes to sort the patches.
+///
+/// # Errors
+/// Those of [`patches_within`].
+#[inline(never)]
+pub fn patches_within_counted<const D: usize>(
+    body: &Zonotope<D>,
+    epsilon: f64,
+    tally: &mut dyn Tally,
+) -> Result<Reduced<D>, ReductionError> {
     check_epsilon(epsilon)?;
     let side = side_for(D, epsilon);
     if side > f64::from(SIDE_LIMIT) {
         return Err(ReductionError::TooManyPatches(side));
     }
     let vectors = scaled(body.generators());
-    let reduced = projected(body, &vectors, &cells(&vectors, side as u32))?;
+    let cells = cells_counted(&vectors, side as u32, tally);
+    let reduced = projected(body, &vectors, &cells)?;
+    tally.add(Operation::GeneratorRead, 2 * vectors.len() as u64);
     let is_smaller = reduced.body.generators().len() < body.generators().len();
     Ok(if is_smaller { reduced } else { Reduced::unreduced(body) })
 }

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::numeric::scaling::largest_magnitude;
+use crate::tally::{Operation, Tally};
 
 /// The finest grid: indices of cells along a side fit in 32 bits.
 pub(super) const SIDE_LIMIT: u32 = 1 << 31;
@@ -19,6 +20,11 @@ pub(super) struct Cell<const D: usize> {
 
 /// The cells that hold generators, in the order of their places. O(n), and O(k log k) to sort k cells.
 pub(super) fn cells<const D: usize>(vectors: &[[f64; D]], side: u32) -> Vec<Cell<D>> {
+    cells_counted(vectors, side, &mut ())
+}
+
+/// The same, counting a read for each generator and the comparisons of the sort.
+pub(super) fn cells_counted<const D: usize>(vectors: &[[f64; D]], side: u32, tally: &mut dyn Tally) -> Vec<Cell<D>> {
     let mut numbers: HashMap<(usize, Place<D>), usize> = HashMap::new();
     let mut found: Vec<((usize, Place<D>), Vec<usize>)> = Vec::new();
     for (index, vector) in vectors.iter().enumerate() {
@@ -29,7 +35,13 @@ pub(super) fn cells<const D: usize>(vectors: &[[f64; D]], side: u32) -> Vec<Cell
         }
         found[number].1.push(index);
     }
-    found.sort_unstable_by_key(|(place, _)| *place);
+    let mut comparisons = 0;
+    found.sort_unstable_by(|(a, _), (b, _)| {
+        comparisons += 1;
+        a.cmp(b)
+    });
+    tally.add(Operation::GeneratorRead, vectors.len() as u64);
+    tally.add(Operation::Comparison, comparisons);
     let middle = |(axis, place): (usize, Place<D>)| {
         let along = |k: usize| (2.0 * f64::from(place[k]) + 1.0) / f64::from(side) - 1.0;
         std::array::from_fn(|k| if k == axis { 1.0 } else { along(k) })

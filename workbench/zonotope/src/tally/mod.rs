@@ -29,6 +29,9 @@ pub enum Operation {
     PointRead,
     /// One generator read and evaluated; divided by the number of generators: passes over the data.
     GeneratorRead,
+    /// One entry of a matrix read by a linear program: of its rows, of the inverse of its basis, or of the factors of
+    /// an engine's equations.
+    EntryRead,
     /// One step of an outer search: a line search, a vertical line, a cell.
     SearchStep,
     /// One sign that floating point could not decide and exact arithmetic did.
@@ -37,13 +40,14 @@ pub enum Operation {
 
 impl Operation {
     /// All operations, in the order in which they are reported.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::LineEvaluation,
         Self::PartEvaluation,
         Self::Comparison,
         Self::Turn,
         Self::PointRead,
         Self::GeneratorRead,
+        Self::EntryRead,
         Self::SearchStep,
         Self::ExactFallback,
     ];
@@ -57,6 +61,7 @@ impl Operation {
             Self::Turn => "turn",
             Self::PointRead => "point_read",
             Self::GeneratorRead => "generator_read",
+            Self::EntryRead => "entry_read",
             Self::SearchStep => "search_step",
             Self::ExactFallback => "exact_fallback",
         }

@@ -32,7 +32,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "lemma-5.5-containment",
         "erratum-5.2-lemma-5.5",
     ],
-    experiments: &["reduction-error"],
+    experiments: &["reduction-error", "patches-error", "patches-scaling"],
     commands: &[
         (
             "echo '{\"generators\":[[1,0,0],[0,1,0],[0,0,1],[1,1,1],[1,-1,1]]}' | \

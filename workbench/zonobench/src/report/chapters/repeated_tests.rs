@@ -38,7 +38,14 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "lemma-5.6",
         "erratum-5.2-lemma-5.6",
     ],
-    experiments: &["query-trade-off", "direction-tree-queries", "hierarchy-levels", "walk-steps", "coherence"],
+    experiments: &[
+        "query-trade-off",
+        "query-growth",
+        "direction-tree-queries",
+        "hierarchy-levels",
+        "walk-steps",
+        "coherence",
+    ],
     commands: &[(
         "cargo run --release -- solve tests/goldens/questions.jsonl",
         "answers questions of every kind, those of member_batch, distance and walk among them",

@@ -2,6 +2,7 @@
 
 use experiments::analysis::FittedGrowth;
 use experiments::definition::{Experiment, Tabulated};
+use experiments::fit::ModelVerdict;
 use paper_checks::Finding;
 
 use super::experiment;
@@ -121,12 +122,22 @@ fn laws<'a>(experiments: &[&'static Experiment], evidence: &'a Evidence) -> Vec<
 /// How the growth compares with the bounds, and the chapter's claims by what was found, each a link to the ledger.
 fn findings(part: &Part<'_>, evidence: &Evidence) -> String {
     let mut lines = Vec::new();
-    let judged: Vec<bool> =
-        laws(&part.experiments, evidence).into_iter().filter_map(FittedGrowth::supports_bound).collect();
-    if !judged.is_empty() {
-        let kept = judged.iter().filter(|&&supported| supported).count();
-        let tone = if kept == judged.len() { "good" } else { "bad" };
-        lines.push(badge(tone, &format!("growth within the bound or below it in {kept} of {} fits", judged.len())));
+    let verdicts: Vec<ModelVerdict> =
+        laws(&part.experiments, evidence).into_iter().filter_map(FittedGrowth::verdict).collect();
+    let counted = |keeps: Option<bool>| verdicts.iter().filter(|verdict| verdict.keeps_bound() == keeps).count();
+    let growth = [
+        (Some(true), "good", "growth within the bound or below it"),
+        (Some(false), "bad", "growth above the bound"),
+        (None, "plain", "growth undecided"),
+    ];
+    let badges: Vec<String> = growth
+        .into_iter()
+        .map(|(keeps, tone, words)| (counted(keeps), tone, words))
+        .filter(|(count, ..)| *count > 0)
+        .map(|(count, tone, words)| badge(tone, &format!("{words} in {count} of {} fits", verdicts.len())))
+        .collect();
+    if !badges.is_empty() {
+        lines.push(badges.join(" "));
     }
     for finding in Finding::ALL {
         let links: Vec<String> = part

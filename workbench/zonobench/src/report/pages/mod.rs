@@ -3,6 +3,7 @@
 mod chapter_section;
 mod experiment;
 mod figures;
+mod laws;
 mod layout;
 mod ledger;
 mod opening;
@@ -34,6 +35,7 @@ pub fn report(evidence: &Evidence) -> String {
         body.push_str(&peers::section());
     }
     body.push_str(&chapter_section::remaining_section(&layout, evidence));
+    body.push_str(&laws::section(evidence));
     body.push_str(&ledger::section(&layout, evidence));
     body.push_str(&reading::section(evidence));
     body.push_str("</main>\n");

@@ -44,6 +44,9 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     if evidence.only.is_empty() {
         text.push_str("<li><a href=\"#peers\">Beside other libraries</a></li>\n");
     }
+    if evidence.fits.iter().any(|fit| fit.is_deterministic() && fit.verdict().is_some()) {
+        text.push_str("<li><a href=\"#laws\">Growth laws by what was found</a></li>\n");
+    }
     if !evidence.claims.is_empty() {
         text.push_str("<li><a href=\"#ledger\">The paper's statements, one by one</a></li>\n");
     }

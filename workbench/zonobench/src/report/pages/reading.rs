@@ -15,10 +15,15 @@ pub(super) fn section(evidence: &Evidence) -> String {
         "<section id=\"reading\">\n<h2>How to read, repeat and cite this</h2>\n\
          <p><b>Growth</b> is judged on operation counts, which are the same on every machine. An exponent <i>a</i> \
          is that of the best power law <i>n<sup>a</sup></i> over the sizes shown, with its 95 % interval; every law \
-         is fitted over all sizes and over the last four doublings. “Beyond it” is the exponent that remains after \
-         division by the bound. If its interval meets zero, give or take 0.05, the count is <i>within the bound</i>; \
-         if it lies under that, <i>below the bound</i>, which a bound from above allows; if it lies over it, <i>above \
-         the bound</i>. “Closest” names the law that fits best of those that were compared.</p>\n\
+         is fitted over all sizes and over the last four doublings, and where it is fitted on less than that, the \
+         table says so. “Beyond it” is the exponent that remains after division by the bound. If its whole interval \
+         is at most 0.05, a slack that was fixed beforehand, the count is <i>within the bound</i>, and if all of it \
+         is under −0.05, <i>below the bound</i>, which a bound from above allows; if all of it is over 0.05, it is \
+         <i>above the bound</i>; and an interval that also reaches beyond 0.05 leaves the bound <i>undecided</i>. \
+         Bounds that the paper states are named after their place there, the others are our own. “Bend” is an F test: \
+         whether the means of the sizes miss the law by more than the instances of a size differ. Where they do, the \
+         interval rests on the means alone; where the instances of a size are equal, or there is one, nothing can be \
+         tested. “Closest” names the law that fits best of those that were compared.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
          wherever it was tried; each correction shows a witness.</p>\n\
          <p><b>Everything here</b> comes from the profile {} with seed {}. <a \

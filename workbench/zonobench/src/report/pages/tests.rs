@@ -1,8 +1,10 @@
 use std::collections::BTreeSet;
 
 use clap::Parser;
-use experiments::definition::Profile;
+use experiments::analysis::{FittedGrowth, Range};
+use experiments::definition::{Bound, Profile, Quantity};
 use experiments::environment::Environment;
+use experiments::fit::{GrowthModel, fit_growth};
 use experiments::runner::Records;
 use paper_checks::{ClaimResult, Finding, Verdict};
 
@@ -25,6 +27,38 @@ fn evidence() -> Evidence {
         figures: ::figures::catalog::FIGURES.iter().map(drawn).collect(),
         claims: paper_checks::catalog::CLAIMS.iter().map(refuted).collect(),
     }
+}
+
+/// Samples of the bound up and down at every second size, so that they decide nothing.
+fn undecided() -> FittedGrowth {
+    let samples: Vec<(f64, f64)> =
+        (10..=14).map(|log| (f64::from(1 << log), f64::from((1 << log) * (1 + 8 * (log % 2))))).collect();
+    FittedGrowth {
+        experiment: "hull-scaling",
+        family: "disc",
+        variant: "by_monotone_chain",
+        quantity: Quantity::AllCounts,
+        bound: Some(Bound::of_paper(GrowthModel::Linear, "Theorem 0")),
+        floor: None,
+        range: Range::Whole,
+        growth: fit_growth(&samples, &[GrowthModel::Linear]),
+        samples,
+        left_out: 0,
+    }
+}
+
+#[test]
+fn undecided_bounds_are_listed() {
+    let none = report(&evidence());
+    assert!(!none.contains("id=\"laws\""));
+    let page = report(&Evidence { fits: vec![undecided()], ..evidence() });
+    assert!(
+        page.contains(
+            "<li><a href=\"#experiment-hull-scaling\">hull-scaling</a>: operations of Monotone chain on disc"
+        )
+    );
+    assert!(page.contains("No bound of our own is undecided"));
+    assert!(page.contains("growth undecided in 1 of 1 fits"));
 }
 
 /// The values of an attribute, in their order.

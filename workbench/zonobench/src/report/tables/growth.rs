@@ -2,7 +2,10 @@
 
 use experiments::analysis::FittedGrowth;
 use experiments::catalog;
-use experiments::fit::{Estimate, Growth, GrowthModel, ModelVerdict, in_decimals};
+use experiments::definition::{Bound, StatedBy};
+use experiments::fit::{
+    Estimate, Growth, GrowthModel, LAST_DOUBLINGS, LackOfFit, ModelVerdict, SIZES_OF_LAST_DOUBLINGS, in_decimals,
+};
 use paper_checks::Measurement;
 
 use super::variant::variant_title;
@@ -13,8 +16,7 @@ use crate::report::measured::range;
 pub(in crate::report) fn measurements(fits: &[FittedGrowth]) -> Vec<Measurement> {
     let judged = |fit: &&FittedGrowth| fit.is_deterministic() && fit.verdict().is_some();
     let fits: Vec<&FittedGrowth> = fits.iter().filter(judged).collect();
-    let smallest = |fit: &FittedGrowth| fit.samples.first().map(|&(n, _)| n);
-    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound, smallest(fit));
+    let topic = |fit: &FittedGrowth| (fit.experiment, fit.variant, fit.quantity, fit.bound, fit.range);
     fits.chunk_by(|a, b| topic(a) == topic(b)).filter_map(measurement).collect()
 }
 
@@ -25,12 +27,15 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     let growths: Vec<&Growth> = fits.iter().filter_map(|fit| fit.growth.as_ref().ok()).collect();
     let [low, high] = range(growths.iter().map(|growth| growth.exponent.value))?.map(|end| in_decimals(end, 3));
     let [smallest, largest] = range(growths.iter().flat_map(|growth| [growth.smallest, growth.largest]))?;
-    let excess = growths.iter().filter_map(|growth| growth.model(bound)).map(|model| model.excess_exponent.high);
+    let excess = fits.iter().filter_map(|fit| fit.bound_fit()).map(|fit| fit.excess_exponent.high);
+    let undecided = fits.iter().filter(|fit| fit.verdict() == Some(ModelVerdict::Undecided)).count();
+    let open = if undecided == 0 { String::new() } else { format!(", undecided on {undecided}") };
     let summary = format!(
-        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low} to {high}, beyond {bound} at most {}",
+        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low} to {high}, beyond {} at most {}{open}",
         first.quantity,
         first.variant,
         fits.len(),
+        bound.model,
         in_decimals(excess.fold(f64::NEG_INFINITY, f64::max), 3),
     );
     let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
@@ -38,12 +43,31 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     Some(Measurement { experiment, method, summary, agrees })
 }
 
-/// The words for samples within a bound.
-const WITHIN: &str = "within the bound";
-/// The words for samples that stay below a bound, which is one from above.
-const BELOW: &str = "below the bound, as the paper says";
-/// The words for samples that exceed a bound.
-const ABOVE: &str = "above the bound";
+/// The words for a verdict on the bound of a fit: a bound that the paper states is named after its place there.
+fn verdict_words(fit: &FittedGrowth, verdict: ModelVerdict) -> String {
+    let bound = fit.paper_place().map_or_else(|| "the bound".to_owned(), |place| format!("the bound of {place}"));
+    match verdict {
+        ModelVerdict::Within => format!("within {bound}"),
+        ModelVerdict::Below => format!("below {bound}"),
+        ModelVerdict::Above => format!("above {bound}"),
+        ModelVerdict::Undecided => "undecided".to_owned(),
+    }
+}
+
+/// The tone of a verdict: a bound that is kept is good, one that is not is bad, and what is undecided is grey.
+fn tone(verdict: ModelVerdict) -> &'static str {
+    match verdict.keeps_bound() {
+        Some(true) => "good",
+        Some(false) => "bad",
+        None => "plain",
+    }
+}
+
+/// A law without a bound says what was measured, and nothing is judged.
+const MEASURED: &str = "<small>measured</small>";
+
+/// The note on samples that grow slower than what has to read its input can.
+const LOWER_ORDER: &str = "lower-order terms show: it reads all of its input";
 
 /// The laws in a row for each quantity of each method, over all inputs and ranges; empty without any.
 pub(in crate::report) fn growth_summary(fits: &[&FittedGrowth]) -> String {
@@ -68,81 +92,128 @@ fn summary_row(fits: &[&FittedGrowth]) -> Option<Vec<String>> {
         [input] => Escaped(&input.replace('_', " ")).to_string(),
         _ => inputs.len().to_string(),
     };
-    let count = |verdict: ModelVerdict| fits.iter().filter(|fit| fit.verdict() == Some(verdict)).count();
-    let found = match [ModelVerdict::Above, ModelVerdict::Within, ModelVerdict::Below].map(count) {
-        [0, 0, 0] => badge("plain", "measured"),
-        [0, _, 0] => badge("good", WITHIN),
-        [0, 0, _] => badge("good", BELOW),
-        [0, _, _] => badge("good", "within the bound or below it"),
-        [above, within, below] => badge("bad", &format!("{ABOVE} in {above} of {} fits", above + within + below)),
-    };
     Some(vec![
-        Escaped(&first.quantity.to_string().replace('_', " ")).to_string(),
+        quantity_name(first),
         method_title(first),
         input,
         format!("{} … {}", grouped(smallest as u64), grouped(largest as u64)),
         format!("{low} to {high}").replace('-', "−"),
-        first.bound.map_or("–".to_owned(), model_name),
-        found,
+        first.bound.map_or("–".to_owned(), bound_name),
+        summary_of_verdicts(fits),
     ])
 }
 
+/// How many of some fits have each verdict, or the verdict alone where all have the same.
+fn summary_of_verdicts(fits: &[&FittedGrowth]) -> String {
+    let verdicts: Vec<ModelVerdict> = fits.iter().filter_map(|fit| fit.verdict()).collect();
+    let counted: Vec<(ModelVerdict, usize)> = ModelVerdict::ALL
+        .into_iter()
+        .map(|verdict| (verdict, verdicts.iter().filter(|other| **other == verdict).count()))
+        .filter(|(_, count)| *count > 0)
+        .collect();
+    let mut found: Vec<String> = match counted[..] {
+        [] => vec![MEASURED.to_owned()],
+        [(verdict, _)] => vec![badge(tone(verdict), &verdict_words(fits[0], verdict))],
+        _ => counted
+            .iter()
+            .map(|&(verdict, count)| {
+                let words = verdict_words(fits[0], verdict);
+                badge(tone(verdict), &format!("{words} in {count} of {} fits", verdicts.len()))
+            })
+            .collect(),
+    };
+    if fits.iter().any(|fit| fit.shows_lower_order_terms()) {
+        found.push(format!("<small>{LOWER_ORDER}</small>"));
+    }
+    found.join(" ")
+}
+
 /// A number with its interval.
-fn interval(estimate: Estimate) -> String {
+pub(in crate::report) fn interval(estimate: Estimate) -> String {
     let [value, low, high] = [estimate.value, estimate.low, estimate.high].map(|number| in_decimals(number, 3));
     format!("{value} [{low}, {high}]").replace('-', "−")
 }
 
-/// The laws as a table; empty without any.
+/// The laws as a table; empty without any. Where there are too few samples for a law, there is no row.
 pub(in crate::report) fn growth_table(fits: &[&FittedGrowth]) -> String {
-    if fits.is_empty() {
+    let fitted = |fit: &&FittedGrowth| Some(row(fit, fit.growth.as_ref().ok()?));
+    let rows: Vec<Vec<String>> = fits.iter().filter_map(fitted).collect();
+    if rows.is_empty() {
         return String::new();
     }
-    let rows: Vec<Vec<String>> = fits.iter().map(|fit| row(fit)).collect();
     table(
         "growth",
-        &["what", "method", "input", "n", "exponent, 95 %", "bound", "beyond it, 95 %", "closest", "verdict"],
+        &["what", "method", "input", "n", "exponent, 95 %", "bound", "beyond it, 95 %", "bend", "closest", "verdict"],
         &rows,
     )
 }
 
-fn row(fit: &FittedGrowth) -> Vec<String> {
-    let quantity = Escaped(&fit.quantity.to_string().replace('_', " ")).to_string();
-    let mut cells = vec![quantity, method_title(fit), Escaped(&fit.family.replace('_', " ")).to_string()];
-    let growth = match &fit.growth {
-        Ok(growth) => growth,
-        Err(error) => {
-            cells.extend(["–", "–", "–", "–", "–"].map(str::to_owned));
-            cells.push(format!("{} <small>{}</small>", badge("open", "no fit"), Escaped(&error.to_string())));
-            return cells;
-        }
+fn row(fit: &FittedGrowth, growth: &Growth) -> Vec<String> {
+    let mut verdict = match fit.verdict() {
+        None => MEASURED.to_owned(),
+        Some(verdict) => badge(tone(verdict), &verdict_words(fit, verdict)),
     };
-    cells.push(format!("{} … {}", grouped(growth.smallest as u64), grouped(growth.largest as u64)));
-    cells.push(interval(growth.exponent));
-    let bound = fit.bound.and_then(|model| growth.model(model));
-    cells.push(bound.map_or("–".to_owned(), |model| model_name(model.model)));
-    cells.push(bound.map_or("–".to_owned(), |model| interval(model.excess_exponent)));
-    cells.push(growth.best().map_or("–".to_owned(), |best| model_name(best.model)));
-    let mut verdict = match bound.map(|model| model.verdict) {
-        None => badge("plain", "measured"),
-        Some(verdict) => {
-            let word = match verdict {
-                ModelVerdict::Within => WITHIN,
-                ModelVerdict::Below => BELOW,
-                ModelVerdict::Above => ABOVE,
-            };
-            badge(if fit.supports_bound() == Some(true) { "good" } else { "bad" }, word)
-        }
-    };
+    if fit.shows_lower_order_terms() {
+        verdict.push_str(&format!(" <small>{LOWER_ORDER}</small>"));
+    }
     if fit.left_out > 0 {
         verdict.push_str(&format!(" <small>{} rows left out</small>", fit.left_out));
     }
-    cells.push(verdict);
-    cells
+    vec![
+        quantity_name(fit),
+        method_title(fit),
+        Escaped(&fit.family.replace('_', " ")).to_string(),
+        sizes(growth),
+        interval(growth.exponent),
+        fit.bound.map_or("–".to_owned(), bound_name),
+        fit.bound_fit().map_or("–".to_owned(), |bound| interval(bound.excess_exponent)),
+        fit.lack_of_fit().map_or("–".to_owned(), bend),
+        growth.best().map_or("–".to_owned(), |best| model_name(best.model)),
+        verdict,
+    ]
+}
+
+/// The range of the sizes; where it is not five sizes over four doublings at least, how many sizes and doublings.
+fn sizes(growth: &Growth) -> String {
+    let range = format!("{} … {}", grouped(growth.smallest as u64), grouped(growth.largest as u64));
+    let doublings = libm::log2(growth.largest / growth.smallest);
+    if growth.sizes >= SIZES_OF_LAST_DOUBLINGS && doublings >= f64::from(LAST_DOUBLINGS) {
+        return range;
+    }
+    format!("{range} <small>{} sizes, {} doublings</small>", growth.sizes, in_decimals(doublings, 1))
+}
+
+/// What the test of a lack of fit says.
+fn bend(lack_of_fit: LackOfFit) -> String {
+    match lack_of_fit {
+        LackOfFit::NoReplicates => "<small>no replicates</small>".to_owned(),
+        LackOfFit::Tested { probability, .. } => {
+            let probability = if probability < 0.001 {
+                "p &lt; 0.001".to_owned()
+            } else {
+                format!("p = {}", in_decimals(probability, 3))
+            };
+            if lack_of_fit.is_detected() { format!("bends, {probability}") } else { format!("none, {probability}") }
+        }
+    }
+}
+
+/// The name of what was fitted.
+pub(in crate::report) fn quantity_name(fit: &FittedGrowth) -> String {
+    Escaped(&fit.quantity.to_string().replace('_', " ")).to_string()
+}
+
+/// A bound, with who states it.
+fn bound_name(bound: Bound) -> String {
+    let place = match bound.stated_by {
+        StatedBy::Paper(place) => place,
+        StatedBy::Workbench => "our own",
+    };
+    format!("{} <small>{place}</small>", model_name(bound.model))
 }
 
 /// The title of the method whose growth was fitted.
-fn method_title(fit: &FittedGrowth) -> String {
+pub(in crate::report) fn method_title(fit: &FittedGrowth) -> String {
     catalog::find(fit.experiment)
         .map_or_else(|| Escaped(fit.variant).to_string(), |experiment| variant_title(experiment, fit.variant))
 }
@@ -150,3 +221,6 @@ fn method_title(fit: &FittedGrowth) -> String {
 fn model_name(model: GrowthModel) -> String {
     prose(&model.to_string())
 }
+
+#[cfg(test)]
+mod tests;

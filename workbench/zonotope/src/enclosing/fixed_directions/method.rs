@@ -91,9 +91,9 @@ impl Method {
         match self {
             Self::RowGeneration => by_row_generation::min_length_along_counted(problem, tally),
             #[cfg(feature = "linear-programming")]
-            Self::SupportForm => support_form::min_length_by_support_form(problem, &Clarabel),
+            Self::SupportForm => support_form::min_length_by_support_form_counted(problem, &Clarabel, tally),
             #[cfg(feature = "linear-programming")]
-            Self::PapersProgram => papers_program::min_length_by_papers_program(problem, &Clarabel),
+            Self::PapersProgram => papers_program::min_length_by_papers_program_counted(problem, &Clarabel, tally),
         }
     }
 }

@@ -54,6 +54,7 @@ use super::scaled::Scaled;
 use super::solve::solve_with;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::numeric::exact_linear::Span;
+use crate::tally::Tally;
 use crate::zonotope::ray_exit::FacetDescent;
 
 /// A point whose ray leaves the zonotope at a smaller multiple of it than this may lie on its boundary at the optimum.
@@ -75,12 +76,24 @@ pub fn extreme_points_of<const D: usize>(problem: &FixedDirections<'_, D>) -> Ve
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
-#[inline(never)]
 pub fn min_length_by_papers_program<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
-    solve_with(problem, &mut (), |scaled, generation, tally| {
+    min_length_by_papers_program_counted(problem, engine, &mut ())
+}
+
+/// The same, counting the points that the scan reads, and the entries that the engine does.
+///
+/// # Errors
+/// When a coefficient of the answer exceeds the largest double.
+#[inline(never)]
+pub fn min_length_by_papers_program_counted<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    engine: &dyn Engine,
+    tally: &mut dyn Tally,
+) -> Result<Enclosure<D>, FixedDirectionsError> {
+    solve_with(problem, tally, |scaled, generation, tally| {
         let (rank, count) = (scaled.rank, scaled.directions.len());
         let directions: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
         let extreme = extreme_points(rank, &scaled.points, &directions, tally);
@@ -106,7 +119,7 @@ pub fn min_length_by_papers_program<const D: usize>(
             }
         }
         let rows = program.rows().len();
-        if let Guess::Optimal { primal, .. } = engine.solve(&program) {
+        if let Guess::Optimal { primal, .. } = engine.solve_counted(&program, tally) {
             let longest = (0..count).map(|i| primal[length(i)]).fold(f64::MIN_POSITIVE, f64::max);
             let generators: Vec<[f64; D]> = directions
                 .iter()

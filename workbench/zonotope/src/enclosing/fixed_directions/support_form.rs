@@ -50,6 +50,7 @@ use super::problem::{FixedDirections, FixedDirectionsError};
 use super::solve::solve_with;
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::numeric::linear::dot;
+use crate::tally::{Operation, Tally};
 
 /// A row whose two sides differ by less than this in scaled coordinates may be tight at the optimum.
 const TIGHTNESS_TOLERANCE: f64 = 1e-6;
@@ -58,12 +59,24 @@ const TIGHTNESS_TOLERANCE: f64 = 1e-6;
 ///
 /// # Errors
 /// When a coefficient of the answer exceeds the largest double.
-#[inline(never)]
 pub fn min_length_by_support_form<const D: usize>(
     problem: &FixedDirections<'_, D>,
     engine: &dyn Engine,
 ) -> Result<Enclosure<D>, FixedDirectionsError> {
-    solve_with(problem, &mut (), |scaled, generation, tally| {
+    min_length_by_support_form_counted(problem, engine, &mut ())
+}
+
+/// The same, counting the points that are read along all normals, and the entries that the engine reads.
+///
+/// # Errors
+/// When a coefficient of the answer exceeds the largest double.
+#[inline(never)]
+pub fn min_length_by_support_form_counted<const D: usize>(
+    problem: &FixedDirections<'_, D>,
+    engine: &dyn Engine,
+    tally: &mut dyn Tally,
+) -> Result<Enclosure<D>, FixedDirectionsError> {
+    solve_with(problem, tally, |scaled, generation, tally| {
         let (rank, count) = (scaled.rank, scaled.directions.len());
         let directions: Vec<[f64; D]> = scaled.directions.iter().map(|d| d.vector).collect();
         let half = facet_normals(rank, &directions);
@@ -72,6 +85,7 @@ pub fn min_length_by_support_form<const D: usize>(
         let variables =
             center.chain(scaled.directions.iter().map(|d| BoundedVariable::non_negative(d.weight))).collect();
         let mut program = LinearProgram::new(variables).expect("weights are finite");
+        tally.add(Operation::PointRead, scaled.points.len() as u64 * normals.len() as u64);
         for normal in &normals {
             let terms = (0..rank).map(|c| (c, normal[c]));
             let terms = terms.chain(directions.iter().enumerate().map(|(i, v)| (rank + i, dot(normal, v).abs())));
@@ -79,7 +93,7 @@ pub fn min_length_by_support_form<const D: usize>(
             let row = Row { terms: terms.filter(|t| t.1 != 0.0).collect(), relation: Relation::AtLeast, right };
             program.add_row(row).expect("normals and heights are finite");
         }
-        if let Guess::Optimal { primal, .. } = engine.solve(&program) {
+        if let Guess::Optimal { primal, .. } = engine.solve_counted(&program, tally) {
             let mut slacks: Vec<(f64, usize)> = Vec::new();
             for (j, row) in program.rows().iter().enumerate() {
                 let slack = row.terms.iter().map(|&(i, a)| a * primal[i]).sum::<f64>() - row.right;

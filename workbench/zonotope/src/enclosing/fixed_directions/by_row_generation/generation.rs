@@ -135,7 +135,9 @@ impl<'a, const D: usize> Generation<'a, D> {
         for _ in 0..ROUND_LIMIT {
             self.rounds += 1;
             tally.add(Operation::SearchStep, 1);
-            self.program.optimize()?;
+            let optimized = self.program.optimize();
+            tally.add(Operation::EntryRead, self.program.take_entries_read());
+            optimized?;
             let mut violated = self.violated_facets(false, tally);
             let over_all = violated.is_empty() && self.working.len() < self.points.len();
             if over_all {

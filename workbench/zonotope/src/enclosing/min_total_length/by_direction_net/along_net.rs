@@ -12,6 +12,7 @@ use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;
 use crate::numeric::linear::dot;
+use crate::tally::{Operation, Tally};
 
 /// The relative precision, as a share of ε, to which dual constraints hold at the end; the program for a whole net is
 /// solved as precisely.
@@ -32,6 +33,7 @@ pub(super) fn min_length_along_net<const D: usize>(
     points: &[[f64; D]],
     net: impl FnOnce(usize) -> Vec<[f64; D]>,
     epsilon: f64,
+    tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     let frame = Frame::new(points);
     let rank = frame.rank();
@@ -52,18 +54,20 @@ pub(super) fn min_length_along_net<const D: usize>(
         let chosen = net.iter().zip(&is_chosen).filter(|(_, chosen)| **chosen);
         let directions: Vec<[f64; D]> = chosen.map(|(v, _)| *v).collect();
         let weights = vec![1.0; directions.len()];
-        let mut generation = Generation::new(rank, &frame.points, directions, weights, &mut ());
+        let mut generation = Generation::new(rank, &frame.points, directions, weights, tally);
         if stride == 1 {
             generation.set_precision(precision);
         }
         // A generation that gets stuck leaves a zonotope and multipliers that are proven like any others; the ratio
         // says how good they are. The next round takes the whole net.
-        let is_stuck = generation.run(&mut ()).is_err();
+        let is_stuck = generation.run(tally).is_err();
         let program = &generation.program;
         let unbalanced: Vec<(usize, [f64; D])> =
             program.multipliers().map(|(row, y)| (row.point, row.normal.map(|c| c * y))).collect();
         let multipliers = balanced(&unbalanced);
         let activity = |v: &[f64; D]| multipliers.iter().map(|(_, f)| dot(f, v).abs()).sum::<f64>();
+        let other_count = is_chosen.iter().filter(|chosen| !**chosen).count();
+        tally.add(Operation::GeneratorRead, (other_count * multipliers.len()) as u64);
         let others = (0..net.len()).filter(|&i| !is_chosen[i]);
         let mut joining: Vec<(f64, usize)> = others.map(|i| (activity(&net[i]), i)).collect();
         joining.retain(|(activity, _)| is_stuck || *activity > 1.0 + precision);

@@ -59,6 +59,7 @@ mod along_net;
 use super::answer::{MinLengthError, MinLengthZonotope};
 use super::conclude::validate;
 use super::direction_net::Net;
+use crate::tally::Tally;
 use along_net::min_length_along_net;
 
 /// Nets of more directions than this are refused.
@@ -69,16 +70,30 @@ const DIRECTION_LIMIT: usize = 3000;
 ///
 /// # Errors
 /// When the points or ε are refused, or the net is too large.
-#[inline(never)]
 pub fn min_length_by_net<const D: usize>(
     points: &[[f64; D]],
     epsilon: f64,
     net: Net,
+) -> Result<MinLengthZonotope<D>, MinLengthError> {
+    min_length_by_net_counted(points, epsilon, net, &mut ())
+}
+
+/// The same, counting what the linear programs read of points and of matrices, and the directions that are looked at
+/// to find those that are missing, once for each multiplier.
+///
+/// # Errors
+/// When the points or ε are refused, or the net is too large.
+#[inline(never)]
+pub fn min_length_by_net_counted<const D: usize>(
+    points: &[[f64; D]],
+    epsilon: f64,
+    net: Net,
+    tally: &mut dyn Tally,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
     validate(points, epsilon)?;
     let size = net.size(D, epsilon);
     if size > DIRECTION_LIMIT {
         return Err(MinLengthError::TooManyDirections(size));
     }
-    min_length_along_net(points, |rank| net.directions(rank, epsilon), epsilon)
+    min_length_along_net(points, |rank| net.directions(rank, epsilon), epsilon, tally)
 }

@@ -66,6 +66,8 @@ pub(crate) struct NormalProgram<const D: usize> {
     pivots_since_inverse: usize,
     /// The number of pivots so far.
     pivots: u64,
+    /// The entries of columns, of the inverse and of the block that is inverted that have been read so far.
+    entries_read: u64,
     /// A reduced gain below this, relative to the terms that it is the sum of, counts as zero.
     pub(crate) precision: f64,
 }
@@ -102,6 +104,7 @@ impl<const D: usize> NormalProgram<D> {
             entries: Vec::new(),
             pivots_since_inverse: 0,
             pivots: 0,
+            entries_read: 0,
             precision: FINEST_PRECISION,
         };
         for axis in axes {
@@ -172,6 +175,16 @@ impl<const D: usize> NormalProgram<D> {
         self.inverse.iter().map(|row| product_in_fours(row, &bounds)).collect()
     }
 
+    /// The entries that have been read since this was asked the last time.
+    pub(crate) fn take_entries_read(&mut self) -> u64 {
+        std::mem::take(&mut self.entries_read)
+    }
+
+    /// The number of entries of some vectors that are as long as a column.
+    fn entries_of(&self, vectors: usize) -> u64 {
+        vectors as u64 * self.size() as u64
+    }
+
     /// Moves to the optimal basis for the normals so far.
     pub(crate) fn optimize(&mut self) -> Result<(), Stuck> {
         let most = 12 * (self.size() + self.rows.len()) as u64 + 2000;
@@ -199,8 +212,10 @@ impl<const D: usize> NormalProgram<D> {
             let mut best = self.best_of(&candidates);
             if best.is_none() {
                 candidates = self.promising();
+                self.entries_read += self.entries_of(self.rows.len());
                 best = self.best_of(&candidates);
             }
+            self.entries_read += self.entries_of(candidates.len());
             let Some((entering, gain)) = best else { return Ok(()) };
             let column = self.column(entering);
             let Some(leaving) = self.leaving(&column) else { return Err(Stuck) };
@@ -226,6 +241,7 @@ impl<const D: usize> NormalProgram<D> {
             if self.values[worst] >= -10.0 * self.precision * scale {
                 return Ok(());
             }
+            self.entries_read += 2 * self.entries_of(self.rows.len());
             let row = &self.inverse[worst];
             let normals = (0..self.rows.len()).filter(|&j| !self.normal_is_basic[j]);
             let slacks = (0..self.directions.len()).filter(|&i| !self.slack_is_basic[i]);
@@ -263,6 +279,8 @@ impl<const D: usize> NormalProgram<D> {
 
     /// Replaces a basic variable by an entering one, whose column is given, and updates inverse and values.
     fn pivot(&mut self, leaving: usize, entering: Basic, column: &[f64]) {
+        // The column of the entering variable was read with the inverse, and the inverse is written.
+        self.entries_read += 2 * self.entries_of(self.size());
         let head = column[leaving];
         let mut row = std::mem::take(&mut self.inverse[leaving]);
         for v in &mut row {

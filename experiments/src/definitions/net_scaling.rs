@@ -1,0 +1,86 @@
+//! What Theorem 4.7 reads of points and of matrices, against the precision.
+
+use super::length_ratio::{digest, verdict};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
+use crate::families::clouds::{self, Cloud};
+use crate::fit::GrowthModel;
+use zonotope::enclosing::min_total_length::{Method, Net};
+use zonotope::tally::{Operation, OperationCounts};
+
+/// Points of each instance.
+const POINTS: usize = 24;
+
+/// What Theorem 4.7 reads in the plane, against the precision.
+pub const PLANE: Experiment = Experiment {
+    id: "net-scaling",
+    title: "Least total length along the paper's net of the plane: growth with the precision",
+    families: &["sphere_2"],
+    sizes: PerProfile { quick: &[2, 4, 8, 16, 32, 64, 128], full: &[2, 4, 8, 16, 32, 64, 128, 256, 512] },
+    fits: &[
+        share("share_of_points", &["sphere_2"]),
+        share("share_of_program", &["sphere_2"]),
+        reads("point_read", &["sphere_2"]),
+        reads("entry_read", &["sphere_2"]),
+    ],
+    ..SPACE
+};
+
+/// The same in space, where nets of more than a thousand directions soon are too many.
+pub const SPACE: Experiment = Experiment {
+    id: "net-scaling-in-space",
+    title: "Least total length along the paper's net of space: growth with the precision",
+    question: "n is 1 / epsilon; 24 points. The time of Theorem 4.7 in counts: `share_of_points` is the points read \
+               over their number times epsilon^-(d-1)^2, and `share_of_program` the entries that the linear programs \
+               read, with the directions that are looked at for each multiplier, over epsilon^-(2d(d-1)), the \
+               epsilon^-O(d^2) of the theorem with a constant that was fixed beforehand. Neither may grow. Normals are \
+               found as they are needed, so both fall. `net_size` is the number of directions.",
+    claims: &["theorem-4.7"],
+    families: &["sphere_3"],
+    real_inputs: &[],
+    sizes: PerProfile { quick: &[2, 3, 4, 5, 6], full: &[2, 3, 4, 5, 6, 8] },
+    instances: PerProfile { quick: 2, full: 4 },
+    variants: &[Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(usize::MAX) }],
+    measure,
+    table: Tabulated::MedianAtLargest,
+    timing: None,
+    fits: &[
+        share("share_of_points", &["sphere_3"]),
+        share("share_of_program", &["sphere_3"]),
+        reads("point_read", &["sphere_3"]),
+        reads("entry_read", &["sphere_3"]),
+    ],
+};
+
+const fn share(value: &'static str, families: &'static [&'static str]) -> FitPlan {
+    FitPlan::new(Quantity::Value(value), "papers_net", families, GrowthModel::ALL)
+        .within(Bound::of_paper(GrowthModel::Constant, "Theorem 4.7"))
+}
+
+const fn reads(count: &'static str, families: &'static [&'static str]) -> FitPlan {
+    FitPlan::new(Quantity::Count(count), "papers_net", families, GrowthModel::POWERS)
+}
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let family = clouds::find(case.family).ok_or_else(|| format!("no points are called {}", case.family))?;
+    match (family.generate)(POINTS, case.instance_seed) {
+        Cloud::Plane(points) => measure_in(case, &points),
+        Cloud::Space(points) => measure_in(case, &points),
+        Cloud::Four(_) => Err("a net of four dimensions is too large".to_owned()),
+    }
+}
+
+fn measure_in<const D: usize>(case: &Case, points: &[[f64; D]]) -> Result<Measurement, String> {
+    let inverse = case.n as f64;
+    let epsilon = 1.0 / inverse;
+    let mut counts = OperationCounts::default();
+    let answer = Method::PapersNet.solve(points, epsilon, &mut counts).map_err(|error| error.to_string())?;
+    let reads = |operation| counts.get(operation) as f64;
+    let dimension = D as i32;
+    let of_points = points.len() as f64 * inverse.powi((dimension - 1) * (dimension - 1));
+    let of_program = inverse.powi(2 * dimension * (dimension - 1));
+    let read_by_programs = reads(Operation::EntryRead) + reads(Operation::GeneratorRead);
+    Ok(Measurement::new(&counts, digest(&answer), verdict(&answer, epsilon))
+        .with_value("net_size", Net::Paper.size(D, epsilon) as f64)
+        .with_value("share_of_points", reads(Operation::PointRead) / of_points)
+        .with_value("share_of_program", read_by_programs / of_program))
+}

@@ -1,0 +1,56 @@
+//! What the construction of Lemma 5.5 reads, against the number of generators.
+
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, Variant, Verdict};
+use crate::fit::GrowthModel;
+use crate::seed::Digest;
+use zonotope::reduction::Containment;
+use zonotope::reduction::by_patches::patches_within_counted;
+use zonotope::tally::OperationCounts;
+use zonotope::zonotope::Zonotope;
+
+/// The precision, relative to the diameter.
+const EPSILON: f64 = 0.5;
+
+const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_bodies"];
+
+/// What the construction of Lemma 5.5 reads, against the number of generators.
+pub const EXPERIMENT: Experiment = Experiment {
+    id: "patches-scaling",
+    title: "Order reduction by patches: growth with the number of generators",
+    question: "Lemma 5.5 for eps = 1/2: each generator is read once for its patch, once for the sum of the patch and \
+               once for what is left of it, and the patches, of which there are 108 at most, are sorted. So the \
+               operations are O(n), as the lemma says. `generators` is how many the body around it has. Every proof of \
+               containment is checked.",
+    claims: &["lemma-5.5"],
+    families: FAMILIES,
+    real_inputs: &[],
+    sizes: PerProfile {
+        quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
+        full: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18],
+    },
+    instances: PerProfile::both(3),
+    variants: &[Variant {
+        id: "lemma_5_5",
+        title: "Lemma 5.5: patches of directions",
+        largest: PerProfile::both(usize::MAX),
+    }],
+    measure,
+    table: Tabulated::MedianAtLargest,
+    timing: None,
+    fits: &[FitPlan::of_operations("lemma_5_5", FAMILIES)
+        .within(Bound::of_paper(GrowthModel::Linear, "Lemma 5.5"))
+        .at_least(GrowthModel::Linear)],
+};
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let body = Zonotope::new([0.0; 3], case.body()?).map_err(|error| error.to_string())?;
+    let mut counts = OperationCounts::default();
+    let reduced = patches_within_counted(&body, EPSILON, &mut counts).map_err(|error| error.to_string())?;
+    let check = "shares of the generators, exactly";
+    let verdict = match &reduced.proof {
+        Containment::Shares(shares) => Verdict::of_check(check, shares.check(&body, &reduced.body)),
+        _ => Verdict::Wrong(format!("{check}: the proof is of another kind")),
+    };
+    let digest = Digest::default().floats(reduced.body.generators().as_flattened()).finish();
+    Ok(Measurement::new(&counts, digest, verdict).with_value("generators", reduced.body.generators().len() as f64))
+}
