@@ -31,7 +31,7 @@ fn usage_errors_have_status_2() {
         &["enclose", "p.csv", "--epsilon", "0.1", "--directions", "axes"],
         &["enclose", "p.obj", "--objective", "area"],
         &["enclose", "p.obj", "--columns", "1,2"],
-        &["enclose", "p.geojson", "--columns", "lon,lat"],
+        &["enclose", "p.stl", "--columns", "x,y"],
         &["enclose", "p.json", "--skip", "1"],
         &["enclose", "p.npy", "--skip", "0"],
         &["enclose", "p.csv", "--epsilon", "0.1", "--seed", "1"],
