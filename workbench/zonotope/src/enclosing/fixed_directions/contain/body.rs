@@ -23,6 +23,8 @@ pub(super) struct Body<'a, const D: usize> {
     pub(super) coefficients: Vec<f64>,
     /// The generators in the scaled coordinates, rounded.
     pub(super) generators: Vec<[f64; D]>,
+    /// The sum of the coefficients in scaled units: what a generator loses to underflow is as much for each of them.
+    pub(super) coefficient_sum: f64,
     /// A basis of the directions' span: kept directions, preferably those with long generators.
     pub(super) basis: Vec<usize>,
     /// The inverse of the basis's matrix in scaled coordinates, in doubles.
@@ -52,6 +54,7 @@ impl<'a, const D: usize> Body<'a, D> {
         let units = scaled.directions.iter().map(|d| d.exponent - scaled.exponent);
         let in_scale: Vec<f64> = coefficients.iter().zip(units).map(|(&c, u)| scale_by_power_of_two(c, u)).collect();
         let generators = generators(scaled, &in_scale);
+        let coefficient_sum = in_scale.iter().sum();
         let basis = long_basis(problem, scaled, &generators);
         let exact_inverse = exact_inverse(problem, scaled, &basis);
         let mut columns = [[0.0; D]; D];
@@ -63,7 +66,18 @@ impl<'a, const D: usize> Body<'a, D> {
         // A singular matrix gets an inverse that `basis_inverse_error` refuses.
         let basis_inverse = inverse(scaled.rank, &columns).unwrap_or([[f64::INFINITY; D]; D]);
         let rational_work = Cell::new(RATIONAL_WORK_LIMIT);
-        Self { problem, scaled, center, coefficients, generators, basis, basis_inverse, exact_inverse, rational_work }
+        Self {
+            problem,
+            scaled,
+            center,
+            coefficients,
+            generators,
+            coefficient_sum,
+            basis,
+            basis_inverse,
+            exact_inverse,
+            rational_work,
+        }
     }
 
     /// The coefficient of a kept direction in units of the scaled problem.

@@ -28,7 +28,7 @@ impl<const D: usize> Body<'_, D> {
             (exit.sum[c] - q[c]).abs()
                 + (count + 8.0) * UNIT * extents[c]
                 + 8.0 * UNIT * q[c].abs()
-                + (count + 8.0) * UNDERFLOW
+                + (count + 8.0) * UNDERFLOW * (1.0 + self.coefficient_sum)
         });
         let reach = |i: usize| (0..rank).map(|c| self.basis_inverse[i][c].abs() * bound[c]).sum::<f64>();
         let mixed = 2.0 * inverse_error * (0..rank).map(reach).sum::<f64>();

@@ -24,7 +24,7 @@ const RATIONAL_POINT_LIMIT: usize = 80;
 /// The pivots of all rational programs of a problem may take this much work together, in products of words: some tenths
 /// of a second. It is more than programs of a hundred normals take in numbers of like sizes; those of numbers of all
 /// sizes would take minutes.
-const RATIONAL_WORK_LIMIT: u64 = 1 << 31;
+const RATIONAL_WORK_LIMIT: u64 = 1 << 30;
 
 /// Improves an answer until its bounds are tight or the problem is too large. The active set begins with `active`, at
 /// least one point.
@@ -65,7 +65,7 @@ pub(in crate::enclosing::fixed_directions) fn refine<const D: usize>(
         }
         let mut missed = None;
         for center in centers {
-            let candidate = contain(problem, scaled, center, &coefficients, map)?;
+            let Ok(candidate) = contain(problem, scaled, center, &coefficients, map) else { continue };
             let (zonotope, worst) = (candidate.zonotope, candidate.worst);
             let is_tight = zonotope.value - lower_bound <= TIGHT_RELATIVE_GAP * lower_bound;
             if zonotope.value < answer.value {

@@ -107,9 +107,10 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
         let length: f64 = generators.iter().map(|g| dot(g, g).sqrt()).sum::<f64>() + stepped.missed.iter().sum::<f64>();
         let far = best.improve(frame.rank(), &frame.points, members.balanced_multipliers(), 1.0 - gap);
         // A zonotope counts once all points have been looked at, which is worth the while where it may be much better.
-        let would_gain = inner.upper - outside.stretch * length;
-        let is_worth_it = would_gain > 0.0 && would_gain >= SHARE_WORTH_A_LOOK * (inner.upper - best.lower);
-        if is_worth_it && !outside.is_of_all {
+        let upper = outside.stretch * length;
+        let enough = (1.0 + FINAL_SHARE_OF_EPSILON * epsilon) * best.lower;
+        let is_much_less = inner.upper - upper >= SHARE_WORTH_A_LOOK * (inner.upper - best.lower);
+        if !outside.is_of_all && upper < inner.upper && (is_much_less || upper <= enough) {
             outside = members.all_points_outside(center, &generators);
             tally.add(Operation::PointRead, outside.looked_at as u64);
         }
@@ -123,7 +124,7 @@ pub(super) fn min_length_by_set_generation<R: Scalar, const D: usize>(
             members.sets.length = best.lower;
         }
         progress.push([inner.upper, best.lower]);
-        if inner.upper <= (1.0 + FINAL_SHARE_OF_EPSILON * epsilon) * best.lower {
+        if inner.upper <= enough {
             break;
         }
         let gain = before.0 - inner.upper + best.lower - before.1;

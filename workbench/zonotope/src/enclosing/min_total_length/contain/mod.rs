@@ -95,6 +95,8 @@ pub(super) fn around<const D: usize>(
             }
         }
     }
+    // The smallest generators may have been rounded to zero.
+    generators.retain(|g| g.iter().any(|c| *c != 0.0));
     generators.extend(axis_generators(lost.each_ref().map(at_least)));
     let zonotope = Zonotope::new(outer, generators).ok()?;
     let length = zonotope.total_length();
