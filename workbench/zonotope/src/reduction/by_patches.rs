@@ -20,8 +20,8 @@
 //! 2. With n the middle of the cell, v¹ = (v · n / n · n) n and v² = v − v¹. Add up the v¹ of each cell, rounded up.
 //! 3. Write v = γ b + v² with the cell's sum b and γ rounded down, v² exact; the box has half-lengths Σ |v²_k|.
 //! 4. For ε take m from the bound, and the bound on H that the shares prove, rounding included; where that is above
-//!    ε D(A), as it is for an ε below what rounding costs, a slightly finer grid, and then A itself. For a count the finest grid, of a sequence of grids, whose cells with
-//!    generators and axes are at most k.
+//!    ε D(A), as it is for an ε below what rounding costs, a slightly finer grid, and then A itself. For a count take
+//!    the finest grid, of a sequence of grids, whose cells with generators and axes are at most k.
 //!
 //! # Complexity
 //! O(n D) exact operations for a grid of k patches, and O(k log k) to sort them, so O(n) for ε and n generators; a

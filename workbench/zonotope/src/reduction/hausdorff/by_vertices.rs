@@ -3,7 +3,8 @@
 //! # Statement
 //! Input: two zonotopes A, B in R^D. Output: their Hausdorff distance, or for one side the largest distance of a point
 //! of A from B: the double nearest to it, the least one that is not below it, and a direction of doubles with the
-//! greatest double that is not above the difference of the support functions along it. `None` if the bodies have too many vertices for that ([`VERTEX_PRODUCT_LIMIT`]). Flat bodies, zero and
+//! greatest double that is not above the difference of the support functions along it. `None` if the bodies have too
+//! many vertices for that ([`VERTEX_PRODUCT_LIMIT`]), or too many that are nearly equally far. Flat bodies, zero and
 //! parallel generators, equal and nearly equal bodies are ordinary input.
 //!
 //! # Source
@@ -74,6 +75,10 @@ use crate::zonotope::faces::by_recursion::vertices_of;
 /// bodies of some hundred facets.
 pub const VERTEX_PRODUCT_LIMIT: u64 = 1 << 15;
 
+/// Searches in rationals times D^3, the size of their linear systems, up to which this method answers: more of them are
+/// needed only where many vertices are equally far, as those of bodies that are nearly equal.
+const EXACT_SEARCH_LIMIT: usize = 1 << 14;
+
 /// Roundings of the farthest vertex's direction that are tried: generators of which the exact one is orthogonal to some
 /// hide a distance as small as what rounding moves it by.
 const ROUNDED_DIRECTIONS: u32 = 64;
@@ -84,13 +89,13 @@ const GOOD_DIRECTION: f64 = 1.0 - 1e-6;
 /// Roundings of a sum beside one for each term.
 const FURTHER_ROUNDINGS: f64 = 32.0;
 
-/// The Hausdorff distance; `None` if the bodies have too many vertices.
+/// The Hausdorff distance; `None` if the bodies have too many vertices, or too many that are equally far.
 #[inline(never)]
 pub fn hausdorff_at_vertices<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>) -> Option<Distance<D>> {
     farthest(&ExactDifference::new(a, b), &[0, 1])
 }
 
-/// The largest distance of a point of `body` from `other`; `None` if the bodies have too many vertices.
+/// The largest distance of a point of `body` from `other`; `None` in the same cases.
 pub fn excess_at_vertices<const D: usize>(body: &Zonotope<D>, other: &Zonotope<D>) -> Option<Distance<D>> {
     farthest(&ExactDifference::new(body, other), &[0])
 }
@@ -177,7 +182,7 @@ impl<const D: usize> Numbers<D> {
         }
     }
 
-    /// Looks for a farther vertex on one side; none where a search in rationals does not end in time.
+    /// Looks for a farther vertex on one side; none where that takes too many searches in rationals.
     fn look_at_vertices(&self, generators: &[[Dyadic; D]], side: usize, farthest: &mut Farthest<D>) -> Option<()> {
         let is_one_of_two = |signs: &Vec<Ordering>| signs.first().is_none_or(|sign| sign.is_gt());
         let all = vertices_of(generators).into_iter();
@@ -195,9 +200,12 @@ impl<const D: usize> Numbers<D> {
         }
         vertices.sort_by(|a, b| b.length.total_cmp(&a.length).then_with(|| a.signs.cmp(&b.signs)));
         let mut least = self.in_scale(&farthest.square);
-        for candidate in vertices {
+        for (searches, candidate) in vertices.into_iter().enumerate() {
             if (candidate.length + self.error) * LONG_SUM < least {
                 break;
+            }
+            if searches * D.pow(3) > EXACT_SEARCH_LIMIT {
+                return None;
             }
             let vector = self.exact_vector(side, &candidate)?;
             let square = sum_of_products(&vector, &vector);

@@ -186,8 +186,8 @@ impl<const D: usize> Cone<D> {
         Self { part, corners, farther, nearer, upper, middle, lower, doubt }
     }
 
-    /// How many products of a direction and a vector the cone takes: one for each open generator, and at each corner two
-    /// beside half of those of the farther body.
+    /// How many products of a direction and a vector the cone takes: one for each open generator, and at each corner
+    /// two beside half of those of the farther body.
     pub(super) fn products(&self) -> u64 {
         let (farther, nearer) = (self.farther.open.len() as u64, self.nearer.open.len() as u64);
         farther + nearer + self.corners.len() as u64 * (2 + farther / 2)

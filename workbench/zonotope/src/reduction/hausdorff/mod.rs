@@ -15,7 +15,7 @@
 //! | method | cost | what it is |
 //! |---|---|---|
 //! | [`brute_force`] | 2^m m^(D − 1) rational operations for m generators in all | the truth, exactly |
-//! | [`by_vertices`] | a search for the nearest point at each vertex of either body | rounded once; the default for few vertices |
+//! | [`by_vertices`] | a nearest point for each vertex of either body | rounded once; the default for few vertices |
 //! | [`by_branch_and_bound`] | some thousand cones of directions in space, measured; see there | the default for more |
 
 mod answer;
