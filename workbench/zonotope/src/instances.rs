@@ -38,7 +38,10 @@ fn of_dimension<const D: usize>() -> Vec<*const ()> {
         reduction::Method::reduce::<D> as *const (),
         reduction::by_patches::patches_within_counted::<D> as *const (),
         reduction::contains::<D> as *const (),
+        reduction::Reduced::<D>::distance as *const (),
         hausdorff::hausdorff::<D> as *const (),
+        hausdorff::by_vertices::hausdorff_at_vertices::<D> as *const (),
+        hausdorff::by_branch_and_bound::hausdorff_by_cones::<D> as *const (),
         hausdorff::excess::<D> as *const (),
         combinatorics::<D> as *const (),
     ];

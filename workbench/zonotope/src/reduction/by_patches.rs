@@ -19,8 +19,9 @@
 //!    to the cell through which its ray leaves the cube.
 //! 2. With n the middle of the cell, v¹ = (v · n / n · n) n and v² = v − v¹. Add up the v¹ of each cell, rounded up.
 //! 3. Write v = γ b + v² with the cell's sum b and γ rounded down, v² exact; the box has half-lengths Σ |v²_k|.
-//! 4. For ε take m from the bound; for a count the finest grid, of a sequence of grids, whose cells with generators and
-//!    axes are at most k.
+//! 4. For ε take m from the bound, and the bound on H that the shares prove, rounding included; where that is above
+//!    ε D(A), as it is for an ε below what rounding costs, a slightly finer grid, and then A itself. For a count take
+//!    the finest grid, of a sequence of grids, whose cells with generators and axes are at most k.
 //!
 //! # Complexity
 //! O(n D) exact operations for a grid of k patches, and O(k log k) to sort them, so O(n) for ε and n generators; a
@@ -57,10 +58,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::answer::{Problem, Reduced, ReductionError, check_epsilon};
+use super::answer::{Containment, Problem, Reduced, ReductionError, check_epsilon};
 use super::cells::{Cell, SIDE_LIMIT, cells, cells_counted};
 use super::frame_cover::{Frame, covered};
 use super::keeping::order::scaled;
+use super::share_distance::ShareDistance;
 use super::shares::Share;
 use crate::numeric::exact_sum::ExactSum;
 use crate::numeric::linear::dot;
@@ -121,11 +123,20 @@ pub fn patches_within_counted<const D: usize>(
         return Err(ReductionError::TooManyPatches(side));
     }
     let vectors = scaled(body.generators());
-    let cells = cells_counted(&vectors, side as u32, tally);
-    let reduced = projected(body, &vectors, &cells)?;
-    tally.add(Operation::GeneratorRead, 2 * vectors.len() as u64);
-    let is_smaller = reduced.body.generators().len() < body.generators().len();
-    Ok(if is_smaller { reduced } else { Reduced::unreduced(body) })
+    // D(A) is at least 2 c_D Σ |v|
+    let part = 2.0 * mean_width(D) * epsilon;
+    for side in [side as u32, (side + side / 1024.0) as u32 + 1] {
+        let reduced = projected(body, &vectors, &cells_counted(&vectors, side, tally))?;
+        tally.add(Operation::GeneratorRead, 2 * vectors.len() as u64);
+        if reduced.body.generators().len() >= body.generators().len() {
+            break;
+        }
+        let Containment::Shares(shares) = &reduced.proof else { break };
+        if ShareDistance::new(shares, body, &reduced.body).is_within(part) {
+            return Ok(reduced);
+        }
+    }
+    Ok(Reduced::unreduced(body))
 }
 
 /// The number of patches that the precision takes in a dimension, those without generators included.
@@ -136,12 +147,16 @@ pub fn patch_count(dimension: usize, epsilon: f64) -> f64 {
 
 /// The cells along a side of a face with which sin θ ≤ c_D ε.
 fn side_for(dimension: usize, epsilon: f64) -> f64 {
-    // the mean of |u_1| over unit vectors: c_1 = 1, c_2 = 2/π, c_{D+2} = c_D D / (D + 1)
+    ((dimension as f64 - 1.0).sqrt() / (mean_width(dimension) * epsilon)).ceil().max(1.0)
+}
+
+/// The mean of |u_1| over unit vectors: c_1 = 1, c_2 = 2/π, c_{D+2} = c_D D / (D + 1).
+fn mean_width(dimension: usize) -> f64 {
     let (first, mut mean) = if dimension.is_multiple_of(2) { (2, std::f64::consts::FRAC_2_PI) } else { (1, 1.0) };
     for d in (first..dimension).step_by(2) {
         mean *= d as f64 / (d as f64 + 1.0);
     }
-    ((dimension as f64 - 1.0).sqrt() / (mean * epsilon)).ceil().max(1.0)
+    mean
 }
 
 /// The enclosing zonotope of the projections on the middles of cells and of the box of the rest.

@@ -117,25 +117,36 @@ impl<'a, const D: usize> Facets<'a, D> {
     /// Whether the body contains the one of other generators with the same centre, which are 0 beyond the first `rank`
     /// coordinates as well. O(C(k, r − 1) (n + k)).
     pub(super) fn contain(&self, inner: &[[f64; D]]) -> bool {
-        self.contain_displaced(inner, &array::from_fn(|_| Dyadic::zero()))
+        self.contain_displaced(inner, &array::from_fn(|_| Dyadic::zero()), u64::MAX) == Some(true)
     }
 
     /// The same where the other body has its centre at a displacement, of which the coordinates beyond the first `rank`
-    /// are 0, too.
-    pub(super) fn contain_displaced(&self, inner: &[[f64; D]], displacement: &[Dyadic; D]) -> bool {
+    /// are 0, too; none where doubles leave more than `exact_products` products of a normal and a generator in doubt.
+    pub(super) fn contain_displaced(
+        &self,
+        inner: &[[f64; D]],
+        displacement: &[Dyadic; D],
+        exact_products: u64,
+    ) -> Option<bool> {
         let (outer_scaled, inner_scaled, exponent) = self.scaled(inner);
         let moved = displacement.each_ref().map(|c| {
             let value = c.clone().scaled(exponent).to_f64();
             Bounded { value, error: value.abs() * DIFFERENCE_OF_LEADING_DOUBLES + PRODUCT_UNDERFLOW }
         });
-        let mut holds = true;
+        let products = (inner.len() + self.outer.len()) as u64;
+        let mut left = exact_products;
+        let mut holds = Some(true);
         self.for_each_normal(|chosen, normal| {
             let (direction, errors) = (normal.map(|c| c.value), normal.map(|c| c.error));
             let [reach, limit] = [&inner_scaled, &outer_scaled].map(|body| body.reach(&direction, &errors));
             let along = normal.iter().zip(&moved).fold(Bounded::exact(0.0), |sum, (&u, &p)| sum + u * p);
             let slack = limit - reach - Bounded { value: along.value.abs(), error: along.error };
-            holds = slack.is_positive() || self.contain_along(chosen, inner, displacement);
-            holds
+            if !slack.is_positive() {
+                let rest = left.checked_sub(products);
+                holds = rest.map(|_| self.contain_along(chosen, inner, displacement));
+                left = rest.unwrap_or(0);
+            }
+            holds == Some(true)
         });
         holds
     }

@@ -10,8 +10,12 @@ use crate::zonotope::Zonotope;
 /// So many products of a facet normal and a generator are taken at most.
 const PRODUCT_LIMIT: u64 = 1 << 33;
 
+/// So many of them are taken in exact arithmetic at most: where doubles leave a doubt, as they do of bodies that are
+/// nearly equal.
+const EXACT_PRODUCT_LIMIT: u64 = 1 << 22;
+
 /// Whether the outer zonotope contains the inner one, decided exactly; none where that takes more than 2^33 products of
-/// a facet normal and a generator. Flat bodies are compared within the span of the outer one. O(C(k, r − 1) (n + k))
+/// a facet normal and a generator, or more than 2^22 of which doubles do not tell enough. Flat bodies are compared within the span of the outer one. O(C(k, r − 1) (n + k))
 /// for n generators of the inner body and k of the outer one, of rank r.
 #[inline(never)]
 pub fn contains<const D: usize>(outer: &Zonotope<D>, inner: &Zonotope<D>) -> Option<bool> {
@@ -39,7 +43,7 @@ pub fn contains<const D: usize>(outer: &Zonotope<D>, inner: &Zonotope<D>) -> Opt
         return None;
     }
     let facets = Facets::new(&others, span.rank()).expect("independent coordinates of the span tell its vectors apart");
-    Some(facets.contain_displaced(&own, &moved))
+    facets.contain_displaced(&own, &moved, EXACT_PRODUCT_LIMIT)
 }
 
 #[cfg(test)]

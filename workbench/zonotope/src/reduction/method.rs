@@ -3,7 +3,7 @@
 use super::answer::{Problem, Reduced, ReductionError};
 use super::by_clusters::clusters;
 use super::by_patches::patches;
-use super::hausdorff::excess_with_limit;
+use super::hausdorff::Limit;
 use super::keeping::by_adaptive::adaptive;
 use super::keeping::by_combastel::combastel;
 use super::keeping::by_girard::girard;
@@ -33,11 +33,8 @@ pub enum Method {
     Best,
 }
 
-/// The bounds by which rules are compared differ by at most this part of them, where few cones are enough for that.
+/// The bounds by which rules are compared differ by at most this part of them, where little work is enough for that.
 const COMPARED_WIDTH: f64 = 0.02;
-
-/// The cones of directions that a comparison of two rules looks at, at most.
-const COMPARED_CONES: usize = 1 << 12;
 
 impl Method {
     /// Every rule, the default first and the best of the others last.
@@ -119,7 +116,7 @@ fn best<const D: usize>(problem: &Problem<'_, D>) -> Result<Reduced<D>, Reductio
     let others = Method::ALL.into_iter().filter(|method| *method != Method::Best);
     let answers: Vec<Result<Reduced<D>, ReductionError>> = others.map(|method| method.reduce(problem)).collect();
     let distance = |answer: &Result<Reduced<D>, ReductionError>| match answer {
-        Ok(reduced) => excess_with_limit(&reduced.body, problem.body(), COMPARED_WIDTH, COMPARED_CONES).upper,
+        Ok(reduced) => reduced.distance_by(problem.body(), COMPARED_WIDTH, Limit::COMPARISON).upper,
         Err(_) => f64::INFINITY,
     };
     let distances: Vec<f64> = answers.iter().map(distance).collect();

@@ -22,10 +22,12 @@ pub mod by_patches;
 mod cells;
 mod containment;
 mod contains;
+mod distance;
 mod frame_cover;
 pub mod hausdorff;
 pub mod keeping;
 mod method;
+mod share_distance;
 mod shares;
 
 pub use answer::{Containment, Problem, Reduced, ReductionError};

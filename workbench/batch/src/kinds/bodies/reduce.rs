@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 use zonotope::reduction::by_patches::patches_within;
-use zonotope::reduction::hausdorff::excess;
 use zonotope::reduction::{Containment, Method, Problem, Reduced, ReductionError, Share, Shares};
 use zonotope::zonotope::Zonotope;
 
@@ -96,7 +95,7 @@ fn refusal(error: ReductionError) -> Refusal {
 }
 
 fn result<const D: usize>(body: &Zonotope<D>, reduced: &Reduced<D>) -> Value {
-    let distance = excess(&reduced.body, body, HAUSDORFF_WIDTH);
+    let distance = reduced.distance(body, HAUSDORFF_WIDTH);
     json!({
         "center": vector_to_json(&reduced.body.center()),
         "generators": reduced.body.generators().iter().map(|g| vector_to_json(g)).collect::<Value>(),

@@ -2,8 +2,8 @@
 //!
 //! # Statement
 //! Input: two zonotopes A, B in R^D and a width ω ≥ 0. Output: bounds of the Hausdorff distance with upper ≤
-//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that [`CONE_LIMIT`] cones,
-//! some 2^31 readings of generators, or rounding allow. [`excess`] bounds the largest distance of a point of A from B,
+//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that a [`Limit`] on the
+//! work, or rounding, allows. [`excess`] bounds the largest distance of a point of A from B,
 //! which is 0 just when A lies in B. Bodies without generators, flat bodies, zero and parallel generators are ordinary
 //! input.
 //!
@@ -25,8 +25,8 @@
 //! # Complexity
 //! N cones in all, each at the cost of the generators that change their sign in it; the first ones look at all. A
 //! distance of δ D(A) takes N = O((ω δ)^(−(D − 1)/2)), each with 2^(D − 1) corners; less where the difference is far
-//! below its maximum. Measured for ω = 1 % in space, n = 10^4 and k = 64: in some 0.1 s; for
-//! ω = 10 % in R^6, n = 1000 and k = 32: in about 0.6 s. O(N) space, and the lists of generators.
+//! below its maximum. The limit ends what would take longer than some tenth of a second for n ≤ 1000. O(N) space, and
+//! the lists of generators.
 //!
 //! # Shapes
 //! `generators`: half-segments, any order.
@@ -47,10 +47,10 @@
 //!
 //! # Example
 //! ```
-//! use zonotope::{Zonotope, reduction::hausdorff::hausdorff};
+//! use zonotope::{Zonotope, reduction::hausdorff::by_branch_and_bound::hausdorff_by_cones};
 //! let square = Zonotope::new([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]])?;
 //! let diamond = Zonotope::new([0.0, 0.0], vec![[0.5, 0.5], [0.5, -0.5]])?;
-//! let distance = hausdorff(&square, &diamond, 0.01);
+//! let distance = hausdorff_by_cones(&square, &diamond, 0.01);
 //! // the corner (1, 1) is 1/√2 from the diamond's edge x + y = 1
 //! assert!(distance.lower <= 0.5f64.sqrt() && 0.5f64.sqrt() <= distance.upper);
 //! assert!(distance.upper <= 1.01 * distance.lower);
@@ -60,54 +60,40 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::answer::Distance;
 use super::cone::Cone;
 use super::difference::{Difference, Rounding, ScaledBodies};
+use super::exact_difference::ExactDifference;
 use crate::zonotope::Zonotope;
 
-/// At most this many cones are looked at.
-pub const CONE_LIMIT: usize = 1 << 20;
-
-/// About this many times a generator is read at most, besides the first readings of all.
-const READ_LIMIT: u64 = 1 << 31;
-
-/// At most this many cones are looked at for the convex bound.
-const CONVEX_CONE_LIMIT: usize = 1 << 10;
-
-/// A distance between two bounds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Distance<const D: usize> {
-    /// The distance is not below this.
-    pub lower: f64,
-    /// The distance is not above this.
-    pub upper: f64,
-    /// A direction of length about 1 in which the support functions differ by `lower`, up to rounding.
-    pub direction: [f64; D],
+/// The work after which a search ends with the bounds that it has, whatever the width.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::reduction) struct Limit {
+    /// The most cones.
+    pub(in crate::reduction) cones: usize,
+    /// About the most products of a direction and a vector, beside those of the cones of whole faces.
+    pub(in crate::reduction) products: u64,
 }
 
-/// The Hausdorff distance between bounds whose ratio is at most 1 + `width`, where [`CONE_LIMIT`] and rounding allow
-/// it.
+impl Limit {
+    /// The limit of an answer: some tenth of a second.
+    pub(in crate::reduction) const ANSWER: Self = Self { cones: 1 << 18, products: 1 << 24 };
+
+    /// The limit where only the better one of some bodies is sought.
+    pub(in crate::reduction) const COMPARISON: Self = Self { cones: 1 << 12, products: 1 << 20 };
+
+    /// The limit of the convex bound, which most searches do not need.
+    const CONVEX: Self = Self { cones: 1 << 10, products: 1 << 21 };
+
+    fn min(self, other: Self) -> Self {
+        Self { cones: self.cones.min(other.cones), products: self.products.min(other.products) }
+    }
+}
+
+/// The Hausdorff distance between bounds whose ratio is at most 1 + `width`, where the limits and rounding allow it.
 #[inline(never)]
-pub fn hausdorff<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>, width: f64) -> Distance<D> {
-    let bodies = ScaledBodies::new(a, b);
-    search(&bodies, vec![bodies.difference(0), bodies.difference(1)], width, CONE_LIMIT)
-}
-
-/// The largest distance of a point of `body` from `other`, between bounds whose ratio is at most 1 + `width`, where
-/// [`CONE_LIMIT`] and rounding allow it.
-#[inline(never)]
-pub fn excess<const D: usize>(body: &Zonotope<D>, other: &Zonotope<D>, width: f64) -> Distance<D> {
-    excess_with_limit(body, other, width, CONE_LIMIT)
-}
-
-/// The same with a limit of its own on the number of cones.
-pub(in crate::reduction) fn excess_with_limit<const D: usize>(
-    body: &Zonotope<D>,
-    other: &Zonotope<D>,
-    width: f64,
-    limit: usize,
-) -> Distance<D> {
-    let bodies = ScaledBodies::new(body, other);
-    search(&bodies, vec![bodies.difference(0)], width, limit)
+pub fn hausdorff_by_cones<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>, width: f64) -> Distance<D> {
+    bounded(&ExactDifference::new(a, b), &[0, 1], width, Limit::ANSWER)
 }
 
 /// A cone among those that are still to be cut, for one of the differences.
@@ -150,7 +136,7 @@ struct Side<const D: usize> {
 struct Search<const D: usize> {
     heap: BinaryHeap<Waiting<D>>,
     turn: usize,
-    reads: u64,
+    products: u64,
     width: f64,
     lower: f64,
     direction: [f64; D],
@@ -159,21 +145,22 @@ struct Search<const D: usize> {
 }
 
 impl<const D: usize> Search<D> {
-    /// Bounds of the largest value of any of some differences, by at most `limit` cones.
-    fn run(sides: &[Side<D>], width: f64, limit: usize) -> Self {
+    /// Bounds of the largest value of any of some differences.
+    fn run(sides: &[Side<D>], width: f64, limit: Limit) -> Self {
         let direction = std::array::from_fn(|k| if k == 0 { 1.0 } else { 0.0 });
-        let mut search = Self { heap: BinaryHeap::new(), turn: 0, reads: 0, width, lower: 0.0, direction, upper: 0.0 };
+        let mut search =
+            Self { heap: BinaryHeap::new(), turn: 0, products: 0, width, lower: 0.0, direction, upper: 0.0 };
         for (index, side) in sides.iter().enumerate().filter(|(_, side)| !side.difference.is_zero()) {
             let cones = Cone::faces(&side.difference, &side.rounding);
             cones.into_iter().for_each(|cone| search.add(cone, index, side.limit));
         }
         while let Some(Waiting { cone, side: index, .. }) = search.heap.pop() {
-            if search.is_settled(&cone) || search.turn >= limit || search.reads > READ_LIMIT {
+            if search.is_settled(&cone) || search.turn >= limit.cones || search.products > limit.products {
                 search.upper = search.upper.max(cone.upper);
                 break;
             }
             let side = &sides[index];
-            search.reads += 2 * cone.reads();
+            search.products += 2 * cone.products();
             match cone.halves(&side.difference, &side.rounding) {
                 Some(halves) => halves.into_iter().for_each(|half| search.add(half, index, side.limit)),
                 None => search.upper = search.upper.max(cone.upper),
@@ -201,23 +188,22 @@ impl<const D: usize> Search<D> {
     }
 }
 
-fn search<const D: usize>(
-    bodies: &ScaledBodies<D>,
-    differences: Vec<Difference<D>>,
+/// The largest value of the difference of the support functions for one side, or for either.
+pub(super) fn bounded<const D: usize>(
+    exact: &ExactDifference<D>,
+    sides: &[usize],
     width: f64,
-    limit: usize,
+    limit: Limit,
 ) -> Distance<D> {
-    let bounded = |difference: Difference<D>| {
+    let bodies = ScaledBodies::new(exact);
+    let bounded = |&side: &usize| {
+        let difference = bodies.difference(side);
         let rounding = difference.rounding();
         let convex = Side { difference: difference.convex_bound(), rounding, limit: f64::INFINITY };
-        let limit = Search::run(&[convex], width / 2.0, limit.min(CONVEX_CONE_LIMIT)).upper;
+        let limit = Search::run(&[convex], width / 2.0, limit.min(Limit::CONVEX)).upper;
         Side { difference, rounding, limit }
     };
-    let sides: Vec<Side<D>> = differences.into_iter().map(bounded).collect();
+    let sides: Vec<Side<D>> = sides.iter().map(bounded).collect();
     let found = Search::run(&sides, width, limit);
-    Distance {
-        lower: bodies.unscaled_below(found.lower),
-        upper: bodies.unscaled_above(found.upper),
-        direction: found.direction,
-    }
+    Distance::between(bodies.unscaled_below(found.lower), bodies.unscaled_above(found.upper), found.direction)
 }

@@ -186,10 +186,11 @@ impl<const D: usize> Cone<D> {
         Self { part, corners, farther, nearer, upper, middle, lower, doubt }
     }
 
-    /// How many generators were looked at for the cone, up to those that its halves need not look at.
-    pub(super) fn reads(&self) -> u64 {
-        let open = (self.farther.open.len() + self.nearer.open.len()) as u64;
-        open + (self.farther.open.len() as u64 + 1) * self.corners.len() as u64 / 4
+    /// How many products of a direction and a vector the cone takes: one for each open generator, and at each corner
+    /// two beside half of those of the farther body.
+    pub(super) fn products(&self) -> u64 {
+        let (farther, nearer) = (self.farther.open.len() as u64, self.nearer.open.len() as u64);
+        farther + nearer + self.corners.len() as u64 * (2 + farther / 2)
     }
 
     /// The two cones that the cone is cut into at the middle of the longest side; `None` if doubles have no middle.

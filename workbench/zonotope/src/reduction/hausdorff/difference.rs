@@ -1,15 +1,12 @@
 //! The difference of the support functions of two centred zonotopes, in coordinates of ordinary size.
 
-use std::cmp::Ordering;
-
+use super::exact_difference::ExactDifference;
+use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_sum::exact_sum;
 use crate::numeric::lanes::Extents;
 use crate::numeric::linear::{add_multiple, dot};
-use crate::numeric::scaling::{
-    PowerOfTwo, binary_exponent, largest_magnitude, scale_by_power_of_two, scaled_difference,
-};
+use crate::numeric::scaling::PowerOfTwo;
 use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
-use crate::zonotope::Zonotope;
 
 /// Roundings of a sum beside one for each term: products, signs, the ends of sums, in up to ten dimensions.
 const FURTHER_ADDITIONS: f64 = 64.0;
@@ -52,17 +49,11 @@ pub(super) struct ScaledBodies<const D: usize> {
 }
 
 impl<const D: usize> ScaledBodies<D> {
-    pub(super) fn new(a: &Zonotope<D>, b: &Zonotope<D>) -> Self {
-        let generators = without_shared(a.generators(), b.generators());
-        let halves: Vec<f64> = a.center().iter().chain(&b.center()).map(|c| c / 2.0).collect();
-        let displaced: [f64; D] = std::array::from_fn(|k| (halves[k] - halves[D + k]).abs());
-        let lists = [generators[0].as_flattened(), generators[1].as_flattened(), &displaced];
-        let largest = lists.iter().map(|list| largest_magnitude(list)).fold(0.0, f64::max);
-        let exponent = -i64::from(binary_exponent(largest).unwrap_or(0));
-        let displacement = std::array::from_fn(|k| scaled_difference(a.center()[k], b.center()[k], exponent));
-        let generators =
-            generators.map(|list| list.iter().map(|g| g.map(|c| scale_by_power_of_two(c, exponent))).collect());
-        Self { generators, displacement, exponent }
+    pub(super) fn new(difference: &ExactDifference<D>) -> Self {
+        let exponent = -difference.binary_exponent().unwrap_or(0);
+        let rounded = |v: &[Dyadic; D]| v.each_ref().map(|c| c.clone().scaled(exponent).to_f64());
+        let generators = difference.generators.each_ref().map(|list| list.iter().map(rounded).collect());
+        Self { generators, displacement: rounded(&difference.displacement), exponent }
     }
 
     /// h_A − h_B for even and h_B − h_A for odd `side`, with the displacement among the farther generators.
@@ -134,58 +125,7 @@ impl<const D: usize> Difference<D> {
     }
 }
 
-/// The generators of two bodies without zero ones and without those, up to sign, that both have: as often as both have
-/// them, they add the same to both support functions. O(n log n).
-fn without_shared<const D: usize>(a: &[[f64; D]], b: &[[f64; D]]) -> [Vec<[f64; D]>; 2] {
-    let sorted = |list: &[[f64; D]]| {
-        let upward = |g: &[f64; D]| match g.iter().find(|&&c| c != 0.0) {
-            Some(&first) if first < 0.0 => Some(g.map(|c| 0.0 - c)),
-            Some(_) => Some(g.map(|c| c + 0.0)),
-            None => None,
-        };
-        let mut list: Vec<[f64; D]> = list.iter().filter_map(upward).collect();
-        list.sort_by(compare);
-        list
-    };
-    let (a, b) = (sorted(a), sorted(b));
-    let (mut i, mut j) = (0, 0);
-    let mut left = [Vec::new(), Vec::new()];
-    while i < a.len() && j < b.len() {
-        match compare(&a[i], &b[j]) {
-            Ordering::Less => {
-                left[0].push(a[i]);
-                i += 1;
-            }
-            Ordering::Greater => {
-                left[1].push(b[j]);
-                j += 1;
-            }
-            Ordering::Equal => (i, j) = (i + 1, j + 1),
-        }
-    }
-    left[0].extend(&a[i..]);
-    left[1].extend(&b[j..]);
-    left
-}
-
-fn compare<const D: usize>(a: &[f64; D], b: &[f64; D]) -> Ordering {
-    let orders = a.iter().zip(b).map(|(x, y)| x.total_cmp(y));
-    orders.fold(Ordering::Equal, Ordering::then)
-}
-
 /// Σ |u · v| over the vectors of some indices.
 pub(super) fn magnitude_sum<const D: usize>(vectors: &[[f64; D]], indices: &[u32], u: &[f64; D]) -> f64 {
     indices.iter().map(|&index| dot(&vectors[index as usize], u).abs()).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn shared_generators_count_for_nothing() {
-        let a = [[1.0, 2.0], [0.0, -1.0], [0.0, 0.0], [-0.0, 1.0]];
-        let b = [[-1.0, -2.0], [0.0, 1.0], [3.0, 0.0]];
-        assert_eq!(without_shared(&a, &b), [vec![[0.0, 1.0]], vec![[3.0, 0.0]]]);
-    }
 }

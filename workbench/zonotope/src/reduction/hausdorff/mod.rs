@@ -10,18 +10,28 @@
 //! largest of |u · c| + h_A(u) − h_B(u) and |u · c| + h_B(u) − h_A(u) for the centred bodies. The displacement is one
 //! more generator of the farther body, and half of all directions are enough.
 //!
+//! What both bodies have counts for nothing, and parallel generators count once.
+//!
 //! | method | cost | what it is |
 //! |---|---|---|
 //! | [`brute_force`] | 2^m m^(D − 1) rational operations for m generators in all | the truth, exactly |
-//! | [`by_branch_and_bound`] | some thousand cones of directions in space, measured; see there | the default |
+//! | [`by_vertices`] | a nearest point for each vertex of either body | rounded once; the default for few vertices |
+//! | [`by_branch_and_bound`] | some thousand cones of directions in space, measured; see there | the default for more |
 
+mod answer;
 pub mod brute_force;
 pub mod by_branch_and_bound;
+pub mod by_vertices;
 mod cone;
 mod difference;
+mod doors;
+mod exact_difference;
+mod nearest_point;
 
-pub(in crate::reduction) use by_branch_and_bound::excess_with_limit;
-pub use by_branch_and_bound::{Distance, excess, hausdorff};
+pub use answer::Distance;
+pub(in crate::reduction) use by_branch_and_bound::Limit;
+pub(in crate::reduction) use doors::excess_with_limit;
+pub use doors::{excess, hausdorff};
 
 #[cfg(test)]
 mod tests;

@@ -1,9 +1,13 @@
 //! Bounds against the exact distance, on small bodies of every kind.
 
 use super::brute_force::{squared_excess, squared_hausdorff};
-use super::{Distance, excess, excess_with_limit, hausdorff};
+use super::by_branch_and_bound::{Limit, bounded};
+use super::by_vertices::{excess_at_vertices, hausdorff_at_vertices};
+use super::exact_difference::ExactDifference;
+use super::{Distance, excess, hausdorff};
 use crate::numeric::Rational;
-use crate::numeric::exact_linear::rational;
+use crate::numeric::exact_linear::{dot, rational};
+use crate::numeric::root::Root;
 use crate::zonotope::Zonotope;
 use proptest::prelude::*;
 
@@ -35,15 +39,49 @@ fn bounds<const D: usize>(distance: &Distance<D>, square: &Rational) -> Result<(
     Ok(())
 }
 
+/// The nearest double and the least one not below the distance; of the lower bound, that the direction proves it.
+fn is_exact<const D: usize>(
+    distance: Option<Distance<D>>,
+    square: &Rational,
+    [a, b]: [&Zonotope<D>; 2],
+) -> Result<(), TestCaseError> {
+    let distance = distance.expect("the bodies have few vertices");
+    let exact = Root::of(square, 0);
+    prop_assert_eq!((distance.value, distance.upper), (exact.nearest, exact.above));
+    let u = distance.direction.map(rational);
+    let reach = |body: &Zonotope<D>| {
+        let products = body.generators().iter().map(|g| dot(&g.map(rational), &u));
+        products
+            .fold(Rational::ZERO, |sum, product| if product < Rational::ZERO { sum - product } else { sum + product })
+    };
+    let magnitude = |value: Rational| if value < Rational::ZERO { -value } else { value };
+    let moved = magnitude(dot(&a.center().map(rational), &u) - dot(&b.center().map(rational), &u));
+    let along = magnitude(reach(a) - reach(b)) + moved;
+    let claimed = rational(distance.lower);
+    prop_assert!(&claimed * &claimed * dot(&u, &u) <= &along * &along, "{:?}", distance);
+    prop_assert!(rational(distance.lower) * rational(distance.lower) <= *square);
+    Ok(())
+}
+
+/// Of bodies that are not nearly equal the lower bound is within some units in the last place.
+fn is_tight<const D: usize>(distance: Option<Distance<D>>) -> Result<(), TestCaseError> {
+    let distance = distance.expect("the bodies have few vertices");
+    prop_assert!(distance.lower >= distance.value * (1.0 - 1e-12), "{:?}", distance);
+    Ok(())
+}
+
 fn agrees<const D: usize>([a, b]: &[Zonotope<D>; 2]) -> Result<(), TestCaseError> {
-    bounds(&hausdorff(a, b, WIDTH), &squared_hausdorff(a, b))?;
-    let square = squared_excess(a, b);
-    if square == Rational::ZERO {
-        let distance = excess_with_limit(a, b, WIDTH, 1000);
-        prop_assert_eq!(distance.lower, 0.0);
+    let difference = ExactDifference::new(a, b);
+    let (both, one) = (squared_hausdorff(a, b), squared_excess(a, b));
+    is_exact(hausdorff_at_vertices(a, b), &both, [a, b])?;
+    is_exact(excess_at_vertices(a, b), &one, [a, b])?;
+    is_tight(hausdorff_at_vertices(a, b))?;
+    bounds(&bounded(&difference, &[0, 1], WIDTH, Limit::ANSWER), &both)?;
+    if one == Rational::ZERO {
+        prop_assert_eq!(bounded(&difference, &[0], WIDTH, Limit::COMPARISON).lower, 0.0);
         return Ok(());
     }
-    bounds(&excess(a, b, WIDTH), &square)
+    bounds(&bounded(&difference, &[0], WIDTH, Limit::ANSWER), &one)
 }
 
 proptest! {
@@ -65,18 +103,84 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn bodies_an_ulp_apart_are_told_apart(
+        pair in bodies::<3>(4),
+        factors in proptest::collection::vec(any::<bool>(), 4),
+    ) {
+        let [a, _] = pair;
+        let moved = a.generators().iter().zip(factors).map(|(g, up)| g.map(|c| if up { c.next_up() } else { c }));
+        let b = Zonotope::new(a.center(), moved.collect()).expect("the numbers stay finite");
+        is_exact(hausdorff_at_vertices(&a, &b), &squared_hausdorff(&a, &b), [&a, &b])?;
+    }
+}
+
+fn body<const D: usize>(center: [f64; D], generators: &[[f64; D]]) -> Zonotope<D> {
+    Zonotope::new(center, generators.to_vec()).expect("the numbers are finite")
+}
+
+fn three_bounds<const D: usize>(a: &Zonotope<D>, b: &Zonotope<D>) -> [f64; 3] {
+    let distance = hausdorff(a, b, WIDTH);
+    [distance.lower, distance.value, distance.upper]
+}
+
+#[test]
+fn distances_that_are_doubles_are_met_exactly() {
+    // the interval from 1 to 2 reaches 1 farther than its end
+    assert_eq!(three_bounds(&body([1.0], &[]), &body([1.5], &[[0.5]])), [1.0; 3]);
+    assert_eq!(three_bounds(&body([0.0; 3], &[]), &body([1.0, 2.0, 2.0], &[])), [3.0; 3]);
+    let least = f64::from_bits(1);
+    assert_eq!(three_bounds(&body([0.0, 0.0], &[]), &body([0.0, least], &[])), [least; 3]);
+    let huge = body([0.0], &[[f64::MAX]]);
+    assert_eq!(three_bounds(&huge, &body([0.0], &[])), [f64::MAX; 3]);
+    assert_eq!(three_bounds(&huge, &body([0.0], &[[f64::MAX], [-1.0]])), [1.0; 3]);
+    assert_eq!(three_bounds(&body([f64::MAX], &[]), &body([-f64::MAX], &[])), [f64::MAX, f64::INFINITY, f64::INFINITY]);
+}
+
+#[test]
+fn cubes_an_ulp_apart_differ_by_the_diagonal_of_the_ulp() {
+    let cube = |side: f64| body([0.0; 3], &[[side, 0.0, 0.0], [0.0, side, 0.0], [0.0, 0.0, side]]);
+    let [lower, value, upper] = three_bounds(&cube(1.0), &cube(1.0f64.next_up()));
+    let exact = f64::EPSILON * 3f64.sqrt();
+    assert_eq!([lower, value, upper], [exact, exact, exact.next_up()]);
+}
+
+#[test]
+fn nearly_equal_bodies_of_parallel_generators_take_no_search() {
+    // all generators are parallel to those of the other body: (2, −2, 0) and (2, −2, 2) differ in their lengths alone
+    let a = body([0.0; 3], &[[-2.0, 2.0, -2.0], [-1.0, 1.0, 0.0], [1.0, -1.0, 0.0]]);
+    let b = a.generators().iter().map(|g| g.map(|c| c * 1.0f64.next_down())).collect();
+    let b = Zonotope::new([0.0; 3], b).expect("finite");
+    let ulp = f64::EPSILON / 2.0;
+    // the farthest vertex of the two differences is ulp (4, −4, 2) away
+    assert_eq!(three_bounds(&a, &b), [6.0 * ulp; 3]);
+}
+
 #[test]
 fn equal_bodies_have_no_distance() {
-    let a = Zonotope::new([1.0, 2.0], vec![[1.0, 0.0], [0.5, 0.25], [0.0, 0.0]]).unwrap();
-    let b = Zonotope::new([1.0, 2.0], vec![[-0.5, -0.25], [1.0, 0.0]]).unwrap();
-    let distance = hausdorff(&a, &b, WIDTH);
-    assert_eq!((distance.lower, distance.upper), (0.0, 0.0));
-    let point = Zonotope::new([1.0, 2.0], Vec::new()).unwrap();
+    let a = body([1.0, 2.0], &[[1.0, 0.0], [0.5, 0.25], [0.0, 0.0]]);
+    assert_eq!(three_bounds(&a, &body([1.0, 2.0], &[[-0.5, -0.25], [1.0, 0.0]])), [0.0; 3]);
     // the farthest vertex is (3/2, 1/4) from the centre
     let exact = (1.5f64 * 1.5 + 0.25 * 0.25).sqrt();
-    let distance = hausdorff(&a, &point, WIDTH);
-    assert!(distance.lower <= exact && exact <= distance.upper && distance.upper <= 1.01 * distance.lower);
-    let moved = Zonotope::new([4.0, 6.0], Vec::new()).unwrap();
-    let distance = hausdorff(&point, &moved, WIDTH);
-    assert!(distance.lower <= 5.0 && 5.0 <= distance.upper && distance.upper <= 1.01 * distance.lower);
+    assert_eq!(three_bounds(&a, &body([1.0, 2.0], &[]))[1], exact);
+    assert_eq!(three_bounds(&body([1.0, 2.0], &[]), &body([4.0, 6.0], &[])), [5.0; 3]);
+}
+
+#[test]
+fn a_width_of_0_ends() {
+    let many = |shift: f64| -> Zonotope<3> {
+        let generator = |i: i32| {
+            let t = f64::from(i) + shift;
+            [(t * 0.7).sin(), (t * 1.3).cos(), (t * 0.37).sin()]
+        };
+        Zonotope::new([0.0; 3], (0..60).map(generator).collect()).expect("finite")
+    };
+    let (a, b) = (many(0.0), many(0.25));
+    assert!(hausdorff_at_vertices(&a, &b).is_none(), "there are thousands of vertices");
+    let (narrow, wide) = (hausdorff(&a, &b, 0.0), hausdorff(&a, &b, WIDTH));
+    assert!(narrow.lower <= wide.upper && wide.lower <= narrow.upper && narrow.upper.is_finite());
+    assert!(excess(&a, &b, 0.0).upper <= narrow.upper * (1.0 + WIDTH));
 }

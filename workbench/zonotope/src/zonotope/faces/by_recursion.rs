@@ -15,7 +15,7 @@
 //! 2. For each r − 1 generators: their cross product u, from minors. If it is not zero, the generators orthogonal to u
 //!    lie along two opposite facets, on which the others have the signs of u · v and the opposite ones.
 //! 3. The vertices of a facet are those of the zonotope of the generators along it, which leaving out a coordinate
-//!    where u is not zero maps one to one into R^(r − 1).
+//!    where u is not zero maps one to one into R^(r − 1). Independent generators have all signs.
 //!
 //! # Complexity
 //! n directions, rank r: O(n^r) exact operations, as there are n^(r − 1) tuples and each normal meets n generators; in
@@ -160,10 +160,18 @@ impl FacetPair {
     }
 }
 
+/// The vertices of the zonotope of pairwise non-parallel vectors, by their coefficients. O(n^r).
+pub(crate) fn vertices_of<const D: usize>(vectors: &[[Dyadic; D]]) -> BTreeSet<SignVector> {
+    let coordinates = Span::of(vectors.iter().cloned(), D).independent_coordinates();
+    let chosen = |v: &[Dyadic; D]| coordinates.iter().map(|&c| v[c].clone()).collect();
+    vertices(&vectors.iter().map(chosen).collect::<Vec<Vector>>(), coordinates.len())
+}
+
 /// The vertices of the zonotope of pairwise non-parallel vectors that span R^`rank`.
 fn vertices(vectors: &[Vector], rank: usize) -> BTreeSet<SignVector> {
-    if rank == 0 {
-        return BTreeSet::from([Vec::new()]);
+    if vectors.len() == rank {
+        let sign = |choice: usize, k: usize| if choice >> k & 1 == 1 { Ordering::Greater } else { Ordering::Less };
+        return (0..1 << rank).map(|choice| (0..rank).map(|k| sign(choice, k)).collect()).collect();
     }
     let facets = facet_pairs(vectors, rank);
     let half: Vec<SignVector> = facets.iter().flat_map(|facet| facet.vertices(vectors)).collect();
