@@ -4,13 +4,12 @@
 //! the same bytes; what depends on them stands in `times.html`.
 //!
 //! - [`chapter`] is what a chapter is, `chapters` has them, in the order of the page.
-//! - `measured` looks numbers up in the records, `tables` has every table, `pages` puts the two pages together.
+//! - `tables` has every table, `pages` puts the two pages together.
 
 pub mod chapter;
 mod chapters;
 mod html;
 mod manifest;
-mod measured;
 mod pages;
 mod tables;
 
