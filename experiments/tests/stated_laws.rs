@@ -52,6 +52,7 @@ fn stated<const N: usize>(file: &str, phrase: &str) -> [f64; N] {
         let mut numbers = Vec::new();
         for piece in &pieces[1..] {
             let end = rest.find(|c: char| !c.is_ascii_digit() && !matches!(c, '.' | ','))?;
+            let end = rest[..end].trim_end_matches([',', '.']).len();
             numbers.push(rest[..end].replace(',', "").parse().ok()?);
             rest = rest[end..].strip_prefix(piece)?;
         }
@@ -166,7 +167,7 @@ fn measured_statements_of_the_library_are_held_or_of_a_clock() {
                 let file = place.to_string_lossy().replace('\\', "/");
                 let text = documentation(&file);
                 let is_result =
-                    ["Measured ", " measured on", " measured;", " measured and", "were measured", ", measured"]
+                    ["Measured ", " measured on", " measured;", " measured and", "were measured", ", measured."]
                         .iter()
                         .any(|words| text.contains(words));
                 if is_result && !HELD.contains(&file.as_str()) && !OF_A_CLOCK.contains(&file.as_str()) {

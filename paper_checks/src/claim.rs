@@ -73,8 +73,8 @@ pub enum ClaimKind {
     Figure,
     /// An open question of the conclusions.
     OpenQuestion,
-    /// A place where the paper is wrong or leaves out a condition: the statement is the paper's, and its refutation says
-    /// what of this sort has to be corrected.
+    /// A place where the paper is wrong or leaves out a condition: the statement is the paper's, and its refutation
+    /// says what of this sort has to be corrected.
     Correction(Correction),
     /// A place where what the paper says, or an assumption that it states, is right and a program has to know more. The
     /// check is one of the remark.

@@ -78,7 +78,8 @@ fn tally(results: &[ClaimResult]) -> String {
             format!("{count} {}", finding.words())
         })
         .collect();
-    format!("{} claims:\n{}", results.len(), counts.join(", "))
+    let lines: Vec<String> = counts.chunks(6).map(|line| line.join(", ")).collect();
+    format!("{} claims:\n{}", results.len(), lines.join(",\n"))
 }
 
 /// The ledger as Markdown: claim, place, evidence, finding.

@@ -15,8 +15,8 @@ use zonotope::tally::OperationCounts;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "min-area-scaling",
     title: "Minimum-area enclosing zonogon: growth with the number of points",
-    question: "How do operations and time of the whole of section 4.1 grow with the number of points, with each \
-               method of the kernel? The lap `hull` is the hull alone on the same points.",
+    question: "How do operations and time of the whole of finding the zonogon grow with the number of points, with \
+               each method of the kernel? The lap `hull` is the hull alone on the same points.",
     claims: &["theorem-4.5", "summary-min-area"],
     families: SCALING_FAMILIES,
     real_inputs: &[],

@@ -47,8 +47,8 @@ fn fallbacks(found: &Measured<'_>) -> Option<String> {
     let [asked, fallbacks] = [total("asked")?, total("fallbacks")?];
     let [apart, fallbacks_apart] = [total("asked_apart")?, total("fallbacks_apart")?];
     Some(format!(
-        "Of {} questions {} have a sign that floating point does not decide ({}); of the {} with gaps of at least 1e-9, \
-         {} ({}).",
+        "Of {} questions {} have a sign that floating point does not decide ({}); of the {} with gaps of at least \
+         1e-9, {} ({}).",
         number(asked),
         number(fallbacks),
         percent(fallbacks / asked),

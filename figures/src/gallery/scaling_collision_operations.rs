@@ -10,7 +10,8 @@ pub const FIGURE: Figure = Figure {
     id: "scaling-collision-operations",
     title: "Operations of the collision methods",
     caption: "Operations of each method for one question about a random body of n generators: just inside, with gaps \
-              of 1e-3 to 1e-12. Our own GJK computes in floating point alone. The curves are the growth model that fits best (a power law where none does); exponents have 95 % intervals.",
+              of 1e-3 to 1e-12. Our own GJK computes in floating point alone. The curves are the growth model that \
+              fits best (a power law where none does); exponents have 95 % intervals.",
     claims: &["theorem-5.2"],
     experiments: &[collision_scaling::EXPERIMENT.id],
     deterministic: true,

@@ -13,11 +13,11 @@ pub static CLAIM: Claim = Claim {
     id: "coefficient-at-line-minimum",
     place: Place { section: "4.1", label: "after Corollary 4.4" },
     kind: ClaimKind::Correction(Correction::Erratum),
-    statement: "If we compute the linear coefficient of f at O_l, we can decide whether O_l is the global minimum, and if \
-        not, whether the minimum is on the left or on the right",
+    statement: "If we compute the linear coefficient of f at O_l, we can decide whether O_l is the global minimum, \
+        and if not, whether the minimum is on the left or on the right",
     remedy: Some(
-        "O_l lies on a line of the arrangement, and f has no linear coefficient there: decide by the subgradients there that vanish along the vertical \
-            line",
+        "O_l lies on a line of the arrangement, and f has no linear coefficient there: decide by the subgradients \
+            there that vanish along the vertical line",
     ),
     code: &["zonotope::lad::of_lines::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],

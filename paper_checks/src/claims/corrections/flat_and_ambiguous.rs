@@ -13,10 +13,11 @@ pub static CLAIM: Claim = Claim {
     id: "flat-point-sets",
     place: Place { section: "4.1", label: "before Theorem 4.5" },
     kind: ClaimKind::Note,
-    statement: "The input can be assumed to be a convex polygon, and f has a global minimum at a vertex of the arrangement",
+    statement: "The input can be assumed to be a convex polygon, and f has a global minimum at a vertex of the \
+        arrangement",
     remedy: Some(
-        "the assumption leaves out point sets without area: one point, two points and collinear points have no arrangement: their zonogon is the segment, of area 0; and \
-            the minimiser need not be unique",
+        "the assumption leaves out point sets without area: one point, two points and collinear points have no \
+            arrangement: their zonogon is the segment, of area 0; and the minimiser need not be unique",
     ),
     code: &["zonotope::enclosing::min_area_zonogon"],
     check: Check::Run(check),

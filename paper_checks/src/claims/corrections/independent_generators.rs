@@ -15,9 +15,9 @@ pub static CLAIM: Claim = Claim {
     kind: ClaimKind::Note,
     statement: "For simplicity any d generators are assumed to be linearly independent",
     remedy: Some(
-        "the assumption is stated, and a program meets bodies without it: merge parallel generators, drop zero ones, gather coplanar ones into one facet, and accept flat and empty \
-            zonotopes: the difference of two boxes has parallel generators, the truncated octahedron has coplanar \
-            triples, and 4.2 gives zero coefficients",
+        "the assumption is stated, and a program meets bodies without it: merge parallel generators, drop zero ones, \
+            gather coplanar ones into one facet, and accept flat and empty zonotopes: the difference of two boxes has \
+            parallel generators, the truncated octahedron has coplanar triples, and 4.2 gives zero coefficients",
     ),
     code: &["zonotope::zonotope", "zonotope::collision::by_lad"],
     check: Check::Run(check),

@@ -12,8 +12,8 @@ pub static CLAIM: Claim = Claim {
     id: "separator-steps",
     place: Place { section: "5.1", label: "separators" },
     kind: ClaimKind::Correction(Correction::Erratum),
-    statement: "The vertical line L_k crosses the lines from left to right, and the chain starts at the top vertex of Q and \
-        extends v' one by one",
+    statement: "The vertical line L_k crosses the lines from left to right, and the chain starts at the top vertex of \
+        Q and extends v' one by one",
     remedy: Some(
         "L_k meets them from top to bottom; a step is 2 v' in half-lengths, every v' turned to point up; v' = 0 has no \
             line, a horizontal v' is never crossed, equal x need a rule",

@@ -12,8 +12,8 @@ pub static CLAIM: Claim = Claim {
     id: "location-of-rays",
     place: Place { section: "5.2", label: "proof of Corollary 5.4" },
     kind: ClaimKind::Correction(Correction::MissingCondition),
-    statement: "The intersection of a ray with the boundary can be reduced to point location in the boundary's map to a \
-        sphere, with the same technique and bound",
+    statement: "The intersection of a ray with the boundary can be reduced to point location in the boundary's map to \
+        a sphere, with the same technique and bound",
     remedy: Some(
         "one step is missing: the silhouette is star-shaped from the centre, so the side test works for rays; off the \
             span of a flat zonotope the distance is infinite",

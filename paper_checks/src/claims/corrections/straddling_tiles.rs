@@ -17,8 +17,8 @@ pub static CLAIM: Claim = Claim {
     id: "tiles-of-cutting-lines",
     place: Place { section: "5.2", label: "proof of Lemma 5.3" },
     kind: ClaimKind::Correction(Correction::Erratum),
-    statement: "The line-trapezoid incidence relationship in the cutting is preserved by its map to the tiling, so the lines \
-        that cross a trapezoid tell the tile of a point in its cell",
+    statement: "The line-trapezoid incidence relationship in the cutting is preserved by its map to the tiling, so \
+        the lines that cross a trapezoid tell the tile of a point in its cell",
     remedy: Some(
         "a tile of a sampled line can straddle cells: keep the boundary lines of a trapezoid among its crossing \
             lines; or decide of every query whether its optimum is on a cut, and answer it there",

@@ -13,8 +13,9 @@ pub static CLAIM: Claim = Claim {
     statement: "The slope selection algorithm gives a vertical line that separates the candidate vertices into two \
         subsets of equal size",
     remedy: Some(
-        "true when the candidate vertices have different x and no line l_t is vertical; else many vertices can share an x, and l_t can be vertical: put the line through the median vertex and discard the \
-            vertices on it as well",
+        "true when the candidate vertices have different x and no line l_t is vertical; else many vertices can share \
+            an x, and l_t can be vertical: put the line through the median vertex and discard the vertices on it as \
+            well",
     ),
     code: &["zonotope::lad::of_lines::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["search-of-theorem-4-5"],

@@ -16,8 +16,8 @@ pub static CLAIM: Claim = Claim {
         property tells on which side of a line the global minimum is",
     remedy: Some(
         "true when unimodal means that the function falls strictly to its minimum and rises strictly from it, which is \
-            not said, and f has flat pieces; what serves is that f is convex, being a sum of hinges: then a point that is least on its line and has a zero subgradient is a \
-            global minimum",
+            not said, and f has flat pieces; what serves is that f is convex, being a sum of hinges: then a point \
+            that is least on its line and has a zero subgradient is a global minimum",
     ),
     code: &["zonotope::lad"],
     check: Check::Run(check),

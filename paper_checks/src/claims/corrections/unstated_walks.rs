@@ -10,11 +10,11 @@ pub static CLAIM: Claim = Claim {
     id: "neighbours-of-a-face",
     place: Place { section: "5.2", label: "Lemma 5.6" },
     kind: ClaimKind::Correction(Correction::MissingCondition),
-    statement: "On each face of the tiling there are four choices of a neighbour, which are the neighbours of the dual vertex \
-        in the arrangement",
+    statement: "On each face of the tiling there are four choices of a neighbour, which are the neighbours of the \
+        dual vertex in the arrangement",
     remedy: Some(
-        "true of a face that has four neighbours in the tiling: past the last vertex of a dual line an unbounded edge of \
-            the arrangement leads from the upper hull to the antipodal facet; without the paper's assumption of \
+        "true of a face that has four neighbours in the tiling: past the last vertex of a dual line an unbounded edge \
+            of the arrangement leads from the upper hull to the antipodal facet; without the paper's assumption of \
             independent generators a facet has more than four neighbours",
     ),
     code: &["zonotope::arrangement::facet_walk"],

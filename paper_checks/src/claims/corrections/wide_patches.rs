@@ -14,8 +14,8 @@ pub static CLAIM: Claim = Claim {
     id: "width-of-patches",
     place: Place { section: "5.2", label: "proof of Lemma 5.5" },
     kind: ClaimKind::Correction(Correction::MissingCondition),
-    statement: "The hemisphere is subdivided into k patches so that the angle between two points of a patch is O(1/sqrt(k)), \
-        and B contains A",
+    statement: "The hemisphere is subdivided into k patches so that the angle between two points of a patch is \
+        O(1/sqrt(k)), and B contains A",
     remedy: Some(
         "patches must stay below 90 degrees so that every v_i . n_j >= 0: v = (10,0,1) and (-10,0,1) with n = (1,0,0) \
             lose (20,0,0)",

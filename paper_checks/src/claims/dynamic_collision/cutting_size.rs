@@ -13,7 +13,8 @@ pub static CLAIM: Claim = Claim {
     id: "cutting-size",
     place: Place { section: "5.2", label: "proof of Lemma 5.3" },
     kind: ClaimKind::Statement,
-    statement: "A (1/r)-cutting of the dual lines has O(r^2) interior disjoint trapezoids, each crossed by O(n/r) lines",
+    statement: "A (1/r)-cutting of the dual lines has O(r^2) interior disjoint trapezoids, each crossed by O(n/r) \
+        lines",
     code: &["zonotope::arrangement::cutting"],
     check: Check::Run(check),
     tried: Tried::On(FAMILIES),

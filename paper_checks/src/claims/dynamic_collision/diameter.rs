@@ -38,8 +38,8 @@ fn check(context: &CheckContext) -> Verdict {
         }
     }
     Verdict::Holds(format!(
-        "of {} bodies, flat and empty ones among them, twice the largest reach along an axis is at least 2/3 of a bound \
-         from above of the total length",
+        "of {} bodies, flat and empty ones among them, twice the largest reach along an axis is at least 2/3 of a \
+         bound from above of the total length",
         instances.len()
     ))
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod arrangement_trade_off;
 pub(crate) mod ball_approximation;
+pub(crate) mod closest_pair;
 pub(crate) mod convex_approximation;
 pub(crate) mod corollary_5_4;
 pub(crate) mod cutting_size;

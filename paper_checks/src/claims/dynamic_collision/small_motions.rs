@@ -11,8 +11,8 @@ pub static CLAIM: Claim = Claim {
     id: "small-motions",
     place: Place { section: "5.2", label: "local walking method" },
     kind: ClaimKind::Statement,
-    statement: "If the motion is small, the closest pair of features is not far from that of the previous step, and the \
-        walk terminates in a small number of steps",
+    statement: "If the motion is small, the closest pair of features is not far from that of the previous step, and \
+        the walk terminates in a small number of steps",
     code: &["zonotope::arrangement::facet_walk"],
     check: Check::Run(check),
     tried: Tried::On(&["random bodies"]),

@@ -22,8 +22,8 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// Projected from the centre to the plane z = 1, a crossing of circles on the upper half of the sphere is on the line of
-/// a generator, above or below it, just when it was on its circle, before or behind it.
+/// Projected from the centre to the plane z = 1, a crossing of circles on the upper half of the sphere is on the line
+/// of a generator, above or below it, just when it was on its circle, before or behind it.
 fn check(context: &CheckContext) -> Verdict {
     let mut random = generator(context.seed, 102);
     let (mut crossings, mut sides, mut seen) = (0, 0, 0);

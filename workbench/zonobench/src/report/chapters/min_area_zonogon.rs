@@ -66,8 +66,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How much larger than the hull the smallest zonogon is, around real outlines and around anything, and how well that is
-/// proved.
+/// How much larger than the hull the smallest zonogon is, around real outlines and around anything, and how well that
+/// is proved.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let of = |value| {
         outlines().iter().filter_map(move |outline| {

@@ -95,9 +95,9 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
     let overall = |value| found.extremes("enclosing-quality", "within_1e-2", Quantity::Value(value), words::plain);
     let ([_, ratio], [_, volume]) = (overall("ratio")?, overall("volume_ratio")?);
     Some(format!(
-        "Around {} meshes the zonotopes have {least:.2} to {greatest:.2} times the volume of the convex hull, and boxes \
-         along the axes {least_box:.2} to {greatest_box:.2} times; over all inputs the volume is at most {} times that \
-         of the hull, and the total length is proved to be at most {} times the least.",
+        "Around {} meshes the zonotopes have {least:.2} to {greatest:.2} times the volume of the convex hull, and \
+         boxes along the axes {least_box:.2} to {greatest_box:.2} times; over all inputs the volume is at most {} \
+         times that of the hull, and the total length is proved to be at most {} times the least.",
         of("ratio").count(),
         words::at(&volume),
         words::at(&ratio)
