@@ -6,6 +6,7 @@
 //!   stable seeds.
 //! - [`peers`]: the methods of other libraries beside ours, as a record and its tables.
 //! - [`fit`]: growth laws with intervals and model comparison; [`analysis`]: from records to fits.
+//! - [`findings`]: sentences about what was measured, made from records; [`measured`]: the numbers in them.
 //!
 //! `METHODOLOGY.md` in this crate's folder says how things are measured, and what the numbers cannot tell.
 
@@ -16,7 +17,9 @@ pub mod definition;
 pub mod definitions;
 pub mod environment;
 pub mod families;
+pub mod findings;
 pub mod fit;
+pub mod measured;
 pub mod peers;
 pub mod record;
 pub mod runner;

@@ -117,3 +117,28 @@ fn text_is_on_the_page() {
         }
     }
 }
+
+/// A result in a caption would be held by nothing and stay when the records change; results are in the report's
+/// findings.
+#[test]
+fn captions_say_what_is_drawn_and_state_no_result() {
+    let results = [
+        "falls like",
+        "grows like",
+        "half as much",
+        "better than",
+        "is wrong",
+        "are wrong",
+        "bounded number",
+        "faster",
+        "quicker",
+        "reads less",
+        "do not grow",
+        "same optimum",
+        "is bound by",
+    ];
+    for figure in FIGURES {
+        let found = results.iter().find(|words| figure.caption.contains(**words));
+        assert!(found.is_none(), "{}: “{}” states a result", figure.id, found.unwrap_or(&""));
+    }
+}

@@ -1,5 +1,7 @@
 //! Claims of the paper: their parts, the input of their checks, and the verdicts that a check returns.
 
+use std::collections::BTreeSet;
+
 use experiments::catalog::EXPERIMENTS;
 
 /// One statement of the paper, or one correction to it.
@@ -11,9 +13,10 @@ pub struct Claim {
     pub place: Place,
     /// The sort of the statement.
     pub kind: ClaimKind,
-    /// The statement, in our own words; for a correction, the paper's statement as it stands.
+    /// The statement, in our own words; for a correction or a note, what the paper says at the place.
     pub statement: &'static str,
-    /// The statement that holds instead, or what to do, where the paper is wrong, silent or weaker than the truth.
+    /// The statement that holds instead, or what to do, where the paper is wrong, silent or weaker than the truth; for
+    /// a note, the note.
     pub remedy: Option<&'static str>,
     /// The modules that implement the statement, as Rust paths.
     pub code: &'static [&'static str],
@@ -21,6 +24,8 @@ pub struct Claim {
     pub figures: &'static [&'static str],
     /// The check of the claim.
     pub check: Check,
+    /// The instances on which the check tries the statement.
+    pub tried: Tried,
 }
 
 impl Claim {
@@ -34,6 +39,7 @@ impl Claim {
         code: &[],
         figures: &[],
         check: Check::NotYetImplemented,
+        tried: Tried::Nothing,
     };
 
     /// Ids of the experiments that measure the claim: those that name it.
@@ -67,9 +73,12 @@ pub enum ClaimKind {
     Figure,
     /// An open question of the conclusions.
     OpenQuestion,
-    /// A place where the paper is wrong, silent or too weak: the claim is the paper's version, and refuting it says
-    /// what of this sort has to be corrected.
+    /// A place where the paper is wrong or leaves out a condition: the statement is the paper's, and its refutation
+    /// says what of this sort has to be corrected.
     Correction(Correction),
+    /// A place where what the paper says, or an assumption that it states, is right and a program has to know more. The
+    /// check is one of the remark.
+    Note,
 }
 
 /// What a reader of the paper has to correct at a place.
@@ -77,11 +86,36 @@ pub enum ClaimKind {
 pub enum Correction {
     /// What is printed is false: a formula, a rule, or a step of an argument.
     Erratum,
-    /// What is printed is true once a condition or a step is added that the paper leaves out.
+    /// What is printed is true once a condition or a step is added that the paper leaves out and does not assume.
     MissingCondition,
-    /// What is printed is true in exact arithmetic and good enough for the paper's bound, and a program has to take
-    /// care or can do better.
-    ImplementationNote,
+}
+
+/// The instances on which a check tries a statement: they say how far its "holds" reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tried {
+    /// None: the claim has no check, or has that of another claim.
+    Nothing,
+    /// One instance decides: the statement is that there is one, or it is about one object, or an instance refutes it.
+    Witness,
+    /// Instances of the one kind that the statement is about.
+    Scope(&'static str),
+    /// Instances of these kinds.
+    On(&'static [&'static str]),
+    /// The result is tried on several kinds, the growth of its cost on these. Experiments that measured the growth on
+    /// families of their own add to them.
+    Growth(&'static [&'static str]),
+}
+
+impl Tried {
+    /// The kind of instances that a statement on more than that was tried on alone, beside those that experiments
+    /// measured.
+    pub fn alone(self, measured: &BTreeSet<&'static str>) -> Option<&'static str> {
+        match self {
+            Self::On([kind]) => Some(kind),
+            Self::Growth([kind]) if measured.len() < 2 => Some(kind),
+            _ => None,
+        }
+    }
 }
 
 /// The check of a claim.
@@ -117,6 +151,12 @@ impl CheckContext {
         let experiments = claim.experiments();
         self.measurements.iter().filter(|measurement| experiments.contains(&measurement.experiment.as_str())).collect()
     }
+
+    /// The families on which measurements agree with a claim.
+    pub fn families_for(&self, claim: &Claim) -> BTreeSet<&'static str> {
+        let agreeing = self.measurements_for(claim).into_iter().filter(|measurement| measurement.agrees);
+        agreeing.flat_map(Measurement::families).collect()
+    }
 }
 
 /// A sentence that an experiment contributes to a claim.
@@ -132,11 +172,25 @@ pub struct Measurement {
     pub agrees: bool,
 }
 
+impl Measurement {
+    /// The families whose growth the experiment compares with a bound for this method.
+    fn families(&self) -> impl Iterator<Item = &'static str> {
+        let experiment = EXPERIMENTS.iter().find(|experiment| experiment.id == self.experiment);
+        let plans = experiment.into_iter().flat_map(|experiment| experiment.fits);
+        let own = plans.filter(|plan| plan.variant == self.method && plan.bound.is_some());
+        own.flat_map(|plan| plan.families).copied()
+    }
+}
+
 /// The finding of a check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The statement held wherever it was tried; the text says where.
     Holds(String),
+    /// The statement held, and instances of one kind alone were tried; the text says which.
+    HoldsWhereTried(String),
+    /// A part of the statement held, or a part of the question is answered; the text says which, and what is left.
+    InPart(String),
     /// The statement is false; the text is the witness.
     Refuted(String),
     /// The check could not decide; the text says why.
@@ -147,7 +201,20 @@ impl Verdict {
     /// The evidence, witness or reason.
     pub fn evidence(&self) -> &str {
         match self {
-            Verdict::Holds(text) | Verdict::Refuted(text) | Verdict::Inconclusive(text) => text,
+            Verdict::Holds(text)
+            | Verdict::HoldsWhereTried(text)
+            | Verdict::InPart(text)
+            | Verdict::Refuted(text)
+            | Verdict::Inconclusive(text) => text,
+        }
+    }
+
+    /// The verdict as far as instances of one kind bear it.
+    #[must_use]
+    pub(crate) fn where_tried(self, kind: &str) -> Self {
+        match self {
+            Verdict::Holds(text) => Verdict::HoldsWhereTried(format!("{text}; tried on {kind} alone")),
+            other => other,
         }
     }
 }

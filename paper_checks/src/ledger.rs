@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::catalog::{self, CLAIMS};
-use crate::claim::{Check, CheckContext, Claim, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Verdict};
 use crate::finding::Finding;
 
 /// A claim with what its check found.
@@ -18,13 +18,16 @@ pub struct ClaimResult {
 impl ClaimResult {
     /// What was found.
     pub fn finding(&self) -> Finding {
-        Finding::of(self.claim.kind, self.verdict.as_ref())
+        Finding::of(self.claim, self.verdict.as_ref())
     }
 
     /// The evidence in one line: for a restatement, the claim that it restates.
     pub fn evidence(&self) -> String {
         match (&self.verdict, self.claim.check) {
-            (Some(_), Check::Restates(id)) => format!("restates `{id}`"),
+            (Some(verdict), Check::Restates(id)) => {
+                let original = catalog::find(id).map(|claim| Finding::of(claim, Some(verdict)).words());
+                format!("restates `{id}` ({})", original.unwrap_or_default())
+            }
             (Some(verdict), _) => verdict.evidence().to_owned(),
             (None, _) => String::new(),
         }
@@ -38,7 +41,13 @@ pub fn verdict(claim: &Claim, context: &CheckContext) -> Option<Verdict> {
     match claim.check {
         Check::NotYetImplemented => None,
         Check::Restates(id) => verdict(catalog::find(id)?, context),
-        Check::Run(check) => Some(check(context)),
+        Check::Run(check) => {
+            let verdict = check(context);
+            Some(match claim.tried.alone(&context.families_for(claim)) {
+                Some(kind) => verdict.where_tried(kind),
+                None => verdict,
+            })
+        }
     }
 }
 
@@ -69,19 +78,24 @@ fn tally(results: &[ClaimResult]) -> String {
             format!("{count} {}", finding.words())
         })
         .collect();
-    format!("{} claims:\n{}", results.len(), counts.join(", "))
+    let lines: Vec<String> = counts.chunks(6).map(|line| line.join(", ")).collect();
+    format!("{} claims:\n{}", results.len(), lines.join(",\n"))
 }
 
 /// The ledger as Markdown: claim, place, evidence, finding.
 pub fn markdown(results: &[ClaimResult]) -> String {
     let mut page = String::from(
         "# Claims\n\n\
-         Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003), with the evidence\n\
-         that the checks of this crate produce in exact arithmetic and what was found. An *erratum* is false as it is\n\
-         printed, with a witness; where a *condition* is *missing*, the statement is true once it is added; an\n\
-         *implementation note* is true on paper, and a program has to take care or can do better. Each of them says\n\
-         what to read instead; *refuted* would be a statement that nobody had listed as one to be corrected. The\n\
-         file is generated: `ZONOTOPE_BLESS=1 cargo test -p paper_checks` rewrites it.\n\n",
+         Every statement of \"Zonotopes as Bounding Volumes\" (Guibas, Nguyen, Zhang 2003) that can be true or false,\n\
+         with the evidence that the checks of this crate produce in exact arithmetic and what was found; remarks on\n\
+         other work and on what the authors do not know are left out. Each claim is counted once:\n\n",
+    );
+    for finding in Finding::ALL {
+        page.push_str(&format!("- *{}*: the claim {}.\n", finding.words(), finding.meaning()));
+    }
+    page.push_str(
+        "\nA correction or note says what to read instead. The file is generated: \
+         `ZONOTOPE_BLESS=1 cargo test -p paper_checks`\nrewrites it.\n\n",
     );
     let mut line = |text: std::fmt::Arguments| {
         writeln!(page, "{text}").expect("because writing to a string does not fail");
@@ -112,7 +126,8 @@ fn evidence_cell(result: &ClaimResult) -> String {
         parts.push(cell(&evidence));
     }
     if let Some(remedy) = claim.remedy {
-        parts.push(format!("*Instead:* {}", cell(remedy)));
+        let word = if claim.kind == ClaimKind::Note { "Note" } else { "Instead" };
+        parts.push(format!("*{word}:* {}", cell(remedy)));
     }
     let experiments = claim.experiments();
     for (title, names) in [("Code", claim.code), ("Experiments", &experiments), ("Figures", claim.figures)] {

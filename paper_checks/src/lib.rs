@@ -27,6 +27,6 @@ pub mod instances;
 mod ledger;
 mod proofs;
 
-pub use claim::{Check, CheckContext, Claim, ClaimKind, Correction, Measurement, Place, Verdict};
+pub use claim::{Check, CheckContext, Claim, ClaimKind, Correction, Measurement, Place, Tried, Verdict};
 pub use finding::Finding;
 pub use ledger::{ClaimResult, markdown, run, text, verdict};

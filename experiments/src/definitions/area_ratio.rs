@@ -9,10 +9,9 @@ use zonotope::tally::OperationCounts;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "area-ratio",
     title: "Minimum-area enclosing zonogon: area against the hull",
-    question: "The ratio is 2 for every triangle and 1 for a centrally symmetric hull; no input exceeds 2. Points on a \
-               circle come near 1 as their number grows; country outlines lie in between. `relative_gap` is the \
-               certified distance from the optimum.",
-    claims: &["theorem-4.5", "erratum-4.1-vertex", "fixed-center-optimum"],
+    question: "How much larger than the convex hull is the smallest zonogon around each input? `area_ratio` is the \
+               ratio of the areas, `relative_gap` the certified distance from the optimum.",
+    claims: &["theorem-4.5", "flat-point-sets", "fixed-center-optimum"],
     families: &[
         "circle",
         "ellipse",

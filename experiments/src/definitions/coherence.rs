@@ -42,13 +42,13 @@ const SIZES: PerProfile<&[usize]> = PerProfile {
 pub const EXPERIMENT: Experiment = Experiment {
     id: "coherence",
     title: "Tracking: a frame against the speed of motion",
-    question: "A body of 1,024 generators goes around another one, apart from it by a thousandth of the distance of \
-               touching and then as deep in it; n is the number of frames that a whole turn would take, so that \
-               larger n is slower motion, and each run has 100 frames. `reads` a frame: a fresh query reads all \
-               generators whatever the speed, one to trees over directions, built once, a part of them, the kernel \
-               that begins with the last frame's optimum fewer the slower the motion is. `steps` a frame: walking \
-               crosses as many edges as the motion passes over. All frames have the status of the construction; of \
-               each tenth the proof is checked.",
+    question: "What does a frame of a motion cost, against its speed? A body of 1,024 generators goes around another \
+               one, apart from it by the part 1e-3 of the distance of touching and then as deep in it; n is the \
+               number of frames that a whole turn would take, so that the speed is one over n, and each run has 100 \
+               frames. `reads` a frame are generators and lines that are read: by a fresh query, by one to trees \
+               over directions that are built once, and by the kernel that begins with the last frame's optimum. \
+               `steps` a frame are the edges that walking crosses. The status of each frame is compared with the \
+               construction, and of one frame in 10 the proof is checked.",
     claims: &["local-walk", "summary-repeated-tests"],
     families: FAMILIES,
     real_inputs: &[],

@@ -17,14 +17,14 @@ const POINTS: usize = 400;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "directions-scaling",
     title: "Along given directions: growth with the number of directions",
-    question: "n is the number k of directions; 400 points in two, three and four dimensions. Rows of the linear \
-               programs: with all normals 2 C(k, d - 1), in the paper's program 2 C(k, d - 1) (2k + d) at most, O(k^d) \
-               (fewer where the extreme points run out: there are 400 points, and in a ball few of them on the hull): \
-               `share_of_bound` is what is used of these, and may not grow; with normals as they are needed a few \
-               times k + d. The time of Theorem 4.6 in counts: `share_of_scan` is the points read over n C(k, d - 1), \
-               a read for each point and normal, and `share_of_program` the entries that the engine reads in its \
-               steps over k^(2d), the k^O(d) of the theorem with a constant that was fixed beforehand. All three reach \
-               the same optimum: `relative_gap` is the proven distance from it.",
+    question: "How many rows have the linear programs, and what does Theorem 4.6 cost in counts? n is the number k of \
+               directions; there are 400 points in two, three and four dimensions. `rows` are those of the program \
+               with all normals, of the paper's program, and of the one with normals as they are needed; \
+               `share_of_bound` is the part of the rows that the number of normals allows, which is smaller where the \
+               extreme points run out; `share_of_scan` the points read over n C(k, d - 1), a read for each point and \
+               normal; `share_of_program` the entries that the engine reads in its steps over k^(2d), the k^O(d) of \
+               the theorem with a constant that was fixed beforehand. `relative_gap` is the proven distance from the \
+               optimum.",
     claims: &["theorem-4.6", "linear-program", "summary-fixed-directions"],
     families: FAMILIES,
     real_inputs: &[],

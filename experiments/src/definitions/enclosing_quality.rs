@@ -13,12 +13,11 @@ use zonotope::zonotope::{Zonotope, combinatorics};
 pub const EXPERIMENT: Experiment = Experiment {
     id: "enclosing-quality",
     title: "How well zonotopes enclose: solids, random hulls, meshes, flowers",
-    question: "The zonotope of (nearly) least total length around each input, of few generators within the ratio \
-               asked for; `ratio` is proven: its length over the lower bound for all zonotopes. `volume_ratio` and \
-               `box_volume_ratio` compare its volume and that of the box along the axes with the hull's. A zonotope is \
-               centrally symmetric, so a tetrahedron fares worst and the cube, a zonotope itself, has ratio 1; real \
-               meshes lie between. Whatever shares a hull shares the answer: only the hull's vertices count.",
-    claims: &["open-approximation-quality", "theorem-4.7"],
+    question: "How much longer and larger than necessary are zonotopes around each input? The zonotope is one of the \
+               least total length within the ratio asked for, of as few generators as are found; `ratio` is its \
+               length over a proven lower bound for all zonotopes. `volume_ratio` and `box_volume_ratio` compare its \
+               volume and that of the box along the axes with the hull's.",
+    claims: &["question-approximation-quality", "theorem-4.7"],
     families: &["ball_3", "sphere_3"],
     real_inputs: &[
         "tetrahedron",

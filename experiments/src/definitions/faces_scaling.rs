@@ -18,10 +18,9 @@ const SIZES: PerProfile<&[usize]> =
 pub const EXPERIMENT: Experiment = Experiment {
     id: "faces-scaling",
     title: "Explicit faces: growth with the number of generators",
-    question: "In general position there are n (n - 1) facets, so what is explicit is quadratic from the start; \
-               lattice bodies have fewer facets with more sides, parallel ones a number that does not grow. Values: \
-               vertices, edges, facets, and the sides of all facets. Euler's relation and that each edge borders two \
-               facets are checked.",
+    question: "How many faces have bodies of n generators, and what does it cost to list them? Values: vertices, \
+               edges, facets, and the sides of all facets. Euler's relation and that each edge borders two facets \
+               are checked.",
     claims: &["complexity-bound", "explicit-size", "variable-complexity"],
     families: &[
         "random_bodies",

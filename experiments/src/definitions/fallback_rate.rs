@@ -16,10 +16,9 @@ const NEAREST: [&str; 3] = ["inside_1e-12", "outside_1e-12", "touching"];
 pub const EXPERIMENT: Experiment = Experiment {
     id: "fallback-rate",
     title: "Collision: how often exact arithmetic is needed",
-    question: "Of the questions about random bodies with certified gaps of at least 1e-9 fewer than one in a hundred \
-               have a sign that floating point does not decide; at gaps of 1e-12 and in contact, on lattices and flat \
-               bodies many have. Values: questions asked, those with such a sign (`fallbacks`), both for gaps of at \
-               least 1e-9 alone (`asked_apart`, `fallbacks_apart`), and the exact signs a question (`signs`).",
+    question: "Of how many questions does floating point leave a sign undecided, so that exact arithmetic has to \
+               decide it? Values: questions asked, those with such a sign (`fallbacks`), both for gaps of 1e-9 and \
+               more alone (`asked_apart`, `fallbacks_apart`), and the exact signs a question (`signs`).",
     claims: &["theorem-5.2"],
     families: BODY_FAMILIES,
     real_inputs: &[],

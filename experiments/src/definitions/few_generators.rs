@@ -26,13 +26,12 @@ const QUICK_VERTICES: usize = 800;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "few-generators",
     title: "Zonotopes of few generators around meshes",
-    question: "The shortest zonotope that is found around a mesh with at most K generators: `ratio` is its length over \
-               a lower bound for zonotopes of any number, proven, and `volume_ratio` its exact volume over that of the \
-               hull. Three generators are a parallelepiped; the `excess` of the ratio over 1 falls like a power of K, \
-               and a dozen generators are within a few per cent for most meshes. That no zonotope with K generators is \
-               shorter is not proven. The first variant has the time of the bound, the others have that of the \
-               search alone.",
-    claims: &["open-generator-count"],
+    question: "How short is the shortest zonotope that is found around a mesh with K generators or fewer? `ratio` is \
+               its length over a lower bound for zonotopes of any number, proven, `excess` what the ratio exceeds \
+               that of equal lengths by, and `volume_ratio` its exact volume over that of the hull. That no zonotope \
+               with K generators is shorter is not proven. The first variant has the time of the bound, the others \
+               have that of the search alone.",
+    claims: &["question-generator-count"],
     families: &[],
     real_inputs: &MESHES,
     sizes: PerProfile::both(&[]),

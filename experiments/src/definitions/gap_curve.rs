@@ -28,11 +28,10 @@ pub const REACHED: [(f64, &str); 9] = [
 pub const EXPERIMENT: Experiment = Experiment {
     id: "gap-curve",
     title: "Least total length over all directions: the gap round by round",
-    question: "n points on a circle of the plane, and 3 n / 10 of them on a sphere of space: all of them on the hull. \
-               `rounds_to_1e-6` is the first round after which the length of the best zonotope so far is within a \
-               relative 1e-6 of the proven lower bound. In the plane a round is eight centres, and the gap closes by \
-               the same factor with each; in space it is a Newton step, slow until the points and sets that matter are \
-               there, and from then on a few steps for many digits.",
+    question: "In how many rounds does the gap between length and lower bound close? There are n points on a circle \
+               of the plane, and 3 n / 10 of them on a sphere of space: all of them on the hull. `rounds_to_1e-6` is \
+               the first round after which the length of the best zonotope so far is within a relative 1e-6 of the \
+               proven lower bound. In the plane a round is a number of centres, in space a Newton step.",
     claims: &["theorem-4.7", "summary-approximate-length"],
     families: &["sphere_2", "sphere_3"],
     real_inputs: &[],

@@ -9,10 +9,10 @@ use zonotope::tally::OperationCounts;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "gauge-passes",
     title: "Exact gauge: passes over the generators",
-    question: "The number of passes (generators read, and lines evaluated once few are left, divided by their number) \
-               does not grow with the number of generators, from 1,024 on. Smaller bodies are evaluated at once, each \
-               generator again and again, so that a law across both would be that of the change. It counts readings, \
-               not time: the table of peers has times in passes.",
+    question: "How often does the exact gauge read its input? `passes` are the generators read, and the lines \
+               evaluated once few generators are left, divided by the number of generators, from 1,024 on. Smaller \
+               bodies are evaluated at once, each generator again and again, so that a law across both would be that \
+               of the change. They count readings, not time: the table of peers has times in passes.",
     claims: &["theorem-5.2"],
     families: BODY_FAMILIES,
     real_inputs: &[],

@@ -26,11 +26,11 @@ const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_
 pub const EXPERIMENT: Experiment = Experiment {
     id: "hierarchy-levels",
     title: "Hierarchical method: levels against the gap between the bodies",
-    question: "Two bodies of 4,096 generators; n is 1/g where one is moved, from the distance at which they touch, by \
-               the part g of it, apart or into the other. `visited` pairs of levels grow like log n and `reads`, the \
-               generators that the kernel reads, with the number of generators of the level that tells, until all are \
-               read: `share_read` is the part. Every status is that of the construction, and every proof is one about \
-               the bodies themselves.",
+    question: "How far are two nested hierarchies descended, against the gap between the bodies? Two bodies of 4,096 \
+               generators; n is 1/g where one is moved, from the distance at which they touch, by the part g of it, \
+               apart or into the other. `visited` are pairs of levels, `reads` the generators that the kernel reads, \
+               `share_read` their part of all. Each status is compared with the construction, and each proof is one \
+               about the bodies themselves.",
     claims: &["summary-repeated-tests", "variable-complexity"],
     families: FAMILIES,
     real_inputs: &[],

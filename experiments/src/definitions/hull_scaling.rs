@@ -14,9 +14,8 @@ use zonotope::tally::{OperationCounts, Tally};
 pub const EXPERIMENT: Experiment = Experiment {
     id: "hull-scaling",
     title: "Convex hull: growth with the number of points",
-    question: "The orientation tests of the monotone chain stay below 3n on every family, with many points on the hull \
-               or few; gift wrapping needs n tests for each vertex of the hull, so it is quadratic when all points are \
-               on it. The sort of the monotone chain shows in the times alone.",
+    question: "How many orientation tests does each method need, with many points on the hull or few? The sort of \
+               the monotone chain shows in the times alone.",
     claims: &["hull-suffices"],
     families: SCALING_FAMILIES,
     real_inputs: &[],

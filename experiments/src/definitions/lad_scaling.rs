@@ -15,11 +15,10 @@ const FAMILIES: &[&str] = &["random_lines", "circle", "ellipse", "random_convex"
 pub const EXPERIMENT: Experiment = Experiment {
     id: "lad-scaling",
     title: "Least absolute deviations kernel: growth with the number of lines",
-    question: "The paper's search by slope selection grows like n log^2 n, and slower when all lines meet in one point \
-               (regular polygons). Pruning reads every line once or twice, a few hundred lines more often (line \
-               evaluations: like n), and works on parts besides, samples and remainders (part evaluations and \
-               comparisons: slower than n). The sum is O(n); it reads below n as long as the parts weigh. A line \
-               search costs O(n), and the number of searches grows like log n.",
+    question: "How do operations and time of each method grow with the number of lines, on random lines and on those \
+               of polygons, where all may meet in one point? `passes` are evaluations of the lines of the input over \
+               their number; `operations_on_parts` are those on samples and on what is left of the lines, which come \
+               on top.",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
     real_inputs: &[],

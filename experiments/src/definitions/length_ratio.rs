@@ -19,12 +19,12 @@ const SOLVED_NET: usize = 420;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "length-ratio",
     title: "Least total length over all directions: ratio and number of directions",
-    question: "n is 1 / epsilon; 24 points in two, three and four dimensions. `net_size` is the number of directions \
-               that guarantee the ratio 1 + epsilon: of order epsilon^-(d-1) in the paper's net, epsilon^-((d-1)/2) in \
-               the other. `excess` is what the answer proves of itself: its length over the proven lower bound, minus \
-               1; for a net it is far below epsilon, and for directions as they are needed it is at most epsilon with \
-               few of them. Nets of more than 420 directions are counted, not solved.",
-    claims: &["theorem-4.7", "direction-net", "erratum-4.3-containment", "summary-approximate-length"],
+    question: "How near to the least total length do nets and directions as they are needed come, and with how many \
+               directions? n is 1 / epsilon; there are 24 points in two, three and four dimensions. `net_size` is \
+               the number of directions that guarantee the ratio 1 + epsilon, `directions` that of those used. \
+               `excess` is what the answer proves of itself: its length over the proven lower bound, minus 1. Nets \
+               of more than 420 directions are counted, not solved.",
+    claims: &["theorem-4.7", "direction-net", "size-of-direction-net", "summary-approximate-length"],
     families: &["sphere_2", "sphere_3", "sphere_4"],
     real_inputs: &[],
     sizes: PerProfile::both(&[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024]),

@@ -15,9 +15,8 @@ use zonotope::tally::OperationCounts;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "min-area-scaling",
     title: "Minimum-area enclosing zonogon: growth with the number of points",
-    question: "With the paper's search the operations grow no faster than n log^2 n; with pruning no faster than the \
-               hull's n log n. The lap `hull` is the hull alone on the same points: with few points on the hull it is \
-               nearly all of `total`.",
+    question: "How do operations and time of the whole of finding the zonogon grow with the number of points, with \
+               each method of the kernel? The lap `hull` is the hull alone on the same points.",
     claims: &["theorem-4.5", "summary-min-area"],
     families: SCALING_FAMILIES,
     real_inputs: &[],

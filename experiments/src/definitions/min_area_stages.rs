@@ -19,11 +19,10 @@ const VERIFIED_SIZE: usize = 1 << 14;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "min-area-stages",
     title: "Minimum-area enclosing zonogon: cost of each stage",
-    question: "With few points on the hull and many beside them the hull is nearly the whole cost; with all of them on \
-               it the stages after the hull cost as much again and more. Laps: hull, antipodal, lines (their frame: \
-               the lines are made as the kernel reads them), kernel, and whole, the finished algorithm in one call; \
-               whole less the other four is the output (Z(O), rounding outward, lower bound). Values: operations of \
-               each stage.",
+    question: "What does each stage cost, with few points on the hull and with all of them on it? Laps: hull, \
+               antipodal, lines (their frame: the lines are made as the kernel reads them), kernel, and whole, the \
+               finished algorithm in one call; whole less the other four is the output (Z(O), rounding outward, \
+               lower bound). Values: operations of each stage.",
     claims: &["theorem-4.5"],
     families: SCALING_FAMILIES,
     real_inputs: &["airports", "canada"],

@@ -20,10 +20,9 @@ const DIRECTIONS: usize = 10;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "points-scaling",
     title: "Along given directions: growth with the number of points",
-    question: "Ten directions in space. The points are read a number of times that does not depend on how many there \
-               are: `passes`, and `point_read` over n. The other two forms read all points once for each of the 45 \
-               normals: the scan of Theorem 4.6, \
-               linear in n along given directions.",
+    question: "How often are the points read, against their number? There are 10 directions in space; `passes` are \
+               the readings of all points, and `point_read` the points read. Two forms scan all points for each of \
+               the 45 normals, as Theorem 4.6 does.",
     claims: &["theorem-4.6"],
     families: FAMILIES,
     real_inputs: &[],

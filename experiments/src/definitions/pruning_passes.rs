@@ -10,10 +10,9 @@ const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines",
 pub const EXPERIMENT: Experiment = Experiment {
     id: "pruning-passes",
     title: "Pruning: passes over the lines",
-    question: "The number of passes over the input (evaluations of its lines divided by their number) is bounded: one, \
-               or two when the first cell misses the optimum; among a few hundred lines it may take up to about a \
-               dozen. What is done on samples and on what cells leave over comes on top: operations on parts, in the \
-               experiment on growth.",
+    question: "How often does pruning read its input? `passes` are evaluations of the lines of the input over their \
+               number. What is done on samples and on what cells leave over comes on top: operations on parts, in \
+               the experiment on growth.",
     claims: &["theorem-4.5"],
     families: FAMILIES,
     real_inputs: &[],

@@ -20,13 +20,11 @@ const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_
 pub const EXPERIMENT: Experiment = Experiment {
     id: "query-trade-off",
     title: "Repeated queries: time against space",
-    question: "n is the space m that Lemma 5.3 is given, from as many units as the body has generators (1,024) up. \
-               A query finds a trapezoid of the cutting, `to_find_it`, and looks at the generators that cross it, \
-               `in_trapezoid`: the latter falls like 1 / m. What it takes to find the trapezoid is bounded by log^2 n \
-               and hardly depends on m, so `operations`, the sum of both, fall more slowly once it prevails; they stay \
-               within the bound (n^2 / m) log^2 n, of which `share_of_bound` is the part that is used. `bytes_a_unit` \
-               of m rise from next to nothing at m = n, where there is one trapezoid, to a constant. Every answer \
-               agrees with the question's construction, and its proof is checked.",
+    question: "What does a query cost against the space of its structure? n is the space m that Lemma 5.3 is given, \
+               from as many units as the body has generators (1,024) up. A query finds a trapezoid of the cutting, \
+               `to_find_it`, and looks at the generators that cross it, `in_trapezoid`; `operations` are the sum of \
+               both, `share_of_bound` their part of (n^2 / m) log^2 n, and `bytes_a_unit` the bytes over m. Each \
+               answer is compared with the question's construction, and its proof is checked.",
     claims: &["lemma-5.3", "corollary-5.4"],
     families: FAMILIES,
     real_inputs: &[],

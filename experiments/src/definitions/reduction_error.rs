@@ -22,12 +22,11 @@ const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "lattice_bod
 pub const EXPERIMENT: Experiment = Experiment {
     id: "reduction-error",
     title: "Order reduction: error against generators",
-    question: "n is the number k of generators that a body of 1,000 is reduced to; `error` is the proven upper bound \
-               of the Hausdorff distance in terms of the diameter, `error_from_below` the lower one. Lemma 5.5's \
-               patches fall in steps, as a grid needs so many generators and its error is that of the grid; an \
-               experiment of its own has the law. Fitted cluster sums fall faster than 1 / k, near to the k^(-5/4) \
-               that is the best for a ball; the usual rules hardly fall before k is near the number of generators. \
-               Every reduction is proved to contain the body.",
+    question: "How far from the body is each rule's reduction, against the number of generators? n is the number k \
+               of generators that a body of 1,000 is reduced to; `error` is the proven upper bound of the Hausdorff \
+               distance in terms of the diameter, `error_from_below` the lower one. Each reduction has to contain \
+               the body, which is decided exactly. The law of Lemma 5.5 has an experiment of its own, as its patches take the \
+               counts of grids alone.",
     claims: &["lemma-5.5", "ball-approximation", "zonoid-approximation", "variable-complexity"],
     families: FAMILIES,
     real_inputs: &[],

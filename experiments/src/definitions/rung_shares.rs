@@ -13,11 +13,11 @@ const QUESTIONS: u32 = 44;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "rung-shares",
     title: "Collision: which rung of the ladder answers",
-    question: "Several methods can answer a question of collision; they are tried from the cheapest to the one that \
-               always answers. For each family and size the values are the answers of each rung over questions at \
-               every distance from the boundary. A location may be told early, and then has no optimum; each location \
-               of generators in space has one proof. A rung of doubles that never answers on any family earns nothing; \
-               an exact rung that answers often is what the family pays for.",
+    question: "Which rung of the ladder answers? Several methods can answer a question of collision; they are tried \
+               from the cheapest to the one that answers all. For each family and size the values are the answers of \
+               each rung over questions at several distances from the boundary. A location may be told early, and \
+               then has no optimum; each location of generators in space has one proof. A rung of doubles earns its \
+               place by answers; those of an exact rung are what the family pays for.",
     claims: &[],
     families: BODY_FAMILIES,
     real_inputs: &[],

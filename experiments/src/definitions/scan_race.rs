@@ -22,10 +22,10 @@ const SCAN: &str = "extreme_point_scan";
 pub const EXPERIMENT: Experiment = Experiment {
     id: "scan-race",
     title: "Along 50 directions: the zonotope in less time than the paper's scan of the points",
-    question: "Fifty directions in space have 1225 facet normals, and the paper reads all points along each of them \
-               before its linear program begins. With normals as they are needed the points are read a few times, and \
-               the whole answer, proofs included, takes less time than that scan: compare `total` of the two variants. \
-               `extreme_points` is what the scan finds; every force of the other answer acts at one of them.",
+    question: "Does the whole answer take less time than the paper's scan of the points alone? The paper reads all \
+               points along each facet normal of 50 directions in space before its linear program begins; with \
+               normals as they are needed the answer, proofs included, stands beside that scan: compare `total` of \
+               the two variants. `extreme_points` is what the scan finds.",
     claims: &["theorem-4.6", "extreme-points-suffice"],
     families: &["ball_3", "sphere_3"],
     real_inputs: &[],

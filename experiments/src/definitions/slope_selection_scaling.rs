@@ -21,8 +21,8 @@ const TWIN_LIMIT: usize = 1 << 8;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "slope-selection-scaling",
     title: "Slope selection: growth with the number of lines",
-    question: "The median vertex among about n^2 / 2 is found with operations that grow like n log n, on ordinary \
-               lines and on degenerate ones.",
+    question: "How do operations and time of finding the median vertex of n lines grow, on ordinary lines and on \
+               degenerate ones?",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
     real_inputs: &[],

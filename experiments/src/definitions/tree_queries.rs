@@ -19,11 +19,9 @@ const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "polar_bodie
 pub const EXPERIMENT: Experiment = Experiment {
     id: "direction-tree-queries",
     title: "Repeated queries: a tree over directions",
-    question: "The exact gauge, asked again and again about one body that stays: a tree over the directions of its \
-               generators reads about as many nodes and generators as the square root of their number, `reads` a \
-               query; the kernel without a tree reads all, some of them more than once. Where a body is thin, \
-               nodes tell little and the tree reads more. Every answer agrees with the question's construction, and \
-               its proof is checked.",
+    question: "What does a query read to a tree over the directions of the generators, of a body that stays and is \
+               asked about again and again, and what does the kernel read without a tree? `reads` a query are nodes \
+               and generators. Each answer is compared with the question's construction, and its proof is checked.",
     claims: &["corollary-5.4"],
     families: FAMILIES,
     real_inputs: &[],

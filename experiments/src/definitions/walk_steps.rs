@@ -22,10 +22,9 @@ const SIZES: PerProfile<&[usize]> = PerProfile {
 pub const EXPERIMENT: Experiment = Experiment {
     id: "walk-steps",
     title: "Walking from facet to facet: time of a step",
-    question: "A thousand steps over the boundary, across edges that lead on and around the body: with dynamic hulls a \
-               step takes O(log^2 n), by a pass over the generators O(n). The pass is eight generators wide, so it is \
-               ahead up to some thousand generators. `bytes` are what the hulls hold, linear in n. The walks of both \
-               methods visit the same facets.",
+    question: "What does a step from facet to facet cost, by dynamic hulls and by a pass over the generators? There \
+               are 1,000 steps over the boundary, across edges that lead on and around the body; `bytes` are what \
+               the hulls hold. The facets that the walks of both methods visit are compared.",
     claims: &["lemma-5.6"],
     families: FAMILIES,
     real_inputs: &[],

@@ -13,12 +13,12 @@ const QUESTIONS: u32 = 10;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "wrong-answers",
     title: "Collision: wrong answers, method by method",
-    question: "The truth of every question is known from its construction. The exact methods are never wrong. GJK, \
-               which computes in floating point alone, is right on clear cases and fails near contact, the more the \
-               closer. The linear programs' engines are only believed where an exact proof succeeds, so they fail \
-               openly instead. Instance k asks about placement k: overlapping, separated, gaps of 1e-3, 1e-6, 1e-9 and \
-               1e-12 inside and outside, touching.",
-    claims: &["theorem-5.2", "erratum-5.1-difference"],
+    question: "How many answers of each method are wrong or missing? The truth of each question is known from its \
+               construction. GJK is our own, and computes in floating point alone; the linear programs' engines are \
+               only believed where an exact proof succeeds, so they fail openly instead of being wrong. Instance k \
+               asks about placement k: overlapping, separated, gaps of 1e-3, 1e-6, 1e-9 and 1e-12 inside and \
+               outside, touching.",
+    claims: &["theorem-5.2", "difference-of-centers"],
     families: BODY_FAMILIES,
     real_inputs: &[],
     sizes: PerProfile { quick: &[6, 32], full: &[6, 16, 32, 64, 256, 1 << 10] },
@@ -27,7 +27,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         Variant { id: "by_lad", title: "Kernel", largest: PerProfile::both(usize::MAX) },
         Variant { id: "by_slope_selection", title: "Theorem 5.2", largest: PerProfile::both(256) },
         Variant { id: "by_explicit_faces", title: "Explicit faces", largest: PerProfile::both(64) },
-        Variant { id: "by_gjk", title: "GJK in floating point", largest: PerProfile::both(usize::MAX) },
+        Variant { id: "by_gjk", title: "Our GJK in floating point", largest: PerProfile::both(usize::MAX) },
         Variant { id: "clarabel", title: "Linear program, proof from clarabel's guess", largest: PerProfile::both(64) },
         Variant { id: "microlp", title: "Linear program, proof from microlp's guess", largest: PerProfile::both(64) },
     ],

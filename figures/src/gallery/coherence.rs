@@ -11,8 +11,8 @@ pub const FIGURE: Figure = Figure {
     title: "A frame of a motion: generators read",
     caption: "One random body of 1,024 generators goes around another one, a thousandth of the distance of touching \
               apart and then as deep in it: generators and lines read in a frame, against the number of frames in a \
-              turn. A fresh query does not see the speed, and to trees over directions, built once, it reads about \
-              half as much; the kernel that begins with the last frame's optimum reads less the slower the motion is.",
+              turn. The queries are fresh ones, fresh ones to trees over directions that are built once, and \
+              those of the kernel that begins with the last frame's optimum.",
     claims: &["summary-repeated-tests", "local-walk"],
     experiments: &[coherence::EXPERIMENT.id],
     deterministic: true,

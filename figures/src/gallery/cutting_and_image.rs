@@ -20,7 +20,7 @@ pub const FIGURE: Figure = Figure {
               four corners of a tile are dual to the four faces around its crossing: the tile of a crossing within a \
               trapezoid has one colour, that of a crossing on the side of a trapezoid straddles the images of the \
               neighbours.",
-    claims: &["lemma-5.3", "erratum-5.2-lemma-5.3"],
+    claims: &["lemma-5.3", "tiles-of-cutting-lines"],
     experiments: &[],
     deterministic: true,
     draw,

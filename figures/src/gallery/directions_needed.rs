@@ -13,7 +13,7 @@ pub const FIGURE: Figure = Figure {
               of all: of order ε to the power −(d − 1) in the paper's net, which lets the axes carry what a generator \
               is off its direction; −(d − 1)/2 when generators are combinations of the corners of their cell. The \
               colour tells the net, the shape of the mark the dimension.",
-    claims: &["theorem-4.7", "direction-net", "erratum-4.3-containment"],
+    claims: &["theorem-4.7", "direction-net", "size-of-direction-net"],
     experiments: &[length_ratio::EXPERIMENT.id],
     deterministic: true,
     draw,

@@ -16,7 +16,7 @@ pub const FIGURE: Figure = Figure {
               relatively, than a proven lower bound for zonotopes of any number of generators, with the power law that \
               fits best and its exponent with the 95 % interval. The bound may be 0.1 % below the least length, so \
               that values near 0.001 say little.",
-    claims: &["open-generator-count"],
+    claims: &["question-generator-count"],
     experiments: &[EXPERIMENT.id],
     deterministic: true,
     draw,

@@ -13,9 +13,8 @@ pub const FIGURE: Figure = Figure {
     title: "Proven ratio against the precision asked for",
     caption: "For 24 points on a circle and on a sphere: by how much the length of the answer exceeds the lower bound \
               that it proves, relatively, against 1/ε, where 1 + ε is the ratio that was asked for. Below the line the \
-              promise is kept. Nets do far better than they promise; directions found as needed stop as soon as the \
-              bounds are near enough.",
-    claims: &["theorem-4.7", "erratum-4.3-containment"],
+              promise is kept. Directions found as needed stop as soon as the bounds are near enough.",
+    claims: &["theorem-4.7", "size-of-direction-net"],
     experiments: &[EXPERIMENT.id],
     deterministic: true,
     draw,

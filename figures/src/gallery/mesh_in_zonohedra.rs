@@ -22,7 +22,7 @@ pub const FIGURE: Figure = Figure {
               diagonals of an icosahedron, those of a dodecahedron with them, and the axes through the middles of \
               edges as well. Below each number the total length as a multiple of a lower bound for all directions, \
               proven by forces, and the volume as a multiple of that of the convex hull.",
-    claims: &["theorem-4.6", "structure-from-directions", "open-approximation-quality"],
+    claims: &["theorem-4.6", "structure-from-directions", "question-approximation-quality"],
     experiments: &[],
     deterministic: true,
     draw,

@@ -12,8 +12,7 @@ pub const FIGURE: Figure = Figure {
     id: "nested-hierarchy",
     title: "Nested levels of a body of 2,000 generators",
     caption: "The body and its levels, seen along an axis: each outer body contains the next finer one, and the inner \
-              ones, dashed, lie within the body. Two bodies that are far apart or deep in each other are told by the \
-              coarsest levels; the nearer they are to touching, the finer the levels that tell.",
+              ones, dashed, lie within the body.",
     claims: &["summary-repeated-tests", "variable-complexity"],
     experiments: &[],
     deterministic: true,

@@ -13,8 +13,7 @@ pub const FIGURE: Figure = Figure {
     id: "query-trade-off",
     title: "A query against the space that is spent on it",
     caption: "Bodies of 1,024 generators in structures of space m: operations of a query, as a whole, to find the \
-              trapezoid, and within it. What is done in the trapezoid falls like 1/m; what it takes to find it, at \
-              most log² n decisions of log n, does not.",
+              trapezoid, and within it.",
     claims: &["lemma-5.3", "corollary-5.4"],
     experiments: &[EXPERIMENT.id],
     deterministic: true,

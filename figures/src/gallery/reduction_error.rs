@@ -9,9 +9,9 @@ use experiments::definitions::reduction_error;
 pub const FIGURE: Figure = Figure {
     id: "reduction-error",
     title: "Error of a reduction to k generators",
-    caption: "A random body of 1,000 generators, nearly a ball: the proven upper bound of the Hausdorff distance, in \
-              diameters of the body, after each rule has reduced it to k generators. \
-              Girard's rule and the two below it in the legend lie on one line.",
+    caption: "A random body of 1,000 generators: the proven upper bound of the Hausdorff distance, in diameters of \
+              the body, after each rule has reduced it to k generators. Rules whose reductions are alike lie on one \
+              line.",
     claims: &["lemma-5.5", "zonoid-approximation"],
     experiments: &[reduction_error::EXPERIMENT.id],
     deterministic: true,

@@ -10,9 +10,8 @@ pub const FIGURE: Figure = Figure {
     id: "scaling-collision-operations",
     title: "Operations of the collision methods",
     caption: "Operations of each method for one question about a random body of n generators: just inside, with gaps \
-              of 1e-3 to 1e-12. The paper's search is bound by n log² n, explicit faces have n² to look at, and the \
-              kernel reads its input a bounded number of times. GJK, in floating point, is wrong on some of these. The \
-              curves are the growth model that fits best (a power law where none does); exponents have 95 % intervals.",
+              of 1e-3 to 1e-12. Our own GJK computes in floating point alone. The curves are the growth model that \
+              fits best (a power law where none does); exponents have 95 % intervals.",
     claims: &["theorem-5.2"],
     experiments: &[collision_scaling::EXPERIMENT.id],
     deterministic: true,

@@ -11,8 +11,8 @@ pub const FIGURE: Figure = Figure {
     title: "Time of the collision methods",
     caption: "Time of each method for one question about a random body of n generators: medians of several runs on \
               this machine. The legend says how many times the kernel's each takes at the largest size that was \
-              measured for both; explicit faces and the search cross where their curves do. GJK and the feasibility \
-              programs compute in floating point and are wrong on some of these.",
+              measured for both; explicit faces and the search cross where their curves do. Our own GJK and the \
+              feasibility programs compute in floating point.",
     claims: &["theorem-5.2"],
     experiments: &[collision_scaling::EXPERIMENT.id],
     deterministic: false,

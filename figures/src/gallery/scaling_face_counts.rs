@@ -10,7 +10,7 @@ pub const FIGURE: Figure = Figure {
     id: "scaling-face-counts",
     title: "Facets of a zonohedron",
     caption: "How many facets a body of n generators has: n(n − 1) in general position, fewer with more sides where \
-              many generators are coplanar, as on a lattice. The list of generators grows like n.",
+              many generators are coplanar, as on a lattice.",
     claims: &["face-count"],
     experiments: &[faces_scaling::EXPERIMENT.id],
     deterministic: true,

@@ -10,8 +10,7 @@ pub const FIGURE: Figure = Figure {
     id: "scaling-kernel-operations",
     title: "Operations of the kernel's methods",
     caption: "Operations of each method of the least absolute deviations kernel on random lines, with the growth model \
-              that fits best (a power law where none does) and the exponent with its 95 % interval. The paper's search \
-              by slope selection is bound by n log² n; pruning reads its input a bounded number of times.",
+              that fits best (a power law where none does) and the exponent with its 95 % interval.",
     claims: &["theorem-4.5", "halving-search"],
     experiments: &[lad_scaling::EXPERIMENT.id],
     deterministic: true,

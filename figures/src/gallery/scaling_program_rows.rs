@@ -10,7 +10,7 @@ pub const FIGURE: Figure = Figure {
     id: "scaling-program-rows",
     title: "Rows of the linear programs along k directions",
     caption: "400 points on a sphere of space: rows of the paper's program, of the one with an inequality for every \
-              facet normal, and of the one that finds normals as they are needed. All three reach the same optimum.",
+              facet normal, and of the one that finds normals as they are needed.",
     claims: &["theorem-4.6", "linear-program"],
     experiments: &[directions_scaling::EXPERIMENT.id],
     deterministic: true,

@@ -24,7 +24,7 @@ pub const FIGURE: Figure = Figure {
               in which f falls from there tell on which side the optimum lies; the candidates on the other side and on \
               the line are discarded, at least half of all. The search ends when the minimum on the line is the \
               minimum of f. Panels that say so are magnified.",
-    claims: &["theorem-4.5", "halving-search", "deciding-side", "erratum-4.1-coefficient", "erratum-4.1-ties"],
+    claims: &["theorem-4.5", "halving-search", "deciding-side", "coefficient-at-line-minimum", "ties-of-candidates"],
     experiments: &[],
     deterministic: true,
     draw,

@@ -15,7 +15,7 @@ pub const FIGURE: Figure = Figure {
               passes over the tiles one by one: from one panel to the next two consecutive steps of the chain change \
               places, around the tile that has been passed. The words below a panel are the order of the generators \
               from top to bottom.",
-    claims: &["separator-order", "separators", "erratum-5.1-separators"],
+    claims: &["separator-order", "separators", "separator-steps"],
     experiments: &[],
     deterministic: true,
     draw,

@@ -1,7 +1,7 @@
 //! One statement of the paper in each file, gathered by section.
 
+pub(crate) mod corrections;
 pub(crate) mod dynamic_collision;
-pub(crate) mod errata;
 pub(crate) mod fixed_directions;
 pub(crate) mod fundamentals;
 pub(crate) mod introduction;

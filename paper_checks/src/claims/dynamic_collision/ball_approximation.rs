@@ -4,7 +4,7 @@ use experiments::fit::GrowthModel;
 use zonotope::zonotope::Zonotope;
 use zonotope::zonotope::faces::{Faces, faces};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
 use crate::instances::sphere::spread_over_hemisphere;
 
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The unit ball of R^3 is within Hausdorff distance eps of a zonotope with O(1/eps) generators",
     code: &["zonotope::zonotope::faces", "zonotope::reduction"],
     check: Check::Run(check),
+    tried: Tried::Scope("the unit ball"),
     ..Claim::LISTED
 };
 

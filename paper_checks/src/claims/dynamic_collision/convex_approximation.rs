@@ -2,7 +2,7 @@
 
 use experiments::fit::GrowthModel;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
 use crate::instances::sphere::spread_over_sphere;
 
@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
         O(1/eps) vertices",
     code: &["zonotope::reduction"],
     check: Check::Run(check),
+    tried: Tried::On(&["ellipsoids"]),
     ..Claim::LISTED
 };
 

@@ -7,7 +7,7 @@ use zonotope::collision::prepared::{DirectionTree, by_cutting::PreparedByCutting
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::exactly;
 use crate::definitions::space::{Body, Vector};
 use crate::growth;
@@ -24,6 +24,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::collision::prepared::by_cutting", "zonotope::collision::prepared::by_direction_tree"],
     figures: &["query-trade-off"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random bodies"]),
     ..Claim::LISTED
 };
 

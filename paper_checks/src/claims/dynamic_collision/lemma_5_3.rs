@@ -7,7 +7,7 @@ use zonotope::collision::prepared::by_cutting::PreparedByCutting;
 use zonotope::tally::{Operation, OperationCounts};
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
 use crate::instances::bodies::{LocatedPoint, PLACES, bodies, bodies_in_general_position, located_point};
 use crate::instances::polygons::generator;
@@ -23,6 +23,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::collision::prepared::by_cutting", "zonotope::arrangement::cutting"],
     figures: &["cutting-and-image", "query-trade-off"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random bodies"]),
     ..Claim::LISTED
 };
 

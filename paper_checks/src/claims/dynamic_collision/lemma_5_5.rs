@@ -5,7 +5,7 @@ use zonotope::reduction::by_patches::{patch_count, patches_within};
 use zonotope::reduction::{contains, hausdorff::excess};
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
 use crate::instances::bodies::{doubles, random_vector};
 use crate::instances::polygons::generator;
@@ -20,6 +20,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::reduction::by_patches", "zonotope::reduction::hausdorff"],
     figures: &["reduction-error", "reductions"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random bodies"]),
     ..Claim::LISTED
 };
 

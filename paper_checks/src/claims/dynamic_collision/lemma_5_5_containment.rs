@@ -3,7 +3,7 @@
 use zonotope::reduction::by_patches::patches_within;
 use zonotope::reduction::contains;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{BodyInstance, random_vector};
 use crate::instances::polygons::generator;
@@ -17,6 +17,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::reduction::by_patches"],
     figures: &["reductions"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies"]),
     ..Claim::LISTED
 };
 

@@ -13,7 +13,7 @@ use zonotope::arrangement::facet_walk::{FacetWalk, HullWalk};
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::numeric::orientation::Turn;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::Body;
 use crate::growth;
 use crate::instances::bodies::{bodies_in_general_position, degenerate_bodies, doubles};
@@ -30,6 +30,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement::facet_walk", "zonotope::arrangement::dynamic_hull"],
     figures: &["facet-walk", "walk-steps"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["hulls of points in a parabola", "hulls of points in a square"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use zonotope::arrangement::facet_walk::{FacetWalk, HullWalk};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{bodies_in_general_position, degenerate_bodies, doubles, random_vector};
 use crate::instances::polygons::generator;
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement::facet_walk", "zonotope::collision::tracking"],
     figures: &["facet-walk", "tracked-features", "coherence"],
     check: Check::Run(check),
+    tried: Tried::On(&["bodies in general position", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

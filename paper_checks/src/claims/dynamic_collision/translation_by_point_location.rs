@@ -3,7 +3,7 @@
 use rand::RngExt;
 use zonotope::collision::prepared::DirectionTree;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{bodies, bodies_in_general_position, doubles, random_vector};
 use crate::instances::polygons::generator;
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "For bodies that only translate, repeated intersection tests are point locations in one Minkowski sum",
     code: &["zonotope::collision::prepared"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies", "bodies in general position"]),
     ..Claim::LISTED
 };
 

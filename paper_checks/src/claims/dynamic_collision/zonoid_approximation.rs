@@ -5,7 +5,7 @@ use rand_pcg::Pcg64Mcg;
 use zonotope::reduction::{Method, Problem, contains, hausdorff::excess};
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::instances::polygons::generator;
 
 /// The claim.
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::reduction::by_clusters"],
     figures: &["reduction-error"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies"]),
     ..Claim::LISTED
 };
 

@@ -6,7 +6,7 @@ use zonotope::enclosing::fixed_directions::FixedDirections;
 use zonotope::enclosing::fixed_directions::rational::min_length_in_rationals;
 
 use super::random_problem;
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::{doubles, extreme_points, facet_normals, least_length, rows};
 use crate::instances::polygons::generator;
 
@@ -20,6 +20,7 @@ pub static CLAIM: Claim = Claim {
     remedy: Some("for directions that span; see the correction for those that do not"),
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::papers_program"],
     check: Check::Run(check),
+    tried: Tried::On(&["random directions", "directions with parallel ones"]),
     ..Claim::LISTED
 };
 

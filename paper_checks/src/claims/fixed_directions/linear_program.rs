@@ -8,7 +8,7 @@ use zonotope::enclosing::fixed_directions::{
 use zonotope::linear_program::Clarabel;
 
 use super::random_problem;
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::{doubles, extreme_points, facet_normals, least_length, papers_program, rows};
 use crate::definitions::ratio::{exactly, integer};
 use crate::instances::polygons::generator;
@@ -32,6 +32,7 @@ pub static CLAIM: Claim = Claim {
     ],
     figures: &["zonogons-along-directions", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
+    tried: Tried::On(&["random directions", "directions with parallel ones"]),
 };
 
 /// The printed program on the extreme points and one inequality for each normal have one optimum; the library's three

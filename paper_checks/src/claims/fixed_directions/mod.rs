@@ -2,6 +2,7 @@
 
 pub(crate) mod extreme_points;
 pub(crate) mod linear_program;
+pub(crate) mod polynomial_time;
 pub(crate) mod structure_from_directions;
 pub(crate) mod theorem_4_6;
 

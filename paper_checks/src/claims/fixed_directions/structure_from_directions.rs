@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rand::RngExt;
 use zonotope::zonotope::combinatorics;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{BodyInstance, bodies, bodies_in_general_position};
 use crate::instances::polygons::generator;
@@ -23,6 +23,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope::faces", "zonotope::enclosing::fixed_directions"],
     figures: &["mesh-in-zonohedra"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies", "bodies in general position"]),
 };
 
 /// Bodies with their generators stretched by random factors: the same facets meet in the same vertices.

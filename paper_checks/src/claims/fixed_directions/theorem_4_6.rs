@@ -9,7 +9,7 @@ use zonotope::enclosing::fixed_directions::{
 use zonotope::linear_program::Clarabel;
 
 use super::random_problem;
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::{doubles, least_length, rows};
 use crate::definitions::ratio::{exactly, integer};
 use crate::growth::verdict;
@@ -26,6 +26,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::by_row_generation"],
     figures: &["zonogons-along-directions", "mesh-in-zonohedra", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["points on a sphere"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,6 @@
 //! The definition: a centre and generators.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::{fraction, integer};
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::random_vector;
@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
         p and generators v_i, and conversely",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
+    tried: Tried::On(&["random segments", "points"]),
     ..Claim::LISTED
 };
 

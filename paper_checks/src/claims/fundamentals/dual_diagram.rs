@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
 use crate::definitions::ratio::integer;
 use crate::definitions::space::Body;
@@ -21,6 +21,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
+    tried: Tried::Scope("bodies in general position"),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use zonotope::zonotope::combinatorics;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::instances::bodies::{are_independent, bodies, bodies_in_general_position};
 use crate::instances::polygons::generator;
 
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope::faces"],
     figures: &["scaling-face-counts"],
     check: Check::Run(check),
+    tried: Tried::On(&["bodies in general position", "random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, convex_hull, signed_area, turn};
 use crate::definitions::ratio::{fraction, integer};
 use crate::definitions::upper_hull::project;
@@ -20,6 +20,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "duality-family"],
     check: Check::Run(check),
+    tried: Tried::Scope("bodies in general position"),
 };
 
 /// The facets that look up: one for each pair, of the pair's shape; their areas add up to that of Q, and points of Q

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::integer;
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{bodies, random_vector};
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The Minkowski sum of n segments is the same set as an affine image of the unit cube of R^n",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,6 @@
 //! Boxes are zonotopes of three orthogonal generators.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::integer;
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::random_vector;
@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     statement: "Axis-aligned and oriented bounding boxes are special zonotopes",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
+    tried: Tried::On(&["boxes along the axes", "turned boxes"]),
     ..Claim::LISTED
 };
 

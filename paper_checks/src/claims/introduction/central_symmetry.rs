@@ -1,6 +1,6 @@
 //! Central symmetry of a zonotope and of its boundary.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::integer;
 use crate::definitions::space::Vector;
 use crate::instances::bodies::bodies;
@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     statement: "Every zonotope is centrally symmetric, and every facet has an opposite congruent one",
     code: &["zonotope::zonotope::faces"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,6 @@
 //! Facets of a zonotope.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Facet, Vector};
 use crate::instances::bodies::{bodies_in_general_position, degenerate_bodies};
 use crate::instances::polygons::generator;
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::zonotope::faces"],
     check: Check::Run(check),
+    tried: Tried::On(&["bodies in general position", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::fraction;
 use crate::definitions::space::{Body, Vector};
 
@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope"],
     figures: &["named-zonohedra"],
     check: Check::Run(check),
+    tried: Tried::Witness,
     ..Claim::LISTED
 };
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::Vector;
 use crate::instances::bodies::bodies;
 use crate::instances::polygons::generator;
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
         facets to vertices, a zone to the vertices of its hypersphere",
     code: &["zonotope::zonotope::faces"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use zonotope::zonotope::combinatorics;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::instances::bodies::bodies_in_general_position;
 use crate::instances::polygons::generator;
 
@@ -15,6 +15,7 @@ pub static CLAIM: Claim = Claim {
         concatenations of generator lists",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
+    tried: Tried::On(&["bodies in general position"]),
     ..Claim::LISTED
 };
 

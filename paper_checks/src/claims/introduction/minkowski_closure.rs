@@ -1,6 +1,6 @@
 //! Sums and differences of zonotopes are zonotopes.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::integer;
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{bodies, random_member, random_vector};
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::zonotope", "zonotope::collision"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

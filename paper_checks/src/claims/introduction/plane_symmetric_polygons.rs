@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, convex_hull, zonogon_about};
 use crate::definitions::ratio::{fraction, integer};
 use crate::instances::polygons::{generator, listed, polygons};
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope"],
     figures: &["polygon-and-reflection"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Facet, Vector};
 use crate::instances::bodies::bodies_in_general_position;
 use crate::instances::polygons::generator;
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope::faces"],
     figures: &["named-zonohedra"],
     check: Check::Run(check),
+    tried: Tried::Scope("bodies in general position"),
     ..Claim::LISTED
 };
 

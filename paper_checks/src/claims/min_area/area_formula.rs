@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::zonogon_area;
 use crate::definitions::runs::{displayed_lines, runs};
 use crate::instances::polygons::{generator, listed, polygons, random_center};
@@ -17,6 +17,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::min_area_zonogon"],
     figures: &["paper-figure-2"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

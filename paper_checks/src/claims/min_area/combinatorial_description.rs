@@ -1,6 +1,6 @@
 //! The runs of Z(O).
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
 use crate::definitions::runs::{Run, runs};
 use crate::instances::polygons::{generator, listed, polygons, random_center};
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::centered_zonogon"],
     figures: &["paper-figure-2"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,6 @@
 //! Corollary 4.4, and more: f is convex.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, arrangement_vertices, bisectors, zonogon_area};
 use crate::definitions::ratio::integer;
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

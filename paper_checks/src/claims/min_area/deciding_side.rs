@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, bisectors, hinge_sum, least_area, zonogon_area};
 use crate::definitions::subdifferential::{deciding_interval, least_on_vertical};
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -17,6 +17,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad::of_lines::by_slope_selection"],
     figures: &["search-of-theorem-4-5"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,6 @@
 //! When an edge of H is an edge of Z(O).
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 
 use std::cmp::Ordering;
 
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::bisectors"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -7,7 +7,7 @@ use zonotope::hull::antipodal::{farthest_vertices, farthest_vertices_counted};
 use zonotope::hull::convex_hull;
 use zonotope::tally::OperationCounts;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, zonogon_area};
 use crate::growth;
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -22,6 +22,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::centered_zonogon"],
     figures: &["polygon-and-reflection"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["points on a circle"]),
     ..Claim::LISTED
 };
 

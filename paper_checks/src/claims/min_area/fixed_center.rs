@@ -1,6 +1,6 @@
 //! Z(O) is the best zonogon about O.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, convex_hull, turn, zonogon_about};
 use crate::definitions::ratio::integer;
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::centered_zonogon"],
     figures: &["polygon-and-reflection"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -7,7 +7,7 @@ use zonotope::hull::convex_hull;
 use zonotope::lad::by_slope_selection::{SearchStep, Side, trace};
 use zonotope::lad::{LadProblem, WeightedLine};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Bisector, Point, bisectors, least_area};
 use crate::instances::polygons::{generator, polygons};
 use crate::proofs::library::double;
@@ -22,6 +22,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad::of_lines::by_slope_selection", "zonotope::arrangement::slope_selection"],
     figures: &["scaling-kernel-operations", "scaling-kernel-times", "search-of-theorem-4-5"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random convex polygons"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,6 @@
 //! The convex hull stands for the points.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 
 use rand::RngExt;
 
@@ -17,6 +17,7 @@ pub static CLAIM: Claim = Claim {
         hull",
     code: &["zonotope::hull"],
     check: Check::Run(check),
+    tried: Tried::On(&["random points", "points that repeat or are collinear"]),
     ..Claim::LISTED
 };
 

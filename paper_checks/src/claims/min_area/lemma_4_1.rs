@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Bisector, Point, bisectors, cell, cell_gradient, hinge_sum, zonogon_area};
 use crate::definitions::ratio::{fraction, integer};
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::bisectors", "zonotope::enclosing::min_area_zonogon"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Bisector, Point, bisectors, zonogon_area};
 use crate::definitions::ratio::integer;
 use crate::instances::polygons::{generator, parabola_polygon, polygons, random_center, random_point};
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
         l_t, then add one slope at each",
     code: &["zonotope::lad::of_lines::by_slope_selection", "zonotope::lad::of_lines::by_line_search"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["polygons with vertices in a parabola"]),
     ..Claim::LISTED
 };
 

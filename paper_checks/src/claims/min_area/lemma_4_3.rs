@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Bisector, Point, bisectors, zonogon_area};
 use crate::definitions::ratio::integer;
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad::of_lines::by_slope_selection"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

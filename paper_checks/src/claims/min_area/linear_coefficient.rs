@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, zonogon_about, zonogon_area};
 use crate::definitions::ratio::{fraction, integer};
 use crate::definitions::runs::runs;
@@ -16,6 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The linear coefficient of f in a region depends only on the edges of H that appear on Z(O)",
     code: &["zonotope::enclosing::min_area_zonogon"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

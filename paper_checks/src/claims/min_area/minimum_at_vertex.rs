@@ -1,6 +1,6 @@
 //! The minimum is at a vertex of the arrangement.
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{bisectors, least_area, zonogon_area};
 use crate::definitions::subdifferential::is_minimizer;
 use crate::instances::polygons::{generator, polygons, random_center};
@@ -14,6 +14,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::lad::of_lines::brute_force"],
     figures: &["arrangement-and-level-sets"],
     check: Check::Run(check),
+    tried: Tried::On(&["random polygons", "degenerate polygons"]),
     ..Claim::LISTED
 };
 

@@ -6,7 +6,7 @@ use zonotope::enclosing::min_area_zonogon::Method;
 use zonotope::enclosing::min_area_zonogon::exact::exact_optimum;
 use zonotope::tally::OperationCounts;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::{Point, least_area, zonogon_area};
 use crate::definitions::ratio::{exactly, integer};
 use crate::growth;
@@ -30,6 +30,7 @@ pub static CLAIM: Claim = Claim {
         "search-of-theorem-4-5",
     ],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random convex polygons"]),
     ..Claim::LISTED
 };
 

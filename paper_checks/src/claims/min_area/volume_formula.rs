@@ -5,7 +5,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::{doubles, rows};
 use crate::definitions::pyramids::{volume_by_pyramids, volume_of_parallelepipeds};
 use crate::instances::bodies::degenerate_bodies;
@@ -20,6 +20,7 @@ pub static CLAIM: Claim = Claim {
         generators",
     code: &["zonotope::zonotope::combinatorics"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -5,7 +5,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::fixed_directions::{FixedDirections, min_length_along};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::{Row, absolute, dot, facet_normals};
 use crate::definitions::ratio::{exactly, fraction, integer};
 use crate::instances::polygons::generator;
@@ -23,6 +23,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::enclosing::min_total_length::by_direction_net", "zonotope::enclosing::fixed_directions"],
     check: Check::Run(check),
+    tried: Tried::On(&["random zonotopes"]),
     ..Claim::LISTED
 };
 

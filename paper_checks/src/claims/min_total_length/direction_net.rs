@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_total_length::direction_net::cell_middles;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::{Row, absolute, dot, exact_rows};
 use crate::definitions::ratio::{fraction, integer};
 use crate::instances::polygons::generator;
@@ -20,6 +20,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::min_total_length::direction_net"],
     figures: &["directions-needed"],
     check: Check::Run(check),
+    tried: Tried::On(&["random directions", "corners of cells"]),
     ..Claim::LISTED
 };
 

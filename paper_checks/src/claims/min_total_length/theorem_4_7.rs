@@ -5,7 +5,7 @@ use experiments::fit::{GrowthModel, fit_growth};
 use zonotope::enclosing::min_length;
 use zonotope::enclosing::min_total_length::{Net, by_direction_net};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth::verdict;
 use crate::proofs::lengths::check_shortest;
 
@@ -26,6 +26,7 @@ pub static CLAIM: Claim = Claim {
     ],
     figures: &["length-ratio", "directions-needed", "dual-zonotope", "gap-curve"],
     check: Check::Run(check),
+    tried: Tried::On(&["points on spheres"]),
 };
 
 /// Each answer's containment, length and lower bound are checked exactly; its ratio is at most 1 + eps; the nets' sizes

@@ -6,7 +6,7 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::enclosing::min_length;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::enclosing::absolute;
 use crate::definitions::ratio::{fraction, integer};
 use crate::definitions::space::{Body, Vector};
@@ -16,7 +16,7 @@ use crate::proofs::lengths::check_shortest;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
-    id: "open-approximation-quality",
+    id: "question-approximation-quality",
     place: Place { section: "7", label: "first question" },
     kind: ClaimKind::OpenQuestion,
     statement: "In R^3, how well can a zonotope approximate a given centrally symmetric convex polyhedron?",
@@ -28,6 +28,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::min_total_length::by_vertex_sets"],
     figures: &["mesh-in-zonohedra"],
     check: Check::Run(check),
+    tried: Tried::On(&["solids"]),
 };
 
 /// The octahedron exactly; the other symmetric Platonic solids by total length.
@@ -41,8 +42,8 @@ fn check(context: &CheckContext) -> Verdict {
     });
     match found {
         Err(reason) => Verdict::Inconclusive(reason),
-        Ok(lengths) => Verdict::Holds(format!(
-            "in part: the octahedron conv(±e_i) lies in a truncated octahedron of 6 generators, which lies in 3/2 \
+        Ok(lengths) => Verdict::InPart(format!(
+            "the octahedron conv(±e_i) lies in a truncated octahedron of 6 generators, which lies in 3/2 \
              times the octahedron, and no zonotope does better, for sum of h(±1,±1,±1) / 8 >= sum of h(e_i) / 2 \
              generator by generator; the least total lengths around solids, proven within 1 %: {}",
             lengths.join(", ")

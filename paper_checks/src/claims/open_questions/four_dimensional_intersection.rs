@@ -6,12 +6,12 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use zonotope::collision::{Query, by_lad_in_r4};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::instances::polygons::generator;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
-    id: "open-4d-intersection",
+    id: "question-4d-intersection",
     place: Place { section: "7", label: "fourth question" },
     kind: ClaimKind::OpenQuestion,
     statement: "How are 4-D space-time zonotopes intersected efficiently?",
@@ -21,6 +21,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::collision::by_lad_in_r4"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 
@@ -46,7 +47,7 @@ fn check(context: &CheckContext) -> Verdict {
         counts[truth] += 1;
     }
     let [inside, boundary, outside] = counts;
-    Verdict::Holds(format!(
+    Verdict::InPart(format!(
         "the kernel in three variables decides {inside} points inside, {boundary} on the boundary and {outside} \
          outside of zonotopes of R^4 as the normals of all triples of generators do, flat, parallel and empty \
          generators among them"

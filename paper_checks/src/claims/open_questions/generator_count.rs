@@ -3,23 +3,23 @@
 use experiments::families::clouds;
 use zonotope::enclosing::{min_length, min_length_of_few};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::proofs::lengths::check_shortest;
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
-    id: "open-generator-count",
+    id: "question-generator-count",
     place: Place { section: "7", label: "third question" },
     kind: ClaimKind::OpenQuestion,
     statement: "How many generators does that zonotope have?",
     remedy: Some(
-        "by total length, few are nearly as good as any number: what a zonotope of at most K generators is longer \
-            than the least falls like a power of K, and each of them has a proven ratio; how many the zonotope of \
-            least volume has stays open",
+        "by total length in place of volume, the shortest zonotope that is found of at most K generators has a proven \
+            ratio to the least one of any number; how many the zonotope of least volume has stays open",
     ),
     code: &["zonotope::enclosing::min_total_length::few_generators"],
     figures: &["few-generators"],
     check: Check::Run(check),
+    tried: Tried::On(&["solids"]),
 };
 
 /// How far, relatively, a length may be above the least one.
@@ -35,8 +35,8 @@ const SOLIDS: [&str; 4] = ["tetrahedron", "octahedron", "icosahedron", "dodecahe
 fn check(_: &CheckContext) -> Verdict {
     match SOLIDS.into_iter().map(around).collect::<Result<Vec<String>, String>>() {
         Err(reason) => Verdict::Inconclusive(reason),
-        Ok(found) => Verdict::Holds(format!(
-            "in part, for total length in place of volume: generators within 1 % of the least, and proven ratios of \
+        Ok(found) => Verdict::InPart(format!(
+            "for total length in place of volume: generators within 1 % of the least, and proven ratios of \
              zonotopes of at most {}, {} and {} generators: {}",
             COUNTS[0],
             COUNTS[1],

@@ -4,7 +4,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
-    id: "open-hierarchies",
+    id: "question-hierarchies",
     place: Place { section: "7", label: "fifth question" },
     kind: ClaimKind::OpenQuestion,
     statement: "How can bounding volume hierarchies of zonotopes be built for arbitrary polyhedral geometry?",

@@ -4,7 +4,7 @@ use crate::claim::{Claim, ClaimKind, Place};
 
 /// The claim.
 pub static CLAIM: Claim = Claim {
-    id: "open-optimal-volume",
+    id: "question-optimal-volume",
     place: Place { section: "7", label: "second question" },
     kind: ClaimKind::OpenQuestion,
     statement: "How fast can the zonotope of least volume be computed?",

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
 use crate::definitions::upper_hull::tilings;
 use crate::instances::polygons::generator;
@@ -21,6 +21,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement"],
     figures: &["paper-figure-1", "separators"],
     check: Check::Run(check),
+    tried: Tried::Scope("bodies in general position"),
 };
 
 /// Of two tiles with a common edge that is not horizontal, the one on its right has the larger dual x.

@@ -2,7 +2,7 @@
 
 use zonotope::collision::{Query, by_lad};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::{Body, Vector};
 use crate::instances::bodies::{BodyInstance, bodies, random_member};
 use crate::instances::polygons::generator;
@@ -18,6 +18,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::collision", "zonotope::collision::by_lad"],
     figures: &["certificates-of-intersection"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

@@ -6,7 +6,7 @@ use zonotope::arrangement::DualArrangement;
 use zonotope::arrangement::separator::{separator, separator_counted};
 use zonotope::tally::OperationCounts;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::plane::Point;
 use crate::definitions::ratio::integer;
 use crate::definitions::space::Body;
@@ -25,6 +25,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::arrangement::separator"],
     figures: &["paper-figure-1", "separators"],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random bodies"]),
     ..Claim::LISTED
 };
 

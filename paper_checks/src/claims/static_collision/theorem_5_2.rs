@@ -6,7 +6,7 @@ use zonotope::collision::{Query, by_lad, by_slope_selection};
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::Zonotope;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::growth;
 use crate::instances::bodies::{LocatedPoint, PLACES, bodies, bodies_in_general_position, located_point};
 use crate::instances::polygons::generator;
@@ -26,6 +26,7 @@ pub static CLAIM: Claim = Claim {
         "search-of-theorem-5-2",
     ],
     check: Check::Run(check),
+    tried: Tried::Growth(&["random bodies"]),
     ..Claim::LISTED
 };
 

@@ -2,7 +2,7 @@
 
 use dashu_ratio::RBig;
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::ratio::{fraction, integer};
 use crate::definitions::space::{Facet, Vector};
 use crate::instances::bodies::{bodies, random_member, random_vector};
@@ -17,6 +17,7 @@ pub static CLAIM: Claim = Claim {
         projection is outside Q it is not",
     code: &["zonotope::collision::by_slope_selection"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies", "degenerate bodies"]),
     ..Claim::LISTED
 };
 

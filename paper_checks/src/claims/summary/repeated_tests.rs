@@ -6,7 +6,7 @@ use zonotope::collision::hierarchy::Hierarchy;
 use zonotope::collision::tracking::{WalkingTracker, WarmTracker};
 use zonotope::zonotope::{PreparedBody, Zonotope};
 
-use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Verdict};
+use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
 use crate::definitions::space::Vector;
 use crate::instances::bodies::{doubles, random_vector};
 use crate::instances::polygons::generator;
@@ -22,6 +22,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::collision::hierarchy", "zonotope::collision::tracking"],
     figures: &["nested-hierarchy", "coherence"],
     check: Check::Run(check),
+    tried: Tried::On(&["random bodies of one size"]),
     ..Claim::LISTED
 };
 

@@ -1,6 +1,7 @@
 //! What a chapter of the report is: a static value, one for every problem that the workbench solves.
 
-use super::measured::Measured;
+use experiments::fit::GrowthModel;
+use experiments::measured::Measured;
 
 /// A chapter: one problem of the paper and the methods that solve it.
 #[derive(Debug)]
@@ -21,8 +22,8 @@ pub struct Chapter {
     pub table: ChapterTable,
     /// How it is solved, one paragraph each.
     pub method: &'static [&'static str],
-    /// The bound, and what is known to hold it.
-    pub bound: &'static str,
+    /// What the methods cost.
+    pub costs: &'static [Cost],
     /// The claims of the paper that it is about.
     pub claims: &'static [&'static str],
     /// The experiments that belong to it whatever claims they name. Other experiments belong to the chapter of the
@@ -31,6 +32,31 @@ pub struct Chapter {
     pub experiments: &'static [&'static str],
     /// How to run it alone: a command, and what it does.
     pub commands: &'static [(&'static str, &'static str)],
+}
+
+/// A law of a method's cost: the sentence, and what holds it.
+#[derive(Clone, Copy, Debug)]
+pub struct Cost {
+    /// The sentence.
+    pub text: &'static str,
+    /// What states or measures the law.
+    pub held: Held,
+}
+
+/// What holds a sentence that states a law. A test looks that it is the same law.
+#[derive(Clone, Copy, Debug)]
+pub enum Held {
+    /// The claim of this id states it.
+    Claim(&'static str),
+    /// An experiment compares one of its methods with the law.
+    Fit {
+        /// The experiment's id.
+        experiment: &'static str,
+        /// The variant's id.
+        method: &'static str,
+        /// The law.
+        law: GrowthModel,
+    },
 }
 
 /// The one table of a chapter that stands open.

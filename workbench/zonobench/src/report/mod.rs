@@ -5,13 +5,12 @@
 //!
 //! - [`chapter`] is what a chapter is, `chapters` has them, in the order of the page.
 //! - `repeat` has the commands that find parts of it again.
-//! - `measured` looks numbers up in the records, `tables` has every table, `pages` puts the two pages together.
+//! - `tables` has every table, `pages` puts the two pages together.
 
 pub mod chapter;
 mod chapters;
 mod html;
 mod manifest;
-mod measured;
 mod pages;
 mod repeat;
 mod tables;

@@ -7,9 +7,9 @@
 //!
 //! | method | cost for n generators | error, in space |
 //! |---|---|---|
-//! | [`by_clusters`] | O(n k) for each of some dozen rounds, C(k, D − 1) passes to prove containment | the least; the default |
-//! | [`by_patches`] | O(n) for a precision, O(n log n) for a count | Lemma 5.5: O(1 / √k) |
-//! | [`keeping`], five rules in use | O(n log n), one O(n (n − k)) | does not fall until k nears n |
+//! | [`by_clusters`] | O(n k) for each of some dozen rounds, C(k, D − 1) passes to prove containment | fitted; the default |
+//! | [`by_patches`] | O(n) for a precision, O(n log n) for a count | the paper's, Lemma 5.5: O(1 / √k) |
+//! | [`keeping`], five rules in use | O(n log n), one O(n (n − k)) | no bound |
 //!
 //! [`contains`] decides whether a zonotope contains another one; [`brute_force`] does in rationals: the truth that all
 //! rules are held to.

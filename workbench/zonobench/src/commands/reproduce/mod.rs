@@ -11,6 +11,8 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use experiments::data;
 use experiments::definition::Profile;
+use experiments::findings;
+use experiments::measured::Measured;
 use experiments::runner::{self, Records, RunOptions};
 use figures::figure::{Figure, FigureInput};
 use paper_checks::catalog::CLAIMS;
@@ -180,6 +182,16 @@ fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> 
     for (id, reason) in missing {
         ending = Ending::Bad;
         writeln!(output, "NOT DRAWN {id}: {reason}")?;
+    }
+    if evidence.config.is_none() {
+        let found = Measured::of(&evidence.records);
+        for experiment in &evidence.experiments {
+            let unsaid = findings::unsaid(experiment.id, &found);
+            if unsaid > 0 {
+                ending = Ending::Bad;
+                writeln!(output, "NO NUMBERS for {unsaid} sentences about {}", experiment.id)?;
+            }
+        }
     }
     if let Some(out) = out {
         writeln!(output, "{}", out.join("report.html").display())?;

@@ -1,7 +1,8 @@
 //! The tiling of the upper hull and the line arrangement dual to it.
 
-use crate::report::chapter::{Chapter, ChapterTable};
-use crate::report::measured::Measured;
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
+use experiments::fit::GrowthModel;
+use experiments::measured::Measured;
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "duality",
@@ -30,14 +31,26 @@ pub(super) static CHAPTER: Chapter = Chapter {
          through the tiling with the first k tiles on its left. Slope selection finds the k-th crossing without \
          listing the others.",
     ],
-    bound: "The paper: a separator in O(n log n). Here: expected O(n log n), with a randomised slope selection.",
+    costs: &[
+        Cost { text: "The paper: a separator in O(n log n).", held: Held::Claim("separators") },
+        Cost {
+            text: "Here: expected O(n log n), with a randomised slope selection.",
+            held: Held::Fit {
+                experiment: "slope-selection-scaling",
+                method: "randomized",
+                law: GrowthModel::Linearithmic,
+            },
+        },
+    ],
     claims: &[
         "upper-hull-tiling",
         "tiling-arrangement-duality",
         "figure-1",
+        "monotone-subdivision",
         "separator-order",
+        "separator-length",
         "separators",
-        "erratum-5.1-separators",
+        "separator-steps",
     ],
     experiments: &[],
     commands: &[(

@@ -2,9 +2,11 @@
 
 use experiments::definition::Quantity;
 
-use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
 use crate::report::html::grouped;
-use crate::report::measured::{Measured, Series};
+use experiments::findings::words;
+use experiments::fit::GrowthModel;
+use experiments::measured::{Extreme, Measured};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "faces",
@@ -25,8 +27,13 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "Generators that are coplanar share one facet, with a side for each of them and its opposite. Parallel ones \
          are merged, flat bodies have their faces within their own plane or line. Every comparison is exact.",
     ],
-    bound: "The paper: of order n² faces in space, n(n − 1) facets when no three generators are coplanar. Here: O(n² \
-        log n), and proportional to the output but for the sorting.",
+    costs: &[
+        Cost { text: "The paper: O(n^(d−1)) faces, in that time.", held: Held::Claim("complexity-bound") },
+        Cost {
+            text: "Here: O(n²) facets in space; the sweep that lists them sorts along each circle beside that.",
+            held: Held::Fit { experiment: "faces-scaling", method: "by_sweep", law: GrowthModel::Quadratic },
+        },
+    ],
     claims: &[
         "affine-image-of-cube",
         "facets-are-parallelepipeds",
@@ -35,12 +42,16 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "familiar-zonotopes",
         "zones-are-bands",
         "sphere-arrangement-duality",
+        "tangent-plane",
+        "central-projection",
         "complexity-bound",
+        "construction-time",
         "boxes-are-zonotopes",
         "implicit-representation",
         "center-and-generators",
         "face-count",
-        "erratum-3-independent-generators",
+        "centered-body",
+        "independent-generators",
     ],
     experiments: &["faces-scaling"],
     commands: &[(
@@ -50,16 +61,22 @@ pub(super) static CHAPTER: Chapter = Chapter {
     )],
 };
 
-/// How many facets few generators stand for.
+/// How many facets few generators stand for, on each kind of bodies.
 fn lesson(found: &Measured<'_>) -> Option<String> {
-    let on = |input| Series { experiment: "faces-scaling", input, method: "by_sweep" };
-    let (n, facets) = found.at_largest(on("random_bodies"), Quantity::Value("facets"))?;
-    let (_, on_lattice) = found.at_largest(on("lattice_bodies"), Quantity::Value("facets"))?;
-    let relation = if facets == (n * (n - 1)) as f64 { "exactly the paper's n(n − 1)" } else { "not n(n − 1)" };
+    let mut facets = found.over_inputs("faces-scaling", "by_sweep", Quantity::Value("facets"));
+    facets.sort_by(|a, b| b.number.total_cmp(&a.number));
+    let full = |extreme: &Extreme| extreme.number == (extreme.n * (extreme.n - 1)) as f64;
+    let (most, rest) = (facets.first()?, facets.iter().filter(|extreme| !full(extreme)));
+    let fewer: Vec<String> =
+        rest.map(|extreme| format!("{} of {}", grouped(extreme.number as u64), words::input(&extreme.input))).collect();
+    let relation = if full(most) { "exactly the paper's n(n − 1)" } else { "fewer than n(n − 1)" };
     Some(format!(
-        "A short list stands for a large body: {n} generators in random directions make {} facets, {relation}; {n} \
-         with coordinates on a lattice, often coplanar, make {}.",
-        grouped(facets as u64),
-        grouped(on_lattice as u64)
+        "A short list stands for a large body: {} generators make {} facets, {relation}, on {} of {} kinds of bodies; \
+         the others have {}.",
+        most.n,
+        grouped(most.number as u64),
+        facets.iter().filter(|extreme| full(extreme)).count(),
+        facets.len(),
+        fewer.join(", ")
     ))
 }

@@ -2,9 +2,11 @@
 
 use experiments::definition::Quantity;
 
-use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
 use crate::report::html::grouped;
-use crate::report::measured::{Measured, Series};
+use experiments::findings::words;
+use experiments::fit::GrowthModel;
+use experiments::measured::{Measured, range};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "kernel",
@@ -25,8 +27,22 @@ pub(super) static CHAPTER: Chapter = Chapter {
          all lines that miss the cell into one linear term. Few lines remain, and their optimum is the true one if \
          it lies in the cell: a test, not a hope, so chance affects the time and never the answer.",
     ],
-    bound: "The paper's search: expected O(n log² n) with a randomised slope selection. Pruning: expected O(n).",
-    claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "halving-search"],
+    costs: &[
+        Cost { text: "The paper: O(log n) steps of O(n log n) each.", held: Held::Claim("halving-search") },
+        Cost {
+            text: "The paper's search here: expected O(n log² n), with a randomised slope selection.",
+            held: Held::Fit {
+                experiment: "lad-scaling",
+                method: "by_slope_selection",
+                law: GrowthModel::LinearLogSquared,
+            },
+        },
+        Cost {
+            text: "Pruning: expected O(1) passes over the lines.",
+            held: Held::Fit { experiment: "pruning-passes", method: "by_pruning", law: GrowthModel::Constant },
+        },
+    ],
+    claims: &["lemma-4.2", "lemma-4.3", "corollary-4.4", "deciding-side", "candidates", "halving-search"],
     experiments: &["lad-scaling", "lad-race", "methods-agree", "pruning-passes", "slope-selection-scaling"],
     commands: &[
         ("cargo run --release -- list methods", "names the methods"),
@@ -37,17 +53,16 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How often pruning reads its input, and how much more the paper's search does.
+/// How often pruning reads its input, on all kinds of lines; what the clock says of the methods stands with the times.
 fn lesson(found: &Measured<'_>) -> Option<String> {
-    let of = |experiment, method| Series { experiment, input: "random_lines", method };
-    let (most, passes) = found.at_largest(of("pruning-passes", "by_pruning"), Quantity::Value("passes"))?;
-    let (n, search) = found.at_largest(of("lad-scaling", "by_slope_selection"), Quantity::AllCounts)?;
-    let pruning = found.at(of("lad-scaling", "by_pruning"), Quantity::AllCounts, n as f64)?;
+    let passes = found.over_inputs("pruning-passes", "by_pruning", Quantity::Value("passes"));
+    let [fewest, most] = range(passes.iter().map(|end| end.number))?;
+    let [_, ever] = found.extremes("pruning-passes", "by_pruning", Quantity::Value("passes"), words::plain)?;
     Some(format!(
-        "Pruning finds the optimum among {} random lines in {passes:.2} passes over them; among {} the paper's search \
-         takes {:.0} times as many operations.",
-        grouped(most),
-        grouped(n),
-        search / pruning
+        "Pruning finds the optimum among {} lines in {fewest:.2} to {most:.2} passes over them, on {} kinds of lines; \
+         the most passes at any size are {}.",
+        grouped(passes.iter().map(|end| end.n).max()?),
+        passes.len(),
+        words::at(&ever)
     ))
 }

@@ -2,9 +2,11 @@
 
 use experiments::data::outlines;
 use experiments::definition::Quantity;
+use experiments::findings::words;
 
-use crate::report::chapter::{Chapter, ChapterTable};
-use crate::report::measured::{Measured, Series, range};
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
+use experiments::fit::GrowthModel;
+use experiments::measured::{Measured, Series, range};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "min-area-zonogon",
@@ -28,7 +30,13 @@ pub(super) static CHAPTER: Chapter = Chapter {
          enclosing zonogon from below; a separate verifier recomputes hull, containment, area and bound in \
          whole-number arithmetic. The generators are rounded outward, so the zonogon contains every point exactly.",
     ],
-    bound: "The paper: O(n log² n). Here: O(n log n) for the hull and expected O(n) for the rest.",
+    costs: &[
+        Cost { text: "The paper: O(n log² n).", held: Held::Claim("theorem-4.5") },
+        Cost {
+            text: "Here: expected O(n log n), hull included.",
+            held: Held::Fit { experiment: "min-area-scaling", method: "by_pruning", law: GrowthModel::Linearithmic },
+        },
+    ],
     claims: &[
         "summary-min-area",
         "hull-suffices",
@@ -40,7 +48,9 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "linear-coefficient",
         "edge-criterion",
         "lemma-4.1",
+        "edges-along-a-line",
         "minimum-at-vertex",
+        "flat-point-sets",
         "theorem-4.5",
     ],
     experiments: &["min-area-scaling", "min-area-stages", "area-ratio", "hull-scaling"],
@@ -56,7 +66,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How much larger than the hull the smallest zonogon is around real outlines, and how well that is proved.
+/// How much larger than the hull the smallest zonogon is, around real outlines and around anything, and how well that
+/// is proved.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let of = |value| {
         outlines().iter().filter_map(move |outline| {
@@ -65,11 +76,14 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
         })
     };
     let [low, high] = range(of("area_ratio"))?;
-    let [_, gap] = range(of("relative_gap"))?;
-    let doubt = format!("{gap:.0e}").replace('-', "−");
+    let overall = |value| found.extremes("area-ratio", "by_pruning", Quantity::Value(value), words::plain);
+    let ([least, greatest], [_, gap]) = (overall("area_ratio")?, overall("relative_gap")?);
     Some(format!(
-        "Around {} country outlines the smallest zonogon has {low:.2} to {high:.2} times the area of the convex hull, \
-         and its proof leaves a relative doubt of at most {doubt}.",
-        of("area_ratio").count()
+        "Around {} country outlines the smallest zonogon has {low:.2} to {high:.2} times the area of the convex hull; \
+         over all inputs the ratio is from {} to {}, and the proof leaves a relative doubt of at most {}.",
+        of("area_ratio").count(),
+        words::at(&least),
+        words::at(&greatest),
+        words::at(&gap)
     ))
 }

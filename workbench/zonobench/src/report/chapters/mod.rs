@@ -26,7 +26,78 @@ pub static CHAPTERS: &[&Chapter] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::chapter::{ChapterTable, Held};
     use std::collections::BTreeSet;
+
+    /// A law as letters and digits: `n log² n` and `n log^2 n` are one.
+    fn plain(law: &str) -> String {
+        let spelled = law.replace('ε', "eps").replace('²', "2").replace('³', "3").replace('−', "-");
+        spelled.chars().filter(|c| !c.is_whitespace() && *c != '^').collect()
+    }
+
+    /// What stands between the brackets of each O( … ).
+    fn laws(text: &str) -> Vec<String> {
+        let text = plain(text);
+        let starts = text.match_indices("O(").map(|(at, _)| at + 2);
+        let law = |start: usize| {
+            let mut depth = 1;
+            text[start..]
+                .chars()
+                .take_while(|c| {
+                    depth += i32::from(*c == '(') - i32::from(*c == ')');
+                    depth > 0
+                })
+                .collect()
+        };
+        starts.map(law).collect()
+    }
+
+    #[test]
+    fn costs_are_the_laws_that_claims_state_and_experiments_fit() {
+        for chapter in CHAPTERS {
+            assert!(!chapter.costs.is_empty(), "{}", chapter.id);
+            for cost in chapter.costs {
+                let stated = laws(cost.text);
+                assert!(!stated.is_empty(), "{}: {} states no law", chapter.id, cost.text);
+                match cost.held {
+                    Held::Claim(id) => {
+                        let claim = paper_checks::catalog::find(id).unwrap_or_else(|| panic!("there is no claim {id}"));
+                        let original = laws(claim.statement);
+                        for law in stated {
+                            assert!(original.contains(&law), "{}: {id} states {original:?}, not {law}", cost.text);
+                        }
+                    }
+                    Held::Fit { experiment, method, law } => {
+                        let found = experiments::catalog::find(experiment);
+                        let plans = found.unwrap_or_else(|| panic!("there is no experiment {experiment}")).fits;
+                        let is_judged = |plan: &&experiments::definition::FitPlan| {
+                            plan.variant == method && plan.bound == Some(law)
+                        };
+                        assert!(plans.iter().any(|plan| is_judged(&plan)), "{}: no fit says so", cost.text);
+                        assert_eq!(stated, [plain(&law.to_string())], "{}", cost.text);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Laws stand among the costs, and what was measured in the lesson and the findings, which are made from records.
+    #[test]
+    fn other_texts_of_chapters_state_no_law_and_no_measured_number() {
+        for chapter in CHAPTERS {
+            let words: Vec<&str> = match chapter.table {
+                ChapterTable::Words { rows, .. } => rows.iter().flat_map(|row| row.iter().copied()).collect(),
+                _ => Vec::new(),
+            };
+            for text in chapter.method.iter().copied().chain([chapter.statement, chapter.title]).chain(words) {
+                let has_number = text.split(|c: char| !c.is_ascii_digit()).any(|digits| digits.len() > 1);
+                let is_compared =
+                    ["O(", "√", "measured", "times as", "a few times", "on average", "per cent", "million"];
+                let found = is_compared.iter().find(|words| text.contains(**words));
+                assert!(found.is_none() && !has_number, "{}: {found:?} in {text}", chapter.id);
+            }
+        }
+    }
 
     #[test]
     fn claims_resolve_and_belong_to_one_chapter() {

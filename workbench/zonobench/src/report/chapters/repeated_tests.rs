@@ -2,9 +2,9 @@
 
 use experiments::definition::Quantity;
 
-use crate::report::chapter::{Chapter, ChapterTable};
-use crate::report::html::grouped;
-use crate::report::measured::{Measured, Series};
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
+use experiments::findings::words;
+use experiments::measured::{Extreme, Measured};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "repeated-tests",
@@ -20,23 +20,31 @@ pub(super) static CHAPTER: Chapter = Chapter {
          among them and looks at the generators of those lines alone (Lemma 5.3); located along a ray, it has the \
          distance in the metric of the body (Corollary 5.4). With linear space, a tree over the directions of the \
          generators adds up neighbours whose signs agree.",
-        "Coarser bodies: nested levels of fewer and fewer generators tell bodies that are far apart, or deep in each \
-         other, from a handful of generators; the nearer they are to touching, the finer the levels that tell.",
+        "Coarser bodies: nested levels of fewer and fewer generators, inside and outside, are compared from the \
+         coarsest on, until two of them prove where the bodies are.",
         "Walking: the facets next to a facet are the next crossings along its dual lines. Convex hulls of the lines \
          above and below, which change by a line a step, find them (Lemma 5.6). The closest features of moving bodies \
          are followed so, or the optimum of the last frame is where the kernel begins in the next.",
     ],
-    bound: "The paper: O((n²/m) log² n) a query with O(m) space; O(log² n) a step. Here: O(n²/m + log² n); O(log² n).",
+    costs: &[
+        Cost { text: "The paper: O((n²/m) log² n) a query with O(m) space.", held: Held::Claim("lemma-5.3") },
+        Cost { text: "The paper: O(log² n) a step from face to face.", held: Held::Claim("lemma-5.6") },
+    ],
     claims: &[
         "summary-repeated-tests",
         "translation-by-point-location",
+        "rotations-in-the-sum",
+        "arrangement-trade-off",
         "lemma-5.3",
-        "erratum-5.2-lemma-5.3",
+        "cutting-size",
+        "pseudo-lines",
+        "tiles-of-cutting-lines",
         "corollary-5.4",
-        "erratum-5.2-corollary-5.4",
+        "location-of-rays",
         "local-walk",
+        "small-motions",
         "lemma-5.6",
-        "erratum-5.2-lemma-5.6",
+        "neighbours-of-a-face",
     ],
     experiments: &[
         "query-trade-off",
@@ -52,20 +60,27 @@ pub(super) static CHAPTER: Chapter = Chapter {
     )],
 };
 
-/// What a structure and what the last frame save.
+/// What a structure and what the last frame save, on all kinds of bodies.
 fn lesson(found: &Measured<'_>) -> Option<String> {
-    let of = |experiment, method| Series { experiment, input: "random_bodies", method };
-    let reads = Quantity::Value("reads");
-    let (n, by_tree) = found.at_largest(of("direction-tree-queries", "by_direction_tree"), reads)?;
-    let (_, without) = found.at_largest(of("direction-tree-queries", "by_lad"), reads)?;
-    let (frames, warm) = found.at_largest(of("coherence", "warm"), reads)?;
-    let (_, fresh) = found.at_largest(of("coherence", "fresh"), reads)?;
-    let [by_tree, without, warm, fresh] = [by_tree, without, warm, fresh].map(|reads| grouped(reads as u64));
+    let reads = |experiment, method| found.over_inputs(experiment, method, Quantity::Value("reads"));
+    let shares = |experiment, [method, other]: [&'static str; 2]| {
+        let (own, others) = (reads(experiment, method), reads(experiment, other));
+        let shares: Vec<Extreme> = own
+            .into_iter()
+            .filter_map(|end| {
+                let of_input = others.iter().find(|other| (&other.input, other.n) == (&end.input, end.n))?;
+                Some(Extreme { number: end.number / of_input.number, ..end })
+            })
+            .collect();
+        let least = shares.iter().min_by(|a, b| a.number.total_cmp(&b.number)).map(words::at)?;
+        let greatest = shares.iter().max_by(|a, b| a.number.total_cmp(&b.number)).map(words::at)?;
+        Some((least, greatest))
+    };
+    let (least, greatest) = shares("direction-tree-queries", ["by_direction_tree", "by_lad"])?;
+    let (slowest_least, slowest_greatest) = shares("coherence", ["warm", "fresh"])?;
     Some(format!(
-        "For an exact gauge of {} generators a tree over their directions reads {by_tree} nodes and generators, the \
-         kernel without one {without}; in a motion of {} frames a turn, the kernel that begins with the last frame \
-         reads {warm} generators a frame, a fresh query {fresh}.",
-        grouped(n),
-        grouped(frames)
+        "For an exact gauge a tree over the directions of the generators reads {least} to {greatest} times what the \
+         kernel reads without one; in the slowest motion the kernel that begins with the last frame reads \
+         {slowest_least} to {slowest_greatest} times what a fresh query does, n being the frames of a turn."
     ))
 }

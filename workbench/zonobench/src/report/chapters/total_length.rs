@@ -2,9 +2,11 @@
 
 use experiments::data::meshes;
 use experiments::definition::Quantity;
+use experiments::findings::words;
 
-use crate::report::chapter::{Chapter, ChapterTable};
-use crate::report::measured::{Measured, Series, range};
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
+use experiments::fit::GrowthModel;
+use experiments::measured::{Measured, Series, range};
 
 pub(super) static CHAPTER: Chapter = Chapter {
     id: "total-length",
@@ -18,21 +20,27 @@ pub(super) static CHAPTER: Chapter = Chapter {
     method: &[
         "Along k given directions it is a linear program. The paper's has a coefficient for every direction and \
          every extreme point. The same zonotope has only normals that are orthogonal to d − 1 of the directions, so \
-         k lengths and a centre are enough, with one inequality for each normal; and of those normals only a few \
-         times k matter. They are found as they are needed: a point outside the present zonotope names the facet \
+         k lengths and a centre are enough, with one inequality for each normal; and the normals \
+         that matter are found as they are needed: a point outside the present zonotope names the facet \
          that it is beyond.",
         "Floating point only proposes. Each answer is enlarged until every point is inside, exactly, and comes with \
          forces: vectors λ at some of the points that add up to zero and pull along no direction by more than its \
          weight. Whatever encloses the points costs at least Σ λ·p. So every answer tells, with a proof, how far \
          from the best it may be.",
-        "Over all directions a net of them suffices for a ratio 1 + ε. The paper's net has of order 1/ε to the power \
-         d − 1 directions; half that exponent is enough, since a generator is a sum of segments along the corners of \
-         its cell of the net. Better than either is to add directions as they are needed: the forces span a zonotope \
+        "Over all directions a net of them suffices for a ratio 1 + ε. The paper moves each generator to a direction \
+         of the net; a coarser net is enough when a generator is a sum of segments along the corners of its cell. \
+         Another way is to add directions as they are needed: the forces span a zonotope \
          of their own; where one of its vertices leaves the unit ball a direction is missing, and the farthest \
          vertex says what the forces prove for all directions at once.",
     ],
-    bound: "The paper: O(n k^(d−1) + k^O(d)) for k directions. Here: a few readings of the n points and programs of \
-        a few times k rows; over all directions some ten such programs.",
+    costs: &[
+        Cost { text: "The paper: O(n k^(d−1) + k^O(d)) for k directions.", held: Held::Claim("theorem-4.6") },
+        Cost { text: "The paper's net: O(1/ε^(d−1)) directions.", held: Held::Claim("direction-net") },
+        Cost {
+            text: "A net whose cells share out a generator: O(n^(3/2)) directions in four dimensions, for n = 1/ε.",
+            held: Held::Fit { experiment: "length-ratio", method: "net_of_cells", law: GrowthModel::ThreeHalves },
+        },
+    ],
     claims: &[
         "structure-from-directions",
         "extreme-points-suffice",
@@ -43,10 +51,10 @@ pub(super) static CHAPTER: Chapter = Chapter {
         "theorem-4.7",
         "summary-fixed-directions",
         "summary-approximate-length",
-        "open-approximation-quality",
-        "erratum-4.2-extreme-points",
-        "erratum-4.3-containment",
-        "erratum-4.3-objective",
+        "question-approximation-quality",
+        "extreme-points-off-the-span",
+        "size-of-direction-net",
+        "meaning-of-total-length",
     ],
     experiments: &[
         "directions-scaling",
@@ -76,7 +84,8 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How near to the shortest zonotopes around meshes are proved to be, and how much smaller than boxes they are.
+/// How near to the shortest zonotopes are proved to be, and how much smaller than boxes they are, around meshes and
+/// around everything.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let of = |value| {
         meshes().iter().filter_map(move |mesh| {
@@ -84,14 +93,16 @@ fn lesson(found: &Measured<'_>) -> Option<String> {
             Some(found.at_largest(series, Quantity::Value(value))?.1)
         })
     };
-    let [_, ratio] = range(of("ratio"))?;
     let [least, greatest] = range(of("volume_ratio"))?;
     let [least_box, greatest_box] = range(of("box_volume_ratio"))?;
+    let overall = |value| found.extremes("enclosing-quality", "within_1e-2", Quantity::Value(value), words::plain);
+    let ([_, ratio], [_, volume]) = (overall("ratio")?, overall("volume_ratio")?);
     Some(format!(
-        "Around {} meshes the zonotopes are proved to be within {:.2} % of the least total length; they have \
-         {least:.2} to {greatest:.2} times the volume of the convex hull, and boxes along the axes {least_box:.2} to \
-         {greatest_box:.2} times.",
+        "Around {} meshes the zonotopes have {least:.2} to {greatest:.2} times the volume of the convex hull, and \
+         boxes along the axes {least_box:.2} to {greatest_box:.2} times; over all inputs the volume is at most {} \
+         times that of the hull, and the total length is proved to be at most {} times the least.",
         of("ratio").count(),
-        100.0 * (ratio - 1.0)
+        words::at(&volume),
+        words::at(&ratio)
     ))
 }

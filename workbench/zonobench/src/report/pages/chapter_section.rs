@@ -9,11 +9,11 @@ use super::experiment;
 use super::figures::{DrawnFigure, plates};
 use super::layout::{Layout, Part};
 use crate::report::Evidence;
-use crate::report::chapter::{Chapter, ChapterTable};
+use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
 use crate::report::html::{Escaped, badge, prose, table};
-use crate::report::measured::Measured;
 use crate::report::repeat::Repeat;
 use crate::report::tables::{finding_badge, growth_summary, overall_table, value_table, value_table_on};
+use experiments::measured::Measured;
 
 /// The chapter.
 pub(super) fn section(part: &Part<'_>, layout: &Layout<'_>, evidence: &Evidence) -> String {
@@ -36,7 +36,8 @@ pub(super) fn section(part: &Part<'_>, layout: &Layout<'_>, evidence: &Evidence)
     for paragraph in chapter.method {
         text.push_str(&format!("<p>{}</p>\n", prose(paragraph)));
     }
-    text.push_str(&format!("<p><b>Cost.</b> {}</p>\n</details>\n", Escaped(chapter.bound)));
+    let costs: Vec<String> = chapter.costs.iter().map(|cost| cost_line(cost, evidence)).collect();
+    text.push_str(&format!("<p><b>Cost.</b> {}</p>\n</details>\n", costs.join(" ")));
     text.push_str(&folded_figures(&part.folded, layout, evidence));
     for experiment in &part.experiments {
         text.push_str(&experiment::folded(experiment, evidence));
@@ -151,6 +152,20 @@ fn findings(part: &Part<'_>, evidence: &Evidence) -> String {
         }
     }
     format!("<p class=\"findings\">{}</p>\n", lines.join("<br>\n"))
+}
+
+/// A law of a cost with a link to what holds it, where the page has that.
+fn cost_line(cost: &Cost, evidence: &Evidence) -> String {
+    let (anchor, name, is_shown) = match cost.held {
+        Held::Claim(id) => ("claim", id, evidence.claims.iter().any(|result| result.claim.id == id)),
+        Held::Fit { experiment, .. } => {
+            ("experiment", experiment, evidence.experiments.iter().any(|shown| shown.id == experiment))
+        }
+    };
+    match is_shown {
+        true => format!("{} <small>(<a href=\"#{anchor}-{name}\">{name}</a>)</small>", prose(cost.text)),
+        false => prose(cost.text),
+    }
 }
 
 fn commands(chapter: &Chapter) -> String {

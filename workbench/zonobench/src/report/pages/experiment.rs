@@ -1,6 +1,8 @@
 //! An experiment within a page, folded up.
 
 use experiments::definition::{Experiment, Verdict};
+use experiments::findings;
+use experiments::measured::Measured;
 use experiments::record::CountOutcome;
 
 use crate::report::Evidence;
@@ -32,6 +34,7 @@ pub(super) fn folded(experiment: &'static Experiment, evidence: &Evidence) -> St
         faults.len(),
         prose(experiment.question),
     );
+    text.push_str(&said(&findings::counted(experiment.id, &Measured::of(&evidence.records))));
     if !faults.is_empty() {
         text.push_str(&format!("<ul class=\"faults\"><li>{}</li></ul>\n", faults.join("</li><li>")));
     }
@@ -48,4 +51,13 @@ pub(super) fn folded(experiment: &'static Experiment, evidence: &Evidence) -> St
     }
     text.push_str("</details>\n");
     text
+}
+
+/// Sentences made from the records, as a list; nothing without any.
+pub(super) fn said(sentences: &[String]) -> String {
+    if sentences.is_empty() {
+        return String::new();
+    }
+    let items: Vec<String> = sentences.iter().map(|sentence| format!("<li>{}</li>", prose(sentence))).collect();
+    format!("<ul class=\"found\">{}</ul>\n", items.join(""))
 }

@@ -15,15 +15,18 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     }
     let mut text = String::from(
         "<section id=\"ledger\">\n<h2>The paper's statements, one by one</h2>\n\
-         <p>Every statement, figure and open question of the paper, checked where its algorithm exists. Each \
-         correction comes with a witness and with what to read instead.</p>\n<ul class=\"sorts\">\n",
+         <p>Every statement, figure and open question of the paper, checked where its algorithm exists, and counted \
+         once. Each correction comes with a witness and with what to read instead.</p>\n<ul class=\"sorts\">\n",
     );
     for finding in Finding::ALL {
-        let Some(meaning) = meaning(finding) else { continue };
         let found = evidence.claims.iter().filter(|result| result.finding() == finding);
+        if finding == Finding::Holds {
+            continue;
+        }
         let links: Vec<String> =
             found.map(|result| format!("<a href=\"#claim-{0}\">{0}</a>", result.claim.id)).collect();
         if !links.is_empty() {
+            let meaning = finding.meaning();
             text.push_str(&format!("<li>{} {meaning}: {}.</li>\n", finding_badge(finding), links.join(", ")));
         }
     }
@@ -40,17 +43,6 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     }
     text.push_str("</section>\n");
     text
-}
-
-/// What a correction is; none for findings that speak for themselves.
-fn meaning(finding: Finding) -> Option<&'static str> {
-    match finding {
-        Finding::Erratum => Some("is false as the paper prints it"),
-        Finding::MissingCondition => Some("is true once a condition or a step is added that the paper leaves out"),
-        Finding::ImplementationNote => Some("is true on paper, and a program has to take care or can do better"),
-        Finding::Refuted => Some("is false, and nobody had listed it for correction"),
-        Finding::Holds | Finding::Inconclusive | Finding::NotYetImplemented => None,
-    }
 }
 
 /// The sections of the claims, each once, in the order of their first claim.

@@ -10,6 +10,7 @@ mod opening;
 mod peers;
 mod reading;
 
+use experiments::measured::Measured;
 use experiments::record::TimeOutcome;
 
 pub use figures::DrawnFigure;
@@ -71,6 +72,8 @@ pub fn times(evidence: &Evidence) -> String {
             Escaped(experiment.title),
             grouped(rows.count() as u64)
         ));
+        let said = experiments::findings::timed(experiment.id, &Measured::of(&evidence.records));
+        body.push_str(&experiment::said(&said));
         let fits = evidence.fits_of(experiment).filter(|fit| !fit.is_deterministic());
         body.push_str(&growth_table(&fits.collect::<Vec<_>>()));
         body.push_str(&time_table(experiment, &evidence.records.times));

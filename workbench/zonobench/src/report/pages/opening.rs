@@ -58,10 +58,14 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
 fn tiles(evidence: &Evidence) -> Vec<(u64, &'static str)> {
     let noun = |finding: Finding| match finding {
         Finding::Holds => "statements hold",
+        Finding::HoldsWhereTried => "hold on the one kind of instances that was tried",
+        Finding::HoldsInPart => "hold in the part that was tried",
+        Finding::Restated => "restate another statement, and are counted there",
+        Finding::AnsweredInPart => "open questions of the paper are answered in part",
         Finding::Erratum => "errata, with a witness and a remedy",
         Finding::MissingCondition => "statements need a condition that is not there",
-        Finding::ImplementationNote => "notes for programs",
-        Finding::Refuted => "statements are refuted that nobody had listed for correction",
+        Finding::Note => "notes for programs",
+        Finding::Refuted => "statements are refuted that were not listed for correction",
         Finding::Inconclusive => "statements are undecided",
         Finding::NotYetImplemented => "statements wait for their algorithm",
     };

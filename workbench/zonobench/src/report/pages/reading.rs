@@ -25,7 +25,7 @@ pub(super) fn section(evidence: &Evidence) -> String {
          interval rests on the means alone; where the instances of a size are equal, or there is one, nothing can be \
          tested. “Closest” names the law that fits best of those that were compared.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
-         wherever it was tried; each correction shows a witness.</p>\n\
+         on instances of several kinds, or of the one kind that it is about; each correction shows a witness.</p>\n\
          <p><b>Everything here</b> comes from the profile {} with seed {}. <a \
          href=\"manifest.json\"><code>manifest.json</code></a> lists every file with its hash and says which ones \
          must not change from run to run; <a href=\"records/counts.jsonl\"><code>records/counts.jsonl</code></a> holds \

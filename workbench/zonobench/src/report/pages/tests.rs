@@ -148,9 +148,10 @@ fn every_claim_is_told_once_and_corrections_by_their_sort() {
         let anchor = format!("id=\"claim-{}\"", result.claim.id);
         assert_eq!(page.matches(&anchor).count(), 1, "{}", result.claim.id);
     }
-    for finding in [Finding::Erratum, Finding::MissingCondition, Finding::ImplementationNote, Finding::Refuted] {
+    for finding in [Finding::Erratum, Finding::MissingCondition, Finding::Restated, Finding::Refuted] {
         assert!(evidence.claims.iter().any(|result| result.finding() == finding), "{finding:?}");
-        assert!(page.contains(&format!(">{}</span> is ", finding.words())), "{finding:?}");
+        let told = format!(">{}</span> {}", finding.words(), finding.meaning());
+        assert!(page.contains(&told), "{finding:?}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! The paper's claims as a table.
 
-use paper_checks::{Check, ClaimResult, Finding};
+use paper_checks::{Check, ClaimKind, ClaimResult, Finding};
 
 use crate::report::html::{Escaped, badge, prose, table};
 
@@ -16,11 +16,13 @@ pub(in crate::report) fn claim_table(
             let claim = result.claim;
             let place = format!("{}, {}", claim.place.section, claim.place.label);
             let mut evidence = match (result.claim.check, &result.verdict) {
-                (Check::Restates(id), Some(_)) => format!("It restates <a href=\"#claim-{id}\">{id}</a>."),
+                (Check::Restates(id), Some(_)) => prose(&result.evidence())
+                    .replace(&format!("<code>{id}</code>"), &format!("<a href=\"#claim-{id}\">{id}</a>")),
                 _ => prose(&result.evidence()),
             };
             if let Some(remedy) = claim.remedy {
-                evidence.push_str(&format!("<p class=\"remedy\">Instead: {}</p>", prose(remedy)));
+                let word = if claim.kind == ClaimKind::Note { "Note" } else { "Instead" };
+                evidence.push_str(&format!("<p class=\"remedy\">{word}: {}</p>", prose(remedy)));
             }
             let links = figures(result);
             if !links.is_empty() {
@@ -45,10 +47,10 @@ pub(in crate::report) fn claim_table(
 /// The finding as a badge.
 pub(in crate::report) fn finding_badge(finding: Finding) -> String {
     let tone = match finding {
-        Finding::Holds => "good",
+        Finding::Holds | Finding::HoldsWhereTried | Finding::HoldsInPart => "good",
         Finding::Erratum | Finding::Refuted => "bad",
-        Finding::MissingCondition | Finding::ImplementationNote | Finding::Inconclusive => "open",
-        Finding::NotYetImplemented => "plain",
+        Finding::MissingCondition | Finding::Note | Finding::Inconclusive | Finding::AnsweredInPart => "open",
+        Finding::Restated | Finding::NotYetImplemented => "plain",
     };
     badge(tone, finding.words())
 }

@@ -10,7 +10,7 @@ use paper_checks::Measurement;
 
 use super::variant::variant_title;
 use crate::report::html::{Escaped, badge, grouped, prose, table};
-use crate::report::measured::range;
+use experiments::measured::range;
 
 /// What the fits of each method in each experiment say of its bound, in one sentence, leaving out what a clock says.
 pub(in crate::report) fn measurements(fits: &[FittedGrowth]) -> Vec<Measurement> {

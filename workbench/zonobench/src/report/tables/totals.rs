@@ -105,8 +105,8 @@ mod tests {
             let cells = line.split("</td>").map(|cell| cell.rsplit('>').next().unwrap_or_default().to_owned());
             cells.collect::<Vec<_>>()
         };
-        assert_eq!(cells("all")[1..5], ["6 … 32", "GJK in floating point", "40", "7"]);
-        assert_eq!(cells("random bodies")[1..5], ["6 … 32", "GJK in floating point", "30", "7"]);
+        assert_eq!(cells("all")[1..5], ["6 … 32", "Our GJK in floating point", "40", "7"]);
+        assert_eq!(cells("random bodies")[1..5], ["6 … 32", "Our GJK in floating point", "30", "7"]);
         assert_eq!(cells("flat bodies")[3..5], ["10", "0"]);
         let overall = overall_table(experiment, &rows);
         assert!(overall.contains(">40</td>") && !overall.contains("bodies</td>"), "{overall}");

@@ -64,8 +64,8 @@ pub enum Certificate {
 }
 
 impl Measured<'_> {
-    /// The gauge within four units in the last place, and a bound of its error. About √n nodes, or one pass where sums
-    /// of nodes are not exact.
+    /// The gauge within four units in the last place, and a bound of its error. O(√n) nodes of a random body, or one
+    /// pass where sums of nodes are not exact.
     pub fn nearest_value(&self) -> (f64, f64) {
         match &self.location.found {
             Found::Facet(optimum) => nearest_gauge(&self.location.query, optimum, &mut ()),

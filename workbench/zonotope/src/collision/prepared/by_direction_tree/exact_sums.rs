@@ -1,5 +1,5 @@
 //! The sums of the nodes without any rounding, as integers times one power of two: what makes exact support values, and
-//! exact decisions at contact, cost about √n.
+//! exact decisions at contact, cost O(√n) on random bodies.
 //!
 //! They exist where the last bit of the smallest coordinate and the sum of the largest fit into 127 bits: bodies whose
 //! coordinates are less than some fifty powers of two apart.

@@ -60,7 +60,7 @@ impl DirectionTree {
     }
 
     /// Σ sign · v with the signs of the products with a direction, exactly, and the places of the generators that are
-    /// orthogonal to it, which are left out; none where sums of nodes are not exact. About √n nodes.
+    /// orthogonal to it, which are left out; none where sums of nodes are not exact. O(√n) nodes of a random body.
     pub(super) fn exact_sum_along(&self, direction: &ExactVector) -> Option<(ExactVector, Places)> {
         let sums = self.exact_sums.as_ref()?;
         let center = rounded_direction(direction);
@@ -81,7 +81,7 @@ impl DirectionTree {
         Some((exact_linear::sum(&sum, &signed_sum(signs.into_iter())), orthogonal))
     }
 
-    /// Σ |v · u| with a bound of its error. About √n nodes.
+    /// Σ |v · u| with a bound of its error. O(√n) nodes of a random body.
     pub(super) fn centred_support(&self, u: &[f64; 3]) -> Bounded {
         let mut places = Places::with_capacity(USUAL_CROSSING);
         let fixed = self.split(&DirectionCone { center: *u, axes: None, ball: 0.0 }, &mut places);

@@ -14,8 +14,8 @@ use crate::zonotope::query::Query;
 
 impl DirectionTree {
     /// The support function and an extreme vertex, exactly, as [`Zonotope::support`](crate::Zonotope::support) has
-    /// them: a generator that is orthogonal to the direction has the coefficient 1. About √n nodes and leaves; a pass
-    /// where the coordinates are too far apart for short exact sums.
+    /// them: a generator that is orthogonal to the direction has the coefficient 1. O(√n) nodes and leaves of a random
+    /// body; a pass where the coordinates are too far apart for short exact sums.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the direction is NaN or infinite.
@@ -34,7 +34,7 @@ impl DirectionTree {
         Ok(Support { exact_value: exact_linear::dot(&point, &u), exact_point: point })
     }
 
-    /// The support function in doubles, with a bound of its error. About √n nodes and leaves.
+    /// The support function in doubles, with a bound of its error. O(√n) nodes and leaves of a random body.
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the direction is NaN or infinite.

@@ -2,7 +2,7 @@
 //!
 //! A cell of directions and a direction are pulled back into the frame in which the tree was built, and the sums that
 //! the nodes tell are pushed forward; the tree itself is never touched. So one or two moving bodies are asked about
-//! √n times in each frame without being built anew.
+//! in each frame without being built anew.
 
 mod answer;
 mod clear;
