@@ -65,7 +65,8 @@ pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value, known:
         }
         "min_area" => least_area(input, right, changed),
         "min_length_dirs" => {
-            if right["status"] != changed["status"] {
+            // Value and bound of an answer tell by themselves whether it is optimal.
+            if (right["status"] == "infeasible") != (changed["status"] == "infeasible") {
                 Some((false, false))
             } else if right["status"] == "infeasible" {
                 out_of_reach(input, changed)
@@ -179,7 +180,12 @@ fn farthest(input: &Value, changed: &Value) -> Option<bool> {
     let smallest = RBig::try_from(f64::from_bits(1)).ok()?;
     let value = generators.iter().fold(dot(&u, &center), |sum, g| sum + absolute(dot(&u, g)));
     let scale = (0..u.len()).fold(RBig::ZERO, |sum, axis| sum + absolute(u[axis].clone()) * size(axis));
-    let is_value = absolute(number(&changed["value"])? - value) <= scale * &same + &smallest;
+    let largest = RBig::try_from(f64::MAX).ok()?;
+    let is_value = match changed["value"].as_str() {
+        Some("Infinity") => value > largest,
+        Some("-Infinity") => value < -largest,
+        _ => absolute(number(&changed["value"])? - value) <= scale * &same + &smallest,
+    };
     // The point must be one of the face of all farthest points, but for a box of rounding.
     let mut middle = center.clone();
     let mut face: Vec<Vec<RBig>> = Vec::new();
@@ -335,7 +341,10 @@ fn out_of_reach(input: &Value, changed: &Value) -> Option<(bool, bool)> {
 
 fn shortest(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bool)> {
     let generators: Vec<Vec<f64>> = changed["generators"].as_array()?.iter().map(doubles).collect::<Option<_>>()?;
-    let length: f64 = generators.iter().map(|g| g.iter().map(|x| x * x).sum::<f64>().sqrt()).sum();
+    // Relative to the largest component, no square leaves the range of doubles.
+    let largest = generators.iter().flatten().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
+    let lengths = generators.iter().map(|g| g.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt());
+    let length = largest * lengths.sum::<f64>();
     let claimed = changed["length"].as_f64()?;
     let exact = vectors(&changed["generators"])?;
     let body = encloses(input, &changed["center"], &exact)? && (length - claimed).abs() <= SAME * length;

@@ -12,6 +12,7 @@ enum Style {
     Real,
     Ulps,
     Mixed,
+    Wide,
 }
 
 fn number(dice: &mut Dice, style: Style) -> f64 {
@@ -21,6 +22,8 @@ fn number(dice: &mut Dice, style: Style) -> f64 {
         Style::Real => 2.0 * dice.unit(),
         Style::Ulps => *dice.choose(&[whole, whole, whole.next_up(), whole.next_down()]),
         Style::Mixed if dice.one_in(3) => whole,
+        Style::Wide if dice.one_in(2) => whole,
+        Style::Wide => dice.unit() * 2.0_f64.powi(dice.below(2_040) as i32 - 1_030),
         Style::Mixed => dice.unit() * 10.0_f64.powi(dice.below(25) as i32 - 12),
     }
 }
@@ -44,7 +47,7 @@ fn vectors(dice: &mut Dice, style: Style, dimension: usize, count: usize) -> Vec
 
 /// A question of the kind with the given id.
 pub fn question(dice: &mut Dice, kind: &str, id: &str) -> Value {
-    let style = *dice.choose(&[Style::Whole, Style::Whole, Style::Real, Style::Ulps, Style::Mixed]);
+    let style = *dice.choose(&[Style::Whole, Style::Whole, Style::Real, Style::Ulps, Style::Mixed, Style::Wide]);
     let dimension = *dice.choose(&[1, 2, 2, 3, 3, 3, 4]);
     json!({"id": id, "kind": kind, "input": input(dice, kind, style, dimension)})
 }
