@@ -8,7 +8,7 @@ use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 
 const SIZES: PerProfile<&[usize]> =
-    PerProfile { quick: &[4, 6, 8, 12, 16, 24, 32], full: &[4, 6, 8, 12, 16, 24, 32, 48, 64, 96] };
+    PerProfile { quick: &[6, 8, 12, 16, 24, 32], full: &[6, 8, 12, 16, 24, 32, 48, 64, 96] };
 
 /// Points of each instance.
 const POINTS: usize = 400;

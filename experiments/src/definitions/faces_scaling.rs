@@ -12,7 +12,7 @@ use zonotope::zonotope::faces::{FaceLattice, Faces, Facet, faces};
 const GENERAL: &[&str] = &["random_bodies", "polar_bodies", "heavy_tailed_bodies"];
 
 const SIZES: PerProfile<&[usize]> =
-    PerProfile { quick: &[8, 16, 32, 64, 128, 256], full: &[8, 16, 32, 64, 128, 256, 512, 1024] };
+    PerProfile { quick: &[8, 16, 32, 64, 128, 256, 512], full: &[8, 16, 32, 64, 128, 256, 512, 1024] };
 
 /// Size and time of the explicit face lattice against the number of generators.
 pub const EXPERIMENT: Experiment = Experiment {

@@ -132,3 +132,20 @@ fn prepare_in<const D: usize>(case: &Case, points: Vec<[f64; D]>, k: usize) -> T
         Ok(digest(&answer))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The scan reads each point along each of the C(8, 2) normals, and the engine reads at least each row's two
+    /// entries once.
+    #[test]
+    fn the_papers_program_counts_its_scan_and_its_engine() {
+        let points = on_sphere::<3>(100, 5);
+        let case = Case::new(1, "directions-scaling", "sphere_3", "papers_program", 8, 0);
+        let measured = measure(&case, &Cloud::Space(points), 8).expect("100 points");
+        assert!(measured.counts["point_read"] >= 100 * 28, "{:?}", measured.counts);
+        assert!(measured.counts["entry_read"] as f64 >= 2.0 * measured.values["rows"], "{:?}", measured.counts);
+        assert!(measured.values["share_of_scan"] >= 1.0);
+    }
+}

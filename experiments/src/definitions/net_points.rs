@@ -1,24 +1,29 @@
 //! What Theorem 4.7 reads, against the number of points.
 
-use super::length_ratio::{digest, verdict};
-use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
+use super::fixed_directions_methods::{digest, solve};
+use crate::definition::{
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
+};
 use crate::families::clouds::Cloud;
 use crate::fit::GrowthModel;
-use zonotope::enclosing::min_total_length::Method;
+use zonotope::enclosing::fixed_directions::FixedDirections;
+use zonotope::enclosing::min_total_length::direction_net::cell_middles;
+use zonotope::interop::verifier::check_min_length_dirs_bounds;
 use zonotope::tally::OperationCounts;
 
-/// The precision.
-const EPSILON: f64 = 0.5;
+/// Cells along a side of the square with which the paper's net of the plane is one for epsilon = 3/32.
+const CELLS: usize = 22;
 
-const FAMILIES: &[&str] = &["ball_2", "ball_3", "sphere_3"];
+const FAMILIES: &[&str] = &["ball_2", "sphere_2"];
 
 /// What Theorem 4.7 reads, against the number of points.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "net-points",
     title: "Least total length along the paper's net: growth with the number of points",
-    question: "The paper's net for epsilon = 1/2, in the plane and in space. The points that are read, which is the \
-               part of the time of Theorem 4.7 that depends on their number: linear in it for a given precision. \
-               Points are read a few times in all, besides a working set that does not grow with them.",
+    question: "The paper's program along the paper's net of the plane for epsilon = 3/32, 46 directions. \
+               `point_read` is the part of the time of Theorem 4.7 that depends on the number of points: for a given \
+               precision it is linear in that. With normals as they are needed fewer points are read in all, and how \
+               many depends on how many are extreme.",
     claims: &["theorem-4.7"],
     families: FAMILIES,
     real_inputs: &[],
@@ -37,18 +42,38 @@ pub const EXPERIMENT: Experiment = Experiment {
         .at_least(GrowthModel::Linear)],
 };
 
-fn measure(case: &Case) -> Result<Measurement, String> {
-    match case.cloud()? {
-        Cloud::Plane(points) => measure_in(&points),
-        Cloud::Space(points) => measure_in(&points),
-        Cloud::Four(_) => Err("a net of four dimensions is too large".to_owned()),
+/// The directions of the paper's net: the middles of the cells, and the axes.
+fn net() -> Vec<[f64; 2]> {
+    let mut net = cell_middles::<2>(CELLS);
+    for axis in [[1.0, 0.0], [0.0, 1.0]] {
+        if !net.contains(&axis) {
+            net.push(axis);
+        }
     }
+    net
 }
 
-fn measure_in<const D: usize>(points: &[[f64; D]]) -> Result<Measurement, String> {
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let Cloud::Plane(points) = case.cloud()? else { return Err("only points of the plane are enclosed".to_owned()) };
+    let directions = net();
+    let weights = vec![1.0; directions.len()];
+    let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
     let mut counts = OperationCounts::default();
-    let answer = Method::PapersNet.solve(points, EPSILON, &mut counts).map_err(|error| error.to_string())?;
-    Ok(Measurement::new(&counts, digest(&answer), verdict(&answer, EPSILON))
-        .with_value("directions", answer.effort.rows as f64)
-        .with_value("generators", answer.body.generators().len() as f64))
+    let answer = solve("papers_program", &problem, &mut counts)?;
+    let verdict = Verdict::of_verifier("check_min_length_dirs_bounds", check_min_length_dirs_bounds(&problem, &answer));
+    Ok(Measurement::new(&counts, digest(&answer), verdict)
+        .with_value("directions", directions.len() as f64)
+        .with_value("relative_gap", answer.relative_gap()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use zonotope::enclosing::min_total_length::Net;
+
+    #[test]
+    fn the_directions_are_the_net_for_three_of_32() {
+        let size = Net::Paper.size(2, 3.0 / 32.0);
+        assert!(net().len() <= size && size == 2 * CELLS + 2);
+    }
 }

@@ -54,3 +54,17 @@ fn measure(case: &Case) -> Result<Measurement, String> {
     let digest = Digest::default().floats(reduced.body.generators().as_flattened()).finish();
     Ok(Measurement::new(&counts, digest, verdict).with_value("generators", reduced.body.generators().len() as f64))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three reads a generator, and the comparisons that sort at most 108 patches.
+    #[test]
+    fn the_patches_read_each_generator_three_times() {
+        let measured = measure(&Case::new(1, EXPERIMENT.id, "random_bodies", "lemma_5_5", 2000, 0)).expect("a body");
+        assert_eq!(measured.counts["generator_read"], 3 * 2000);
+        assert!((50..1000).contains(&measured.counts["comparison"]), "{:?}", measured.counts);
+        assert!(matches!(measured.verdict, Verdict::Correct(_)), "{:?}", measured.verdict);
+    }
+}

@@ -89,9 +89,9 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
     let mut evidence = Vec::new();
     for (name, halves) in [("m = n", 2), ("m = n^1.5", 3)] {
         let mut samples = Vec::new();
-        for exponent in [6, 8, 10] {
-            for _ in 0..2 {
-                let (n, space) = (1u32 << exponent, 1u64 << (exponent * halves / 2));
+        for exponent in [6, 7, 8, 9, 10] {
+            for _ in 0..3 {
+                let (n, space) = (1u32 << exponent, (1u64 << (exponent * halves)).isqrt());
                 let rows = (0..n).map(|_| std::array::from_fn(|_| random.random_range(-1.0..=1.0))).collect();
                 let body = Zonotope::new([0.0; 3], rows).map_err(|error| error.to_string())?;
                 let mut counts = OperationCounts::default();

@@ -70,8 +70,8 @@ fn optimal<const D: usize>(random: &mut Pcg64Mcg, count: usize, k: usize) -> Res
 fn growth(context: &CheckContext) -> Result<String, String> {
     let points = clouds::on_sphere::<3>(1200, context.seed);
     let (mut printed, mut all, mut needed) = (Vec::new(), Vec::new(), Vec::new());
-    for k in [4, 5, 6, 8, 10] {
-        let directions = clouds::on_sphere::<3>(k, context.seed + k as u64);
+    for (k, set) in [4, 5, 6, 8, 10].into_iter().flat_map(|k| (0..4).map(move |set| (k, set))) {
+        let directions = clouds::on_sphere::<3>(k, context.seed + k as u64 + 100 * set);
         let weights = vec![1.0; k];
         let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
         let answers = [
@@ -105,9 +105,10 @@ fn growth(context: &CheckContext) -> Result<String, String> {
     let (few, many) = (passes(500)?, passes(8000)?);
     let last = |samples: &[(f64, f64)]| samples.last().map_or(0.0, |sample| sample.1);
     let sentence = format!(
-        "for 1200 points on a sphere and k = 4 to 10 directions the rows of the printed program, {} for k = 10, grow \
-         like (k-1)/k k^{printed_power:.2}, those over all normals, {}, like (k-1)/k k^{all_power:.2}, those found as \
-         needed, {}, like k^{needed_power:.2}; 500 points are read {few} times, 8000 points {many} times",
+        "for 1200 points on a sphere and four sets each of k = 4 to 10 directions the rows of the printed program, \
+         {} for k = 10, grow like (k-1)/k k^{printed_power:.2}, those over all normals, {}, like \
+         (k-1)/k k^{all_power:.2}, those found as needed, {}, like k^{needed_power:.2}; 500 points are read {few} \
+         times, 8000 points {many} times",
         last(&printed),
         last(&all),
         last(&needed)
