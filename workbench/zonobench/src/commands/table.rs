@@ -50,6 +50,12 @@ pub(super) fn at_most(number: f64) -> String {
     rounded(number, |shown, number| shown < number)
 }
 
+/// A bound from below that says so where it is rounded.
+pub(super) fn lower_bound(number: f64) -> String {
+    let shown = at_least(number);
+    if shown == in_full(number) { shown } else { shown + ", rounded down" }
+}
+
 /// The digits that are shown of a number.
 const DIGITS: i64 = 6;
 
@@ -117,6 +123,7 @@ mod tests {
         ] {
             assert_eq!([figure(number), at_least(number), at_most(number)], [nearest, below, above], "{number:?}");
         }
+        assert_eq!([lower_bound(4.0), lower_bound(12.999_999_999_999_998)], ["4.0", "12.9999, rounded down"]);
         let sentence = "the distance is 1.601571521802106 to 1.616587602298466; at most 1.000000000613 times 2.5";
         let shown = "the distance is 1.60157 to 1.61659; at most 1.00001 times 2.5";
         assert_eq!(with_six_digits(sentence), shown);

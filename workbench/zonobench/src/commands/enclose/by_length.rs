@@ -8,7 +8,7 @@ use super::{Options, comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
-use crate::commands::table::{Table, at_least, at_most, counted, figure, tuple, with_six_digits};
+use crate::commands::table::{Table, at_most, counted, figure, lower_bound, tuple, with_six_digits};
 use crate::commands::verify::question_name;
 use crate::input::{Body, Reading, body_of_answer};
 use crate::output::{Outputs, Results};
@@ -84,7 +84,7 @@ fn summary(
         let bound = number("lower_bound");
         table.row("length", format!("{}, the sum of the half-lengths", figure(length)));
         let of_all = if directions.is_some() { "along these directions" } else { "around the points" };
-        table.row("lower bound", format!("{}, for every zonotope {of_all}", at_least(bound)));
+        table.row("lower bound", format!("{}, for every zonotope {of_all}", lower_bound(bound)));
         let ratio = if length == bound { 1.0 } else { length / bound };
         let is_short = result["within_epsilon"].as_bool() == Some(false);
         let is_asked = |name: &str| question.field("input").is_some_and(|input| input.field(name).is_some());

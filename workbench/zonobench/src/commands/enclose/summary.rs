@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 
 use super::Options;
-use crate::commands::table::{Table, at_least, counted, figure};
+use crate::commands::table::{Table, counted, figure, lower_bound};
 use crate::enclosure::Enclosure;
 use crate::input::Reading;
 use verifier::MinAreaProof;
@@ -39,7 +39,7 @@ pub(super) fn summary(
                 ratio.map_or(String::new(), |ratio| format!(", {ratio:.6} times the hull's"))
             ),
         ),
-        ("lower bound", at_least(found.lower_bound)),
+        ("lower bound", lower_bound(found.lower_bound)),
     ]);
     match proof {
         Ok(proof) => {

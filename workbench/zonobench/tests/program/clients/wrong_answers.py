@@ -33,7 +33,7 @@ for name, error, body in [
     ("no id", WrongAnswer, answers("None")),
     ("no JSON", WrongAnswer, 'print("answered", flush=True)'),
     ("a list", WrongAnswer, "print([1], flush=True)"),
-    ("two lines", WrongAnswer, "\n".join([RIGHT.replace(", flush=True", ""), RIGHT])),
+    ("two lines", WrongAnswer, RIGHT.replace("print(", "print(2 * (").replace(", flush", ' + "\\n"), end="", flush')),
     ("neither result nor error", WrongAnswer, 'print(json.dumps({"id": asked["id"]}), flush=True)'),
     ("a refusal of no question", Refused, 'print(\'{"id": null, "error": {"code": "too_large"}}\', flush=True)'),
     ("an end", NoAnswer, "sys.exit('out of memory')"),

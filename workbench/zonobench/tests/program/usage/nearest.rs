@@ -83,7 +83,6 @@ fn names_in_a_file_that_changes_experiments() {
         ("[experiments.hull-scaling]\n", "did you mean `experiment`?"),
         ("[experiment.hull-scaling]\nsizse = [8]\n", "did you mean `sizes`?"),
         ("[experiment.hull-scaling]\nfamilies = [\"elipse\"]\n", "did you mean `ellipse`?"),
-        ("[experiment.hull-scaling]\ninputs = [\"itally\"]\n", "did you mean `italy`?"),
         ("[experiment.hull-scaling]\nvariants = [\"bruteforce\"]\n", "did you mean `brute_force`?"),
     ] {
         fs::write(folder.path().join("my.toml"), text).expect("written");
