@@ -69,9 +69,12 @@ impl Placement {
         }
     }
 
-    /// The same placement of space for a body of at most three dimensions, whose further coordinates are 0.
-    pub(crate) fn of_space(&self) -> Pose {
+    /// The same placement of space for a body of at most three dimensions; it stretches the further coordinates.
+    pub(crate) fn of_space(&self, stretch: f64) -> Pose {
         let mut matrix = Pose::IDENTITY.matrix();
+        for axis in self.matrix.len()..SPACE {
+            matrix[axis][axis] = stretch;
+        }
         let mut translation = [0.0; SPACE];
         for (row, own) in matrix.iter_mut().zip(&self.matrix) {
             row[..own.len()].copy_from_slice(own);

@@ -106,7 +106,7 @@ fn of_contact<const S: usize, const D: usize>(
         .map_or([INTERIOR; 2], |touching| hidden.features(touching.features.each_ref().map(|feature| feature.kind)));
     let point = vector_to_json(&hidden.vector(&point));
     let Penetration { lower, upper, direction } = depth;
-    let direction = hidden.vector(direction);
+    let direction = hidden.direction(direction);
     let mut result = json!({
         "distance": 0.0,
         "status": location.status().name(),

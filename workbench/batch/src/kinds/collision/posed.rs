@@ -55,20 +55,20 @@ impl<const D: usize> Posed<D> {
         self.placement.image(&self.body).ok_or_else(|| image_not_held(&self.place))
     }
 
-    /// More than the width of the image along any axis, or the largest double.
+    /// More than the width of the image along any axis; infinite beyond the range of doubles.
     fn reach(&self) -> f64 {
         let image = |v: &[f64; D]| -> f64 {
             self.placement.matrix().iter().flat_map(|row| row.iter().zip(v)).map(|(m, x)| (m * x).abs()).sum()
         };
-        (4.0 * self.body.generators().iter().map(image).sum::<f64>()).min(f64::MAX)
+        4.0 * self.body.generators().iter().map(image).sum::<f64>()
     }
 
-    /// The body in space, with more generators there.
-    fn in_space(&self, hidden: impl Iterator<Item = [f64; SPACE]>) -> (Zonotope<SPACE>, Pose) {
+    /// The body in space, with more generators there, which are stretched.
+    fn in_space(&self, hidden: impl Iterator<Item = [f64; SPACE]>, stretch: f64) -> (Zonotope<SPACE>, Pose) {
         let space = |v: &[f64; D]| std::array::from_fn(|axis| v.get(axis).copied().unwrap_or_default());
         let generators = self.body.generators().iter().map(space).chain(hidden).collect::<Vec<_>>();
         let body = Zonotope::new(space(&self.body.center()), generators).expect("the body is finite");
-        (body, self.placement.of_space())
+        (body, self.placement.of_space(stretch))
     }
 }
 
@@ -81,12 +81,16 @@ pub(super) struct Prism<const D: usize> {
 impl<const D: usize> Prism<D> {
     /// The prism over the first of two bodies, and the second body.
     pub(super) fn over(first: &Posed<D>, second: &Posed<D>) -> Self {
-        let reach = (first.reach() + second.reach()).min(f64::MAX);
-        let height = if reach > 0.0 { reach } else { 1.0 };
+        // Products of doubles may leave their range, and so does the height then, as a product.
+        let (height, stretch) = match first.reach() + second.reach() {
+            0.0 => (1.0, 1.0),
+            reach if reach.is_finite() => (reach, 1.0),
+            _ => (f64::MAX, 2f64.powi(1000)),
+        };
         let count = first.body.generators().len();
         let along = |axis: usize| std::array::from_fn(|other| if other == axis { height } else { 0.0 });
         let hidden = Hidden(count..count + SPACE.saturating_sub(D));
-        let bodies = [first.in_space((D..SPACE).map(along)), second.in_space(std::iter::empty())];
+        let bodies = [first.in_space((D..SPACE).map(along), stretch), second.in_space(std::iter::empty(), 1.0)];
         Self { bodies, hidden }
     }
 
@@ -119,6 +123,16 @@ impl<const D: usize> Hidden<D> {
     /// The coordinates that the body has.
     pub(super) fn vector<T: Clone, const S: usize>(&self, v: &[T; S]) -> [T; D] {
         std::array::from_fn(|axis| v[axis].clone())
+    }
+
+    /// A direction in the dimensions of the question: any where only that of the prism's height was found, as then all
+    /// lead beyond the range of doubles.
+    pub(super) fn direction<const S: usize>(&self, direction: &[f64; S]) -> [f64; D] {
+        let mut own = self.vector(direction);
+        if own.iter().all(|x| *x == 0.0) && direction.iter().any(|x| *x != 0.0) {
+            own[0] = 1.0;
+        }
+        own
     }
 
     /// The proof about the generators of the question.
