@@ -1,5 +1,5 @@
-//! Files as other programs write them, which are read, or refused by the name of what is in doubt; what a reading leaves
-//! out, or takes in a way that is not plain, stands in the summary.
+//! Files as other programs write them, which are read, or refused by the name of what is in doubt; the summary tells
+//! what a reading leaves out, or takes in a way that is not plain.
 
 use std::fs;
 

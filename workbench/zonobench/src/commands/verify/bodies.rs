@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, anyhow};
 use batch::json::{self, MAX_VALUES, Tree};
-use batch::placement::Placement;
+use batch::read_pose;
 use serde_json::Value;
 
 use super::about::{AboutData, NO_RECORD, OTHER_DATA};
@@ -82,7 +82,7 @@ fn ask_again(
             let (mut placed, origin) = BodySource { file: file.clone(), format, layout }.read(tell)?;
             if let Some(pose) = &record.pose {
                 let read =
-                    Placement::read(pose, placed.dimension()).map_err(|refusal| anyhow!("{}", refusal.message))?;
+                    read_pose(pose, placed.dimension()).map_err(|refusal| anyhow!("{}", refusal.message))?;
                 placed.pose = Some(read);
             }
             hashes.push(origin.sha256);

@@ -71,7 +71,7 @@ mod tests {
                         let found = experiments::catalog::find(experiment);
                         let plans = found.unwrap_or_else(|| panic!("there is no experiment {experiment}")).fits;
                         let is_judged = |plan: &&experiments::definition::FitPlan| {
-                            plan.variant == method && plan.bound == Some(law)
+                            plan.variant == method && plan.bound.is_some_and(|bound| bound.model == law)
                         };
                         assert!(plans.iter().any(|plan| is_judged(&plan)), "{}: no fit says so", cost.text);
                         assert_eq!(stated, [plain(&law.to_string())], "{}", cost.text);
