@@ -44,8 +44,7 @@ pub(super) fn check_penetration(question: &Displaced, status: Status, answer: &P
     if !(0.0..=f64::MAX).contains(lower) {
         return Err(format!("the lower bound of the depth is {lower:?}, no finite number from 0 on").into());
     }
-    // NaN is above nothing.
-    if !(lower <= upper) {
+    if upper.is_nan() || lower > upper {
         return Err("the bounds of the depth are in no order".into());
     }
     let facets = Facets::of(question.dimension(), &question.generators, std::slice::from_ref(&question.p))

@@ -225,6 +225,10 @@ fn rounding_allowance(points: &[[f64; 2]]) -> Proportion {
 fn proven_bound(points: &[Point], center: &Point, certificate: &Certificate) -> Result<Proportion, String> {
     let vertices: &[Point] = &certificate.hull.iter().map(|&vertex| points[vertex].clone()).collect::<Vec<_>>();
     if vertices.len() < 3 {
+        let Certificate { farthest, coefficients, basis, .. } = certificate;
+        if !farthest.is_empty() || !coefficients.is_empty() || !basis.is_empty() {
+            return Err("certificate: points on a line have no edges".to_owned());
+        }
         return Ok(Proportion::whole(IBig::ZERO, 0));
     }
     let edges: Vec<Point> =

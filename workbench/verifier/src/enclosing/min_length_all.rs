@@ -140,6 +140,9 @@ fn proved(
 
     let bound = proven_bound(&places, &answer.forces)?.map_err(too_many)?.times(&unit);
     check_bound(answer.lower_bound, &bound)?;
+    if answer.lower_bound < 0.0 {
+        return Err(format!("lower_bound {:?} says nothing of a length", answer.lower_bound).into());
+    }
     // A length beyond the range of doubles is measured exactly.
     let claimed = if answer.length.is_finite() { Proportion::of_double(answer.length) } else { length.clone() };
     check_ratio(answer, &claimed)?;

@@ -84,8 +84,7 @@ pub(super) fn check_bounds(pair: &BodyPair, [lower, upper]: [f64; 2], direction:
     if !(0.0..=f64::MAX).contains(&lower) {
         return Err(format!("the lower bound of the distance is {lower:?}, no finite number from 0 on").into());
     }
-    // NaN is above nothing.
-    if !(lower <= upper) {
+    if upper.is_nan() || lower > upper {
         return Err("the bounds of the distance are in no order".into());
     }
     if direction.len() != pair.displacement.len() || direction.iter().any(|c| !c.is_finite()) {
