@@ -1,6 +1,7 @@
 //! Every fast method against the exact twin of its problem, on all instance families.
 
 mod arrangement;
+mod body_distances;
 mod centered;
 mod collision;
 mod distance;

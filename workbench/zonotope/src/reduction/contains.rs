@@ -10,13 +10,14 @@ use crate::zonotope::Zonotope;
 /// So many products of a facet normal and a generator are taken at most.
 const PRODUCT_LIMIT: u64 = 1 << 33;
 
-/// So many of them are taken in exact arithmetic at most: where doubles leave a doubt, as they do of bodies that are
-/// nearly equal.
+/// So many of them are taken in exact arithmetic at most: where doubles leave a doubt, as they do of nearly equal
+/// bodies.
 const EXACT_PRODUCT_LIMIT: u64 = 1 << 22;
 
 /// Whether the outer zonotope contains the inner one, decided exactly; none where that takes more than 2^33 products of
-/// a facet normal and a generator, or more than 2^22 of which doubles do not tell enough. Flat bodies are compared within the span of the outer one. O(C(k, r − 1) (n + k))
-/// for n generators of the inner body and k of the outer one, of rank r.
+/// a facet normal and a generator, or more than 2^22 of which doubles do not tell enough. Flat bodies are compared
+/// within the span of the outer one. O(C(k, r − 1) (n + k)) for n generators of the inner body and k of the outer one,
+/// of rank r.
 #[inline(never)]
 pub fn contains<const D: usize>(outer: &Zonotope<D>, inner: &Zonotope<D>) -> Option<bool> {
     let [from, to] = [outer.center(), inner.center()].map(exact);

@@ -1,0 +1,167 @@
+//! The slowest reductions and distances of bodies, beside the usual ones: for each kind of question and family of
+//! generators the median time, and the questions that take longest in terms of it.
+//!
+//! `cargo run --release -p experiments --example slowest_reductions -- 200 [kind] [family]` asks so many questions of
+//! each kind and family, of one to six dimensions and up to a thousand generators.
+
+use std::env;
+use std::time::Instant;
+
+use experiments::families::source::RandomSource;
+use zonotope::Zonotope;
+use zonotope::reduction::by_patches::patches_within;
+use zonotope::reduction::hausdorff::hausdorff;
+use zonotope::reduction::{Method, Problem, contains};
+
+const SIZES: [usize; 15] = [1, 2, 3, 4, 5, 6, 8, 12, 20, 30, 50, 100, 200, 400, 1000];
+const PRECISIONS: [f64; 6] = [0.5, 0.2, 0.1, 0.01, 1e-3, 1e-6];
+const KINDS: [&str; 3] = ["hausdorff", "reduce", "approx"];
+const FAMILIES: [&str; 9] =
+    ["random", "lattice", "flat", "needle", "parallel", "mixed_scales", "denormal", "pancake", "huge"];
+
+/// The bounds differ by at most this part of the lower one, where the search for them allows it.
+const WIDTH: f64 = 0.01;
+
+/// Questions listed of a kind and family.
+const LISTED: usize = 3;
+
+/// A question that was asked, with its time in milliseconds.
+struct Asked {
+    time: f64,
+    text: String,
+}
+
+fn main() {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let count =
+        arguments.first().map_or(200, |text| text.parse().expect("the first argument is a number of questions"));
+    let is_chosen = |at: usize, name: &str| arguments.get(at).is_none_or(|chosen| chosen == name);
+    for kind in KINDS.into_iter().filter(|kind| is_chosen(1, kind)) {
+        for family in FAMILIES.into_iter().filter(|family| is_chosen(2, family)) {
+            let mut source = RandomSource::new(1);
+            let mut asked: Vec<Asked> = (0..count).map(|_| ask(kind, family, &mut source)).collect();
+            asked.sort_by(|a, b| a.time.total_cmp(&b.time));
+            let (Some(middle), Some(last)) = (asked.get(asked.len() / 2), asked.last()) else { continue };
+            println!("{kind} {family}: median {:.3} ms, slowest {:.0} ms", middle.time, last.time);
+            for question in asked.iter().rev().take(LISTED) {
+                println!("    {:.1} ms: {}", question.time, question.text);
+            }
+        }
+    }
+}
+
+fn ask(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
+    match whole(source, 1, 6) {
+        1 => ask_in::<1>(kind, family, source),
+        2 => ask_in::<2>(kind, family, source),
+        3 => ask_in::<3>(kind, family, source),
+        4 => ask_in::<4>(kind, family, source),
+        5 => ask_in::<5>(kind, family, source),
+        _ => ask_in::<6>(kind, family, source),
+    }
+}
+
+fn ask_in<const D: usize>(kind: &str, family: &str, source: &mut RandomSource) -> Asked {
+    let size = *one_of(&SIZES, source);
+    let body = Zonotope::new([0.0; D], generators(family, size, source)).expect("the families are finite");
+    match kind {
+        "hausdorff" => {
+            let (other, text) = other_body(family, &body, source);
+            timed(format!("{text}, R^{D}, {size} generators"), || {
+                contains(&other, &body).map(|_| hausdorff(&body, &other, WIDTH).upper)
+            })
+        }
+        "reduce" => {
+            let (method, count) = (*one_of(&Method::ALL, source), *one_of(&[D, D + 1, 2 * D, 3 * D], source));
+            timed(format!("{}, {count} of {size} generators, R^{D}", method.id()), || {
+                let problem = Problem::new(&body, count).expect("the count is at least the dimension");
+                method.reduce(&problem).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
+            })
+        }
+        _ => {
+            let epsilon = *one_of(&PRECISIONS, source);
+            timed(format!("{epsilon}, R^{D}, {size} generators"), || {
+                patches_within(&body, epsilon).ok().map(|reduced| reduced.distance(&body, WIDTH).upper)
+            })
+        }
+    }
+}
+
+fn timed(text: String, work: impl FnOnce() -> Option<f64>) -> Asked {
+    let start = Instant::now();
+    let answer = work();
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    Asked { time, text: format!("{text}{}", if answer.is_none() { ", refused" } else { "" }) }
+}
+
+/// A body to compare with: another of the family, one that is off by rounding, moved, or a part.
+fn other_body<const D: usize>(
+    family: &str,
+    body: &Zonotope<D>,
+    source: &mut RandomSource,
+) -> (Zonotope<D>, &'static str) {
+    let mut center = [0.0; D];
+    let (list, text) = match whole(source, 0, 4) {
+        0 => (generators(family, *one_of(&SIZES, source), source), "another body"),
+        1 => (body.generators().iter().map(|g| g.map(f64::next_up)).collect(), "an ulp apart"),
+        2 => (body.generators().iter().map(|g| g.map(|c| c * 1.0f64.next_down())).collect(), "scaled by an ulp"),
+        3 => (body.generators()[..body.generators().len().min(5)].to_vec(), "a few of the generators"),
+        _ => {
+            center = normal(source);
+            (body.generators().to_vec(), "moved")
+        }
+    };
+    (Zonotope::new(center, list).expect("the families are finite"), text)
+}
+
+fn generators<const D: usize>(family: &str, size: usize, source: &mut RandomSource) -> Vec<[f64; D]> {
+    let axis: [f64; D] = normal(source);
+    let basis: [[f64; D]; 2] = [lattice(source), lattice(source)];
+    let thickness = 10f64.powi(-whole(source, 2, 9));
+    let generator = |source: &mut RandomSource| -> [f64; D] {
+        match family {
+            "random" => normal(source),
+            "lattice" => lattice(source),
+            "flat" => {
+                let [s, t] = [f64::from(whole(source, -3, 3)), f64::from(whole(source, -3, 3))];
+                std::array::from_fn(|k| s * basis[0][k] + t * basis[1][k])
+            }
+            "needle" => {
+                let [length, off]: [[f64; D]; 2] = [normal(source), normal(source)];
+                std::array::from_fn(|k| length[0] * axis[k] + thickness * off[k])
+            }
+            "parallel" => {
+                let factor =
+                    if whole(source, 0, 1) == 0 { f64::from(whole(source, -4, 4)) } else { normal::<1>(source)[0] };
+                one_of(&basis, source).map(|c| factor * c)
+            }
+            "mixed_scales" => normal::<D>(source).map(|c| c * 10f64.powi(whole(source, -8, 8))),
+            "denormal" => std::array::from_fn(|_| f64::from(whole(source, -60, 60)) * f64::from_bits(1)),
+            "pancake" => {
+                let g = normal::<D>(source);
+                std::array::from_fn(|k| if k + 1 == D { 1e-7 * g[k] } else { g[k] })
+            }
+            "huge" => normal::<D>(source).map(|c| c * 1e300),
+            other => panic!("no family is called {other}"),
+        }
+    };
+    (0..size).map(|_| generator(source)).collect()
+}
+
+fn normal<const D: usize>(source: &mut RandomSource) -> [f64; D] {
+    std::array::from_fn(|_| source.normal_pair()[0])
+}
+
+fn lattice<const D: usize>(source: &mut RandomSource) -> [f64; D] {
+    std::array::from_fn(|_| f64::from(whole(source, -3, 3)))
+}
+
+/// A whole number of a range, its ends included.
+fn whole(source: &mut RandomSource, low: i32, high: i32) -> i32 {
+    let part = source.unit() * f64::from(high - low + 1);
+    (low + part as i32).min(high)
+}
+
+fn one_of<'a, T>(list: &'a [T], source: &mut RandomSource) -> &'a T {
+    &list[whole(source, 0, list.len() as i32 - 1) as usize]
+}
