@@ -29,7 +29,7 @@ impl<const D: usize> Frame<D> {
     /// The frame of points, at least one; its rank is 0 just when all points are equal.
     pub(super) fn new(points: &[[f64; D]]) -> Self {
         let origin = points[0];
-        // Where a difference overflows, half of it does not, and it exceeds by far what halving rounds.
+        // Half of a difference that overflows does not, and exceeds by far what halving rounds.
         let differences = |p: &[f64; D], shift: i64| -> [f64; D] {
             std::array::from_fn(|c| scaled_difference(p[c], origin[c], shift))
         };
@@ -81,7 +81,7 @@ impl<const D: usize> Frame<D> {
         let outside = self.outside(p);
         std::array::from_fn(|c| {
             let moved = self.origin[c] + scale_by_power_of_two(outside[c], self.exponent);
-            // Where the shift alone overflows, halves are added, which lose no more than the smallest double.
+            // Halves are added if the shift alone overflows: they lose no more than the smallest double.
             let halves = || 2.0 * (self.origin[c] / 2.0 + scale_by_power_of_two(outside[c], self.exponent - 1));
             (if moved.is_finite() { moved } else { halves() }).clamp(-f64::MAX, f64::MAX)
         })

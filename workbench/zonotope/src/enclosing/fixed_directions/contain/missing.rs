@@ -52,7 +52,7 @@ impl<const D: usize> Body<'_, D> {
             }
         }
         let extent = q.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
-        // Where the numbers are of too many sizes for floating point, no size is a number.
+        // Numbers of too many sizes for floating point leave no size that is a number.
         let is_small_enough = size <= LARGE_RESIDUAL * extent && extent.is_finite();
         if !is_small_enough {
             let is_small = self.generators.len() <= RATIONAL_DIRECTION_LIMIT;
