@@ -81,8 +81,7 @@ fn ask_again(
             let (format, layout) = (chosen.or(record.points.format), record.layout);
             let (mut placed, origin) = BodySource { file: file.clone(), format, layout }.read(tell)?;
             if let Some(pose) = &record.pose {
-                let read =
-                    read_pose(pose, placed.dimension()).map_err(|refusal| anyhow!("{}", refusal.message))?;
+                let read = read_pose(pose, placed.dimension()).map_err(|refusal| anyhow!("{}", refusal.message))?;
                 placed.pose = Some(read);
             }
             hashes.push(origin.sha256);
