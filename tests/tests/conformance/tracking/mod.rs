@@ -43,7 +43,10 @@ fn bodies(family: usize, [first, second]: [usize; 2], seed: u64) -> [Zonotope<3>
 /// Whether the verifier takes a location of posed bodies.
 fn is_proved(query: &PosedQuery<'_>, location: &Location<3>) -> bool {
     let (runs, poses, zero) = (query.runs(), query.poses(), [0.0; 3]);
-    let placed = poses.map(|pose| verifier::Pose { matrix: pose.matrix(), translation: pose.translation() });
+    let placed = poses.map(|pose| verifier::Pose {
+        matrix: pose.matrix().iter().map(|row| row.to_vec()).collect(),
+        translation: pose.translation().to_vec(),
+    });
     let body = |i: usize| Body { center: &zero, generators: runs[i], pose: Some(&placed[i]) };
     let displaced = Displaced::between(&body(0), &body(1)).expect("finite bodies of space");
     let certificate = match location {
