@@ -20,10 +20,9 @@ const FAMILIES: &[&str] = &["ball_2", "sphere_2"];
 pub const EXPERIMENT: Experiment = Experiment {
     id: "net-points",
     title: "Least total length along the paper's net: growth with the number of points",
-    question: "The paper's program along the paper's net of the plane for epsilon = 3/32, 46 directions. \
-               `point_read` is the part of the time of Theorem 4.7 that depends on the number of points: for a given \
-               precision it is linear in that. With normals as they are needed fewer points are read in all, and how \
-               many depends on how many are extreme.",
+    question: "How many points does Theorem 4.7 read, against their number? The paper's program is solved along the paper's \
+               net of the plane for epsilon = 3/32, which has 46 directions. `point_read` is the part of the theorem's \
+               time that depends on the number of points.",
     claims: &["theorem-4.7"],
     families: FAMILIES,
     real_inputs: &[],
