@@ -156,6 +156,11 @@ fn proved(
     if !is_within && answer.within_epsilon != Some(false) {
         return Err(format!("the ratio {:?} is above 1 + epsilon", answer.ratio).into());
     }
+    // what is said of the ratio is held to the ratio, whatever rounding may cost the length
+    let precisely = lower_bound.times(&share).plus(&length.times(&relative));
+    if answer.within_epsilon == Some(true) && claimed.compare(&precisely) == Ordering::Greater {
+        return Err(format!("within_epsilon is true, but the ratio {:?} is above 1 + epsilon", answer.ratio).into());
+    }
     let nearly = share.times(&Proportion::of_double(1.0 - RELATIVE_ERROR));
     if answer.within_epsilon == Some(false) && claimed.compare(&lower_bound.times(&nearly)) != Ordering::Greater {
         return Err(format!("within_epsilon is false, but the ratio {:?} is at most 1 + epsilon", answer.ratio).into());
@@ -266,6 +271,25 @@ mod tests {
         let mut elsewhere = answer();
         elsewhere.forces[0].0 = 7;
         assert!(complaint(elsewhere).contains("does not exist"));
+    }
+
+    /// Two points whose distance is the smallest double: rounding may double the length, but the ratio is 2 then.
+    #[test]
+    fn a_ratio_that_rounding_excuses_is_not_called_within_epsilon() {
+        let tiny = f64::from_bits(1);
+        let points = [vec![1.0, 0.0], vec![1.0, 2.0 * tiny]];
+        let claims = |within_epsilon| MinLengthAnswer {
+            length: 2.0 * tiny,
+            center: vec![1.0, tiny],
+            generators: vec![vec![0.0, 2.0 * tiny]],
+            lower_bound: tiny,
+            ratio: 2.0,
+            within_epsilon,
+            forces: vec![(0, vec![0.0, -1.0]), (1, vec![0.0, 1.0])],
+        };
+        let verdict = |within_epsilon| check_min_length_all(&points, 0.5, &claims(within_epsilon));
+        assert!(verdict(Some(true)).proof().is_err_and(|complaint| complaint.contains("within_epsilon is true")));
+        assert!(verdict(None).is_right());
     }
 
     #[test]
