@@ -17,7 +17,7 @@ const POINTS: usize = 400;
 pub const EXPERIMENT: Experiment = Experiment {
     id: "directions-scaling",
     title: "Along given directions: growth with the number of directions",
-    question: "How many rows have the linear programs, and what does Theorem 4.6 cost in counts? n is the number k of \
+    question: "How many rows have the linear programs, and what does Theorem 4.6 read? n is the number k of \
                directions; there are 400 points in two, three and four dimensions. `rows` are those of the program \
                with all normals, of the paper's program, and of the one with normals as they are needed; \
                `share_of_bound` is the part of the rows that the number of normals allows, which is smaller where the \

@@ -21,8 +21,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     id: "points-scaling",
     title: "Along given directions: growth with the number of points",
     question: "How often are the points read, against their number? There are 10 directions in space; `passes` are \
-               the readings of all points, and `point_read` the points read. Two forms scan all points for each of \
-               the 45 normals, as Theorem 4.6 does.",
+               the readings of all points, and `point_read` the points read. Two forms scan all points for each \
+               normal, as Theorem 4.6 does.",
     claims: &["theorem-4.6"],
     families: FAMILIES,
     real_inputs: &[],

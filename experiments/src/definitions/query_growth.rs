@@ -19,9 +19,9 @@ const MOST: &str = "by_cutting_most_space";
 pub const EXPERIMENT: Experiment = Experiment {
     id: "query-growth",
     title: "Repeated queries: growth with the number of generators",
-    question: "What does a query cost in the structure of Lemma 5.3, against the lemma's bound? n is the number of generators, \
-               and the space m is n, n^(3/2) or n^2. `share_of_bound` is the operations of a query over (n^2 / m) log^2 \
-               n. Each answer is compared with the question's construction, and its proof is checked.",
+    question: "What does a query cost in the structure of Lemma 5.3, against the lemma's bound? n is the number of \
+               generators, and the space m is n, n^(3/2) or n^2. `share_of_bound` is the operations of a query over \
+               (n^2 / m) log^2 n. Each answer is compared with the question's construction, and its proof is checked.",
     claims: &["lemma-5.3", "corollary-5.4"],
     families: FAMILIES,
     real_inputs: &[],

@@ -25,8 +25,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     question: "How far from the body is each rule's reduction, against the number of generators? n is the number k \
                of generators that a body of 1,000 is reduced to; `error` is the proven upper bound of the Hausdorff \
                distance in terms of the diameter, `error_from_below` the lower one. Each reduction has to contain \
-               the body, which is decided exactly. The law of Lemma 5.5 has an experiment of its own, as its patches take the \
-               counts of grids alone.",
+               the body, which is decided exactly. The law of Lemma 5.5 has an experiment of its own, as its patches \
+               take the counts of grids alone.",
     claims: &["lemma-5.5", "ball-approximation", "zonoid-approximation", "variable-complexity"],
     families: FAMILIES,
     real_inputs: &[],

@@ -220,7 +220,7 @@ fn what_is_no_zonotope_is_refused_in_one_line() {
         ("nan.json", r#"[[0,0,"NaN"]]"#, "[0][2]"),
         ("broken.json", "[[0,0", "line 1"),
         ("nothing.json", "[]", "holds no zonotope"),
-        ("seven.json", "[[1,2,3,4,5,6,7]]", "7"),
+        ("seven.json", r#"{"generators":[[1,2,3,4,5,6,7]]}"#, "7"),
     ];
     for (name, content, place) in bad {
         written(&folder, name, content);

@@ -36,7 +36,7 @@ impl Pair {
     /// The body of an answer and the one that it encloses.
     fn of_enclosing(input: &Value, result: &Value) -> Option<Self> {
         let (first, second) = (vectors(&result["generators"])?, vectors(&input["generators"])?);
-        let dimension = second.first().or(first.first())?.len();
+        let dimension = result["center"].as_array()?.len();
         Some(Self { offset: vec![RBig::ZERO; dimension], first, second })
     }
 

@@ -14,8 +14,8 @@ const SAME: f64 = 2.01e-12;
 /// The relative distance from the lower bound up to which a value is called the least one.
 const OPTIMAL: f64 = 1e-11;
 
-/// Whether `changed` answers the question, as `right` does. What cannot be read is false. What takes long to find of the
-/// question is kept in `known`.
+/// Whether `changed` answers the question, as `right` does. What cannot be read is false. What takes long to find of
+/// the question is kept in `known`.
 pub fn is_true(kind: &str, input: &Value, right: &Value, changed: &Value, known: &mut Option<Known>) -> bool {
     let judged = match kind {
         "member" => {
@@ -172,8 +172,8 @@ fn is_same(right: &Value, changed: &Value) -> bool {
 
 /// Whether value and point are those of a farthest point, but for rounding.
 fn farthest(input: &Value, changed: &Value) -> Option<bool> {
-    let (u, center, y) = (vector(&input["direction"])?, vector(&input["center"])?, vector(&changed["point"])?);
-    let generators = vectors(&input["generators"])?;
+    let (u, y) = (vector(&input["direction"])?, vector(&changed["point"])?);
+    let (center, generators) = placed(input, "center")?;
     let size =
         |axis: usize| generators.iter().fold(absolute(center[axis].clone()), |sum, g| sum + absolute(g[axis].clone()));
     let same = RBig::try_from(SAME).ok()?;

@@ -95,7 +95,7 @@ pub use enclosing::min_length_all::{
 };
 pub use enclosing::min_length_dirs::{
     Directed, DirectedAnswer, DirectedProof, check_min_length_dirs, check_min_length_dirs_at_any_gap,
-    check_min_length_dirs_bounds,
+    check_min_length_dirs_bounds, check_min_length_dirs_feasible,
 };
 pub use exact::fraction::Fraction;
 pub use exact::whole_direction;

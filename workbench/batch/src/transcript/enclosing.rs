@@ -6,7 +6,7 @@ use super::traced::Traced;
 use verifier::{
     Certificate, Directed, DirectedAnswer, ExactMinArea, Fraction, MinAreaAnswer, MinLengthAnswer,
     check_exact_min_area, check_measure, check_min_area, check_min_length_all, check_min_length_all_at_any_ratio,
-    check_min_length_dirs, check_min_length_dirs_at_any_gap,
+    check_min_length_dirs, check_min_length_dirs_feasible,
 };
 
 pub(super) fn min_area(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, String> {
@@ -72,7 +72,7 @@ pub(super) fn min_length_dirs(input: Traced<'_>, result: Traced<'_>) -> Result<V
         },
         other => return Err(format!("there is no status `{other}`")),
     };
-    let check = if status == "feasible" { check_min_length_dirs_at_any_gap } else { check_min_length_dirs };
+    let check = if status == "feasible" { check_min_length_dirs_feasible } else { check_min_length_dirs };
     Ok(check(&question, &answer).in_words())
 }
 

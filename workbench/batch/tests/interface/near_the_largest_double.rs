@@ -27,7 +27,7 @@ fn a_nearest_point_at_the_largest_double_is_finite() {
 #[test]
 fn support_takes_more_coordinates_than_the_geometry_of_bodies() {
     let generators: Vec<Vec<f64>> =
-        (0..10).map(|row| (0..10).map(|column| if row == column { 1.0 } else { 0.1 }).collect()).collect();
+        (0..20).map(|row| (0..10).map(|column| if row == column { 1.0 } else { 0.1 }).collect()).collect();
     let input =
         |dimension: usize| json!({"direction": vec![1; dimension], "center": vec![0; 10], "generators": generators});
     let found = right(&json!({"id": "t", "kind": "support", "input": input(10)}));

@@ -61,7 +61,7 @@ pub(super) fn check_penetration(question: &Displaced, status: Status, answer: &P
         let relation = if upper.is_infinite() { "and the upper bound infinite" } else { "above its upper bound" };
         return Err(format!("the depth is {:?}, {relation}", told()).into());
     }
-    check_direction(question, direction, &units(most))?;
+    check_direction(question, direction, (!upper.is_infinite()).then(|| units(most)), &depth)?;
     let narrowest = Proportion::of_double(most).times(&Proportion::of_double(1.0 - ACCURACY));
     if Proportion::of_double(*lower).plus(&Proportion::of_double(COARSENESS)).compare(&narrowest).is_lt() {
         return Err(Stop::Unchecked(format!(
@@ -71,13 +71,24 @@ pub(super) fn check_penetration(question: &Displaced, status: Status, answer: &P
     Ok(())
 }
 
-/// Checks that p is no deeper in a direction than the upper bound, but for what rounding the direction takes from sums.
-fn check_direction(question: &Displaced, direction: &[f64], upper: &Proportion) -> Result<(), Stop> {
+/// Checks that p is no deeper in a direction than the upper bound, but for what rounding the direction takes from sums;
+/// where there is no bound in doubles, than the depth and the accuracy of bounds.
+fn check_direction(
+    question: &Displaced,
+    direction: &[f64],
+    upper: Option<Proportion>,
+    depth: &Length,
+) -> Result<(), Stop> {
     let exact: Option<Vec<_>> = direction.iter().map(|&c| crate::Fraction::of_double(c)).collect();
     let u = crate::whole_direction(&exact.unwrap_or_default());
     let reach = question.support(&u);
     let along = Proportion::whole(&reach - dot(&u, &question.p), 0);
     let Some(deep) = Length::along(&along, &u) else { return Err("the depth has no direction".into()) };
+    let Some(upper) = upper else {
+        let shortened = Length::along(&along.times(&Proportion::of_double(1.0 - ACCURACY)), &u);
+        let is_deeper = shortened.is_none_or(|shortened| shortened.compare_length(depth).is_gt());
+        return if is_deeper { Err("in the direction of the depth it is deeper".into()) } else { Ok(()) };
+    };
     let total = question.generators.iter().flatten().fold(IBig::ZERO, |sum, c| sum + c.clone().abs());
     let rounding = Proportion::whole(total, 0).times(&Proportion::of_double(DIRECTION_ERROR));
     if deep.compare(&upper.plus(&rounding)).is_gt() {

@@ -98,9 +98,15 @@ pub fn check_min_length_dirs(question: &Directed, answer: &DirectedAnswer) -> Ve
     proved(question, answer).into()
 }
 
+/// Proves what [`check_min_length_dirs`] does; a value that may not be the least is no reason to leave an answer
+/// unchecked.
+pub fn check_min_length_dirs_at_any_gap(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
+    enclosed(question, answer).into()
+}
+
 /// Proves what [`check_min_length_dirs`] does of an answer that claims no optimum: its value is above `lower_bound` by
 /// more than a relative 10^-11.
-pub fn check_min_length_dirs_at_any_gap(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
+pub fn check_min_length_dirs_feasible(question: &Directed, answer: &DirectedAnswer) -> Verdict<DirectedProof> {
     let checked = enclosed(question, answer).and_then(|proof| {
         if figures(answer).is_some_and(|[value, bound]| !is_apart(value, bound, 1.0 - SHARE_ERROR)) {
             return Err("the value is the least, but for rounding, and not called so".into());

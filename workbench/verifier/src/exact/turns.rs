@@ -24,7 +24,8 @@ pub(crate) fn by_angle(vectors: Vec<Vector>) -> Vec<Vector> {
     sorted.into_iter().map(|(_, v)| v).collect()
 }
 
-/// A relative bound of the error of a turn of rounded vectors: each product is rounded three times, the difference once.
+/// A relative bound of the error of a turn of rounded vectors: each product is rounded three times, the difference
+/// once.
 const TURN_ERROR: f64 = 8.0 * f64::EPSILON;
 
 /// The side of a on which b lies: in floating point where its error leaves no doubt, else exactly.

@@ -60,8 +60,8 @@ impl<'a> RoundedBody<'a> {
 
     /// The distance of a point from that with the given coefficients, at most.
     ///
-    /// An image is within a relative 2^-52 of the exact vector or off by less than [`UNDERFLOW`], a product and a sum of
-    /// n terms are within n + 1 roundings of half as much: all of it is below n + 8 times 2^-52 of the magnitudes.
+    /// An image is within a relative 2^-52 of the exact vector or off by less than [`UNDERFLOW`], a product and a sum
+    /// of n terms are within n + 1 roundings of half as much: all of it is below n + 8 times 2^-52 of the magnitudes.
     fn farthest(&self, point: &Image, coefficients: &[f64]) -> f64 {
         let (mut rest, mut size) = (*point, point.map(f64::abs));
         for (g, &factor) in self.generators.iter().zip(coefficients) {

@@ -10,7 +10,7 @@ use clap::Args;
 
 pub(super) use self::motion::{Shift, Turn};
 use super::asked::BodyFile;
-use super::table::{ROUNDED, Table, counted, figure, tuple};
+use super::table::{ROUNDED, Table, counted, figure, in_full, tuple};
 use super::usage::tell;
 use crate::input::{BodySource, Format, Layout, Placed};
 use batch::placement::Placement;
@@ -18,12 +18,15 @@ use batch::placement::Placement;
 /// How a body is read, and where it is put.
 #[derive(Debug, Clone, Default, PartialEq, Args)]
 pub struct Placing {
-    /// Put the body where a pose puts it: a file with `matrix`, `translation` or both, or with the rows of a matrix,
-    /// square or with the translation as its last column.
+    /// Put the body where the pose of a file puts it.
+    ///
+    /// The file has `matrix`, `translation` or both, or the rows of a matrix, square or with the translation as its
+    /// last column.
     #[arg(long, value_name = "FILE")]
     pose: Option<PathBuf>,
-    /// Turn the body about an axis through the origin, after any pose: z,30 or 1,1,0,30; in the plane 30. The matrix
-    /// that is taken is printed.
+    /// Turn the body about an axis through the origin, after any pose: z,30 or 1,1,0,30; in the plane 30.
+    ///
+    /// The matrix that is taken is printed.
     #[arg(long, value_name = "AXIS,DEGREES", allow_hyphen_values = true)]
     turn: Option<Turn>,
     /// Move the body, after any pose and turn.
@@ -122,11 +125,12 @@ impl Placing {
 
 /// The pose in words, with the exact numbers that are taken.
 pub(super) fn in_words(pose: &Placement) -> String {
-    let moved = format!("translation {}", tuple(pose.translation()));
+    let in_full = |vector: &[f64]| format!("({})", vector.iter().map(|&x| in_full(x)).collect::<Vec<_>>().join(", "));
+    let moved = format!("translation {}", in_full(pose.translation()));
     if *pose.matrix() == *Placement::identity(pose.translation().len()).matrix() {
         return moved;
     }
-    let rows: Vec<String> = pose.matrix().iter().map(|row| tuple(row)).collect();
+    let rows: Vec<String> = pose.matrix().iter().map(|row| in_full(row)).collect();
     format!("matrix ({}), {moved}", rows.join(", "))
 }
 

@@ -59,7 +59,7 @@ fn shapes() {
     let line = support(r#""direction":[1,0],"center":[0,0,0],"generators":[]"#);
     refused(&line, "dimension_mismatch", "center has 3 coordinates, not 2");
     let line = support(r#""direction":[],"center":[],"generators":[]"#);
-    refused(&line, "dimension_mismatch", "direction has 0 coordinates; 1 to 6 are taken");
+    refused(&line, "dimension_mismatch", "direction has 0 coordinates; 1 to 10000 are taken");
     let line = support(r#""direction":[1,2,3,4,5,6,7],"center":[0],"generators":[]"#);
     assert_eq!(refusal(&line).0, "dimension_mismatch");
 }

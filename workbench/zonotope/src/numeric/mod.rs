@@ -15,7 +15,6 @@
 //! | [`non_finite`] | the refusal of numbers that are NaN or infinite, with the place where they stand |
 //! | [`orientation`] | the sign of a cross product of edges between points, exactly; of a determinant of directions |
 //! | `outward` | directed rounding: the nearest double on a given side of an exact number |
-//! | `root` | square roots of exact fractions, rounded down, up and to the nearest double |
 //! | `reused` | lists whose memory a thread keeps for its next question |
 //! | [`scaling`] | powers of two, and differences that do not overflow |
 //! | `short_dyadic` | exact numbers m·2^e of at most 127 bits, without memory of their own |
@@ -37,7 +36,6 @@ pub mod non_finite;
 pub mod orientation;
 pub(crate) mod outward;
 pub(crate) mod reused;
-pub(crate) mod root;
 pub mod scaling;
 pub(crate) mod short_dyadic;
 pub(crate) mod signed_sum;

@@ -19,6 +19,10 @@ pub const UNDERFLOW: f64 = power_of_two(-960);
 /// doubles to one is then relative.
 pub const SMALLEST_SCALED_CENTER: f64 = power_of_two(-60);
 
+/// The length of a vector below which squares of its coordinates may underflow, so that a length computed from them is
+/// worth nothing; above it what underflows is less than a relative 2^-100.
+pub(crate) const SHORTEST_LENGTH: f64 = power_of_two(-480);
+
 /// An absolute error that covers the underflow of one product, or of the few products of a dot product.
 ///
 /// Each that underflows is off by at most 2^-1075, so there is room for far more of them than a sum has; a sum of

@@ -54,9 +54,9 @@ pub struct BodySource {
 
 impl BodySource {
     /// Reads the zonotope, and tells which content of which format it was read from: vectors of a table or of an array,
-    /// or a document: a list of generators, an object with a centre and generators by any of their names, perhaps with a
-    /// `pose`, a question about one body, or an answer that holds one. What a reader may have meant otherwise, and what
-    /// is not read, is told in one line each.
+    /// or a document: a list of generators, an object with a centre and generators by any of their names, perhaps with
+    /// a `pose`, a question about one body, or an answer that holds one. What a reader may have meant otherwise, and
+    /// what is not read, is told in one line each.
     pub fn read(&self, tell: impl Fn(&str)) -> Result<(Placed, Origin), InputError> {
         let format = self.told_format().map_err(|problem| problem.at(&self.file, Place::File))?;
         let content = read_limited(&self.file)?;

@@ -112,7 +112,8 @@ fn facet(
     let line = words.line();
     for slot in &mut vertices {
         expect(words, "vertex")?;
-        let mut next = || words.next().ok_or_else(|| (broken("STL", "ends within a vertex"), Place::File));
+        let ends_at = words.line();
+        let mut next = || words.next().ok_or_else(|| (broken("STL", "ends within a vertex"), Place::Line(ends_at)));
         let coordinates = [next()?, next()?, next()?];
         *slot = on_line(coordinates, 1, words.line())?;
     }

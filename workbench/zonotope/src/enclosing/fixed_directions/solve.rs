@@ -89,8 +89,8 @@ fn prove<const D: usize>(
     let nearest = nearest_doubles(problem, scaled, &program.center());
     let is_flat = scaled.rank < D;
     let center = if is_flat { cheapest_center(setting, &nearest.map(rational), &coefficients) } else { nearest };
-    // A guess may be off by more than doubles allow where numbers are of many sizes; from a point of its own the zonotope
-    // needs no guess.
+    // A guess may be off by more than doubles allow where numbers are of many sizes; from a point of its own the
+    // zonotope needs no guess.
     let mut answer = contain(problem, scaled, center, &coefficients, &mut generation.map)
         .or_else(|_| {
             contain(problem, scaled, problem.points()[0], &vec![0.0; coefficients.len()], &mut generation.map)

@@ -1,11 +1,11 @@
 //! The last step of every method: from a zonotope in the frame and multipliers to an answer with its proofs.
 
 use super::answer::{LengthProof, MinLengthError, MinLengthZonotope, Outcome};
-use super::axis_box::axis_box_around;
 use super::contain::around;
 use super::frame::Frame;
 use super::frame_zonotope::FrameZonotope;
 use super::lower_bound::BestBound;
+use super::sheared_box::shortest_box_around;
 use crate::enclosing::answer::{Effort, Enclosing};
 use crate::numeric::non_finite::NonFinite;
 use crate::numeric::scaling::scale_by_power_of_two;
@@ -31,7 +31,7 @@ pub(super) fn conclude<const D: usize>(
     directions: usize,
     epsilon: f64,
 ) -> Result<MinLengthZonotope<D>, MinLengthError> {
-    let boxed = || axis_box_around(points).ok_or(MinLengthError::OutOfRange);
+    let boxed = || shortest_box_around(points).ok_or(MinLengthError::OutOfRange);
     let around = around(points, frame, &inner).map_or_else(boxed, Ok)?;
     let in_units = |v: f64| scale_by_power_of_two(v, frame.exponent);
     let progress = progress.into_iter().map(|bounds| bounds.map(in_units)).collect();

@@ -52,6 +52,7 @@ pub mod in_the_plane;
 mod lower_bound;
 mod method;
 mod on_a_line;
+mod sheared_box;
 
 pub use answer::{LengthMultiplier, LengthProof, MinLengthError, MinLengthZonotope, Outcome};
 pub use direction_net::Net;

@@ -69,7 +69,7 @@ fn off_the_optimum<const D: usize>(ends: [&[f64; D]; 2], apart: &[Dyadic; D]) ->
 }
 
 /// A number of about so many bits that is not below a positive fraction, and near it.
-fn of_bits_at_least(fraction: &Rational, bits: i64) -> Dyadic {
+pub(super) fn of_bits_at_least(fraction: &Rational, bits: i64) -> Dyadic {
     let exponent = fraction.numerator().bit_len() as i64 - fraction.denominator().bit_len() as i64;
     let unit = Dyadic::new(1.into(), exponent - bits);
     let units = (fraction / unit.to_rational()).ceil();

@@ -4,11 +4,13 @@
 //! |---|---|
 //! | `vector` | vectors of space with exact coordinates |
 //! | `elimination` | inverses, solutions and dependences, in rationals |
+//! | `root` | square roots of exact fractions, which lengths are, rounded down, up and to the nearest double |
 //! | `span` | the span of vectors: rank, coordinates that tell its vectors apart, directions orthogonal to it |
 //!
 //! Dot and cross products, determinants and normals are those of [`linear`](super::linear), over exact numbers.
 
 mod elimination;
+pub(crate) mod root;
 mod span;
 mod vector;
 

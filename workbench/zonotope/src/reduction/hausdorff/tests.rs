@@ -6,8 +6,8 @@ use super::by_vertices::{excess_at_vertices, hausdorff_at_vertices};
 use super::exact_difference::ExactDifference;
 use super::{Distance, excess, hausdorff};
 use crate::numeric::Rational;
+use crate::numeric::exact_linear::root::Root;
 use crate::numeric::exact_linear::{dot, rational};
-use crate::numeric::root::Root;
 use crate::zonotope::Zonotope;
 use proptest::prelude::*;
 

@@ -1,9 +1,9 @@
 //! The penetration depth in the plane, by a walk along the sides of the zonogon.
 //!
 //! # Statement
-//! Input: a query in the plane, with a displacement p and the generators of a zonogon Z. Output: the distance of p from
-//! the boundary of Z, as a [`Penetration`] whose bounds differ by rounding alone; 0 unless p is inside, and so for every
-//! p where Z is flat.
+//! Input: a query in the plane, with a displacement p and the generators of a zonogon Z. Output: the distance of p
+//! from the boundary of Z, as a [`Penetration`] whose bounds differ by rounding alone; 0 unless p is inside, and so for
+//! every p where Z is flat.
 //!
 //! # Source
 //! Beyond the paper. Section 4.1 has the zonogon as a polygon.
@@ -11,14 +11,15 @@
 //! # Method
 //! 1. The generators, turned to the right and sorted by angle with parallel ones added up, are half the sides of the
 //!    zonogon, in order.
-//! 2. Along the normal u of generator t, turned to the left of it, those after t count with a plus sign and those before
-//!    it with a minus sign. So the sum with these signs, which changes by one generator from side to side, gives h(u).
+//! 2. Along the normal u of generator t, turned to the left of it, those after t count with a plus sign and those
+//!    before it with a minus sign. So the sum with these signs, which changes by one generator from side to side, gives
+//!    h(u).
 //! 3. The distance of p from the nearer of the lines of the side and of the opposite one is (h(u) − |u · p|) / |u|. The
 //!    least one is the depth.
 //!
 //! # Complexity
-//! n generators: O(n log n) exact comparisons and O(n) exact operations, where trying all generators for each side takes
-//! O(n²).
+//! n generators: O(n log n) exact comparisons and O(n) exact operations, where trying all generators for each side
+//! takes O(n²).
 //!
 //! # Shapes
 //! generators: n × 2, any order, zero and parallel ones allowed.
@@ -29,6 +30,9 @@
 //!
 //! # Errors
 //! None: a [`Query`] is valid.
+//!
+//! # Panics
+//! Never.
 //!
 //! # Checked by
 //! [`brute_force`](super::brute_force), [`by_facet_normals`](super::by_facet_normals).

@@ -5,7 +5,6 @@ use std::cell::Cell;
 use dashu_int::ops::Abs;
 
 use super::basis::{exact_inverse, long_basis};
-use super::rational_coefficients::RATIONAL_WORK_LIMIT;
 use crate::enclosing::fixed_directions::problem::FixedDirections;
 use crate::enclosing::fixed_directions::scaled::Scaled;
 use crate::numeric::Rational;
@@ -13,6 +12,9 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::sum_of_products;
 use crate::numeric::linear::inverse;
 use crate::numeric::scaling::scale_by_power_of_two;
+
+/// The pivots for all points of a body may take this much work together, in products of words: some tenths of a second.
+pub(super) const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
 
 /// A zonotope along the kept directions of a problem, whose containment of points is proved.
 pub(super) struct Body<'a, const D: usize> {

@@ -5,9 +5,6 @@ use crate::enclosing::fixed_directions::rational::simplex::{Column, maximize};
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::rational;
 
-/// The pivots for all points of a body may take this much work together, in products of words: some tenths of a second.
-pub(super) const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
-
 impl<const D: usize> Body<'_, D> {
     /// Coefficients, rounded to doubles, for which enlarging the basis by the residual costs least.
     pub(super) fn rational_coefficients(&self, point: &[f64; D]) -> Vec<f64> {

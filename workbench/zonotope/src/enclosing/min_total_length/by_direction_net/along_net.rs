@@ -67,7 +67,7 @@ pub(super) fn min_length_along_net<const D: usize>(
         let multipliers = balanced(&unbalanced);
         let activity = |v: &[f64; D]| multipliers.iter().map(|(_, f)| dot(f, v).abs()).sum::<f64>();
         let other_count = is_chosen.iter().filter(|chosen| !**chosen).count();
-        tally.add(Operation::GeneratorRead, (other_count * multipliers.len()) as u64);
+        tally.add(Operation::GeneratorRead, other_count as u64 * multipliers.len() as u64);
         let others = (0..net.len()).filter(|&i| !is_chosen[i]);
         let mut joining: Vec<(f64, usize)> = others.map(|i| (activity(&net[i]), i)).collect();
         joining.retain(|(activity, _)| is_stuck || *activity > 1.0 + precision);

@@ -22,7 +22,7 @@
 //!    suffices (`search`). Nets of directions, three boxes, and the differences of few points are tried beside them.
 //! 3. Merge generators of the sparsest zonotope further, and move the directions (`moving`) until it is short enough.
 //! 4. Points on a line have the segment of doubles (`on_a_line`), and where the search fails, as for numbers of all
-//!    sizes, there is the box along the axes (`axis_box`).
+//!    sizes, there is a box (`sheared_box`).
 //! 5. For the volume, let directions and lengths change by the linear program whose costs are what a generator adds to
 //!    the volume (`volume`), from the answer and from three boxes.
 //! 6. Round the generators to doubles, and prove that they contain every point (`exactly`). They are made longer by a
@@ -43,8 +43,9 @@
 //!
 //! # Errors
 //! [`TooFewGenerators`](super::MinLengthError::TooFewGenerators) ⇔ the count is less than the dimension that the points
-//! span exactly, or less than D and no doubles that span it are found; [`OutOfRange`](super::MinLengthError::OutOfRange)
-//! ⇔ the length leaves the range of doubles: with D generators there is the box along the axes around any points.
+//! span exactly, or less than D and no doubles that span it are found;
+//! [`OutOfRange`](super::MinLengthError::OutOfRange) ⇔ the length leaves the range of doubles: with D generators there
+//! is the box along the axes around any points.
 //!
 //! # Panics
 //! Never.
@@ -72,10 +73,10 @@ mod search;
 mod volume;
 
 use super::answer::{MinLengthError, MinLengthZonotope, Outcome};
-use super::axis_box::axis_box_around;
 use super::by_vertex_sets::outer_points;
 use super::frame::Frame;
 use super::on_a_line::{differences, segment_around};
+use super::sheared_box::shortest_box_around;
 use crate::numeric::scaling::scale_by_power_of_two;
 use along::{Along, Programs};
 use exactly::exactly_around;
@@ -194,8 +195,8 @@ pub fn shortest_of_few<const D: usize>(
     let on_a_line = segment_around(points).map(replaced);
     let sparse = on_a_line.into_iter().chain(with_off(off[0]).or_else(|| with_off(off[1])));
     let sparse = sparse.min_by(|a, b| a.value.total_cmp(&b.value));
-    // Around any points there is the box along the axes.
-    let boxed = || if count < D { None } else { axis_box_around(points).map(replaced) };
+    // Around any points there is a box.
+    let boxed = || if count < D { None } else { shortest_box_around(points).map(replaced) };
     let needed =
         if count < D { MinLengthError::TooFewGenerators { count, needed: D } } else { MinLengthError::OutOfRange };
     let mut sparse = sparse.or_else(boxed).ok_or(needed)?;

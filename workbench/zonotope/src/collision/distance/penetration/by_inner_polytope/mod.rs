@@ -35,6 +35,9 @@
 //! # Errors
 //! None: the query was validated when it was made.
 //!
+//! # Panics
+//! Never.
+//!
 //! # Checked by
 //! [`brute_force`](super::brute_force) on every family; [`by_facet_normals`](super::by_facet_normals).
 //!
@@ -103,11 +106,17 @@ fn of_inner_point(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration
     if !is_settled(&depth) {
         let (generators, end) = precision::exact_body(query, exponent);
         depth = grown(&Listed::in_pairs(&generators, &end), VERTEX_LIMIT, tally);
-        if !is_settled(&depth) {
-            depth = grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally);
-        }
     }
-    // the bounds are normal doubles but where the depth is nearly out of the range of doubles
+    if is_settled(&depth) {
+        return outward(&depth, exponent);
+    }
+    // In units of the body's size the depth of a very thin body underflows; exact numbers need no units.
+    let (generators, end) = precision::exact_body(query, 0);
+    outward(&grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally), 0)
+}
+
+/// Bounds of a scaled body as bounds of the body: normal doubles but where the depth is nearly out of their range.
+fn outward(depth: &Penetration<3>, exponent: i64) -> Penetration<3> {
     Penetration {
         lower: scale_by_power_of_two(depth.lower, exponent).next_down().max(0.0),
         upper: scale_by_power_of_two(depth.upper, exponent).next_up(),

@@ -1,4 +1,5 @@
-//! Numbers that a growing polytope is made of: doubles and pairs of doubles with bounds on their errors, and exact ones.
+//! Numbers that a growing polytope is made of: doubles and pairs of doubles with bounds on their errors, and exact
+//! ones.
 
 use crate::collision::distance::answer::rounded_length;
 use crate::numeric::bounded::Bounded;
@@ -6,7 +7,7 @@ use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::rounded_direction;
 use crate::numeric::linear::{Ring, dot, euclidean_norm};
-use crate::numeric::tolerance::THIRTY_ROUNDINGS;
+use crate::numeric::tolerance::{SHORTEST_LENGTH, THIRTY_ROUNDINGS};
 
 /// A number whose sign and whose quotient by a length are told within bounds.
 pub(super) trait Number: Ring {
@@ -141,6 +142,3 @@ fn quotient([low, high]: [f64; 2], vector: &[Bounded; 3]) -> [f64; 2] {
     }
     [divided(low, longest, shortest).next_down(), divided(high, shortest, longest).next_up()]
 }
-
-/// The length below which squares of coordinates may underflow, so that a computed length is worth nothing.
-const SHORTEST_LENGTH: f64 = crate::numeric::scaling::power_of_two(-480);

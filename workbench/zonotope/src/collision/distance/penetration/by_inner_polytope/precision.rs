@@ -62,7 +62,8 @@ impl InDoubles {
     }
 }
 
-/// The generators of a query that are not zero and its point, exactly, times the power of two with the opposite exponent.
+/// The generators of a query that are not zero and its point, exactly, times the power of two with the opposite
+/// exponent.
 pub(super) fn exact_body(query: &dyn KernelQuery, exponent: i64) -> (Vec<ExactVector>, ExactVector) {
     let scaled = |v: ExactVector| v.map(|c| c.scaled(-exponent));
     let upward = |v: ExactVector| {
@@ -75,8 +76,8 @@ pub(super) fn exact_body(query: &dyn KernelQuery, exponent: i64) -> (Vec<ExactVe
 
 /// A generator or its opposite, whichever has a positive coordinate before all others that are not 0.
 ///
-/// A generator that is orthogonal to a direction is added as it stands; so parallel ones are added alike, and the sum is
-/// a vertex of their facet.
+/// A generator that is orthogonal to a direction is added as it stands; so parallel ones are added alike, and the sum
+/// is a vertex of their facet.
 fn turned(v: [f64; 3]) -> [f64; 3] {
     if v.iter().find(|c| **c != 0.0).is_some_and(|c| *c < 0.0) { v.map(|c| -c) } else { v }
 }

@@ -31,7 +31,7 @@ impl<const D: usize> NormalProgram<D> {
         let unit = |i: usize| (0..tight.len()).map(|j| f64::from(u8::from(i == j))).collect();
         let mut block: Vec<Vec<f64>> = (0..tight.len()).map(unit).collect();
         // The elimination reads both blocks for every row of them, and each slack's row is made from the inverse block.
-        self.entries_read += (2 * tight.len() + (size - tight.len())) as u64 * (tight.len() * tight.len()) as u64;
+        self.entries_read += (size as u64 + tight.len() as u64) * (tight.len() as u64).pow(2);
         invert(&mut left, &mut block, tight.len()).ok_or(Stuck)?;
         let mut inverse = vec![vec![0.0; size]; size];
         for (&(at, _), row) in normals.iter().zip(&block) {

@@ -3,10 +3,10 @@
 use dashu_int::IBig;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 
-use super::Rational;
-use super::dyadic::Dyadic;
-use super::outward::{at_least, at_most};
-use super::scaling::power_of_two;
+use crate::numeric::Rational;
+use crate::numeric::dyadic::Dyadic;
+use crate::numeric::outward::{at_least, at_most};
+use crate::numeric::scaling::power_of_two;
 
 /// Bits of a root beyond which only the question is left whether it has more.
 const ROOT_BITS: usize = 80;
