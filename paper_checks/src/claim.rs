@@ -170,6 +170,8 @@ pub struct Measurement {
     pub summary: String,
     /// Whether the measurement shows that the bound is kept; it does not where it leaves that undecided.
     pub agrees: bool,
+    /// Whether the bound is the paper's: one of our own decides no statement of the paper.
+    pub is_of_paper: bool,
 }
 
 impl Measurement {

@@ -52,8 +52,9 @@ pub(crate) fn verdict(
     for measurement in &measured {
         evidence.push_str(&format!("; {}: {}", measurement.experiment, measurement.summary));
     }
-    let is_own = |measurement: &&&Measurement| methods.contains(&measurement.method.as_str());
-    if measured.iter().filter(is_own).all(|measurement| measurement.agrees) {
+    let decides =
+        |measurement: &&&Measurement| measurement.is_of_paper && methods.contains(&measurement.method.as_str());
+    if measured.iter().filter(decides).all(|measurement| measurement.agrees) {
         Verdict::Holds(evidence)
     } else {
         Verdict::Inconclusive(evidence)

@@ -22,9 +22,9 @@ pub const EXPERIMENT: Experiment = Experiment {
                with all normals, of the paper's program, and of the one with normals as they are needed; \
                `share_of_bound` is the part of the rows that the number of normals allows, which is smaller where the \
                extreme points run out; `share_of_scan` the points read over n C(k, d - 1), a read for each point and \
-               normal; `share_of_program` the entries that the engine reads in its steps over k^(2d), the k^O(d) of \
-               the theorem with a constant that was fixed beforehand. `relative_gap` is the proven distance from the \
-               optimum.",
+               normal; `share_of_program` the entries that the engine reads in its steps over k^(2d), the bound of the \
+               theorem with 2 for the factor in its power, fixed before the counts were seen. `relative_gap` is the \
+               proven distance from the optimum.",
     claims: &["theorem-4.6", "linear-program", "summary-fixed-directions"],
     families: FAMILIES,
     real_inputs: &[],

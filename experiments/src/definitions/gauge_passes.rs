@@ -10,7 +10,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     id: "gauge-passes",
     title: "Exact gauge: passes over the generators",
     question: "How often does the exact gauge read its input? `passes` are the generators read, and the lines \
-               evaluated once few generators are left, divided by the number of generators, from 1,024 on. Smaller \
+               evaluated once few generators are left, divided by the number of generators, where it prunes. Smaller \
                bodies are evaluated at once, each generator again and again, so that a law across both would be that \
                of the change. They count readings, not time: the table of peers has times in passes.",
     claims: &["theorem-5.2"],

@@ -32,8 +32,8 @@ pub const SPACE: Experiment = Experiment {
     question: "What does Theorem 4.7 read, against the precision? n is 1 / epsilon; there are 48 points. \
                `share_of_points` is the points read over their number times epsilon^-(d-1)^2, and `share_of_program` \
                the entries that the linear programs read, with the directions that are looked at for each multiplier, \
-               over epsilon^-(2d(d-1)), which is the epsilon^-O(d^2) of the theorem with a number for the O that was \
-               fixed before the counts were seen. `net_size` is the number of directions of the net.",
+               over epsilon^-(2d(d-1)), the bound of the theorem with 2 for the factor in its power, fixed before the \
+               counts were seen. `net_size` is the number of directions of the net.",
     claims: &["theorem-4.7"],
     families: &["sphere_3"],
     real_inputs: &[],

@@ -19,7 +19,8 @@ pub const EXPERIMENT: Experiment = Experiment {
     title: "Order reduction by patches: growth with the number of generators",
     question: "What does the reduction of Lemma 5.5 read for eps = 1/2, against the number of generators? Each \
                generator is read once for its patch, once for the sum of the patch and once for what is left of it, \
-               and the patches are sorted. `generators` is how many the body around it has. Each proof of containment is checked.",
+               and the patches are sorted. `generators` is how many the body around it has. Each proof of containment \
+               is checked.",
     claims: &["lemma-5.5"],
     families: FAMILIES,
     real_inputs: &[],

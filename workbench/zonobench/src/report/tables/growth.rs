@@ -40,7 +40,7 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     );
     let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
     let (experiment, method) = (first.experiment.to_owned(), first.variant.to_owned());
-    Some(Measurement { experiment, method, summary, agrees })
+    Some(Measurement { experiment, method, summary, agrees, is_of_paper: first.paper_place().is_some() })
 }
 
 /// The words for a verdict on the bound of a fit: a bound that the paper states is named after its place there.

@@ -110,9 +110,18 @@ fn of_inner_point(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration
     if is_settled(&depth) {
         return outward(&depth, exponent);
     }
-    // In units of the body's size the depth of a very thin body underflows; exact numbers need no units.
-    let (generators, end) = precision::exact_body(query, 0);
-    outward(&grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally), 0)
+    // In units of the body's size the depth of a very thin body underflows; only a depth beyond the doubles needs units.
+    let mut exactly = |exponent: i64| {
+        let (generators, end) = precision::exact_body(query, exponent);
+        grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally)
+    };
+    let depth = exactly(0);
+    if depth.upper.is_finite() {
+        return outward(&depth, 0);
+    }
+    let size = (0..query.len()).flat_map(|index| query.exact_generator(index)).filter_map(|c| c.binary_exponent());
+    let exponent = size.max().unwrap_or(0);
+    outward(&exactly(exponent), exponent)
 }
 
 /// Bounds of a scaled body as bounds of the body: normal doubles but where the depth is nearly out of their range.
