@@ -54,9 +54,10 @@ pub(crate) fn verdict(
     }
     let decides =
         |measurement: &&&Measurement| measurement.is_of_paper && methods.contains(&measurement.method.as_str());
-    if measured.iter().filter(decides).all(|measurement| measurement.agrees) {
+    let open: Vec<&str> = measured.iter().filter(decides).filter(|m| !m.agrees).map(|m| m.summary.as_str()).collect();
+    if open.is_empty() {
         Verdict::Holds(evidence)
     } else {
-        Verdict::Inconclusive(evidence)
+        Verdict::Inconclusive(format!("not shown: {}; beside it: {evidence}", open.join(", ")))
     }
 }

@@ -7,7 +7,7 @@ use crate::measured::{Extreme, Measured, Series};
 /// A number in words: grouped digits where it is whole and large, else three significant digits.
 pub fn number(value: f64) -> String {
     let size = value.abs();
-    if value.fract() == 0.0 && size < 1e15 || size >= 1000.0 && size < 1e15 {
+    if size < 1e15 && (value.fract() == 0.0 || size >= 1000.0) {
         return grouped(value.round() as i64);
     }
     if size != 0.0 && !(1e-3..1e15).contains(&size) {

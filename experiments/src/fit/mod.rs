@@ -15,9 +15,9 @@
 //!
 //! # Method
 //! 1. Take natural logarithms: ln y = ln c + a ln n + error.
-//! 2. Ordinary least squares for a and ln c over all samples. What is independent is counted for the interval:
-//!    where all instances of a size are equal, they are one sample, and Student's t has (independent samples - 2)
-//!    degrees of freedom.
+//! 2. Ordinary least squares for a and ln c over the independent samples. What is independent is counted for the
+//!    interval: where all instances of a size are equal, they are one sample, and Student's t has (independent samples
+//!    - 2) degrees of freedom.
 //! 3. An F test compares the means of the sizes around the line with the instances around these means. Where it finds
 //!    a lack of fit, the instances of a size share their error, and the means are what is independent: the variance is
 //!    theirs, with (sizes - 2) degrees of freedom.
@@ -45,7 +45,7 @@ pub use student::t_quantile_975;
 pub use verdict::{EXPONENT_SLACK, ModelVerdict};
 
 use regression::Regression;
-use replicates::{by_size, independent};
+use replicates::{by_size, independent, independent_samples};
 use serde::Serialize;
 
 /// The second fit of every growth law is over this many doublings of the size, up to the largest.
@@ -172,9 +172,10 @@ pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Grow
         return Err(FitError::TooFew { samples: independent, sizes });
     };
 
-    let logarithms: Vec<(f64, f64)> = samples.iter().map(|&(n, y)| (libm::log(n), libm::log(y))).collect();
+    let distinct = independent_samples(&sorted);
+    let logarithms: Vec<(f64, f64)> = distinct.iter().map(|&(n, y)| (libm::log(n), libm::log(y))).collect();
     let power = Regression::new(&logarithms);
-    let models = models.iter().map(|&model| fit_model(samples, model)).collect();
+    let models = models.iter().map(|&model| fit_model(&distinct, model)).collect();
     Ok(Growth {
         samples: samples.len(),
         independent: power.independent,
@@ -185,7 +186,7 @@ pub fn fit_growth(samples: &[(f64, f64)], models: &[GrowthModel]) -> Result<Grow
         constant: libm::exp(power.intercept),
         residual_squares: power.residual_squares,
         lack_of_fit: power.lack_of_fit,
-        aicc: aicc(power.independent, power.residual_squares / samples.len() as f64, 3),
+        aicc: aicc(power.independent, power.residual_squares / distinct.len() as f64, 3),
         models,
     })
 }

@@ -48,6 +48,11 @@ pub(super) fn independent(group: &[(f64, f64)]) -> usize {
     if group.iter().all(|sample| sample.1 == group[0].1) { 1 } else { group.len() }
 }
 
+/// The samples, sorted by size, of which the equal instances of a size are taken once.
+pub(super) fn independent_samples(sorted: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    sorted.chunk_by(|a, b| a.0 == b.0).flat_map(|group| &group[..independent(group)]).copied().collect()
+}
+
 /// Sums of squares around a line, and how many samples are behind them.
 pub(super) struct Spread {
     /// The number of independent samples, by [`independent`].

@@ -185,7 +185,7 @@ class Workbench:
                 surplus.close()
         if "error" in outcome:
             raise _refusal(outcome)
-        return outcome["result"]
+        return _decoded(outcome["result"])
 
     def _answer(self, process, text):
         """The line that answers a line, within the time limit."""
@@ -241,6 +241,17 @@ def _checked(answer, own):
     if read.get("id") != own:
         raise WrongAnswer(f"the question was {own!r}, but this answers {read.get('id')!r}")
     return read
+
+
+def _decoded(value):
+    """The value with the strings for numbers that are not finite as floats."""
+    if isinstance(value, dict):
+        return {name: _decoded(part) for name, part in value.items()}
+    if isinstance(value, list):
+        return [_decoded(part) for part in value]
+    if isinstance(value, str) and value in ("NaN", "Infinity", "-Infinity"):
+        return float(value.replace("Infinity", "inf"))
+    return value
 
 
 def _refusal(answer):

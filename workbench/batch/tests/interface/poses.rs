@@ -46,6 +46,12 @@ fn image(matrix: &[Vec<f64>], v: &[f64], translation: &[f64]) -> Vec<f64> {
 }
 
 /// Small whole numbers have images that doubles hold: the posed question and that about the image have one answer.
+/// Sine and cosine of an angle, by the tangent of its half.
+fn sine_and_cosine(tangent: f64) -> (f64, f64) {
+    let square = tangent * tangent;
+    (2.0 * tangent / (1.0 + square), (1.0 - square) / (1.0 + square))
+}
+
 #[test]
 fn a_posed_body_is_answered_as_its_image_is() {
     let mut numbers = Numbers(7);
@@ -122,7 +128,7 @@ fn a_posed_body_is_answered_as_its_image_is() {
 fn turned_bodies_of_the_line_and_the_plane_are_taken_exactly() {
     let mut numbers = Numbers(11);
     for case in 0..60 {
-        let (sin, cos) = (0.1 * f64::from(case)).sin_cos();
+        let (sin, cos) = sine_and_cosine(0.1 * f64::from(case));
         let pose = json!({"matrix": [[cos, -sin], [sin, cos]], "translation": [0.1, -0.7]});
         let tenths = |vectors: Vec<Vec<f64>>| -> Vec<Vec<f64>> {
             vectors.into_iter().map(|v| v.into_iter().map(|x| x / 10.0).collect()).collect()
@@ -166,7 +172,7 @@ fn a_translation_or_a_matrix_alone_is_a_pose() {
 fn a_turned_body_has_the_faces_of_the_body() {
     let generators = json!([[1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 0, 1], [0, 0, 0.1]]);
     let plain = right("combinatorics", json!({"generators": generators}));
-    let (sin, cos) = 0.3_f64.sin_cos();
+    let (sin, cos) = sine_and_cosine(0.3);
     let matrix = json!([[cos, -sin, 0], [0.6 * sin, 0.6 * cos, -0.8], [0.8 * sin, 0.8 * cos, 0.6]]);
     let turned = right("combinatorics", json!({"generators": generators, "pose": {"matrix": matrix}}));
     for field in ["affine_dim", "vertices", "edges", "facets", "facet_sizes"] {

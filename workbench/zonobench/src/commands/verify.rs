@@ -88,15 +88,18 @@ fn about_files(files: &[PathBuf], asking: &Asking, answer: Option<&Tree>) -> any
             }
         }
         ([_, _, ..], ..) => return Err(Usage::NotAboutTwoFiles.into()),
-        ([file], Some(_), _) if file.as_os_str() != "-" => {
-            if first_document(file)?.is_none_or(|first| first.field("kind").is_none()) {
-                let reason = "the answer is about two files: zonobench verify A B ANSWER checks it";
-                return Ok(Some(AboutData::without_question(reason.to_owned())));
-            }
+        ([file], Some(_), _) if file.as_os_str() != "-" && !is_named_by_kind(file)? => {
+            let reason = "the answer is about two files: zonobench verify A B ANSWER checks it";
+            return Ok(Some(AboutData::without_question(reason.to_owned())));
         }
         _ => {}
     }
     data::question(&files[0], asking, answer)
+}
+
+/// Whether the first line of a file names a kind, as questions and answers do.
+fn is_named_by_kind(file: &Path) -> anyhow::Result<bool> {
+    Ok(first_document(file)?.is_some_and(|first| first.field("kind").is_some()))
 }
 
 /// Whether a file may hold the questions: standard input does unless its format is told; others if the first line is a
@@ -131,6 +134,10 @@ fn of_questions(questions: &Path, mut answers: impl Iterator<Item = Document>) -
         write_verdict(&mut output, &format!("question {asked}"), question.as_ref(), &verdict)?;
     }
     let others = counted(answers)?;
+    if asked + others == 0 {
+        is_good = false;
+        writeln!(output, "-\t-\tunchecked\tthere is no question and no answer")?;
+    }
     if others > 0 {
         is_good = false;
         writeln!(output, "-\t-\tWRONG\t{} answers to {asked} questions", asked + others)?;

@@ -14,6 +14,9 @@ pub(super) const NO_RECORD: &str =
     "the answer does not record what was asked, and as an answer to these options it fails";
 pub(super) const OTHER_DATA: &str = "the data are not those that the answer was computed from, and for these it fails";
 
+/// What is said of an answer that is right, but records other files than those at hand, or the same in another order.
+const OF_OTHER_FILES: &str = "right for these files, but the answer was computed from others, as its request says";
+
 /// A question about files.
 pub(super) struct AboutData {
     pub(super) question: Result<Tree, String>,
@@ -46,6 +49,9 @@ impl AboutData {
                 (Verdict::Unchecked(format!("{doubt}: {complaint}")), Ending::Bad)
             }
             (verdict @ Verdict::Wrong(_), None) => (verdict, Ending::Bad),
+            (Verdict::Right(proved), Some(doubt)) if *doubt != NO_RECORD => {
+                (self.beside_what_is_unknown(format!("{proved}; {OF_OTHER_FILES}")), Ending::Good)
+            }
             (Verdict::Right(proved), _) => (self.beside_what_is_unknown(proved), Ending::Good),
             (verdict @ Verdict::Unchecked(_), _) => (verdict, Ending::Good),
         }

@@ -33,13 +33,14 @@ impl Layout {
         let is_default = self == Self::default();
         if is_default && named == Named::CenterAmongOthers {
             let problem = Problem::Shape(
-                "a column is named as a centre, but the others are not named as generators, g1, g2, …; \
+                "a column is named as a centre or a generator, but not all others are named as generators, g1, g2, …; \
                  --columns-are-generators and --center-first say how the table is to be read"
                     .to_owned(),
             );
             return Err(problem.at(file, Place::Line(1)));
         }
-        let by_columns = self.columns_are_generators || (is_default && named != Named::Nothing);
+        // Names of the columns say which way the vectors lie, whatever the options say of their order.
+        let by_columns = self.columns_are_generators || matches!(named, Named::Generators { .. });
         let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
         let mut vectors = if by_columns { transposed(file, &rows)? } else { rows };
         let center = match named {
@@ -52,7 +53,7 @@ impl Layout {
             let center = if center.is_some() { "the centre and " } else { "" };
             format!("{center}{generators}")
         };
-        if is_default && by_columns {
+        if !self.columns_are_generators && by_columns {
             tell(&format!("its columns are read as {}, as their names say", read("")));
         } else if is_default && count < width {
             tell(&format!(
@@ -71,7 +72,7 @@ enum Named {
     Nothing,
     /// All columns are generators but for one that may be the centre.
     Generators { center: Option<usize> },
-    /// One is called a centre, others are no generators.
+    /// Some are called a centre or generators, others are not.
     CenterAmongOthers,
 }
 
@@ -83,12 +84,19 @@ impl Named {
             let word = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches(['_', ' ', '-']);
             GENERATORS.contains(&word)
         };
+        // A name such as g1 is that of a vector; a column g alone may be a colour.
+        let is_numbered = |name: &str| {
+            let word = name.to_ascii_lowercase();
+            let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
+            letters != word && (GENERATORS.contains(&letters.trim_end_matches(['_', ' ', '-'])) || letters == "v")
+        };
         let centers: Vec<usize> = (0..names.len()).filter(|&index| is_center(&names[index])).collect();
         let others = || names.iter().filter(|name| !is_center(name));
         match *centers.as_slice() {
             [] if !names.is_empty() && others().all(is_generator) => Self::Generators { center: None },
             [center] if others().all(is_generator) => Self::Generators { center: Some(center) },
             _ if centers.iter().any(|&index| names[index].len() > 1) => Self::CenterAmongOthers,
+            _ if names.iter().any(|name| is_numbered(name)) => Self::CenterAmongOthers,
             _ => Self::Nothing,
         }
     }

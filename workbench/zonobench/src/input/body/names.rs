@@ -28,7 +28,8 @@ const MEANT: &str = "\
     gb gd z v vectors coefficients coeffs halfaxes halfextents extents pose poses rotation rotate rot r orientation \
     quaternion quat transform transformation transforms tf frame scale scaling scalefactor factor stretch motion \
     map linearmap affine turn angle degrees a b ac ab bc bb aeq beq ae be e ec expmat h constraints constraint \
-    halfspaces radius inflation margin order";
+    halfspaces radius inflation margin order placement placed place tx ty tz dx dy dz rx ry rz inflate expand grow \
+    dilate dilation mirror mirrored reflect reflected flip thickness";
 
 /// Names of what is drawn or derived, whose numbers say nothing about the body.
 const DERIVED: &str = "color colour colors colours rgb rgba vertices faces facets edges bbox boundingbox area volume";
@@ -133,6 +134,9 @@ fn is_like_vectors(name: &str, value: &Tree, dimension: usize) -> bool {
         let all = value.list().filter(|all| all.iter().all(|number| matches!(number, Tree::Number(_))));
         all.map(<[Tree]>::len)
     };
+    if let Tree::Object(fields) = value {
+        return fields.iter().any(|(inner, value)| is_meant(inner) || is_like_vectors(inner, value, dimension));
+    }
     let Some(elements) = value.list().filter(|_| !is_among(DERIVED, name)) else { return false };
     let rows: Option<Vec<usize>> = elements.iter().map(numbers).collect();
     match rows {

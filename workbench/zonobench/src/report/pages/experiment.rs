@@ -59,5 +59,7 @@ pub(super) fn said(sentences: &[String]) -> String {
         return String::new();
     }
     let items: Vec<String> = sentences.iter().map(|sentence| format!("<li>{}</li>", prose(sentence))).collect();
-    format!("<ul class=\"found\">{}</ul>\n", items.join(""))
+    let note = "<p><small>Numbers are medians over the instances of an input and a size, of an even number the upper \
+                one.</small></p>";
+    format!("<ul class=\"found\">{}</ul>\n{note}\n", items.join(""))
 }

@@ -28,30 +28,32 @@ pub(super) fn section(evidence: &Evidence) -> String {
     let measured = fits.iter().filter(|fit| fit.growth.is_ok() && fit.verdict().is_none()).count();
     let mut text = format!(
         "<section id=\"laws\">\n<h2>Growth laws by what was found</h2>\n\
-         <p>Every law on counts, over all sizes and over the last four doublings. A bound is kept where the whole \
+         <p>Every law on the counts of an experiment, over all sizes and over the last doublings. A bound is kept where the whole \
          interval is at most the slack of 0.05; where the interval reaches beyond it and does not lie beyond it \
          altogether, the law is {}. {} more laws have no bound.</p>\n",
         badge("plain", "undecided"),
         grouped(measured as u64)
     );
     text.push_str(&table("laws", &["", "within", "below", "above", "undecided"], &rows));
-    for (is_of_paper, name) in [(true, "of the paper"), (false, "of our own")] {
-        let is_listed = |fit: &&&FittedGrowth| {
-            fit.paper_place().is_some() == is_of_paper && fit.verdict() == Some(ModelVerdict::Undecided)
-        };
-        let undecided: Vec<&FittedGrowth> = fits.iter().filter(is_listed).copied().collect();
-        if undecided.is_empty() {
-            text.push_str(&format!("<p>No bound {name} is undecided.</p>\n"));
-        } else {
-            let items: String = undecided.into_iter().map(item).collect();
-            text.push_str(&format!("<p>Undecided bounds {name}:</p>\n<ul class=\"undecided\">\n{items}</ul>\n"));
+    let lists = [(ModelVerdict::Above, "exceeded", "Exceeded"), (ModelVerdict::Undecided, "undecided", "Undecided")];
+    for (verdict, word, heading) in lists {
+        for (is_of_paper, name) in [(true, "of the paper"), (false, "of our own")] {
+            let is_listed =
+                |fit: &&&FittedGrowth| fit.paper_place().is_some() == is_of_paper && fit.verdict() == Some(verdict);
+            let listed: Vec<&FittedGrowth> = fits.iter().filter(is_listed).copied().collect();
+            if listed.is_empty() {
+                text.push_str(&format!("<p>No bound {name} is {word}.</p>\n"));
+            } else {
+                let items: String = listed.into_iter().map(item).collect();
+                text.push_str(&format!("<p>{heading} bounds {name}:</p>\n<ul class=\"undecided\">\n{items}</ul>\n"));
+            }
         }
     }
     text.push_str("</section>\n");
     text
 }
 
-/// An undecided law in a line.
+/// A law that is exceeded or undecided, in a line.
 fn item(fit: &FittedGrowth) -> String {
     let (Ok(growth), Some(bound)) = (&fit.growth, fit.bound_fit()) else { return String::new() };
     let place = fit.paper_place().map_or_else(String::new, |place| format!(" of {place}"));

@@ -2,8 +2,8 @@
 //!
 //! # Statement
 //! Input: two zonotopes A, B in R^D and a width ω ≥ 0. Output: bounds of the Hausdorff distance with upper ≤
-//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that a [`Limit`] on the
-//! work, or rounding, allows. [`excess`] bounds the largest distance of a point of A from B,
+//! (1 + ω) lower, and a direction that attains the lower one up to rounding; or the bounds that a `Limit` on the
+//! work, or rounding, allows. `excess` bounds the largest distance of a point of A from B,
 //! which is 0 just when A lies in B. Bodies without generators, flat bodies, zero and parallel generators are ordinary
 //! input.
 //!

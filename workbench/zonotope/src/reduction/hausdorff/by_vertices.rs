@@ -11,11 +11,11 @@
 //! Not in the paper. The distance from a convex body is a convex function, so on a polytope it is largest at a vertex.
 //!
 //! # Method
-//! 1. Leave out what both bodies have ([`ExactDifference`]): the difference of the support functions is that of the
+//! 1. Leave out what both bodies have (`ExactDifference`): the difference of the support functions is that of the
 //!    two bodies that are left, and so is its maximum.
 //! 2. List the vertices of the one body by the signs of its generators, exactly. Of vertices opposite to each other one
 //!    is enough if both bodies have the same centre.
-//! 3. Find the nearest point of the other body to each vertex in doubles ([`NearestPoint`]): as any of its points is,
+//! 3. Find the nearest point of the other body to each vertex in doubles (`NearestPoint`): as any of its points is,
 //!    it is an upper bound on the vertex's distance, up to rounding.
 //! 4. Beginning with the farthest vertex, find the nearest point anew in rationals, until no bound of the vertices left
 //!    exceeds the largest distance met. Then the same the other way round.

@@ -173,10 +173,8 @@ impl<'a, N: Field, const D: usize> NearestPoint<'a, N, D> {
     /// whose matrix is positive definite. `None` if the free generators are dependent.
     fn best_free(&self) -> Option<Vec<N>> {
         let vectors: Vec<&[N; D]> = self.free.iter().map(|(index, _)| &self.generators[*index]).collect();
-        let mut rows: Vec<Vec<N>> = vectors
-            .iter()
-            .map(|a| vectors.iter().map(|b| dot(*a, *b)).chain([dot(*a, &self.rest)]).collect())
-            .collect();
+        let mut rows: Vec<Vec<N>> =
+            vectors.iter().map(|a| vectors.iter().map(|b| dot(a, b)).chain([dot(a, &self.rest)]).collect()).collect();
         let count = rows.len();
         for pivot in 0..count {
             if !rows[pivot][pivot].sign().is_gt() {

@@ -174,7 +174,7 @@ fn a_width_of_0_ends() {
     let many = |shift: f64| -> Zonotope<3> {
         let generator = |i: i32| {
             let t = f64::from(i) + shift;
-            [(t * 0.7).sin(), (t * 1.3).cos(), (t * 0.37).sin()]
+            [libm::sin(t * 0.7), libm::cos(t * 1.3), libm::sin(t * 0.37)]
         };
         Zonotope::new([0.0; 3], (0..60).map(generator).collect()).expect("finite")
     };

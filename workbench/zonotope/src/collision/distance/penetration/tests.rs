@@ -147,7 +147,7 @@ fn overlaps_far_smaller_than_the_bodies_are_within_a_hundredth() {
 /// Bodies whose facets have many generators, so that many vertices of the polytope lie in one plane.
 #[test]
 fn prisms_lattices_and_sums_of_boxes() {
-    let disc = |count: usize| (0..count).map(move |i| [(i as f64 * 0.37).cos(), (i as f64 * 0.37).sin(), 0.0]);
+    let disc = |count: usize| (0..count).map(move |i| [libm::cos(i as f64 * 0.37), libm::sin(i as f64 * 0.37), 0.0]);
     let prism: Vec<[f64; 3]> = disc(40).chain([[0.0, 0.0, 3.0]]).collect();
     let lattice: Vec<[f64; 3]> =
         (0..60).map(|i| [f64::from(i % 3 - 1), f64::from(i / 3 % 5 - 2), f64::from(i % 4 - 1)]).collect();

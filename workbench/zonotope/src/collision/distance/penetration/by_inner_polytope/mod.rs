@@ -18,7 +18,7 @@
 //!    above, as a translation of that length along u takes p out of Z; the least distance of a face bounds it from
 //!    below, as the ball of that radius lies within the polytope.
 //! 4. The search runs in doubles. Where their errors hide the last hundredth it is run again in pairs of doubles, and
-//!    where these do not tell, either, in exact numbers (`precision`).
+//!    where these do not tell, either, in exact numbers (`precision`); of very few generators in these alone.
 //!
 //! # Complexity
 //! n generators: O(n) for each new vertex, some ten to some hundred of them, the more the nearer Z is to a ball around
@@ -71,6 +71,10 @@ use crate::zonotope::query::Query;
 /// By how much the bounds may differ, in terms of the upper one.
 pub const ACCURACY: f64 = 0.01;
 
+/// The most generators of which the polytope grows in exact numbers at once: what doubles would spare is not felt, and
+/// the bounds are as near as rounding leaves them.
+const EXACT_COUNT: usize = 8;
+
 /// The most vertices that the polytope gets in doubles or in pairs: a ball around p takes some three hundred for a
 /// hundredth.
 const VERTEX_LIMIT: usize = 1 << 11;
@@ -101,27 +105,33 @@ pub fn penetration_posed(query: &PosedQuery<'_>) -> Penetration<3> {
 
 /// The depth of a displacement that is inside, by the first precision that tells it.
 fn of_inner_point(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration<3> {
+    if query.len() <= EXACT_COUNT {
+        return in_exact_numbers(query, tally);
+    }
     let (doubles, exponent) = InDoubles::new(query);
     let mut depth = grown(&doubles, VERTEX_LIMIT, tally);
     if !is_settled(&depth) {
         let (generators, end) = precision::exact_body(query, exponent);
         depth = grown(&Listed::in_pairs(&generators, &end), VERTEX_LIMIT, tally);
     }
-    if is_settled(&depth) {
-        return outward(&depth, exponent);
-    }
-    // In units of the body's size the depth of a very thin body underflows; only a depth beyond the doubles needs units.
+    if is_settled(&depth) { outward(&depth, exponent) } else { in_exact_numbers(query, tally) }
+}
+
+/// The depth by a polytope in exact numbers.
+///
+/// In units of the body's size the depth of a very thin body underflows, so that there are no units but where the depth
+/// is beyond the doubles.
+fn in_exact_numbers(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration<3> {
     let mut exactly = |exponent: i64| {
         let (generators, end) = precision::exact_body(query, exponent);
-        grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally)
+        outward(&grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally), exponent)
     };
     let depth = exactly(0);
     if depth.upper.is_finite() {
-        return outward(&depth, 0);
+        return depth;
     }
-    let size = (0..query.len()).flat_map(|index| query.exact_generator(index)).filter_map(|c| c.binary_exponent());
-    let exponent = size.max().unwrap_or(0);
-    outward(&exactly(exponent), exponent)
+    let exponents = (0..query.len()).flat_map(|index| query.exact_generator(index)).filter_map(|c| c.binary_exponent());
+    exactly(exponents.max().unwrap_or(0))
 }
 
 /// Bounds of a scaled body as bounds of the body: normal doubles but where the depth is nearly out of their range.
