@@ -81,7 +81,7 @@ impl GrowthPlot {
                 curve.notes.push(family.replace('_', " "));
                 if let Ok(growth) = self.fit(variant, family, &samples) {
                     curve.notes.push(self.exponents(&growth));
-                    curve.fit = self.law(&growth).1;
+                    curve.fit = self.law(&growth, None).1;
                 }
                 curves.push(curve);
             }
@@ -104,7 +104,8 @@ impl GrowthPlot {
         let mut curve = self.unnamed_curve(variant, &samples, look);
         curve.notes.extend(family_name.map(|name| format!("on {name}")));
         if let Ok(growth) = self.fit(variant, family, &samples) {
-            let (law, points) = self.law(&growth);
+            let floor = self.floor_that_shows(variant, family, &growth);
+            let (law, points) = self.law(&growth, floor);
             let sizes = format!("{} = {} to {}", self.letter(), size_name(growth.smallest), size_name(growth.largest));
             curve.notes.extend([law, self.exponents(&growth), sizes]);
             curve.fit = points;
@@ -157,12 +158,24 @@ impl GrowthPlot {
         self.families.iter().any(|(family, _)| (self.shows)(variant.id, family))
     }
 
-    /// The growth models of the experiment's fit, if it has one.
-    fn models(&self, variant: &Variant, family: &str) -> &'static [GrowthModel] {
+    /// The law that the experiment looks for, if there is one.
+    fn plan(&self, variant: &Variant, family: &str) -> Option<&'static FitPlan> {
         let is_shown = |plan: &&FitPlan| {
             plan.quantity == self.quantity && plan.variant == variant.id && plan.families.contains(&family)
         };
-        self.experiment.fits.iter().find(is_shown).map_or(GrowthModel::RUNNING_TIMES, |plan| plan.models)
+        self.experiment.fits.iter().find(is_shown)
+    }
+
+    /// The growth models of the experiment's fit, if it has one.
+    fn models(&self, variant: &Variant, family: &str) -> &'static [GrowthModel] {
+        self.plan(variant, family).map_or(GrowthModel::RUNNING_TIMES, |plan| plan.models)
+    }
+
+    /// The name of what the quantity cannot grow slower than, where the samples seem to: lower-order terms show.
+    fn floor_that_shows(&self, variant: &Variant, family: &str, growth: &Growth) -> Option<String> {
+        let floor = self.plan(variant, family)?.floor?;
+        let fit = growth.model(floor)?;
+        (fit.verdict == ModelVerdict::Below).then(|| self.model_name(floor))
     }
 
     /// The growth over the last doublings, if there are sizes enough.
@@ -171,8 +184,8 @@ impl GrowthPlot {
     }
 
     /// The best model if its exponent lies in the interval of the samples', else the power law, which is the middle of
-    /// that interval; in words and as points of its curve.
-    fn law(&self, growth: &Growth) -> (String, Vec<[f64; 2]>) {
+    /// that interval; in words and as points of its curve. What has to read its input is not said to lie below it.
+    fn law(&self, growth: &Growth, floor: Option<String>) -> (String, Vec<[f64; 2]>) {
         let is_near = |verdict| !matches!(verdict, ModelVerdict::Above | ModelVerdict::Below);
         let near = growth.best().filter(|best| is_near(best.verdict));
         let is_inside = |Estimate { low, high, .. }| (low - SHOWN_PRECISION..=high + SHOWN_PRECISION).contains(&0.0);
@@ -193,7 +206,8 @@ impl GrowthPlot {
             None => {
                 let place = near.map(|near| format!("near {}", self.model_name(near.model)));
                 let among = || place_among_models(growth, |model| self.model_name(model));
-                format!("power law, {}", place.unwrap_or_else(among))
+                let floor = floor.map(|floor| format!("{floor} and lower-order terms"));
+                format!("power law, {}", floor.or(place).unwrap_or_else(among))
             }
         };
         (law, points.collect())

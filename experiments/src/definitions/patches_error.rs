@@ -15,7 +15,7 @@ pub const EXPERIMENT: Experiment = Experiment {
     id: "patches-error",
     title: "Order reduction by patches: error against generators",
     question: "How far from the body is the reduction of Lemma 5.5, against the number of generators? n is the number \
-               k of generators that a body of 1,000 is reduced to by its patches: 3 m^2 patches and three generators \
+               k of generators that a body of many is reduced to by its patches: 3 m^2 patches and three generators \
                for what is left of them. `error` is the proven upper bound of the Hausdorff distance in terms of the \
                diameter.",
     claims: &["lemma-5.5"],

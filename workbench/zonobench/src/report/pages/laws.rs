@@ -44,8 +44,12 @@ pub(super) fn section(evidence: &Evidence) -> String {
             if listed.is_empty() {
                 text.push_str(&format!("<p>No bound {name} is {word}.</p>\n"));
             } else {
-                let items: String = listed.into_iter().map(item).collect();
-                text.push_str(&format!("<p>{heading} bounds {name}:</p>\n<ul class=\"undecided\">\n{items}</ul>\n"));
+                let items: String = listed.iter().copied().map(item).collect();
+                text.push_str(&format!(
+                    "<details><summary>{heading} bounds {name}: {}</summary>\n<ul class=\"undecided\">\n{items}</ul>\n\
+                     </details>\n",
+                    listed.len()
+                ));
             }
         }
     }

@@ -18,19 +18,12 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
          <p>Every statement, figure and open question of the paper, checked where its algorithm exists, and counted \
          once. Each correction comes with a witness and with what to read instead.</p>\n<ul class=\"sorts\">\n",
     );
-    for finding in Finding::ALL {
-        let found = evidence.claims.iter().filter(|result| result.finding() == finding);
-        if finding == Finding::Holds {
-            continue;
-        }
-        let links: Vec<String> =
-            found.map(|result| format!("<a href=\"#claim-{0}\">{0}</a>", result.claim.id)).collect();
-        if !links.is_empty() {
-            let meaning = finding.meaning();
-            text.push_str(&format!("<li>{} {meaning}: {}.</li>\n", finding_badge(finding), links.join(", ")));
-        }
-    }
-    text.push_str("</ul>\n");
+    text.push_str(&sorts(evidence, |finding| !is_folded(finding)));
+    text.push_str(
+        "</ul>\n<details><summary>Other sorts of findings, with their statements</summary>\n<ul class=\"sorts\">\n",
+    );
+    text.push_str(&sorts(evidence, is_folded));
+    text.push_str("</ul>\n</details>\n");
     let figures = |result: &ClaimResult| figure_links(result, layout);
     for section in sections(&evidence.claims) {
         let results: Vec<_> = evidence.claims.iter().filter(|result| result.claim.place.section == section).collect();
@@ -42,6 +35,26 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
         ));
     }
     text.push_str("</section>\n");
+    text
+}
+
+/// Whether the statements with a finding are many and call for nothing to be read instead.
+fn is_folded(finding: Finding) -> bool {
+    matches!(finding, Finding::HoldsWhereTried | Finding::HoldsInPart | Finding::Restated | Finding::NotYetImplemented)
+}
+
+/// The meaning of each finding but “holds”, with links to the claims that have it.
+fn sorts(evidence: &Evidence, is_listed: impl Fn(Finding) -> bool) -> String {
+    let mut text = String::new();
+    for finding in Finding::ALL.into_iter().filter(|&finding| finding != Finding::Holds && is_listed(finding)) {
+        let found = evidence.claims.iter().filter(|result| result.finding() == finding);
+        let links: Vec<String> =
+            found.map(|result| format!("<a href=\"#claim-{0}\">{0}</a>", result.claim.id)).collect();
+        if !links.is_empty() {
+            let meaning = finding.meaning();
+            text.push_str(&format!("<li>{} {meaning}: {}.</li>\n", finding_badge(finding), links.join(", ")));
+        }
+    }
     text
 }
 

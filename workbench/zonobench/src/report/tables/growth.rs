@@ -54,6 +54,16 @@ fn verdict_words(fit: &FittedGrowth, verdict: ModelVerdict) -> String {
     }
 }
 
+/// The same where the bound and its place stand beside it.
+fn short_words(verdict: ModelVerdict) -> &'static str {
+    match verdict {
+        ModelVerdict::Within => "within",
+        ModelVerdict::Below => "below",
+        ModelVerdict::Above => "above",
+        ModelVerdict::Undecided => "undecided",
+    }
+}
+
 /// The tone of a verdict: a bound that is kept is good, one that is not is bad, and what is undecided is grey.
 fn tone(verdict: ModelVerdict) -> &'static str {
     match verdict.keeps_bound() {
@@ -67,7 +77,7 @@ fn tone(verdict: ModelVerdict) -> &'static str {
 const MEASURED: &str = "<small>measured</small>";
 
 /// The note on samples that grow slower than what has to read its input can.
-const LOWER_ORDER: &str = "lower-order terms show: it reads all of its input";
+const LOWER_ORDER: &str = "lower-order terms show";
 
 /// The laws in a row for each quantity of each method, over all inputs and ranges; empty without any.
 pub(in crate::report) fn growth_summary(fits: &[&FittedGrowth]) -> String {
@@ -113,12 +123,11 @@ fn summary_of_verdicts(fits: &[&FittedGrowth]) -> String {
         .collect();
     let mut found: Vec<String> = match counted[..] {
         [] => vec![MEASURED.to_owned()],
-        [(verdict, _)] => vec![badge(tone(verdict), &verdict_words(fits[0], verdict))],
+        [(verdict, _)] => vec![badge(tone(verdict), short_words(verdict))],
         _ => counted
             .iter()
             .map(|&(verdict, count)| {
-                let words = verdict_words(fits[0], verdict);
-                badge(tone(verdict), &format!("{words} in {count} of {} fits", verdicts.len()))
+                badge(tone(verdict), &format!("{} in {count} of {}", short_words(verdict), verdicts.len()))
             })
             .collect(),
     };
