@@ -18,8 +18,8 @@ pub const EXPERIMENT: Experiment = Experiment {
                inside, with certified gaps of 1e-3, 1e-6, 1e-9 and 1e-12, so that no method can end early; each \
                status is compared with the question's construction, and each proof is checked. `passes` are the reads \
                of the kernel over the number of generators, from the size on at which it prunes: smaller bodies are \
-               evaluated at once, so that its operations have no law across both. Beside the exact methods stand our own GJK and the \
-               feasibility programs of two engines, which compute in floating point.",
+               evaluated at once, so that its operations have no law across both. Beside the exact methods stand our \
+               own GJK and the feasibility programs of two engines, which compute in floating point.",
     claims: &["theorem-5.2", "lemma-5.1", "summary-intersection"],
     families: FAMILIES,
     real_inputs: &[],

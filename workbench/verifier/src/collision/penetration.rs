@@ -87,13 +87,15 @@ fn check_direction(
     let reach = question.support(&u);
     let along = Proportion::whole(&reach - dot(&u, &question.p), 0);
     let Some(deep) = Length::along(&along, &u) else { return Err("the depth has no direction".into()) };
+    let total = question.generators.iter().flatten().fold(IBig::ZERO, |sum, c| sum + c.clone().abs());
+    let rounding = Proportion::whole(total, 0).times(&Proportion::of_double(DIRECTION_ERROR));
     let Some(upper) = upper else {
         let shortened = Length::along(&along.times(&Proportion::of_double(1.0 - ACCURACY)), &u);
         let is_deeper = shortened.is_none_or(|shortened| shortened.compare_length(depth).is_gt());
-        return if is_deeper { Err("in the direction of the depth it is deeper".into()) } else { Ok(()) };
+        let is_rounding = deep.compare(&rounding).is_le();
+        let complaint = "in the direction of the depth it is deeper";
+        return if is_deeper && !is_rounding { Err(complaint.into()) } else { Ok(()) };
     };
-    let total = question.generators.iter().flatten().fold(IBig::ZERO, |sum, c| sum + c.clone().abs());
-    let rounding = Proportion::whole(total, 0).times(&Proportion::of_double(DIRECTION_ERROR));
     if deep.compare(&upper.plus(&rounding)).is_gt() {
         return Err("in the direction of the depth it is deeper".into());
     }

@@ -28,9 +28,9 @@ pub(super) fn section(evidence: &Evidence) -> String {
     let measured = fits.iter().filter(|fit| fit.growth.is_ok() && fit.verdict().is_none()).count();
     let mut text = format!(
         "<section id=\"laws\">\n<h2>Growth laws by what was found</h2>\n\
-         <p>Every law on the counts of an experiment, over all sizes and over the last doublings. A bound is kept where the whole \
-         interval is at most the slack of 0.05; where the interval reaches beyond it and does not lie beyond it \
-         altogether, the law is {}. {} more laws have no bound.</p>\n",
+         <p>Every law on the counts of an experiment, over all sizes and over the last doublings. A bound is kept \
+         where the whole interval is at most the slack of 0.05; where the interval reaches beyond it and does not lie \
+         beyond it altogether, the law is {}. {} more laws have no bound.</p>\n",
         badge("plain", "undecided"),
         grouped(measured as u64)
     );

@@ -58,16 +58,16 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
 fn tiles(evidence: &Evidence) -> Vec<(u64, &'static str)> {
     let noun = |finding: Finding| match finding {
         Finding::Holds => "statements hold",
-        Finding::HoldsWhereTried => "hold on the one kind of instances that was tried",
-        Finding::HoldsInPart => "hold in the part that was tried",
-        Finding::Restated => "restate another statement, and are counted there",
-        Finding::AnsweredInPart => "open questions of the paper are answered in part",
+        Finding::HoldsWhereTried => "hold where tried",
+        Finding::HoldsInPart => "hold in part",
+        Finding::Restated => "restate another one",
+        Finding::AnsweredInPart => "questions are answered in part",
         Finding::Erratum => "errata, with a witness and a remedy",
-        Finding::MissingCondition => "statements need a condition that is not there",
+        Finding::MissingCondition => "need a condition",
         Finding::Note => "notes for programs",
         Finding::Refuted => "statements are refuted that were not listed for correction",
-        Finding::Inconclusive => "statements are undecided",
-        Finding::NotYetImplemented => "statements wait for their algorithm",
+        Finding::Inconclusive => "are inconclusive",
+        Finding::NotYetImplemented => "wait for their algorithm",
     };
     let findings = Finding::ALL.into_iter().filter_map(|finding| {
         let count = evidence.claims.iter().filter(|result| result.finding() == finding).count();
