@@ -127,6 +127,12 @@ fn figures(answer: &DirectedAnswer) -> Option<[f64; 2]> {
     }
 }
 
+/// What rounding a value and its bound costs at most, whatever their size: two of the smallest doubles, and nothing where
+/// the bound says nothing.
+fn rounding(lower_bound: f64) -> f64 {
+    if lower_bound > 0.0 { f64::from_bits(2) } else { 0.0 }
+}
+
 /// Whether a value is more above a finite bound than the stated share of the bound, about.
 fn is_apart(value: f64, lower_bound: f64, about: f64) -> bool {
     let [value, bound, share] = [value.min(f64::MAX), lower_bound, PROVEN_GAP * about].map(Proportion::of_double);
@@ -139,10 +145,9 @@ fn proved(question: &Directed, answer: &DirectedAnswer) -> Result<DirectedProof,
             "contains all {points} points, but value {value:?} is {gap:.1e} above the proven bound, so it may not be \
              the least"
         ))),
-        // Two of the smallest doubles are what rounding value and bound costs at most, whatever their size.
         proof
             if figures(answer)
-                .is_some_and(|[value, bound]| is_apart(value - f64::from_bits(2), bound, 1.0 + SHARE_ERROR)) =>
+                .is_some_and(|[value, bound]| is_apart(value - rounding(bound), bound, 1.0 + SHARE_ERROR)) =>
         {
             Err(format!("{proof}, but it is not within 1e-11 of `lower_bound`, as the least one is").into())
         }
