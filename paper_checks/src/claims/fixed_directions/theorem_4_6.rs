@@ -70,7 +70,7 @@ fn optimal<const D: usize>(random: &mut Pcg64Mcg, count: usize, k: usize) -> Res
 fn growth(context: &CheckContext) -> Result<String, String> {
     let points = clouds::on_sphere::<3>(1200, context.seed);
     let (mut printed, mut all, mut needed) = (Vec::new(), Vec::new(), Vec::new());
-    for (k, set) in [4, 5, 6, 8, 10].into_iter().flat_map(|k| (0..4).map(move |set| (k, set))) {
+    for (k, set) in [6, 7, 8, 10, 12].into_iter().flat_map(|k| (0..4).map(move |set| (k, set))) {
         let directions = clouds::on_sphere::<3>(k, context.seed + k as u64 + 100 * set);
         let weights = vec![1.0; k];
         let problem = FixedDirections::new(&points, &directions, &weights).map_err(|error| error.to_string())?;
@@ -107,8 +107,8 @@ fn growth(context: &CheckContext) -> Result<String, String> {
     let (few, many) = (passes(500)?, passes(8000)?);
     let last = |samples: &[(f64, f64)]| samples.last().map_or(0.0, |sample| sample.1);
     let sentence = format!(
-        "for 1200 points on a sphere and four sets each of k = 4 to 10 directions the rows of the printed program, \
-         {} for k = 10 and never more than k (k-1) (2k+3), grow like (k-1)/k k^{printed_power:.2}, those over all \
+        "for 1200 points on a sphere and four sets each of k = 6 to 12 directions the rows of the printed program, \
+         {} for k = 12 and never more than k (k-1) (2k+3), grow like (k-1)/k k^{printed_power:.2}, those over all \
          normals, {} and never more than k (k-1), like (k-1)/k k^{all_power:.2}, those found as needed, {}, like \
          k^{needed_power:.2}; 500 points are read {few} times, 8000 points {many} times",
         last(&printed),
