@@ -127,8 +127,8 @@ fn figures(answer: &DirectedAnswer) -> Option<[f64; 2]> {
     }
 }
 
-/// What rounding a value and its bound costs at most, whatever their size: two of the smallest doubles, and nothing where
-/// the bound says nothing.
+/// What rounding a value and its bound costs at most, whatever their size: two of the smallest doubles, and nothing
+/// where the bound says nothing.
 fn rounding(lower_bound: f64) -> f64 {
     if lower_bound > 0.0 { f64::from_bits(2) } else { 0.0 }
 }
