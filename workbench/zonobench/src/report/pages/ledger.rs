@@ -16,13 +16,10 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     let mut text = String::from(
         "<section id=\"ledger\">\n<h2>The paper's statements, one by one</h2>\n\
          <p>Every statement, figure and open question of the paper, checked where its algorithm exists, and counted \
-         once. Each correction comes with a witness and with what to read instead.</p>\n<ul class=\"sorts\">\n",
+         once. Each correction comes with a witness and with what to read instead.</p>\n\
+         <details><summary>The sorts of findings, with their statements</summary>\n<ul class=\"sorts\">\n",
     );
-    text.push_str(&sorts(evidence, |finding| !is_folded(finding)));
-    text.push_str(
-        "</ul>\n<details><summary>Other sorts of findings, with their statements</summary>\n<ul class=\"sorts\">\n",
-    );
-    text.push_str(&sorts(evidence, is_folded));
+    text.push_str(&sorts(evidence));
     text.push_str("</ul>\n</details>\n");
     let figures = |result: &ClaimResult| figure_links(result, layout);
     for section in sections(&evidence.claims) {
@@ -38,15 +35,10 @@ pub(super) fn section(layout: &Layout<'_>, evidence: &Evidence) -> String {
     text
 }
 
-/// Whether the statements with a finding are many and call for nothing to be read instead.
-fn is_folded(finding: Finding) -> bool {
-    matches!(finding, Finding::HoldsWhereTried | Finding::HoldsInPart | Finding::Restated | Finding::NotYetImplemented)
-}
-
 /// The meaning of each finding but “holds”, with links to the claims that have it.
-fn sorts(evidence: &Evidence, is_listed: impl Fn(Finding) -> bool) -> String {
+fn sorts(evidence: &Evidence) -> String {
     let mut text = String::new();
-    for finding in Finding::ALL.into_iter().filter(|&finding| finding != Finding::Holds && is_listed(finding)) {
+    for finding in Finding::ALL.into_iter().filter(|&finding| finding != Finding::Holds) {
         let found = evidence.claims.iter().filter(|result| result.finding() == finding);
         let links: Vec<String> =
             found.map(|result| format!("<a href=\"#claim-{0}\">{0}</a>", result.claim.id)).collect();

@@ -13,7 +13,7 @@ const BIBLIOGRAPHY: &str = include_str!("../citation.bib");
 pub(super) fn section(evidence: &Evidence) -> String {
     format!(
         "<section id=\"reading\">\n<h2>How to read, repeat and cite this</h2>\n\
-         <details><summary>How growth is judged</summary>\n<p><b>Growth</b> is judged on operation counts, which are \
+         <details><summary>How growth and claims are judged</summary>\n<p><b>Growth</b> is judged on operation counts, which are \
          the same on every machine. An exponent <i>a</i> is that of the best power law <i>n<sup>a</sup></i> over the \
          sizes shown, with its 95 % interval; every law is fitted over all sizes and over the last four doublings, and \
          where it is fitted on less than that, the table says so. “Beyond it” is the exponent that remains after \
@@ -25,9 +25,10 @@ pub(super) fn section(evidence: &Evidence) -> String {
          instances of a size differ. Where they do, the interval rests on the means alone; where the instances of a \
          size are equal, or there is one, nothing can be tested. “Closest” names the law that fits best of those that \
          were compared. Where counts that have to read the whole input seem to grow slower than it, <i>lower-order \
-         terms show</i>, and they are not called below the bound.</p>\n</details>\n\
+         terms show</i>, and they are not called below the bound.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
          on instances of several kinds, or of the one kind that it is about; each correction shows a witness.</p>\n\
+         </details>\n\
          <p><b>Everything here</b> comes from the profile {} with seed {}. <a \
          href=\"manifest.json\"><code>manifest.json</code></a> lists every file with its hash and says which ones \
          must not change from run to run; <a href=\"records/counts.jsonl\"><code>records/counts.jsonl</code></a> holds \
