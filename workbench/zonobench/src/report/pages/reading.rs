@@ -13,19 +13,19 @@ const BIBLIOGRAPHY: &str = include_str!("../citation.bib");
 pub(super) fn section(evidence: &Evidence) -> String {
     format!(
         "<section id=\"reading\">\n<h2>How to read, repeat and cite this</h2>\n\
-         <details><summary>How growth and claims are judged</summary>\n<p><b>Growth</b> is judged on operation counts, which are \
-         the same on every machine. An exponent <i>a</i> is that of the best power law <i>n<sup>a</sup></i> over the \
-         sizes shown, with its 95 % interval; every law is fitted over all sizes and over the last four doublings, and \
-         where it is fitted on less than that, the table says so. “Beyond it” is the exponent that remains after \
-         division by the bound. If its whole interval is at most 0.05, a slack that was fixed beforehand, the count is \
-         <i>within the bound</i>, and if all of it is under −0.05, <i>below the bound</i>, which a bound from above \
-         allows; if all of it is over 0.05, it is <i>above the bound</i>; and an interval that also reaches beyond \
-         0.05 leaves the bound <i>undecided</i>. Bounds that the paper states are named after their place there, the \
-         others are our own. “Bend” is an F test: whether the means of the sizes miss the law by more than the \
-         instances of a size differ. Where they do, the interval rests on the means alone; where the instances of a \
-         size are equal, or there is one, nothing can be tested. “Closest” names the law that fits best of those that \
-         were compared. Where counts that have to read the whole input seem to grow slower than it, <i>lower-order \
-         terms show</i>, and they are not called below the bound.</p>\n\
+         <details><summary>How growth and claims are judged</summary>\n<p><b>Growth</b> is judged on operation counts, \
+         which are the same on every machine. An exponent <i>a</i> is that of the best power law <i>n<sup>a</sup></i> \
+         over the sizes shown, with its 95 % interval; every law is fitted over all sizes and over the last four \
+         doublings, and where it is fitted on less than that, the table says so. “Beyond it” is the exponent that \
+         remains after division by the bound. If its whole interval is at most 0.05, a slack that was fixed \
+         beforehand, the count is <i>within the bound</i>, and if all of it is under −0.05, <i>below the bound</i>, \
+         which a bound from above allows; if all of it is over 0.05, it is <i>above the bound</i>; and an interval \
+         that also reaches beyond 0.05 leaves the bound <i>undecided</i>. Bounds that the paper states are named after \
+         their place there, the others are our own. “Bend” is an F test: whether the means of the sizes miss the law \
+         by more than the instances of a size differ. Where they do, the interval rests on the means alone; where the \
+         instances of a size are equal, or there is one, nothing can be tested. “Closest” names the law that fits best \
+         of those that were compared. Where counts that have to read the whole input seem to grow slower than it, \
+         <i>lower-order terms show</i>, and they are not called below the bound.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
          on instances of several kinds, or of the one kind that it is about; each correction shows a witness.</p>\n\
          </details>\n\
