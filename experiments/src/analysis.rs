@@ -28,7 +28,7 @@ pub struct FittedGrowth {
     pub quantity: Quantity,
     /// The bound that the theory gives.
     pub bound: Option<Bound>,
-    /// What the quantity cannot grow slower than.
+    /// The growth that the quantity cannot stay below.
     pub floor: Option<GrowthModel>,
     /// Which sizes were fitted.
     pub range: Range,

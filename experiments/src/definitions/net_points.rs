@@ -1,4 +1,4 @@
-//! What Theorem 4.7 reads, against the number of points.
+//! The reads of Theorem 4.7, against the number of points.
 
 use super::fixed_directions_methods::{digest, solve};
 use crate::definition::{
@@ -16,7 +16,7 @@ const CELLS: usize = 22;
 
 const FAMILIES: &[&str] = &["ball_2", "sphere_2"];
 
-/// What Theorem 4.7 reads, against the number of points.
+/// The reads of Theorem 4.7, against the number of points.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "net-points",
     title: "Least total length along the paper's net: growth with the number of points",

@@ -1,4 +1,4 @@
-//! What Theorem 4.7 reads of points and of matrices, against the precision.
+//! The reads of Theorem 4.7 of points and of matrices, against the precision.
 
 use super::length_ratio::{digest, verdict};
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
@@ -10,7 +10,7 @@ use zonotope::tally::{Operation, OperationCounts};
 /// Points of each instance: so many that every net here is solved as a whole.
 const POINTS: usize = 48;
 
-/// What Theorem 4.7 reads in the plane, against the precision.
+/// The reads of Theorem 4.7 in the plane, against the precision.
 pub const PLANE: Experiment = Experiment {
     id: "net-scaling",
     title: "Least total length along the paper's net of the plane: growth with the precision",

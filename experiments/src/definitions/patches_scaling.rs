@@ -1,4 +1,4 @@
-//! What the construction of Lemma 5.5 reads, against the number of generators.
+//! The reads of the construction of Lemma 5.5, against the number of generators.
 
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, Variant, Verdict};
 use crate::fit::GrowthModel;
@@ -13,7 +13,7 @@ const EPSILON: f64 = 0.5;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_bodies"];
 
-/// What the construction of Lemma 5.5 reads, against the number of generators.
+/// The reads of the construction of Lemma 5.5, against the number of generators.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "patches-scaling",
     title: "Order reduction by patches: growth with the number of generators",

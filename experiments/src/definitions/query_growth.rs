@@ -1,4 +1,4 @@
-//! What a query to the structure of Lemma 5.3 costs against the number of generators, for spaces that grow with it.
+//! The cost of a query to the structure of Lemma 5.3 against the number of generators, for spaces that grow with it.
 
 use super::query_trade_off::measure_with;
 use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
@@ -7,15 +7,15 @@ use crate::fit::GrowthModel;
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies"];
 
 /// The space m = n.
-const LEAST: &str = "by_cutting_least_space";
+const LEAST_SPACE: &str = "by_cutting_least_space";
 
 /// The space m = n^(3/2).
-const BETWEEN: &str = "by_cutting";
+const MIDDLE_SPACE: &str = "by_cutting";
 
 /// The space m = n^2.
-const MOST: &str = "by_cutting_most_space";
+const MOST_SPACE: &str = "by_cutting_most_space";
 
-/// What a query to the structure of Lemma 5.3 costs against the number of generators.
+/// The cost of a query to the structure of Lemma 5.3 against the number of generators.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "query-growth",
     title: "Repeated queries: growth with the number of generators",
@@ -31,14 +31,14 @@ pub const EXPERIMENT: Experiment = Experiment {
     },
     instances: PerProfile::both(3),
     variants: &[
-        Variant { id: LEAST, title: "Cutting, m = n", largest: PerProfile::both(usize::MAX) },
-        Variant { id: BETWEEN, title: "Cutting, m = n^(3/2)", largest: PerProfile::both(1 << 10) },
-        Variant { id: MOST, title: "Cutting, m = n^2", largest: PerProfile::both(1 << 8) },
+        Variant { id: LEAST_SPACE, title: "Cutting, m = n", largest: PerProfile::both(usize::MAX) },
+        Variant { id: MIDDLE_SPACE, title: "Cutting, m = n^(3/2)", largest: PerProfile::both(1 << 10) },
+        Variant { id: MOST_SPACE, title: "Cutting, m = n^2", largest: PerProfile::both(1 << 8) },
     ],
     measure,
     table: Tabulated::MedianAtLargest,
     timing: None,
-    fits: &[share(LEAST), share(BETWEEN), share(MOST)],
+    fits: &[share(LEAST_SPACE), share(MIDDLE_SPACE), share(MOST_SPACE)],
 };
 
 const fn share(variant: &'static str) -> FitPlan {
@@ -49,8 +49,8 @@ const fn share(variant: &'static str) -> FitPlan {
 fn measure(case: &Case) -> Result<Measurement, String> {
     let n = case.n as u64;
     let space = match case.variant {
-        LEAST => n,
-        BETWEEN => (n * n * n).isqrt(),
+        LEAST_SPACE => n,
+        MIDDLE_SPACE => (n * n * n).isqrt(),
         _ => n * n,
     };
     measure_with(case, case.n, space)
