@@ -157,12 +157,12 @@ fn check_free(file: &Path, existing: Existing) -> Result<(), OutputError> {
     if file.is_dir() && !file.is_symlink() {
         return Err(unwritable(file)(io::Error::other("is a folder, not a file")));
     }
-    if existing == Existing::Keep && file.symlink_metadata().is_ok() {
-        return Err(OutputError::Exists(file.to_path_buf()));
-    }
     // A file takes the place of a link, not of what the link leads to; `/dev/stdout` is one.
     if file.is_symlink() {
         return Err(OutputError::Link(file.to_path_buf()));
+    }
+    if existing == Existing::Keep && file.symlink_metadata().is_ok() {
+        return Err(OutputError::Exists(file.to_path_buf()));
     }
     if file.exists() && !file.is_file() {
         return Err(unwritable(file)(io::Error::other("is not an ordinary file")));

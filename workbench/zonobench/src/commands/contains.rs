@@ -12,7 +12,7 @@ use super::placing::{Placing, describe};
 use super::table::{Table, in_full, with_six_digits};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{Format, Placed, Reading, Wanted};
+use crate::input::{Format, OptionNames, Placed, Reading, Wanted};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 
@@ -53,7 +53,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     check_names(&[("JSON", options.json.as_ref()), ("JSON", options.question.as_ref())])?;
     let outputs = options.json.iter().chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let file = options.placing.read(&options.body, options.body_format)?;
+    let file = options.placing.read(&options.body, options.body_format, OptionNames::BESIDE_POINTS)?;
     let reading = source.read(Wanted::Any)?;
     reading.check_dimension(&options.points, file.placed.dimension())?;
 

@@ -9,10 +9,10 @@ use anyhow::anyhow;
 use clap::Args;
 
 pub(super) use self::motion::{Shift, Turn};
-use super::asked::BodyFile;
-use super::table::{ROUNDED, Table, counted, figure, in_full, tuple};
+use super::asked::{BodyFile, body_formats};
+use super::table::{ROUNDED, Table, counted, figure, in_full, position};
 use super::usage::tell;
-use crate::input::{BodySource, Format, Layout, Placed};
+use crate::input::{BodySource, Format, Layout, OptionNames, Placed};
 use batch::placement::Placement;
 
 /// How a body is read, and where it is put.
@@ -58,9 +58,17 @@ pub struct PlacingOfSecond {
     /// Read the first vector of the second table or array as the centre.
     #[arg(long)]
     center_first_b: bool,
+    /// The format of the second file, where it is another than that of the first.
+    #[arg(long, value_name = "FORMAT", value_parser = body_formats())]
+    format_b: Option<Format>,
 }
 
 impl PlacingOfSecond {
+    /// The format of the second file: its own, or that of both.
+    pub(super) fn format(&self, of_both: Option<Format>) -> Option<Format> {
+        self.format_b.or(of_both)
+    }
+
     /// The options as those of a single body.
     pub(super) fn placing(&self) -> Placing {
         Placing {
@@ -93,14 +101,14 @@ impl Placing {
 
     /// Reads the body, and puts it where its file and the options say: first the pose of its file, then that of the
     /// option, then the turn, then the move.
-    pub(super) fn read(&self, file: &Path, format: Option<Format>) -> anyhow::Result<BodyFile> {
+    pub(super) fn read(&self, file: &Path, format: Option<Format>, options: OptionNames) -> anyhow::Result<BodyFile> {
         let layout = Layout { columns_are_generators: self.columns_are_generators, center_first: self.center_first };
-        let (mut placed, origin) = BodySource { file: file.to_path_buf(), format, layout }.read(tell)?;
+        let (mut placed, origin) = BodySource { file: file.to_path_buf(), format, layout, options }.read(tell)?;
         let dimension = placed.dimension();
         let given = [
-            self.pose.as_deref().map(|pose| pose_file::read(pose, dimension)),
-            self.turn.as_ref().map(|turn| turn.placement(dimension)),
-            self.shift.as_ref().map(|shift| shift.placement(dimension)),
+            self.pose.as_deref().map(|pose| pose_file::read(pose, dimension, options.pose)),
+            self.turn.as_ref().map(|turn| turn.placement(dimension, options)),
+            self.shift.as_ref().map(|shift| shift.placement(dimension, options.shift)),
         ];
         for next in given.into_iter().flatten() {
             let next = next?;
@@ -140,10 +148,19 @@ pub(super) fn describe(table: &mut Table, [name, pose_name]: [&str; 2], placed: 
     let (center, is_exact) = placed.center();
     let of_pose = if is_exact { "" } else { ", rounded" };
     let rounded = if placed.body.is_rounded { ROUNDED } else { "" };
-    table.row(name, format!("{count} in {}, centre {}{of_pose}{rounded}", file.display(), tuple(&center)));
+    table.row(
+        name,
+        format!("{count} in {}, centre {}{of_pose}{rounded}", file.display(), position(&center, placed.reach())),
+    );
     if let Some(pose) = &placed.pose {
         table.row(pose_name, in_words(pose));
     }
+}
+
+/// The reach of the smaller one of two bodies that is no point; 0 if both are points.
+pub(super) fn smaller_reach(bodies: &[Placed; 2]) -> f64 {
+    let [a, b] = bodies.each_ref().map(Placed::reach);
+    if a == 0.0 || b == 0.0 { a.max(b) } else { a.min(b) }
 }
 
 /// What is said of a body whose centre and generators are rounded images under its pose.

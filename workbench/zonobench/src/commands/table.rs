@@ -37,17 +37,17 @@ pub(super) fn in_full(number: f64) -> String {
 
 /// A number for the eye, rounded to six digits.
 pub(super) fn figure(number: f64) -> String {
-    rounded(number, |_, _| false)
+    rounded(number, DIGITS, |_, _| false)
 }
 
 /// A bound from below: rounded down.
 pub(super) fn at_least(number: f64) -> String {
-    rounded(number, |shown, number| shown > number)
+    rounded(number, DIGITS, |shown, number| shown > number)
 }
 
 /// A bound from above: rounded up.
 pub(super) fn at_most(number: f64) -> String {
-    rounded(number, |shown, number| shown < number)
+    rounded(number, DIGITS, |shown, number| shown < number)
 }
 
 /// A bound from below that says so where it is rounded.
@@ -59,15 +59,22 @@ pub(super) fn lower_bound(number: f64) -> String {
 /// The digits that are shown of a number.
 const DIGITS: i64 = 6;
 
-/// A number in six digits: the nearest such number, or its neighbour on the other side where it is on the wrong one.
-fn rounded(number: f64, is_wrong: impl Fn(f64, f64) -> bool) -> String {
-    let scientific = format!("{number:.*e}", DIGITS as usize - 1);
+/// The most digits that a double needs to be read back unchanged.
+const ALL_DIGITS: i64 = 17;
+
+/// A number in so many digits: the nearest such number, or its neighbour on the other side where it is on the wrong
+/// one.
+fn rounded(number: f64, count: i64, is_wrong: impl Fn(f64, f64) -> bool) -> String {
+    if count >= ALL_DIGITS {
+        return in_full(number);
+    }
+    let scientific = format!("{number:.*e}", count as usize - 1);
     let Some((digits, exponent)) = scientific.split_once('e') else { return in_full(number) };
     let (Ok(digits), Ok(exponent)) = (digits.replace('.', "").parse::<i64>(), exponent.parse::<i64>()) else {
         return in_full(number);
     };
     let shown = |digits: i64, exponent: i64| {
-        let shown = format!("{digits}e{}", exponent - DIGITS + 1).parse().ok();
+        let shown = format!("{digits}e{}", exponent - count + 1).parse().ok();
         shown.filter(|shown: &f64| shown.is_finite()).unwrap_or(number)
     };
     let nearest = shown(digits, exponent);
@@ -76,7 +83,7 @@ fn rounded(number: f64, is_wrong: impl Fn(f64, f64) -> bool) -> String {
     }
     let step = if nearest > number { -1 } else { 1 };
     // Numbers below a power of ten are ten times closer to each other.
-    let is_finer = digits.abs() == 10i64.pow(DIGITS as u32 - 1) && digits.signum() != step;
+    let is_finer = digits.abs() == 10i64.pow(count as u32 - 1) && digits.signum() != step;
     in_full(if is_finer { shown(10 * digits + step, exponent - 1) } else { shown(digits + step, exponent) })
 }
 
@@ -105,9 +112,37 @@ pub(super) fn tuple(vector: &[f64]) -> String {
     format!("({})", vector.iter().map(|&x| figure(x)).collect::<Vec<_>>().join(", "))
 }
 
+/// A point of a body of a size: six digits of the size are shown, so that a small body far from the origin has its own
+/// place.
+pub(super) fn position(point: &[f64], size: f64) -> String {
+    let digits = |x: f64| match (decimal_exponent(x), decimal_exponent(size)) {
+        (Some(of_number), Some(of_size)) => DIGITS + (of_number - of_size).max(0),
+        (_, None) => ALL_DIGITS,
+        (None, Some(_)) => DIGITS,
+    };
+    let shown: Vec<String> = point.iter().map(|&x| rounded(x, digits(x), |_, _| false)).collect();
+    format!("({})", shown.join(", "))
+}
+
+/// The exponent of ten of a number that is not zero.
+fn decimal_exponent(number: f64) -> Option<i64> {
+    let scientific = (number != 0.0).then(|| format!("{number:e}"))?;
+    scientific.split_once('e')?.1.parse().ok()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_small_body_far_from_the_origin_has_its_own_place() {
+        let point = [500_000.123_456, 4_500_100.654_321, 0.0, -1e-7 / 3.0];
+        assert_eq!(position(&point, 250.0), "(500000.123, 4500100.654, 0.0, -3.33333e-8)");
+        assert_eq!(position(&point[..2], 1e7), "(500000.0, 4500100.0)");
+        assert_eq!(position(&[1.0 / 3.0, 1e17 + 16.0], 1e-300), "(0.3333333333333333, 1.0000000000000002e17)");
+        assert_eq!(position(&[1.0 / 3.0], 0.0), "(0.3333333333333333)", "a point has no size");
+        assert_eq!(position(&[f64::INFINITY], f64::INFINITY), "(beyond the range of doubles)");
+    }
 
     #[test]
     fn screens_show_six_digits_on_the_safe_side() {

@@ -252,9 +252,9 @@ pub fn on_one_line(text: &str) -> String {
 }
 
 impl Problem {
-    /// Whether a number is missing or not finite, so that its point may be left out.
+    /// Whether a number is missing, not finite, or beyond the range of doubles, so that its point may be left out.
     pub(super) fn is_missing(&self) -> bool {
-        matches!(self, Self::NotFinite(_) | Self::EmptyCell)
+        matches!(self, Self::NotFinite(_) | Self::OutOfRange(_) | Self::EmptyCell)
     }
 
     /// The complaint about `file` at `place`.

@@ -26,7 +26,9 @@ mod table;
 
 use std::path::PathBuf;
 
-pub use body::{Body, BodySource, ExactBody, Layout, Origin, Placed, PoseDocument, RoundedBody, body_of_answer};
+pub use body::{
+    Body, BodySource, ExactBody, Layout, OptionNames, Origin, Placed, PoseDocument, RoundedBody, body_of_answer,
+};
 pub use bytes::MAX_FILE_BYTES;
 pub use columns::{Column, Columns};
 pub use error::{InputError, Place, Problem, on_one_line};

@@ -103,6 +103,57 @@ fn questions_about_posed_bodies_are_verified() {
     }
 }
 
+/// The lines that the second body meets name its own options.
+#[test]
+fn complaints_name_the_options_of_their_body() {
+    let wide = "1,0,3\n0,1,4\n";
+    let folder = folder(&[("a.json", CUBE), ("b.dat", wide), ("b.csv", wide), ("p.json", "[[1, 0]]")]);
+    let folder = folder.path();
+    for (words, complaint) in [
+        (&["a.json", "--move-b", "1,2"][..], "zonobench: --move-b: 2 numbers for a body with 3 coordinates"),
+        (&["a.json", "--turn-b", "30"], "zonobench: --turn-b: in space a turn is about an axis: z,30 or 1,1,0,30"),
+        (&["a.json", "--pose-b", "p.json"], "zonobench: --pose-b p.json: 1 rows with 2 numbers; "),
+        (&["a.json", "--center-first-b"], "--columns-are-generators-b and --center-first-b are for tables, arrays"),
+        (&["b.dat"], "if it holds one, say csv, json or npy by --format-b"),
+    ] {
+        let outcome = run(folder, &[&["distance", "a.json"], words].concat());
+        assert!(outcome.status == 1 && outcome.stderr.contains(complaint), "{words:?}: {}", outcome.stderr);
+    }
+    let outcome = good(folder, &["distance", "a.json", "b.dat", "--format-b", "csv"]);
+    assert!(outcome.stderr.contains("--columns-are-generators-b reads the columns"), "{}", outcome.stderr);
+    let outcome = run(folder, &["contains", "b.dat", "b.csv"]);
+    assert!(outcome.stderr.contains("say csv, json or npy by --body-format"), "{}", outcome.stderr);
+}
+
+/// A matrix with one row, as systems write it that make no difference between a number and a list of one.
+#[test]
+fn bodies_of_the_line_may_have_numbers_for_vectors() {
+    let folder = folder(&[("a.json", r#"{"c": 5, "G": [1, 2, 3]}"#), ("b.json", r#"{"c": 5, "G": 2}"#)]);
+    has(&good(folder.path(), &["inspect", "a.json"]), "bounding box  [-1.0, 11.0]");
+    has(&good(folder.path(), &["inspect", "b.json"]), "bounding box  [3.0, 7.0]");
+}
+
+/// Six digits of a coordinate do not show where a small body far from the origin is.
+#[test]
+fn points_are_shown_in_terms_of_the_size() {
+    let lot = "500000.123456,4500000.654321\n500100.123456,4500100.654321\n500100.5,4500000\n";
+    let folder = folder(&[("p.csv", lot)]);
+    let outcome = good(folder.path(), &["enclose", "p.csv", "--json", "a.json"]);
+    has(&outcome, "centre        (500100.312, 4500050.327)");
+    has(&good(folder.path(), &["inspect", "a.json"]), "centre        (500100.312, 4500050.327)");
+}
+
+/// The gauge of bodies that no doubles hold is that of the nearest ones, and says so.
+#[test]
+fn turned_bodies_have_a_gauge() {
+    let folder = folder(&[("a.json", CUBE), ("b.json", &CUBE.replace("0, 1, 0", "0, 1.1, 0"))]);
+    let words = ["intersect", "a.json", "b.json", "--turn-b", "z,30", "--move-b", "4,0,0"];
+    // Along x, a reaches 1 and b reaches the cosine of 30 degrees and 1.1 times a half.
+    let gauge = "gauge         1.65561: taken so many times about their centres they touch, of the bodies under their \
+                 poses as doubles hold them";
+    has(&good(folder.path(), &words), gauge);
+}
+
 #[test]
 fn options_turn_and_move_and_say_the_numbers_that_are_taken() {
     let folder = folder(&[

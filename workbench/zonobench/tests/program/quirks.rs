@@ -126,6 +126,7 @@ fn points_that_are_not_finite() {
     let told = |columns: &str| format!("{columns}left out: 2 points that are not finite");
     let table = "x,y\n0,0\nnan,3\n,4\n1,0\n0,1\n";
     read("p.csv", table, &["--skip-nan"], 3, &told("x, y; "));
+    read("q.csv", "x,y\n0,0\n1400e400,1\n1,-1e999\n1,0\n0,1\n", &["--skip-nan"], 3, &told("x, y; "));
     read("p.json", "[[0,0],[NaN,1],[1,null],[1,0],[0,1]]", &["--skip-nan"], 3, &told("1, 2; "));
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("p.csv"), table).expect("written");

@@ -33,7 +33,8 @@ fn tables() {
     let nan = missing("line 3, column 1: 'NaN' is not a finite number");
     refused("p.csv", "x,y\r\n1,2\r\nNaN,3\r\n", &[], &nan);
     refused("p.csv", "x,y\n-inf,2\n", &[], &missing("line 2, column 1: '-inf' is not a finite number"));
-    refused("p.csv", "x,y\n1,1e400\n", &[], "p.csv: line 2, column 2: '1e400' is outside the range of a double");
+    let beyond = missing("line 2, column 2: '1e400' is outside the range of a double");
+    refused("p.csv", "x,y\n1,1e400\n", &[], &beyond);
     refused("p.csv", "1,2\n3\n", &[], "p.csv: line 2, column 2: the row has 1 cells, not 2");
     refused("p.csv", "1,2\n3,4,5\n", &[], "p.csv: line 2, column 3: the row has 3 cells, not 2");
     refused("p.csv", "1,2\n,4\n", &[], &missing("line 2, column 1: the cell is empty"));

@@ -2,8 +2,8 @@
 
 use super::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};
-use crate::commands::placing::describe;
-use crate::commands::table::{Table, at_least, at_most, figure, tuple, with_six_digits};
+use crate::commands::placing::{describe, smaller_reach};
+use crate::commands::table::{Table, at_least, at_most, figure, position, tuple, with_six_digits};
 use crate::input::Placed;
 use batch::Verdict;
 
@@ -21,7 +21,8 @@ pub(super) fn summary(options: &Options, bodies: &[Placed; 2], asked: &Asked, ve
     table.row("answer", answer.to_owned());
     let distance = float(&result["distance"]);
     table.row("distance", figure(distance));
-    let point = |body: &str| tuple(&floats(&result["nearest"][body]));
+    let size = smaller_reach(bodies);
+    let point = |body: &str| position(&floats(&result["nearest"][body]), size);
     let feature = |body: &str| result["features"][body].as_str().unwrap_or_default().to_owned();
     if result["status"] == "outside" {
         table.row("nearest in a", format!("{}, on a face: {}", point("a"), feature("a")));

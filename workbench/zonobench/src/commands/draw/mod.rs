@@ -13,7 +13,7 @@ use super::asking::PointOptions;
 use super::placing::{Placing, in_words, rounded_in_words};
 use super::usage::{Usage, check_inputs, check_names, tell};
 use super::verify::question_name;
-use crate::input::{Body, Points, RoundedBody, Wanted};
+use crate::input::{Body, OptionNames, Points, RoundedBody, Wanted};
 use crate::output::{Existing, Outputs};
 
 /// Options of `draw`.
@@ -138,7 +138,7 @@ fn check_usage(options: &Options) -> Result<(), Usage> {
 
 /// The picture, and what is to be said of the body's pose.
 fn of_body(options: &Options, name: &str) -> anyhow::Result<(String, String)> {
-    let placed = options.placing.read(&options.file, options.reading.format)?.placed;
+    let placed = options.placing.read(&options.file, options.reading.format, OptionNames::OF_FIRST)?.placed;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;
     let mut more = placed.pose.as_ref().map(|pose| format!("pose: {}\n", in_words(pose))).unwrap_or_default();
     if off > 0.0 {

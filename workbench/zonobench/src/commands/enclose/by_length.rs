@@ -8,7 +8,7 @@ use super::{Options, comparison, solid};
 use crate::commands::Ending;
 use crate::commands::asking::Objective;
 use crate::commands::inspect::export;
-use crate::commands::table::{Table, at_most, counted, figure, lower_bound, tuple, with_six_digits};
+use crate::commands::table::{Table, at_most, counted, figure, lower_bound, position, with_six_digits};
 use crate::commands::verify::question_name;
 use crate::input::{Body, Reading, body_of_answer};
 use crate::output::{Outputs, Results};
@@ -77,7 +77,7 @@ fn summary(
     table.row("directions", directions.map_or("any".to_owned(), |directions| directions.len().to_string()));
     let result = &answer["result"];
     if let Some(body) = body {
-        table.row("centre", tuple(&body.center));
+        table.row("centre", position(&body.center, body.reach()));
         table.row("zonotope", counted(body.generators.len(), "generator", "generators"));
         let number = |name: &str| result[name].as_f64().unwrap_or(f64::INFINITY);
         let length = if directions.is_some() { number("value") } else { number("length") };

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use zonotope::enclosing::min_area_zonogon::exact::ExactZonogon;
 
 use super::Options;
-use crate::commands::table::{Table, counted, figure, lower_bound};
+use crate::commands::table::{Table, counted, figure, lower_bound, position};
 use crate::enclosure::Enclosure;
 use crate::input::Reading;
 use verifier::MinAreaProof;
@@ -20,7 +20,8 @@ pub(super) fn summary(
 ) -> String {
     let found = &enclosure.found;
     let (hull_area, ratio) = enclosure.hull_area_and_ratio();
-    let [x, y] = found.body.center();
+    let along = |axis: usize| found.body.generators().iter().map(|generator| generator[axis].abs()).sum::<f64>();
+    let reach = along(0).max(along(1));
     let mut lines: Vec<(&str, String)> =
         vec![("points", format!("{} in {}", reading.points.len(), options.file.display()))];
     lines.extend(reading.in_words().map(|columns| ("columns", columns)));
@@ -29,7 +30,7 @@ pub(super) fn summary(
             "hull",
             format!("{}, area {}", counted(found.proof.hull().vertex_count(), "vertex", "vertices"), figure(hull_area)),
         ),
-        ("centre", format!("({}, {})", figure(x), figure(y))),
+        ("centre", position(&found.body.center(), reach)),
         ("zonogon", counted(found.body.generators().len(), "generator", "generators")),
         (
             "area",

@@ -19,7 +19,7 @@ use super::asked::{About, Asked, body_formats, record};
 use super::placing::Placing;
 use super::usage::{check_inputs, check_names, tell};
 use super::verify::question_name;
-use crate::input::{Format, RoundedBody};
+use crate::input::{Format, OptionNames, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
 use batch::MAX_DIMENSION;
 use batch::Verdict;
@@ -83,7 +83,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let corners = options.vertices.as_ref().map(|file| Ok::<_, VerticesError>((file, VertexFormat::of(file)?)));
     let corners = corners.transpose()?;
-    let file = options.placing.read(&options.file, options.format)?;
+    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
     let request = record(About::Inspect, &[&file], None, None);
     let placed = file.placed;
     let RoundedBody { body, off } = placed.rounded(&options.file)?;

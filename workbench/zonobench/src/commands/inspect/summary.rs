@@ -8,7 +8,7 @@ use super::Options;
 use super::measures::Measures;
 use crate::commands::asked::how_to_verify;
 use crate::commands::placing::{in_words, rounded_in_words};
-use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, in_full, tuple};
+use crate::commands::table::{ROUNDED, Table, at_least, at_most, counted, figure, in_full, position};
 use crate::input::Placed;
 use batch::Verdict;
 
@@ -48,7 +48,7 @@ pub(super) fn summary(
     }
     table.row("generators", zones);
     let (center, is_exact) = placed.center();
-    table.row("centre", format!("{}{}", tuple(&center), if is_exact { "" } else { ", rounded" }));
+    table.row("centre", format!("{}{}", position(&center, placed.reach()), if is_exact { "" } else { ", rounded" }));
     if let Some(pose) = &placed.pose {
         table.row("pose", in_words(pose));
     }

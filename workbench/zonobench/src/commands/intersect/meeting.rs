@@ -19,9 +19,11 @@ pub(in crate::commands) struct Meeting {
     pub(in crate::commands) exact: [ExactBody; 2],
     pub(in crate::commands) asked: Asked,
     pub(in crate::commands) status: String,
-    /// How many times both bodies must be taken about their centres to touch, unless they are too large for it to be
-    /// found, or poses put them where no doubles are.
+    /// How many times both bodies, as doubles hold them, must be taken about their centres to touch, unless they are
+    /// too large for it to be found.
     pub(in crate::commands) gauge: Option<f64>,
+    /// Whether doubles hold both bodies, so that the gauge is that of the bodies as they are.
+    pub(in crate::commands) is_exact: bool,
     pub(in crate::commands) proof: Proof,
 }
 
@@ -58,7 +60,7 @@ impl Meeting {
         let generators: Vec<Value> = generators.filter_map(|rows| rows.as_array().cloned()).flatten().collect();
         let [p, q] = bodies.each_ref().map(|body| vector_to_json(&body.center));
         let distance = json!({"p": p, "q": q, "generators": generators});
-        let gauge = is_exact.then(|| Asked::of(json!({"id": name, "kind": "gauge", "input": distance})).ok()).flatten();
+        let gauge = Asked::of(json!({"id": name, "kind": "gauge", "input": distance})).ok();
 
         let result = asked.result();
         let certificate = &result["certificate"];
@@ -72,7 +74,7 @@ impl Meeting {
         };
         let status = result["status"].as_str().unwrap_or_default().to_owned();
         let gauge = gauge.map(|asked| float(&asked.result()["gauge"]));
-        Ok(Self { placed, bodies, exact, asked, status, gauge, proof })
+        Ok(Self { placed, bodies, exact, asked, status, gauge, is_exact, proof })
     }
 
     /// How many coordinates there are.

@@ -14,7 +14,7 @@ use super::asked::{About, body_formats, check_dimensions, record};
 use super::placing::{Placing, PlacingOfSecond};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::Format;
+use crate::input::{Format, OptionNames};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 
@@ -28,7 +28,7 @@ pub struct Options {
     a: PathBuf,
     /// The second zonotope.
     b: PathBuf,
-    /// The format of both files, where their extensions do not tell it.
+    /// The format of both files, where their extensions do not tell it; --format-b is that of the second.
     #[arg(long, value_parser = body_formats())]
     format: Option<Format>,
     #[command(flatten)]
@@ -62,7 +62,11 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
     let names = [&options.a, &options.b];
-    let files = [placings[0].read(names[0], options.format)?, placings[1].read(names[1], options.format)?];
+    let formats = [options.format, options.placing_of_b.format(options.format)];
+    let files = [
+        placings[0].read(names[0], formats[0], OptionNames::OF_FIRST)?,
+        placings[1].read(names[1], formats[1], OptionNames::OF_SECOND)?,
+    ];
     let request = record(About::Intersect, &files.each_ref(), None, None);
     let bodies = files.map(|file| file.placed);
     check_dimensions(names, &bodies)?;

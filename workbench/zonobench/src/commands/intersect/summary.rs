@@ -3,8 +3,8 @@
 use super::Options;
 use super::meeting::{Meeting, Proof};
 use crate::commands::asked::how_to_verify;
-use crate::commands::placing::describe;
-use crate::commands::table::{Table, at_least, figure, tuple, with_six_digits};
+use crate::commands::placing::{describe, smaller_reach};
+use crate::commands::table::{Table, at_least, figure, position, tuple, with_six_digits};
 use crate::input::Body;
 use batch::Verdict;
 
@@ -41,13 +41,14 @@ pub(super) fn summary(options: &Options, meeting: &Meeting, verdict: &Verdict) -
         }
         Proof::Common { coefficients, point } => {
             let split = meeting.bodies[0].generators.len();
-            table.row("common point", format!("{}, rounded", tuple(point)));
+            table.row("common point", format!("{}, rounded", position(point, smaller_reach(&meeting.placed))));
             table.row("in a", combination("a", 1.0, &meeting.bodies[0], &coefficients[..split]));
             table.row("in b", combination("b", -1.0, &meeting.bodies[1], &coefficients[split..]));
         }
     }
     if let Some(value) = meeting.gauge {
-        table.row("gauge", gauge(meeting, value));
+        let of_rounded = if meeting.is_exact { "" } else { ", of the bodies under their poses as doubles hold them" };
+        table.row("gauge", format!("{}{of_rounded}", gauge(meeting, value)));
     }
     table.row(
         "certificate",

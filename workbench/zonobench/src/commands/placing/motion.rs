@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use anyhow::{bail, ensure};
 
+use crate::input::OptionNames;
 use batch::placement::Placement;
 
 /// The numbers by which a body is moved.
@@ -21,9 +22,9 @@ impl FromStr for Shift {
 
 impl Shift {
     /// The placement that moves a body of the dimension.
-    pub(super) fn placement(&self, dimension: usize) -> anyhow::Result<Placement> {
+    pub(super) fn placement(&self, dimension: usize, option: &str) -> anyhow::Result<Placement> {
         let found = self.0.len();
-        ensure!(found == dimension, "--move: {found} numbers for a body with {dimension} coordinates");
+        ensure!(found == dimension, "{option}: {found} numbers for a body with {dimension} coordinates");
         let matrix = Placement::identity(dimension).matrix().to_vec();
         Ok(Placement::new(matrix, self.0.clone()).expect("the numbers are finite and counted"))
     }
@@ -61,14 +62,15 @@ impl FromStr for Turn {
 impl Turn {
     /// The placement that turns a body of the dimension: a rotation but for the rounding of its entries, exact for
     /// quarter turns about the axes of the coordinates.
-    pub(super) fn placement(&self, dimension: usize) -> anyhow::Result<Placement> {
+    pub(super) fn placement(&self, dimension: usize, options: OptionNames) -> anyhow::Result<Placement> {
+        let OptionNames { turn, pose, .. } = options;
         let (sin, cos) = sine_and_cosine(self.degrees);
         let matrix = match (dimension, self.axis) {
             (2, None | Some([0.0, 0.0, 1.0])) => vec![vec![cos, -sin], vec![sin, cos]],
-            (2, Some(_)) => bail!("--turn: in the plane a turn is about no axis: give the degrees alone"),
-            (3, None) => bail!("--turn: in space a turn is about an axis: z,30 or 1,1,0,30"),
+            (2, Some(_)) => bail!("{turn}: in the plane a turn is about no axis: give the degrees alone"),
+            (3, None) => bail!("{turn}: in space a turn is about an axis: z,30 or 1,1,0,30"),
             (3, Some(axis)) => about(unit(axis), sin, cos),
-            (other, _) => bail!("--turn: a body with {other} coordinates is turned by --pose"),
+            (other, _) => bail!("{turn}: a body with {other} coordinates is turned by {pose}"),
         };
         // A sum with 0 makes a negative zero a zero.
         let matrix = matrix.into_iter().map(|row| row.into_iter().map(|entry| entry + 0.0).collect()).collect();
@@ -133,7 +135,7 @@ mod tests {
 
     fn matrix(turn: &str, dimension: usize) -> Vec<Vec<f64>> {
         let turn: Turn = turn.parse().expect("a turn");
-        turn.placement(dimension).expect("a turn of this dimension").matrix().to_vec()
+        turn.placement(dimension, OptionNames::OF_FIRST).expect("a turn of this dimension").matrix().to_vec()
     }
 
     #[test]
@@ -173,12 +175,12 @@ mod tests {
         }
         let refused = |turn: &str, dimension| {
             let turn: Turn = turn.parse().expect("a turn");
-            turn.placement(dimension).expect_err("not of this dimension").to_string()
+            turn.placement(dimension, OptionNames::OF_SECOND).expect_err("not of this dimension").to_string()
         };
         assert!(refused("30", 3).contains("about an axis") && refused("x,30", 2).contains("no axis"));
-        assert!(refused("z,30", 4).contains("--pose"));
+        assert!(refused("z,30", 4).contains("--turn-b: a body with 4 coordinates is turned by --pose-b"));
         let shift: Shift = "1,2".parse().expect("numbers");
-        let refused = shift.placement(3).expect_err("not of this dimension").to_string();
-        assert_eq!(refused, "--move: 2 numbers for a body with 3 coordinates");
+        let refused = shift.placement(3, OptionNames::OF_SECOND.shift).expect_err("not of this dimension").to_string();
+        assert_eq!(refused, "--move-b: 2 numbers for a body with 3 coordinates");
     }
 }

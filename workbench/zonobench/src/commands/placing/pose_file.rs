@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::anyhow;
 
+use crate::commands::usage::tell;
 use crate::input::PoseDocument;
 use batch::json::Tree;
 use batch::placement::Placement;
@@ -11,9 +12,9 @@ use batch::read_pose;
 
 /// The pose of a file, for a body of the dimension: an object as it stands in a question, or the rows of a matrix,
 /// which is square, or has the translation as its last column, perhaps with a last row 0, …, 0, 1.
-pub(super) fn read(file: &Path, dimension: usize) -> anyhow::Result<Placement> {
-    let name = || format!("--pose {}", file.display());
-    let rows = match PoseDocument::read(file)? {
+pub(super) fn read(file: &Path, dimension: usize, option: &str) -> anyhow::Result<Placement> {
+    let name = || format!("{option} {}", file.display());
+    let rows = match PoseDocument::read(file, tell)? {
         PoseDocument::Rows(rows) => rows,
         PoseDocument::Object(object) => {
             let pose = object.field("pose").filter(|pose| matches!(pose, Tree::Object(_))).unwrap_or(&object);

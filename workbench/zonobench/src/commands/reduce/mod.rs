@@ -14,7 +14,7 @@ use super::placing::{Placing, describe, rounded_in_words};
 use super::table::{Table, at_least, at_most, counted, figure, with_six_digits};
 use super::usage::{check_inputs, check_names};
 use super::verify::question_name;
-use crate::input::{Body, Format, Placed, RoundedBody};
+use crate::input::{Body, Format, OptionNames, Placed, RoundedBody};
 use crate::output::{Existing, Outputs, Results};
 use batch::Verdict;
 use zonotope::Zonotope;
@@ -68,7 +68,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     ])?;
     let outputs = options.svg.iter().chain(&options.json).chain(&options.question);
     let outputs = Outputs::checked(outputs, &inputs, Existing::from_force(options.force))?;
-    let file = options.placing.read(&options.file, options.format)?;
+    let file = options.placing.read(&options.file, options.format, OptionNames::OF_FIRST)?;
     let reduction = Some((options.count, options.rule.as_str()));
     let request = record(About::Reduce, &[&file], None, reduction);
     let placed = file.placed;

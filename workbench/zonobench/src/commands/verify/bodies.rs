@@ -12,7 +12,7 @@ use super::question_name;
 use crate::commands::asked::{About, Recorded, zonotope_of};
 use crate::commands::asking::{Asking, PointOptions};
 use crate::commands::usage::{Usage, tell};
-use crate::input::{BodySource, Reading, Wanted};
+use crate::input::{BodySource, OptionNames, Reading, Wanted};
 
 /// What is said where two files are those of the answer, but in the other order.
 const OTHER_ORDER: &str = "the files are those of the answer in the other order, and so it fails";
@@ -79,7 +79,8 @@ fn ask_again(
         if is_body {
             let chosen = asking.points.format.filter(|_| about != About::Contains);
             let (format, layout) = (chosen.or(record.points.format), record.layout);
-            let (mut placed, origin) = BodySource { file: file.clone(), format, layout }.read(tell)?;
+            let (mut placed, origin) =
+                BodySource { file: file.clone(), format, layout, options: OptionNames::OF_FIRST }.read(tell)?;
             if let Some(pose) = &record.pose {
                 let read = read_pose(pose, placed.dimension()).map_err(|refusal| anyhow!("{}", refusal.message))?;
                 placed.pose = Some(read);

@@ -4,10 +4,10 @@ mod answer;
 
 use std::path::Path;
 
-use super::Layout;
 use super::names::{self, Holder, MATRIX, POSE};
 use super::object::{ENVELOPE, nothing, vectors, zonotope};
 use super::placed::Placed;
+use super::{Layout, OptionNames};
 use crate::input::error::{InputError, Place, Problem, on_one_line};
 use batch::KINDS;
 use batch::json::Tree;
@@ -20,16 +20,19 @@ pub(super) fn placed(
     file: &Path,
     document: &Tree,
     layout: Layout,
+    options: OptionNames,
     tell: &mut dyn FnMut(&str),
 ) -> Result<Placed, InputError> {
     if document.list().is_some() {
-        let body = layout.body(file, &[], vectors(file, document, "")?, tell)?;
+        let body = layout.body(file, &[], vectors(file, document, "")?, options, tell)?;
         return Ok(Placed { body, pose: None });
     }
     if layout != Layout::default() {
-        let problem = "is an object, whose fields say what its vectors are; --columns-are-generators and \
-                       --center-first are for tables, arrays and lists";
-        return Err(Problem::Shape(problem.to_owned()).at(file, Place::File));
+        let problem = format!(
+            "is an object, whose fields say what its vectors are; {} and {} are for tables, arrays and lists",
+            options.columns_are_generators, options.center_first
+        );
+        return Err(Problem::Shape(problem).at(file, Place::File));
     }
     let mut unread = Vec::new();
     let whole = Holder { file, object: document, path: "" };

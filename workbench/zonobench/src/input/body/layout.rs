@@ -1,7 +1,7 @@
 //! Which vectors of a table or of an array are generators: its rows or its columns, and whether the first is the
 //! centre.
 
-use super::Body;
+use super::{Body, OptionNames};
 use crate::input::error::{InputError, Place, Problem};
 use std::path::Path;
 
@@ -27,17 +27,18 @@ impl Layout {
         file: &Path,
         names: &[String],
         rows: Vec<Vec<f64>>,
+        options: OptionNames,
         tell: &mut dyn FnMut(&str),
     ) -> Result<Body, InputError> {
         let named = Named::of(names);
         let is_default = self == Self::default();
         if is_default && named == Named::CenterAmongOthers {
-            let problem = Problem::Shape(
+            let problem = format!(
                 "a column is named as a centre or a generator, but not all others are named as generators, g1, g2, …; \
-                 --columns-are-generators and --center-first say how the table is to be read"
-                    .to_owned(),
+                 {} and {} say how the table is to be read",
+                options.columns_are_generators, options.center_first
             );
-            return Err(problem.at(file, Place::Line(1)));
+            return Err(Problem::Shape(problem).at(file, Place::Line(1)));
         }
         // Names of the columns say which way the vectors lie, whatever the options say of their order.
         let by_columns = self.columns_are_generators || matches!(named, Named::Generators { .. });
@@ -57,8 +58,9 @@ impl Layout {
             tell(&format!("its columns are read as {}, as their names say", read("")));
         } else if is_default && count < width {
             tell(&format!(
-                "its rows, {count} with {width} numbers, are read as generators; --columns-are-generators reads the \
-                 columns, --center-first the first of them as the centre"
+                "its rows, {count} with {width} numbers, are read as generators; {} reads the columns, {} the first of \
+                 them as the centre",
+                options.columns_are_generators, options.center_first
             ));
         }
         super::body(file, center, vectors)
@@ -120,7 +122,8 @@ mod tests {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
         let rows = rows.iter().map(|row| row.to_vec()).collect();
         let mut told = Vec::new();
-        let read = layout.body(Path::new("z.csv"), &names, rows, &mut |line| told.push(line.to_owned()));
+        let read = layout
+            .body(Path::new("z.csv"), &names, rows, OptionNames::OF_SECOND, &mut |line| told.push(line.to_owned()));
         (read.map_err(|error| error.to_string()), told)
     }
 
@@ -150,7 +153,7 @@ mod tests {
     fn a_wide_table_without_a_header_says_how_it_is_read() {
         let (found, told) = read(Layout::default(), &[], &MATRIX);
         assert_eq!(found, body(&[0.0; 3], &MATRIX));
-        assert!(told[0].contains("2 with 3 numbers") && told[0].contains("--columns-are-generators"), "{told:?}");
+        assert!(told[0].contains("2 with 3 numbers") && told[0].contains("--columns-are-generators-b"), "{told:?}");
         for (names, rows) in [(&["a", "b", "c"][..], &[&[1.0, 2.0, 3.0][..]; 3]), (&[], &[&[1.0, 2.0, 3.0][..]; 3])] {
             let (found, told) = read(Layout::default(), names, rows);
             assert_eq!((found, told.len()), (body(&[0.0; 3], rows), 0), "{names:?}");

@@ -4,6 +4,7 @@ mod document;
 mod layout;
 mod names;
 mod object;
+mod options;
 mod placed;
 mod pose;
 
@@ -18,6 +19,7 @@ use crate::digest::sha256;
 
 pub use document::body_of_answer;
 pub use layout::Layout;
+pub use options::OptionNames;
 pub use placed::{ExactBody, Placed, RoundedBody};
 pub use pose::PoseDocument;
 
@@ -30,6 +32,14 @@ pub struct Body {
     pub generators: Vec<Vec<f64>>,
     /// Whether the generators are rounded: products of directions and coefficients of an answer that no doubles equal.
     pub is_rounded: bool,
+}
+
+impl Body {
+    /// How far it reaches from its centre along an axis at most; infinite beyond the range of doubles.
+    pub fn reach(&self) -> f64 {
+        let along = |axis: usize| self.generators.iter().map(|generator| generator[axis].abs()).sum();
+        (0..self.center.len()).map(along).fold(0.0, f64::max)
+    }
 }
 
 /// The content that a zonotope was read from.
@@ -50,6 +60,8 @@ pub struct BodySource {
     pub format: Option<Format>,
     /// Which vectors of a table or of an array are generators.
     pub layout: Layout,
+    /// The names of the options that a message may advise.
+    pub options: OptionNames,
 }
 
 impl BodySource {
@@ -71,7 +83,7 @@ impl BodySource {
         if let Some(format) = self.format.or_else(|| Format::of_extension(file)) {
             return Ok(format);
         }
-        let choice = "say csv, json or npy by --format, or by --body-format where points stand beside it";
+        let choice = format!("say csv, json or npy by {}", self.options.format);
         Err(match file.extension() {
             _ if file.is_dir() => Problem::Shape("is a folder, not a file".to_owned()),
             _ if file.as_os_str() != "-" && !file.exists() => Problem::Unreadable(ErrorKind::NotFound.into()),
@@ -96,14 +108,15 @@ impl BodySource {
                     tell(&format!("each row of {names} is read as a generator; {advice}"));
                     return Ok(Placed { body: body(file, None, rows.numbers)?, pose: None });
                 }
-                let body = self.layout.body(file, &rows.names, rows.numbers, &mut tell)?;
+                let body = self.layout.body(file, &rows.names, rows.numbers, self.options, &mut tell)?;
                 Ok(Placed { body, pose: None })
             }
             Format::Npy => {
-                let body = self.layout.body(file, &[], npy::rows(file, content)?, &mut tell)?;
+                let (names, rows) = npy::rows(file, content)?;
+                let body = self.layout.body(file, &names, rows, self.options, &mut tell)?;
                 Ok(Placed { body, pose: None })
             }
-            Format::Json => document::placed(file, &parse(file, content)?, self.layout, &mut tell),
+            Format::Json => document::placed(file, &parse(file, content)?, self.layout, self.options, &mut tell),
             other => {
                 let problem = format!(
                     "the format {other} holds no zonotopes; csv, json and npy do, and `zonobench enclose {} --json \

@@ -36,7 +36,8 @@ pub(super) fn zonotope(
     let center = center.map(|(name, value)| centre(file, value, &holder.path_of(name))).transpose()?;
     let value = holder.field(name).ok_or_else(|| nothing(holder))?;
     let path = holder.path_of(name);
-    if value.list().is_none() {
+    let is_only_entry = name == MATRIX && matches!(value, Tree::Number(_));
+    if value.list().is_none() && !is_only_entry {
         return Err(holder.wrong(name, format!("expected a list, found {}", value.describe())));
     }
     let generators = if name == MATRIX {
@@ -75,8 +76,11 @@ pub(super) fn finished(
     Ok(Placed { body, pose })
 }
 
-/// A centre: a vector, or a matrix with one column.
+/// A centre: a vector, a matrix with one column, or the only coordinate.
 fn centre(file: &Path, value: &Tree, path: &str) -> Result<Vec<f64>, InputError> {
+    if matches!(value, Tree::Number(_)) {
+        return vector(file, &Tree::List(vec![value.clone()]), path);
+    }
     let cell = |row: &Tree| row.list().filter(|row| row.len() == 1).map(|row| row[0].clone());
     match value.list().and_then(|rows| rows.iter().map(cell).collect::<Option<Vec<Tree>>>()) {
         Some(column) => vector(file, &Tree::List(column), path),
@@ -94,6 +98,7 @@ fn columns_of_matrix(
 ) -> Result<Vec<Vec<f64>>, InputError> {
     let is_flat = |matrix: &Tree| matrix.list().is_some_and(|all| matches!(all.first(), Some(Tree::Number(_))));
     let rows = match center.map(<[f64]>::len) {
+        _ if matches!(matrix, Tree::Number(_)) => vec![vector(file, &Tree::List(vec![matrix.clone()]), path)?],
         Some(1) if is_flat(matrix) => vec![vector(file, matrix, path)?],
         Some(_) if is_flat(matrix) => vector(file, matrix, path)?.into_iter().map(|x| vec![x]).collect(),
         _ => vectors(file, matrix, path)?,

@@ -104,6 +104,17 @@ impl Placed {
         };
         (nearest(&center), doubles(&center).is_some())
     }
+
+    /// How far the image reaches from its centre along an axis at most, as the nearest generators tell.
+    pub fn reach(&self) -> f64 {
+        match &self.pose {
+            None => self.body.reach(),
+            Some(_) => {
+                let generators = self.exact().generators.iter().map(|generator| nearest(generator)).collect();
+                Body { center: self.body.center.clone(), generators, is_rounded: true }.reach()
+            }
+        }
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::object::vectors;
 use crate::input::bytes::read_limited;
 use crate::input::document::parse;
-use crate::input::error::{InputError, Place, Problem};
+use crate::input::error::{InputError, Place, Problem, on_one_line};
 use crate::input::{Format, npy, table};
 use batch::json::Tree;
 
@@ -20,11 +20,16 @@ pub enum PoseDocument {
 
 impl PoseDocument {
     /// Reads a table, an array, or a document of JSON, which a file is whose name tells no format.
-    pub fn read(file: &Path) -> Result<Self, InputError> {
+    /// Remarks on the reading are told.
+    pub fn read(file: &Path, tell: impl Fn(&str)) -> Result<Self, InputError> {
         let content = read_limited(file)?;
         match Format::of_extension(file) {
-            Some(Format::Csv) => Ok(Self::Rows(table::rows(file, &content)?.numbers)),
-            Some(Format::Npy) => Ok(Self::Rows(npy::rows(file, &content)?)),
+            Some(Format::Csv) => {
+                let rows = table::rows(file, &content)?;
+                rows.notes.iter().for_each(|note| tell(&on_one_line(&format!("{}: {note}", file.display()))));
+                Ok(Self::Rows(rows.numbers))
+            }
+            Some(Format::Npy) => Ok(Self::Rows(npy::rows(file, &content)?.1)),
             None | Some(Format::Json) => match parse(file, &content)? {
                 list @ Tree::List(_) => Ok(Self::Rows(vectors(file, &list, "")?)),
                 other => Ok(Self::Object(other)),

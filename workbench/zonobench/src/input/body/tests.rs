@@ -7,7 +7,7 @@ fn read(name: &str, content: &str) -> Result<Body, String> {
     let read = match Format::of_extension(file) {
         Some(Format::Csv) => table::rows(file, content.as_bytes()).and_then(|rows| body(file, None, rows.numbers)),
         _ => parse(file, content.as_bytes())
-            .and_then(|tree| document::placed(file, &tree, Layout::default(), &mut |_| ()))
+            .and_then(|tree| document::placed(file, &tree, Layout::default(), OptionNames::OF_FIRST, &mut |_| ()))
             .map(|placed| placed.body),
     };
     read.map_err(|error| error.to_string())

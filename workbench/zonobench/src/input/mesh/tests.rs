@@ -106,7 +106,7 @@ fn sorted(mut points: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
 fn complaints_name_the_line() {
     assert_eq!(complaint("t.obj", OBJ.replace("0.5", "half")), "t.obj: line 6, column 2: 'half' is not a number");
     let huge = "is outside the range of a double";
-    assert_eq!(complaint("t.obj", OBJ.replace("0.5", "1e999")), format!("t.obj: line 6, column 2: '1e999' {huge}"));
+    assert_eq!(complaint("t.obj", OBJ.replace("0.5", "1e999")), format!("t.obj: vertex 3, line 6: '1e999' {huge}"));
     assert_eq!(complaint("t.obj", OBJ.replace("0.5", "nan")), "t.obj: vertex 3, line 6: 'nan' is not a finite number");
     assert_eq!(
         complaint("t.obj", OBJ.replace("f 2 3 4", "f 2 3 9")),

@@ -44,8 +44,8 @@ pub(super) fn points(
     Ok(Reading::of(points, columns_of(&array.names(), &chosen)))
 }
 
-/// Reads all the rows of an array.
-pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Vec<Vec<f64>>, InputError> {
+/// Reads the names of the columns, none of which an array without records has, and all its rows.
+pub(super) fn rows(file: &Path, content: &[u8]) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
     let array = Array::of(content).map_err(|problem| problem.at(file, Place::File))?;
     let mut rows = Vec::new();
     for row in 0..array.rows {
@@ -53,7 +53,7 @@ pub(super) fn rows(file: &Path, content: &[u8]) -> Result<Vec<Vec<f64>>, InputEr
             (0..array.columns()).map(|column| array.number(file, row, column)).collect();
         push_limited(&mut rows, numbers?).map_err(|problem| problem.at(file, Place::File))?;
     }
-    Ok(rows)
+    Ok((array.field_names(), rows))
 }
 
 fn chosen(array: &Array, columns: Option<&Columns>, wanted: Wanted) -> Result<Vec<usize>, Problem> {
@@ -183,6 +183,14 @@ impl<'a> Array<'a> {
         match &self.layout {
             Layout::Grid { columns, .. } => vec![String::new(); *columns],
             Layout::Records { columns, .. } => columns.iter().map(|column| column.name.clone()).collect(),
+        }
+    }
+
+    /// The names of the columns of records.
+    fn field_names(&self) -> Vec<String> {
+        match &self.layout {
+            Layout::Grid { .. } => Vec::new(),
+            Layout::Records { .. } => self.names(),
         }
     }
 

@@ -28,6 +28,16 @@ fn read(content: &[u8], columns: Option<&str>, wanted: Wanted) -> Result<Reading
 }
 
 #[test]
+fn rows_of_records_have_the_names_of_their_fields() {
+    let header = "{'descr': [('c', '<f8'), ('g1', '<f8'), ('g2', '<f8')], 'fortran_order': False, 'shape': (1,), }";
+    let content = file_with(1, header, &bytes(&[1.0, 2.0, 3.0], f64::to_le_bytes));
+    let (names, numbers) = rows(Path::new("p.npy"), &content).expect("records");
+    assert_eq!((names, numbers), (["c", "g1", "g2"].map(str::to_owned).to_vec(), vec![vec![1.0, 2.0, 3.0]]));
+    let content = file_of(1, "<f8", false, "(1, 2)", &bytes(&[1.0, 2.0], f64::to_le_bytes));
+    assert!(rows(Path::new("p.npy"), &content).expect("an array").0.is_empty());
+}
+
+#[test]
 fn versions_types_and_orders() {
     let whole = [1, -2, 3, 4, -5, 6];
     let rows = vec![vec![1.0, -2.0, 3.0], vec![4.0, -5.0, 6.0]];
@@ -52,17 +62,17 @@ fn versions_types_and_orders() {
     for (kind, is_fortran, data) in files {
         for version in 1..=3 {
             let content = file_of(version, kind, is_fortran, "(2, 3)", &data);
-            assert_eq!(super::rows(Path::new("p.npy"), &content).expect("an array"), rows, "{version} {kind}");
+            assert_eq!(super::rows(Path::new("p.npy"), &content).expect("an array").1, rows, "{version} {kind}");
             let reading = read(&content, None, Wanted::PlaneOrSpace).expect("points of space");
             assert_eq!(reading.points, space, "{version} {kind}");
         }
     }
     let unsigned = file_of(1, "<u2", false, "(2, 1)", &bytes(&[1, 65_535], u16::to_le_bytes));
-    assert_eq!(super::rows(Path::new("p.npy"), &unsigned).expect("an array"), [[1.0], [65_535.0]]);
+    assert_eq!(super::rows(Path::new("p.npy"), &unsigned).expect("an array").1, [[1.0], [65_535.0]]);
     let old = file_with(1, "{\"shape\": (1L, 2L), 'fortran_order':False,'descr':\"|u1\"}", &[7, 255]);
-    assert_eq!(super::rows(Path::new("p.npy"), &old).expect("an array"), [[7.0, 255.0]]);
+    assert_eq!(super::rows(Path::new("p.npy"), &old).expect("an array").1, [[7.0, 255.0]]);
     let wide = file_of(1, "|u1", false, "(1, 6)", &[1, 2, 3, 4, 5, 6]);
-    assert_eq!(super::rows(Path::new("p.npy"), &wide).expect("an array"), [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]);
+    assert_eq!(super::rows(Path::new("p.npy"), &wide).expect("an array").1, [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]);
 }
 
 #[test]

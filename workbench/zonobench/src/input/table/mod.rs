@@ -12,7 +12,7 @@ use csv::ByteRecord;
 
 use self::decimals::Decimals;
 use self::header::{Opening, column_of_text, has_number, is_text, opening, text_above_number};
-use self::start::Start;
+use self::start::{RowInDoubt, Start};
 use self::text::Text;
 use super::columns::{Column, Columns};
 use super::error::{InputError, Place, Problem};
@@ -103,7 +103,7 @@ impl<'a> Table<'a> {
             return Ok(Rows::default());
         };
         self.width = start.width;
-        let Start { first, second, count, is_numbered, has_index, left_out, mut notes, .. } = start;
+        let Start { first, second, count, is_numbered, has_index, left_out, in_doubt, .. } = start;
         let columns: Vec<usize> = (usize::from(has_index)..self.width).collect();
         let is_header = is_numbered || opening(&first, &columns) == Opening::Header;
         let names =
@@ -118,6 +118,8 @@ impl<'a> Table<'a> {
         }
         self.check_count(count, numbers.len())?;
         let left_out = left_out.into_iter().chain(has_index.then(|| INDEX.to_owned()));
+        let read = in_doubt.map(|RowInDoubt { row, .. }| format!("the first row ({row}) is read as data"));
+        let mut notes: Vec<String> = read.into_iter().collect();
         notes.extend(left_out.map(|part| format!("left out: {part}")));
         notes.extend(self.commas()?);
         Ok(Rows { names, numbers, notes })
@@ -147,7 +149,7 @@ impl<'a> Table<'a> {
         }
 
         let mut points = Points::of_dimension(columns.len()).expect("no more columns are chosen than are read");
-        let Start { first, second, count, is_numbered, has_index, left_out: rows_left_out, mut notes, .. } = start;
+        let Start { first, second, count, is_numbered, has_index, left_out: rows_left_out, in_doubt, .. } = start;
         let has_header = is_numbered || is_named || opening(&first, &columns) == Opening::Header;
         let names = if has_header && !is_numbered { cells(&first) } else { vec![String::new(); first.len()] };
         let data = (!has_header).then_some(first).into_iter().chain(second).map(Ok);
@@ -166,6 +168,10 @@ impl<'a> Table<'a> {
             }
         }
         self.check_count(count, points.len() + skipping.count() - skipped_before)?;
+        let read = in_doubt.map(|RowInDoubt { row, line }| {
+            format!("the first row ({row}) is read as data; --skip {line} leaves it out")
+        });
+        let mut notes: Vec<String> = read.into_iter().collect();
         notes.extend(counting.in_words(&columns));
         notes.extend(self.commas()?);
         let (columns, mut left_out) = columns_of(&names, &columns);

@@ -26,9 +26,18 @@ pub(super) struct Start {
     pub(super) has_index: bool,
     /// The rows that were left out.
     pub(super) left_out: Vec<String>,
-    pub(super) notes: Vec<String>,
+    /// A first row that is read as data, though it may number the columns.
+    pub(super) in_doubt: Option<RowInDoubt>,
     /// The rows of the text before the second one.
     before_second: usize,
+}
+
+/// A row that is read as data, though it may be a header.
+pub(super) struct RowInDoubt {
+    /// Its cells.
+    pub(super) row: String,
+    /// Its line in the file.
+    pub(super) line: u64,
 }
 
 impl Start {
@@ -68,8 +77,8 @@ impl Start {
             (second, count) = (next()?, Some(counted));
             before_second += 1;
         }
-        let (is_numbered, has_index, width, notes) = (false, false, 0, Vec::new());
-        let mut start = Self { first, second, width, count, is_numbered, has_index, left_out, notes, before_second };
+        let (is_numbered, has_index, width, in_doubt) = (false, false, 0, None);
+        let mut start = Self { first, second, width, count, is_numbered, has_index, left_out, in_doubt, before_second };
         start.name_first_column(text);
         start.cut();
         start.tell_numbered_columns(text, is_told);
@@ -126,8 +135,7 @@ impl Start {
         if self.is_numbered {
             self.left_out.push(format!("the first row ({}), which numbers the columns", row.trim_start_matches(", ")));
         } else {
-            let line = text.line(&self.first);
-            self.notes.push(format!("the first row ({row}) is read as data; --skip {line} leaves it out"));
+            self.in_doubt = Some(RowInDoubt { row, line: text.line(&self.first) });
         }
     }
 

@@ -11,7 +11,8 @@ fn read(content: &str) -> (Result<Placed, String>, Vec<String>) {
     let file = Path::new("z.json");
     let mut told = Vec::new();
     let mut tell = |line: &str| told.push(line.to_owned());
-    let read = parse(file, content.as_bytes()).and_then(|tree| placed(file, &tree, Layout::default(), &mut tell));
+    let read = parse(file, content.as_bytes())
+        .and_then(|tree| placed(file, &tree, Layout::default(), OptionNames::OF_FIRST, &mut tell));
     (read.map_err(|error| error.to_string()), told)
 }
 
