@@ -2,6 +2,7 @@
 
 mod enclosures_of_all_sizes;
 mod false_answers;
+mod hard_questions;
 mod json;
 mod many_points;
 mod near_the_largest_double;
