@@ -20,10 +20,14 @@ examples! {
     along_directions: "../examples/along_directions.rs",
     around_a_mesh: "../examples/around_a_mesh.rs",
     checked_certificate: "../examples/checked_certificate.rs",
+    distance_of_bodies: "../examples/distance_of_bodies.rs",
     gauge_and_plane: "../examples/gauge_and_plane.rs",
     least_area: "../examples/least_area.rs",
     membership: "../examples/membership.rs",
     moving_boxes: "../examples/moving_boxes.rs",
+    order_reduction: "../examples/order_reduction.rs",
+    posed_bodies: "../examples/posed_bodies.rs",
+    prepared_bodies: "../examples/prepared_bodies.rs",
     readme: "../examples/readme.rs",
 }
 

@@ -8,10 +8,11 @@ use std::process::{Command, Output};
 const IN_A_CHECKOUT: &str = "cargo run --release -- ";
 
 /// Commands that other programs run, or this one elsewhere: the first words of each, and where it is run.
-const ELSEWHERE: [(&str, &str); 4] = [
+const ELSEWHERE: [(&str, &str); 5] = [
     ("cargo run --release -- reproduce  ", "the main job of continuous integration"),
     ("cargo test --workspace", "this test is a part of it"),
     ("cargo run --release -p peers", "a race of six minutes; its methods are tested in its crate"),
+    ("cargo add", "changes the manifest of another project"),
     ("cargo install", "compiles everything a second time; the release build of the main job is the same code"),
 ];
 

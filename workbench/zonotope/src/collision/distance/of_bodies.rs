@@ -7,6 +7,12 @@ use crate::zonotope::Zonotope;
 use crate::zonotope::query::Query;
 
 impl<const D: usize> Zonotope<D> {
+    /// The Euclidean distance of two closed bodies, 0 where they meet; within two units in the last place. The points,
+    /// faces and coefficients that prove it are those of [`proximity`](Self::proximity), and so is the cost.
+    pub fn distance(&self, other: &Self) -> f64 {
+        by_support_simplex::proximity(&Query::between(self, other)).distance()
+    }
+
     /// How near two closed bodies are: their distance with the points, faces and coefficients that prove it, or how
     /// they meet. In one to three dimensions; more do not compile. Expected O(n) for each of a few steps.
     pub fn proximity(&self, other: &Self) -> Proximity<D> {
@@ -27,6 +33,12 @@ impl<const D: usize> Zonotope<D> {
 }
 
 impl PosedZonotope<'_> {
+    /// The Euclidean distance of two closed bodies where their poses put them, 0 where they meet; within two units in the
+    /// last place. The cost is that of [`proximity`](Self::proximity).
+    pub fn distance<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> f64 {
+        by_support_simplex::proximity_posed(&self.query(&other.into())).distance()
+    }
+
     /// How near two closed bodies are where their poses put them, exactly for the poses as they are given. Expected
     /// O(n) for each of a few steps.
     pub fn proximity<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> Proximity<3> {

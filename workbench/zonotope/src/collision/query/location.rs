@@ -89,6 +89,11 @@ impl Status {
     /// Every status, from the inside out.
     pub const ALL: [Self; 3] = [Self::Inside, Self::Boundary, Self::Outside];
 
+    /// Whether the point lies in the closed body: inside or on the boundary.
+    pub fn is_member(self) -> bool {
+        self != Self::Outside
+    }
+
     /// The name used in records: `inside`, `boundary` or `outside`.
     pub fn name(self) -> &'static str {
         match self {

@@ -61,7 +61,7 @@ impl<'b> Facet<'b> {
 
     /// Whether the point is in the closed body. O(1).
     pub fn is_member(&self) -> bool {
-        self.status() != Status::Outside
+        self.status().is_member()
     }
 
     /// Where the point lies, with its proof. O(n).

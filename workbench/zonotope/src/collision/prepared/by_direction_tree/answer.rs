@@ -91,7 +91,7 @@ impl Located<'_> {
 
     /// Whether the displacement is in the closed body. O(1).
     pub fn is_member(&self) -> bool {
-        self.status() != Status::Outside
+        self.status().is_member()
     }
 
     /// The proof as it was found. O(1), but for flat bodies and those of lengths that are far apart.

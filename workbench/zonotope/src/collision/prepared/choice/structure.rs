@@ -103,7 +103,7 @@ impl QueryStructure {
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.
     pub fn contains(&self, point: [f64; 3]) -> Result<bool, NonFinite> {
-        Ok(self.status(point)? != Status::Outside)
+        Ok(self.status(point)?.is_member())
     }
 
     /// Where a point lies, exactly and without a proof.

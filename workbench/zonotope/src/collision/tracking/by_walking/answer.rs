@@ -26,7 +26,7 @@ impl<'t> Walked<'t> {
 
     /// Whether the closed bodies have a point in common.
     pub fn is_member(&self) -> bool {
-        self.status != Status::Outside
+        self.status.is_member()
     }
 
     /// The facet of the sum of the bodies at which the walk has ended: of disjoint bodies one with the point that is

@@ -49,7 +49,7 @@ impl<'b> Tracked<'b> {
 
     /// Whether the closed bodies have a point in common. O(1).
     pub fn is_member(&self) -> bool {
-        self.status != Status::Outside
+        self.status.is_member()
     }
 
     /// The query that the frame answered.
