@@ -1,4 +1,4 @@
-//! How far the rules of order reduction are from the body: the Hausdorff distance relative to the diameter against the
+//! Distances of the rules of order reduction from the body: the Hausdorff distance relative to the diameter against the
 //! number of generators, with the exponent of a power law, for every family of bodies and every rule; and what
 //! Lemma 5.5 needs beside cluster sums for one precision.
 //!
@@ -63,7 +63,7 @@ fn main() {
     }
 }
 
-/// What Lemma 5.5 reaches, and how many generators it and cluster sums take for one precision.
+/// The reach of Lemma 5.5, and the generators that it and cluster sums take for one precision.
 fn counts_for_precision(id: &str, body: &Zonotope<3>) {
     let diameter = diameter(body);
     println!("\n{id}: Lemma 5.5\n| ε asked for | patches | generators | ε reached |\n|---|---|---|---|");

@@ -15,7 +15,7 @@ use zonotope::tally::{OperationCounts, Rung};
 
 const SIZES: [usize; 9] = [6, 16, 64, 128, 256, 512, 1024, 2048, 4096];
 
-/// How often a question is asked.
+/// The number of times that a question is asked.
 const REPETITIONS: usize = 3;
 
 /// Questions that take more than this, in terms of the median, are listed, at most [`LISTED`] of a family and size.

@@ -47,11 +47,25 @@ impl FittedGrowth {
     }
 
     /// The verdict on the bound, when there is one and the fit succeeded. What has to read its input does not grow
-    /// slower than that: where its bound is the input, it is within the bound, though the samples are below it.
+    /// slower than that: where its bound is the input, it is within the bound, though the samples are below it. A bound
+    /// that is a number is kept where every sample keeps it.
     pub fn verdict(&self) -> Option<ModelVerdict> {
         let fit = self.bound_fit()?;
+        if let (Some(most), Some(greatest)) = (self.bound?.most, self.greatest()) {
+            return Some(if greatest <= most { ModelVerdict::Within } else { ModelVerdict::Above });
+        }
         let is_at_floor = self.floor == Some(fit.model) && fit.verdict == ModelVerdict::Below;
         Some(if is_at_floor { ModelVerdict::Within } else { fit.verdict })
+    }
+
+    /// The greatest of the samples.
+    pub fn greatest(&self) -> Option<f64> {
+        self.samples.iter().map(|sample| sample.1).reduce(f64::max)
+    }
+
+    /// The greatest of the samples, where the bound is a number that none may exceed.
+    pub fn beside_number(&self) -> Option<f64> {
+        self.bound?.most.and_then(|_| self.greatest())
     }
 
     /// Whether the samples keep the bound; `None` without a bound, without a fit, and where that is undecided.
@@ -264,6 +278,22 @@ mod tests {
         assert_eq!((free.verdict(), free.shows_lower_order_terms()), (Some(ModelVerdict::Below), false));
         assert_eq!((reading.verdict(), reading.shows_lower_order_terms()), (Some(ModelVerdict::Within), true));
         assert_eq!(reading.supports_bound(), Some(true));
+    }
+
+    /// The error of one grid goes up and down with whether it meets the lattice; each keeps the number, or one does
+    /// not.
+    #[test]
+    fn a_bound_that_is_a_number_is_decided_by_each_sample() {
+        let plan = FitPlan::new(Quantity::Count("a"), "m", &["disc"], GrowthModel::ALL);
+        let row = |log: u32| count_row(1 << log, 50 + 40 * u64::from(log % 2), Verdict::Correct(String::new()));
+        let records =
+            Records { counts: (6..=14).map(row).collect(), times: Vec::new(), environment: Environment::current() };
+        let verdict = |bound: Bound| of_plan("toy", &plan.within(bound), &records)[0].verdict();
+        assert_eq!(verdict(Bound::of_paper(GrowthModel::Constant, "Lemma 0")), Some(ModelVerdict::Undecided));
+        assert_eq!(verdict(Bound::number_of_paper(90.0, "Lemma 0")), Some(ModelVerdict::Within));
+        assert_eq!(verdict(Bound::number_of_paper(89.0, "Lemma 0")), Some(ModelVerdict::Above));
+        let fits = of_plan("toy", &plan.within(Bound::number_of_paper(100.0, "Lemma 0")), &records);
+        assert_eq!((fits[0].greatest(), fits[0].beside_number()), (Some(90.0), Some(90.0)));
     }
 
     #[test]

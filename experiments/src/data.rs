@@ -119,7 +119,7 @@ pub fn own_input(name: &str) -> Option<&'static Cloud> {
     inputs.iter().find(|input| input.name == name).map(|input| &input.points)
 }
 
-/// How many points the real input called `name` has, in the plane or beyond: `iris`, a mesh, one of those of
+/// The number of points of the real input called `name`, in the plane or beyond: `iris`, a mesh, one of those of
 /// [`points`], or one that was added.
 pub fn size(name: &str) -> Option<usize> {
     if let Some(own) = own_input(name) {

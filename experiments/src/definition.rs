@@ -1,15 +1,18 @@
-//! What an experiment is: a static value with plain fields and functions. Definitions live one a file in
+//! An experiment: a static value with plain fields and functions. Definitions live one a file in
 //! [`definitions`](crate::definitions) and are listed in [`catalog`](crate::catalog).
 
+mod plan;
+
+pub use plan::{Bound, FitPlan, Quantity, StatedBy};
+
 use crate::families::clouds::Cloud;
-use crate::fit::GrowthModel;
 use crate::runner::stopwatch::Stopwatch;
 use crate::{data, families, seed};
 use std::collections::BTreeMap;
 use std::fmt;
 use zonotope::tally::OperationCounts;
 
-/// How large a run is: which sizes, how many instances and how many repetitions.
+/// The size of a run: which sizes, how many instances and how many repetitions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
     /// The sizes that are finished in about a minute.
@@ -62,118 +65,10 @@ pub struct Variant {
     pub largest: PerProfile<usize>,
 }
 
-/// The number that a fit looks at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// The sum of all operation counts.
-    AllCounts,
-    /// The operation count of this name.
-    Count(&'static str),
-    /// The value of this name that the measurements record.
-    Value(&'static str),
-    /// The lap of this name, in nanoseconds: the median over the repetitions.
-    Time(&'static str),
-}
-
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::AllCounts => f.write_str("operations"),
-            Self::Count(name) | Self::Value(name) => f.write_str(name),
-            Self::Time(lap) => write!(f, "time of {lap} (ns)"),
-        }
-    }
-}
-
-/// Who gives a bound.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StatedBy {
-    /// The paper, at this place.
-    Paper(&'static str),
-    /// The workbench, of a method or a quantity of its own.
-    Workbench,
-}
-
-/// A bound from above on the growth of a quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bound {
-    /// The quantity is O(model).
-    pub model: GrowthModel,
-    /// Who says that.
-    pub stated_by: StatedBy,
-}
-
-impl Bound {
-    /// A bound that the paper states, at a place such as "Theorem 4.5".
-    pub const fn of_paper(model: GrowthModel, place: &'static str) -> Self {
-        Self { model, stated_by: StatedBy::Paper(place) }
-    }
-
-    /// A bound on a method or a quantity of the workbench's own.
-    pub const fn own(model: GrowthModel) -> Self {
-        Self { model, stated_by: StatedBy::Workbench }
-    }
-}
-
-/// A growth law that an experiment looks for: for every family one fit over all sizes, and one over the last doublings.
-#[derive(Clone, Copy, Debug)]
-pub struct FitPlan {
-    /// The quantity that is fitted.
-    pub quantity: Quantity,
-    /// The variant whose samples are fitted.
-    pub variant: &'static str,
-    /// The families, each of which is fitted by itself.
-    pub families: &'static [&'static str],
-    /// The growth models that the samples are compared with.
-    pub models: &'static [GrowthModel],
-    /// The bound that the theory gives, when it gives one. Growth within the bound or below it supports it, growth
-    /// above it contradicts it, and an interval that reaches beyond it leaves it undecided.
-    pub bound: Option<Bound>,
-    /// What the quantity cannot grow slower than, as the method has to read its input: where it seems to, lower-order
-    /// terms show.
-    pub floor: Option<GrowthModel>,
-    /// The smallest size that is fitted: where a method changes with the size, the law is that from the change on.
-    pub smallest: usize,
-}
-
-impl FitPlan {
-    /// A law of a quantity without a bound, over the whole range of sizes.
-    pub const fn new(
-        quantity: Quantity,
-        variant: &'static str,
-        families: &'static [&'static str],
-        models: &'static [GrowthModel],
-    ) -> Self {
-        Self { quantity, variant, families, models, bound: None, floor: None, smallest: 0 }
-    }
-
-    /// The growth of a variant's operation counts, all together.
-    pub const fn of_operations(variant: &'static str, families: &'static [&'static str]) -> Self {
-        Self::new(Quantity::AllCounts, variant, families, GrowthModel::RUNNING_TIMES)
-    }
-
-    /// The same plan with a bound.
-    #[must_use]
-    pub const fn within(self, bound: Bound) -> Self {
-        Self { bound: Some(bound), ..self }
-    }
-
-    /// The same plan for a quantity that grows at least like a model.
-    #[must_use]
-    pub const fn at_least(self, floor: GrowthModel) -> Self {
-        Self { floor: Some(floor), ..self }
-    }
-
-    /// The same plan from a size on.
-    #[must_use]
-    pub const fn from(self, smallest: usize) -> Self {
-        Self { smallest, ..self }
-    }
-
-    /// The same plan for another quantity.
-    #[must_use]
-    pub const fn of(self, quantity: Quantity) -> Self {
-        Self { quantity, ..self }
+impl Variant {
+    /// A variant that is run at every size.
+    pub const fn at_all_sizes(id: &'static str, title: &'static str) -> Self {
+        Self { id, title, largest: PerProfile::both(usize::MAX) }
     }
 }
 
@@ -192,7 +87,7 @@ pub struct Timing {
 /// counted run).
 pub type TimedWork = Box<dyn FnMut(&mut Stopwatch) -> Result<u64, String>>;
 
-/// How the values of an experiment's cases are put together in the report's table.
+/// The way in which the values of an experiment's cases are put together in the report's table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tabulated {
     /// The median over the instances of the largest size: for sizes, ratios and other properties of one instance.
@@ -208,7 +103,7 @@ pub struct Experiment {
     pub id: &'static str,
     /// The name that reports show.
     pub title: &'static str,
-    /// What a reader should notice in the result.
+    /// The question that the result answers, with the words that define its quantities.
     pub question: &'static str,
     /// Ids of the claims of the paper for which the experiment is evidence.
     pub claims: &'static [&'static str],
@@ -225,12 +120,31 @@ pub struct Experiment {
     pub variants: &'static [Variant],
     /// Runs a case with counting on, and checks the answer.
     pub measure: fn(&Case) -> Result<Measurement, String>,
-    /// How the values are put together in the report's table.
+    /// The way in which the values are put together in the report's table.
     pub table: Tabulated,
     /// The timed part, if the experiment has one.
     pub timing: Option<Timing>,
     /// The growth laws that are fitted.
     pub fits: &'static [FitPlan],
+}
+
+impl Experiment {
+    /// The base of an experiment that counts on families, with medians in its table, and neither times nor fits.
+    pub const COUNTED: Self = Self {
+        id: "",
+        title: "",
+        question: "",
+        claims: &[],
+        families: &[],
+        real_inputs: &[],
+        sizes: PerProfile::both(&[]),
+        instances: PerProfile::both(1),
+        variants: &[],
+        measure: |_| Err("nothing is measured".to_owned()),
+        table: Tabulated::MedianAtLargest,
+        timing: None,
+        fits: &[],
+    };
 }
 
 /// One run of one variant on one instance.
@@ -363,7 +277,7 @@ impl Verdict {
         }
     }
 
-    /// What the verifier's check called `check` says. An answer that it could not prove is not right.
+    /// The verdict of the verifier's check called `check`. An answer that it could not prove is not right.
     pub fn of_verifier<P>(check: &str, verdict: verifier::Verdict<P>) -> Self {
         match verdict {
             verifier::Verdict::Right(_) => Self::Correct(check.to_owned()),

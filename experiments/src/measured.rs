@@ -11,7 +11,7 @@ pub struct Measured<'a> {
     records: &'a Records,
 }
 
-/// Where numbers are looked up: an experiment, one of its inputs and one of its methods.
+/// The place where numbers are looked up: an experiment, one of its inputs and one of its methods.
 #[derive(Clone, Copy, Debug)]
 pub struct Series<'s> {
     /// The experiment's id.

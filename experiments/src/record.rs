@@ -4,7 +4,7 @@ use crate::definition::{Case, Measurement, Verdict};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What every row says about its case.
+/// The part of every row about its case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CaseKey {
     /// Unique id of the case.
@@ -46,12 +46,12 @@ pub struct CountRow {
     /// The case.
     #[serde(flatten)]
     pub key: CaseKey,
-    /// What came of it.
+    /// The outcome.
     #[serde(flatten)]
     pub outcome: CountOutcome,
 }
 
-/// What came of counting a case.
+/// The outcome of counting a case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CountOutcome {
@@ -139,12 +139,12 @@ pub struct TimeRow {
     pub repetition: u32,
     /// Id of the environment, as in `environment.json`.
     pub environment: String,
-    /// What came of it.
+    /// The outcome.
     #[serde(flatten)]
     pub outcome: TimeOutcome,
 }
 
-/// What came of timing a repetition.
+/// The outcome of timing a repetition.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TimeOutcome {

@@ -153,9 +153,8 @@ fn levels_are_as_near_to_the_body_as_their_documentation_says() {
     }
 }
 
-/// What is said to be measured somewhere else would be held by nothing.
-#[test]
-fn measured_statements_of_the_library_are_held_or_of_a_clock() {
+/// The files of the library with their places, by their order in folders.
+fn library_files() -> Vec<(String, String)> {
     let mut folders = vec![library()];
     let mut found = Vec::new();
     while let Some(folder) = folders.pop() {
@@ -165,17 +164,49 @@ fn measured_statements_of_the_library_are_held_or_of_a_clock() {
                 folders.push(path);
             } else if path.extension().is_some_and(|ending| ending == "rs") {
                 let place = path.strip_prefix(library()).expect("it is within the library");
-                let file = place.to_string_lossy().replace('\\', "/");
-                let text = documentation(&file);
-                let is_result =
-                    ["Measured ", " measured on", " measured;", " measured and", "were measured", ", measured."]
-                        .iter()
-                        .any(|words| text.contains(words));
-                if is_result && !HELD.contains(&file.as_str()) && !OF_A_CLOCK.contains(&file.as_str()) {
-                    found.push(file);
-                }
+                let text = std::fs::read_to_string(&path).expect("it is text");
+                found.push((place.to_string_lossy().replace('\\', "/"), text));
             }
         }
     }
+    found.sort();
+    found
+}
+
+/// A number that is said to be measured somewhere else would be held by nothing.
+#[test]
+fn measured_statements_of_the_library_are_held_or_of_a_clock() {
+    const RESULTS: [&str; 6] =
+        ["Measured ", " measured on", " measured;", " measured and", "were measured", ", measured."];
+    let is_held = |file: &str| HELD.contains(&file) || OF_A_CLOCK.contains(&file);
+    let found: Vec<String> = library_files()
+        .into_iter()
+        .map(|(file, _)| file)
+        .filter(|file| !is_held(file) && RESULTS.iter().any(|words| documentation(file).contains(words)))
+        .collect();
     assert!(found.is_empty(), "no test holds what is measured in {found:?}");
+}
+
+/// A comment anywhere in the library that compares costs by a number, or gives a time, says what a clock said once.
+#[test]
+fn comments_of_the_library_state_no_times() {
+    const TIMES: [&str; 9] = [
+        "nanosecond",
+        "microsecond",
+        "millisecond",
+        "of a second",
+        "half the time",
+        "times as much",
+        "times faster",
+        "times slower",
+        "times quicker",
+    ];
+    let mut found = Vec::new();
+    let is_of_a_clock = |file: &str| file.ends_with("tests.rs") || OF_A_CLOCK.contains(&file);
+    for (file, text) in library_files().iter().filter(|(file, _)| !is_of_a_clock(file)) {
+        let comments = text.lines().enumerate().filter(|(_, line)| line.trim_start().starts_with("//"));
+        let timed = comments.filter(|(_, line)| TIMES.iter().any(|words| line.contains(words)));
+        found.extend(timed.map(|(index, _)| format!("{file}:{}", index + 1)));
+    }
+    assert!(found.is_empty(), "no test holds the times in {found:#?}");
 }

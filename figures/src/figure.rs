@@ -1,4 +1,4 @@
-//! What a figure is.
+//! A figure.
 
 use experiments::runner::Records;
 use thiserror::Error;

@@ -49,9 +49,9 @@ pub enum OwnDataError {
     /// There are more of something than have room.
     #[error("{count} {what}, at most {most} have room in this picture")]
     TooMany {
-        /// What there is too much of.
+        /// The thing that there is too much of.
         what: &'static str,
-        /// How many there are.
+        /// The number of them.
         count: usize,
         /// The most that are drawn.
         most: usize,

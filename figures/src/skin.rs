@@ -21,14 +21,14 @@ pub struct Skin {
 struct SeenFace {
     /// The corners on the page.
     corners: Vec<[f64; 2]>,
-    /// How squarely the face is turned to the eye.
+    /// The turn of the face to the eye.
     squareness: f64,
     /// The mean of the heights of the corners along the rays.
     nearness: f64,
 }
 
 impl Skin {
-    /// What a camera sees of the faces, which are lists of vertices; they run counter-clockwise as seen from outside.
+    /// The view of a camera on the faces, which are lists of vertices; they run counter-clockwise as seen from outside.
     pub fn seen(camera: &Camera, vertices: &[[f64; 3]], faces: &[impl AsRef<[usize]>]) -> Self {
         let seen = |corners: &[usize]| {
             let face = Face::of_polygon(corners.iter().map(|&corner| vertices[corner]).collect());

@@ -44,7 +44,7 @@ pub fn faces_of(body: &Zonotope<3>) -> Vec<Face> {
         .collect()
 }
 
-/// Where a body is looked at from: parallel rays, z upright on the page.
+/// The point of view on a body: parallel rays, z upright on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     right: [f64; 3],
@@ -64,12 +64,12 @@ impl Camera {
         Self { right, up: cross(towards_eye, right), towards_eye }
     }
 
-    /// Where a point of space is seen.
+    /// The image of a point of space.
     pub fn project(&self, point: [f64; 3]) -> [f64; 2] {
         [dot(self.right, point), dot(self.up, point)]
     }
 
-    /// How near a point is to the eye: a height along the rays.
+    /// The nearness of a point to the eye: a height along the rays.
     pub fn nearness(&self, point: [f64; 3]) -> f64 {
         dot(self.towards_eye, point)
     }
@@ -79,7 +79,7 @@ impl Camera {
         dot(face.normal, self.towards_eye) > 0.0
     }
 
-    /// How squarely a face is turned to the eye, from 0 (edge on or turned away) to 1.
+    /// The turn of a face to the eye, from 0 (edge on or turned away) to 1.
     pub fn squareness(&self, face: &Face) -> f64 {
         let length = dot(face.normal, face.normal).sqrt();
         (dot(face.normal, self.towards_eye) / length).max(0.0)

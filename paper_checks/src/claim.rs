@@ -81,12 +81,12 @@ pub enum ClaimKind {
     Note,
 }
 
-/// What a reader of the paper has to correct at a place.
+/// The correction that a reader of the paper has to make at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Correction {
-    /// What is printed is false: a formula, a rule, or a step of an argument.
+    /// The printed text is false: a formula, a rule, or a step of an argument.
     Erratum,
-    /// What is printed is true once a condition or a step is added that the paper leaves out and does not assume.
+    /// The printed text is true once a condition or a step is added that the paper leaves out and does not assume.
     MissingCondition,
 }
 

@@ -1,8 +1,8 @@
-//! What the check of a claim comes to for a reader of the paper.
+//! The finding on a claim for a reader of the paper.
 
 use crate::claim::{Check, Claim, ClaimKind, Correction, Verdict};
 
-/// What is found of a claim: the verdict of its check, a refutation told by what has to be corrected. Each claim is
+/// The finding on a claim: the verdict of its check, a refutation told by what has to be corrected. Each claim is
 /// counted under one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Finding {
@@ -16,11 +16,11 @@ pub enum Finding {
     Restated,
     /// An open question of the paper has a part of its answer.
     AnsweredInPart,
-    /// What the paper prints is false.
+    /// The printed text of the paper is false.
     Erratum,
-    /// What the paper prints needs a condition or a step that it leaves out.
+    /// The printed text of the paper needs a condition or a step that it leaves out.
     MissingCondition,
-    /// What the paper says is right, and a program has to know more.
+    /// The statement of the paper is right, and a program has to know more.
     Note,
     /// A statement that was listed as the paper's, and not as one to be corrected, is false.
     Refuted,
@@ -88,7 +88,7 @@ impl Finding {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Holds => "held on instances of several kinds, or of the one kind that it is about",
-            Self::HoldsWhereTried => "held, and instances of one kind alone were tried",
+            Self::HoldsWhereTried => "held, and instances of one kind or of one dimension alone were tried",
             Self::HoldsInPart => "held as far as it was tried, and a part of it was not",
             Self::Restated => "says what another one says, and is counted there",
             Self::AnsweredInPart => "is a question of the paper, of which a part has an answer",

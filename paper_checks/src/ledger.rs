@@ -16,7 +16,7 @@ pub struct ClaimResult {
 }
 
 impl ClaimResult {
-    /// What was found.
+    /// The finding.
     pub fn finding(&self) -> Finding {
         Finding::of(self.claim, self.verdict.as_ref())
     }

@@ -5,9 +5,9 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use paper_checks::catalog::{self, CLAIMS};
-use paper_checks::{Check, CheckContext, ClaimResult, markdown, run};
+use paper_checks::{Check, CheckContext, ClaimResult, Tried, markdown, run};
 
-/// What the committed ledger holds.
+/// The content of the committed ledger.
 static RESULTS: LazyLock<Vec<ClaimResult>> = LazyLock::new(|| run(&CheckContext::default(), |_| ()));
 
 #[test]
@@ -35,6 +35,21 @@ fn ids_are_unique_and_restatements_resolve() {
             assert!(!matches!(original.check, Check::Restates(_)), "{}", claim.id);
         }
     }
+}
+
+/// A statement about any dimension was tried in some, which are named.
+#[test]
+fn claims_about_any_dimension_name_those_that_were_tried() {
+    let is_general =
+        |text: &str| ["R^d", "^(d-1)", "(d-1)-tuples", "hyper", "d axes"].iter().any(|word| text.contains(word));
+    let mut seen = 0;
+    for claim in CLAIMS.iter().filter(|claim| is_general(claim.statement)) {
+        if let Tried::On(kinds) | Tried::Growth(kinds) = claim.tried {
+            assert!(kinds.iter().all(|kind| kind.contains("R^")), "{}: {kinds:?}", claim.id);
+            seen += 1;
+        }
+    }
+    assert!(seen > 8, "{seen} claims are about any dimension");
 }
 
 #[test]

@@ -17,9 +17,9 @@ pub type Generators<const D: usize> = Vec<[f64; D]>;
 /// The ends of a displacement and the generators that it is relative to.
 #[derive(Clone, Debug)]
 pub struct Asked<const D: usize> {
-    /// Where the displacement starts.
+    /// The start of the displacement.
     pub from: [f64; D],
-    /// Where the displacement ends.
+    /// The end of the displacement.
     pub to: [f64; D],
     /// The generators.
     pub generators: Generators<D>,

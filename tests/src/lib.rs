@@ -1,4 +1,4 @@
-//! What the tests of the workspace share: the source tree, the instances, the exact twins and the program.
+//! Shared parts of the tests of the workspace: the source tree, the instances, the exact twins and the program.
 //!
 //! The tests themselves are in `tests/tests/`, one file or folder a subject. Nothing here is used outside of them.
 

@@ -53,7 +53,7 @@ pub struct Instance {
 /// A strategy for instances.
 pub type Instances = BoxedStrategy<Instance>;
 
-/// How many terms an instance may have.
+/// The number of terms that an instance may have.
 pub type Sizes = RangeInclusive<usize>;
 
 fn weight() -> BoxedStrategy<f64> {

@@ -14,7 +14,7 @@ const ORDINARY_SHARE: u32 = 12;
 /// An ordinary run draws at least so many instances, if a long run does.
 const ORDINARY_MINIMUM: u32 = 4;
 
-/// How many instances a property sees whose long run has `long_run` of them.
+/// The number of instances that a property sees whose long run has `long_run` of them.
 ///
 /// The instances of an ordinary run are the first of the long run.
 pub fn cases(long_run: u32) -> u32 {

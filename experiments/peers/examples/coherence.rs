@@ -1,6 +1,6 @@
-//! What a frame costs against the speed of a motion, in microseconds: both trackers, a fresh query of the same prepared
-//! bodies, and the GJK of parry3d in doubles from scratch and from its last direction. All methods answer each frame
-//! one after the other; a fresh query writes its proof, the trackers write theirs on request.
+//! The cost of a frame against the speed of a motion, in microseconds: both trackers, a fresh query of the same
+//! prepared bodies, and the GJK of parry3d in doubles from scratch and from its last direction. All methods answer each
+//! frame one after the other; a fresh query writes its proof, the trackers write theirs on request.
 //!
 //! `cargo run --release -p peers --features others --example coherence -- 1000 100000`
 

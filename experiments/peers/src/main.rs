@@ -14,7 +14,7 @@ use std::path::PathBuf;
 #[derive(Parser)]
 #[command(name = "peers")]
 struct Arguments {
-    /// Where the record goes.
+    /// The file of the record.
     #[arg(long, default_value = "peers.json")]
     out: PathBuf,
     /// The seed of the questions.

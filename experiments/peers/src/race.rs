@@ -15,12 +15,12 @@ const SHORTEST_SAMPLE: Duration = Duration::from_micros(20);
 const LONG: Duration = Duration::from_millis(50);
 /// A contender that needs longer for one question is asked [`FEW_QUESTIONS`] of a cell.
 const SLOW: Duration = Duration::from_millis(20);
-/// So many questions of a cell are put to a slow contender: its times are far from all others.
+/// The number of questions of a cell that are put to a slow contender: its times are far from all others.
 const FEW_QUESTIONS: u32 = 2;
 /// A contender that needs longer for one question sits out the larger sizes of the family.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-/// What is run.
+/// The work that is run.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The seed of everything random.
@@ -38,7 +38,7 @@ pub struct Plan {
 pub struct Part {
     /// The families.
     pub families: Vec<&'static str>,
-    /// How many generators.
+    /// The number of generators.
     pub sizes: Vec<usize>,
     /// The placements' ids.
     pub placements: Vec<&'static str>,

@@ -1,11 +1,11 @@
-//! How much larger than the hull the smallest enclosing zonogon is.
+//! The ratio of the smallest enclosing zonogon to the hull.
 
 use super::{REAL_INPUTS, min_area_scaling};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
 use zonotope::interop::verifier::check_min_area;
 use zonotope::tally::OperationCounts;
 
-/// How much larger than the hull the smallest enclosing zonogon is.
+/// The ratio of the smallest enclosing zonogon to the hull.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "area-ratio",
     title: "Minimum-area enclosing zonogon: area against the hull",
@@ -30,11 +30,9 @@ pub const EXPERIMENT: Experiment = Experiment {
         full: &[3, 4, 5, 6, 7, 8, 12, 16, 24, 32, 48, 64, 128, 256, 512, 1024, 4096],
     },
     instances: PerProfile { quick: 5, full: 25 },
-    variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("by_pruning", "Pruning")],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

@@ -1,8 +1,8 @@
-//! What a frame of a motion costs, against its speed.
+//! The cost of a frame of a motion, against its speed.
 
 use super::collision_methods::PROVED;
 use crate::definition::{
-    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::runner::stopwatch::Stopwatch;
@@ -25,7 +25,7 @@ const FRAMES: usize = 100;
 /// By how much the gauge is above 1, and then below it, while one body goes around the other.
 const GAP: f64 = 1e-3;
 
-/// What counts as a read.
+/// The operations that count as a read.
 const READ: [Operation; 3] = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
 
 /// Of one in so many frames the proof is checked.
@@ -38,7 +38,7 @@ const SIZES: PerProfile<&[usize]> = PerProfile {
     full: &[1 << 3, 1 << 5, 1 << 7, 1 << 9, 1 << 11, 1 << 13, 1 << 15, 1 << 16, 1 << 17, 1 << 18, 1 << 19],
 };
 
-/// What a frame of a motion costs, against its speed.
+/// The cost of a frame of a motion, against its speed.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "coherence",
     title: "Tracking: a frame against the speed of motion",
@@ -51,22 +51,21 @@ pub const EXPERIMENT: Experiment = Experiment {
                construction, and of one frame in 10 the proof is checked.",
     claims: &["local-walk", "summary-repeated-tests"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile { quick: 1, full: 2 },
     variants: &[
-        Variant { id: "warm", title: "Kernel with the last frame's optimum", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "fresh", title: "Fresh query", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "trees", title: "Fresh query to trees over directions", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "walking", title: "Walk to the closest feature", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("warm", "Kernel with the last frame's optimum"),
+        Variant::at_all_sizes("fresh", "Fresh query"),
+        Variant::at_all_sizes("trees", "Fresh query to trees over directions"),
+        Variant::at_all_sizes("walking", "Walk to the closest feature"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::new(Quantity::Value("reads"), "warm", FAMILIES, GrowthModel::FALLING),
         FitPlan::new(Quantity::Value("steps"), "walking", FAMILIES, GrowthModel::FALLING),
     ],
+    ..Experiment::COUNTED
 };
 
 /// Two bodies, and where the second one's centre is in each frame: first apart from the other body, then in it.
@@ -77,7 +76,7 @@ struct Motion {
     places: Vec<[f64; 3]>,
 }
 
-/// What a frame says: its status, and the proof when it is asked for.
+/// The answer of a frame: its status, and the proof when it is asked for.
 struct Frame {
     status: Status,
     location: Option<Location<3>>,

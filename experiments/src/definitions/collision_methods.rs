@@ -44,13 +44,13 @@ pub(super) fn placement(instance: u32) -> Placement {
 /// Why a reply is right: by the construction of the question, and by its proof.
 pub(super) const PROVED: &str = "construction and check_location";
 
-/// What a method says.
+/// The answer of a method.
 pub(super) struct Reply {
-    /// Where the displacement lies, with the proof.
+    /// The place of the displacement, with the proof.
     pub location: Location<3>,
     /// The gauge, from methods that compute it.
     pub gauge: Option<f64>,
-    /// How far that may be from the true one, by the method's own word.
+    /// The distance that it may have from the true one, by the method's own word.
     pub error: f64,
 }
 
@@ -71,11 +71,11 @@ pub(super) fn ask(variant: &str, displacement: &Query<3>, seed: u64, tally: &mut
     }
 }
 
-/// What counts as a read of a generator.
+/// The operations that count as a read of a generator.
 const READS: [Operation; 3] = [Operation::GeneratorRead, Operation::LineEvaluation, Operation::PartEvaluation];
 
-/// How often the generators were read: those that were read, and the lines that were evaluated once few were left,
-/// divided by their number.
+/// The number of times that the generators were read: those that were read, and the lines that were evaluated once few
+/// were left, divided by their number.
 pub(super) fn passes(counts: &OperationCounts, generators: usize) -> f64 {
     READS.map(|read| counts.get(read)).iter().sum::<u64>() as f64 / generators as f64
 }

@@ -2,7 +2,7 @@
 
 use super::{BODY_SIZES, PRUNED_BODIES, TIMED_BODY_SIZES, collision_methods};
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use zonotope::tally::OperationCounts;
@@ -22,11 +22,10 @@ pub const EXPERIMENT: Experiment = Experiment {
                own GJK and the feasibility programs of two engines, which compute in floating point.",
     claims: &["theorem-5.2", "lemma-5.1", "summary-intersection"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: BODY_SIZES,
     instances: PerProfile { quick: 8, full: 4 },
     variants: &[
-        Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_lad", "Kernel: exact gauge"),
         Variant {
             id: "by_slope_selection",
             title: "Theorem 5.2: the paper's search",
@@ -37,7 +36,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             title: "Explicit faces",
             largest: PerProfile { quick: 1 << 8, full: 1 << 10 },
         },
-        Variant { id: "by_gjk", title: "Our GJK in floating point", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_gjk", "Our GJK in floating point"),
         Variant {
             id: "clarabel",
             title: "Feasibility by clarabel",
@@ -50,7 +49,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         },
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: TIMED_BODY_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::new(Quantity::Value("passes"), "by_lad", FAMILIES, GrowthModel::ALL)
@@ -62,6 +60,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             .at_least(GrowthModel::Linear),
         FitPlan::of_operations("by_explicit_faces", FAMILIES).within(Bound::own(GrowthModel::Quadratic)),
     ],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

@@ -1,9 +1,7 @@
 //! Size and time of the linear programs of 4.2 against the number of directions.
 
 use super::fixed_directions_methods;
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
 use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 
@@ -30,7 +28,6 @@ pub const EXPERIMENT: Experiment = Experiment {
                proven distance from the optimum.",
     claims: &["theorem-4.6", "linear-program", "summary-fixed-directions"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile::both(2),
     variants: &fixed_directions_methods::variants(
@@ -38,7 +35,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         PerProfile { quick: 24, full: 32 },
     ),
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[
         share("papers_program", "share_of_bound").within(Bound::of_paper(GrowthModel::Constant, "section 4.2")),
@@ -53,6 +49,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         size("by_row_generation", Quantity::Value("rows")),
         size("by_row_generation", Quantity::Count("entry_read")),
     ],
+    ..Experiment::COUNTED
 };
 
 const FAMILIES: &[&str] = &["ball_2", "sphere_2", "ball_3", "sphere_3", "ball_4", "sphere_4"];

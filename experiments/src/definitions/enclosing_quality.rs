@@ -1,6 +1,6 @@
-//! How well zonotopes enclose solids, random hulls and real inputs.
+//! The quality with which zonotopes enclose solids, random hulls and real inputs.
 
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
 use crate::families::clouds::Cloud;
 use crate::seed::Digest;
 use zonotope::collision::{Query, by_lad, by_lad_in_r4};
@@ -9,7 +9,7 @@ use zonotope::hull::in_space::solid_hull;
 use zonotope::tally::OperationCounts;
 use zonotope::zonotope::{Zonotope, combinatorics};
 
-/// How well zonotopes enclose solids, random hulls and real inputs.
+/// The quality with which zonotopes enclose solids, random hulls and real inputs.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "enclosing-quality",
     title: "How well zonotopes enclose: solids, random hulls, meshes, flowers",
@@ -35,13 +35,11 @@ pub const EXPERIMENT: Experiment = Experiment {
     sizes: PerProfile { quick: &[8, 16, 32], full: &[8, 16, 32, 64, 128] },
     instances: PerProfile { quick: 1, full: 3 },
     variants: &[
-        Variant { id: "within_1e-2", title: "ε = 0.01", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("within_1e-2", "ε = 0.01"),
         Variant { id: "within_1e-4", title: "ε = 0.0001", largest: PerProfile { quick: 0, full: usize::MAX } },
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

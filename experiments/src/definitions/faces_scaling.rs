@@ -1,7 +1,7 @@
 //! Size and time of the explicit face lattice against the number of generators.
 
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -30,12 +30,10 @@ pub const EXPERIMENT: Experiment = Experiment {
         "parallel_bodies",
         "flat_bodies",
     ],
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile::both(2),
-    variants: &[Variant { id: "by_sweep", title: "Sweep of great circles", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("by_sweep", "Sweep of great circles")],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_sweep", GENERAL)
@@ -43,6 +41,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             .within(Bound::of_paper(GrowthModel::Quadratic, "section 5")),
         FitPlan::of_operations("by_sweep", GENERAL).of(Quantity::Time("total")),
     ],
+    ..Experiment::COUNTED
 };
 
 fn body(case: &Case) -> Result<Zonotope<3>, String> {

@@ -1,7 +1,7 @@
-//! How often floating point cannot decide and exact arithmetic must.
+//! The rate at which floating point cannot decide and exact arithmetic must.
 
 use super::{BODY_FAMILIES, collision_methods};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Variant, Verdict};
 use crate::families::bodies::question::Question;
 use crate::seed::{self, Digest};
 use zonotope::tally::{Operation, OperationCounts};
@@ -12,7 +12,7 @@ const QUESTIONS: u32 = 25;
 /// The placements nearer to contact than a relative 1e-9.
 const NEAREST: [&str; 3] = ["inside_1e-12", "outside_1e-12", "touching"];
 
-/// How often floating point cannot decide and exact arithmetic must.
+/// The rate at which floating point cannot decide and exact arithmetic must.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "fallback-rate",
     title: "Collision: how often exact arithmetic is needed",
@@ -21,17 +21,14 @@ pub const EXPERIMENT: Experiment = Experiment {
                more alone (`asked_apart`, `fallbacks_apart`), and the exact signs a question (`signs`).",
     claims: &["theorem-5.2"],
     families: BODY_FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile { quick: &[16, 256], full: &[16, 64, 256, 1 << 10, 1 << 12] },
     instances: PerProfile { quick: 2, full: 4 },
     variants: &[
-        Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_lad_location", title: "Kernel: location", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_lad", "Kernel: exact gauge"),
+        Variant::at_all_sizes("by_lad_location", "Kernel: location"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

@@ -1,8 +1,8 @@
-//! How short a zonotope around a mesh can be with few generators.
+//! The least length of a zonotope around a mesh with few generators.
 
 use std::sync::OnceLock;
 
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::Cloud;
 use crate::seed::Digest;
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope, few_generators};
@@ -22,7 +22,7 @@ const EPSILON: f64 = 1e-3;
 /// Vertices of the largest mesh that the quick profile encloses.
 const QUICK_VERTICES: usize = 800;
 
-/// How short a zonotope around a mesh can be with few generators.
+/// The least length of a zonotope around a mesh with few generators.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "few-generators",
     title: "Zonotopes of few generators around meshes",
@@ -49,9 +49,8 @@ pub const EXPERIMENT: Experiment = Experiment {
         in_full("at_most_20", "K = 20"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: PerProfile::both(&[]), repetitions: PerProfile::both(1), prepare }),
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 /// A variant of both profiles, of the quick one on small meshes.

@@ -1,5 +1,5 @@
-//! What the experiments on given directions share: the three forms as variants, directions, and what is recorded of an
-//! answer.
+//! Shared parts of the experiments on given directions: the three forms as variants, directions, and what is recorded
+//! of an answer.
 
 use crate::definition::{Case, Measurement, PerProfile, TimedWork, Variant, Verdict};
 use crate::families::clouds::{Cloud, on_sphere};

@@ -1,6 +1,6 @@
-//! How the gap between length and lower bound closes, round by round.
+//! The gap between length and lower bound, round by round.
 
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::{self, Cloud};
 use crate::seed::Digest;
 use zonotope::enclosing::min_total_length::{Method, MinLengthZonotope};
@@ -8,7 +8,7 @@ use zonotope::tally::{OperationCounts, Tally};
 
 const SIZES: PerProfile<&[usize]> = PerProfile { quick: &[100, 200], full: &[100, 200, 500, 1000] };
 
-/// What is asked for in the plane and in space.
+/// The precision that is asked for in the plane and in space.
 const PRECISION: [f64; 2] = [1e-9, 1e-6];
 
 /// Gaps, and the values that tell the first round in which each of them was reached.
@@ -24,7 +24,7 @@ pub const REACHED: [(f64, &str); 9] = [
     (1e-9, "rounds_to_1e-9"),
 ];
 
-/// How the gap between length and lower bound closes, round by round.
+/// The gap between length and lower bound, round by round.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "gap-curve",
     title: "Least total length over all directions: the gap round by round",
@@ -34,18 +34,12 @@ pub const EXPERIMENT: Experiment = Experiment {
                proven lower bound. In the plane a round is a number of centres, in space a Newton step.",
     claims: &["theorem-4.7", "summary-approximate-length"],
     families: &["sphere_2", "sphere_3"],
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile { quick: 1, full: 2 },
-    variants: &[Variant {
-        id: "by_column_generation",
-        title: "Directions as they are needed",
-        largest: PerProfile::both(usize::MAX),
-    }],
+    variants: &[Variant::at_all_sizes("by_column_generation", "Directions as they are needed")],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 1, full: 2 }, prepare }),
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn cloud(case: &Case) -> Result<Cloud, String> {

@@ -1,11 +1,11 @@
-//! How often the exact gauge reads its input.
+//! The number of times that the exact gauge reads its input.
 
 use super::{BODY_FAMILIES, PRUNED_BODY_SIZES, collision_methods};
-use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant};
 use crate::fit::GrowthModel;
 use zonotope::tally::OperationCounts;
 
-/// How often the exact gauge reads its input.
+/// The number of times that the exact gauge reads its input.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "gauge-passes",
     title: "Exact gauge: passes over the generators",
@@ -15,16 +15,14 @@ pub const EXPERIMENT: Experiment = Experiment {
                of the change. They count readings, not time: the table of peers has times in passes.",
     claims: &["theorem-5.2"],
     families: BODY_FAMILIES,
-    real_inputs: &[],
     sizes: PRUNED_BODY_SIZES,
     instances: PerProfile { quick: 33, full: 8 },
-    variants: &[Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("by_lad", "Kernel: exact gauge")],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[FitPlan::new(Quantity::Value("passes"), "by_lad", BODY_FAMILIES, GrowthModel::ALL)
         .within(Bound::own(GrowthModel::Constant))
         .at_least(GrowthModel::Constant)],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

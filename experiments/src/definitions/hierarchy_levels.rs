@@ -1,9 +1,7 @@
-//! How far two nested hierarchies are descended, against the gap between the bodies.
+//! The depth to which two nested hierarchies are descended, against the gap between the bodies.
 
 use super::collision_methods::PROVED;
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
 use crate::families::source::RandomSource;
 use crate::fit::GrowthModel;
 use crate::seed::{self, Digest};
@@ -22,7 +20,7 @@ const DIRECTIONS: usize = 6;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_bodies"];
 
-/// How far two nested hierarchies are descended, against the gap between the bodies.
+/// The depth to which two nested hierarchies are descended, against the gap between the bodies.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "hierarchy-levels",
     title: "Hierarchical method: levels against the gap between the bodies",
@@ -33,20 +31,18 @@ pub const EXPERIMENT: Experiment = Experiment {
                about the bodies themselves.",
     claims: &["summary-repeated-tests", "variable-complexity"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile {
         quick: &[2, 8, 32, 128, 256, 512, 1024, 2048],
         full: &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768],
     },
     instances: PerProfile { quick: 2, full: 4 },
     variants: &[
-        Variant { id: "apart", title: "Bodies apart", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "overlapping", title: "Bodies that overlap", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("apart", "Bodies apart"),
+        Variant::at_all_sizes("overlapping", "Bodies that overlap"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[reads("apart"), reads("overlapping")],
+    ..Experiment::COUNTED
 };
 
 const fn reads(variant: &'static str) -> FitPlan {

@@ -2,7 +2,7 @@
 
 use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -18,16 +18,14 @@ pub const EXPERIMENT: Experiment = Experiment {
                the monotone chain shows in the times alone.",
     claims: &["hull-suffices"],
     families: SCALING_FAMILIES,
-    real_inputs: &[],
     sizes: SCALING_SIZES,
     instances: PerProfile::both(2),
     variants: &[
-        Variant { id: "by_discarding", title: "Discarding and buckets", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_monotone_chain", title: "Monotone chain", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_discarding", "Discarding and buckets"),
+        Variant::at_all_sizes("by_monotone_chain", "Monotone chain"),
         Variant { id: "brute_force", title: "Gift wrapping", largest: PerProfile::both(1 << 11) },
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(5), prepare }),
     fits: &[
         FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES)
@@ -39,6 +37,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             .within(Bound::own(GrowthModel::Quadratic)),
         FitPlan::of_operations("by_monotone_chain", SCALING_FAMILIES).of(Quantity::Time("total")),
     ],
+    ..Experiment::COUNTED
 };
 
 fn solve(variant: &str, points: &[[f64; 2]], tally: &mut impl Tally) -> Result<ConvexHull, HullError> {

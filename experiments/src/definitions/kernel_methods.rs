@@ -1,12 +1,19 @@
 //! The kernel's instances and methods by name, for every experiment on it.
 
-use crate::definition::Case;
+use crate::definition::{Case, Variant};
 use crate::families::lines;
 use crate::seed::Digest;
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::hull::antipodal::{FarthestVertex, farthest_vertices};
 use zonotope::hull::{ConvexHull, convex_hull};
 use zonotope::lad::{LadOutcome, LadProblem, Method, WeightedLine};
+
+/// The kernel's methods, each at all sizes.
+pub(super) const VARIANTS: &[Variant] = &[
+    Variant::at_all_sizes("by_slope_selection", "Slope selection (the paper's search)"),
+    Variant::at_all_sizes("by_line_search", "Line searches"),
+    Variant::at_all_sizes("by_pruning", "Pruning"),
+];
 
 /// The lines of a case.
 pub(super) enum KernelInput {

@@ -1,7 +1,7 @@
 //! The kernel's methods against each other by time, on the same lines in one run.
 
-use super::lad_scaling;
-use crate::definition::{Experiment, PerProfile, Tabulated, Timing, Variant};
+use super::{kernel_methods, lad_scaling};
+use crate::definition::{Experiment, PerProfile, Timing};
 
 const SIZES: PerProfile<&[usize]> = PerProfile { quick: &[1 << 12, 1 << 15], full: &[1 << 12, 1 << 15, 1 << 20] };
 
@@ -13,20 +13,10 @@ pub const EXPERIMENT: Experiment = Experiment {
                lines.",
     claims: &["theorem-4.5"],
     families: &["random_lines"],
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile::both(1),
-    variants: &[
-        Variant {
-            id: "by_slope_selection",
-            title: "Slope selection (the paper's search)",
-            largest: PerProfile::both(usize::MAX),
-        },
-        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
-    ],
+    variants: kernel_methods::VARIANTS,
     measure: lad_scaling::measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare: lad_scaling::prepare }),
-    fits: &[],
+    ..Experiment::COUNTED
 };

@@ -2,7 +2,7 @@
 
 use super::kernel_methods::{self, KernelInput};
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use zonotope::interop::verifier::check_lad;
@@ -21,7 +21,6 @@ pub const EXPERIMENT: Experiment = Experiment {
                on top.",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: super::PRUNING_SIZES,
     instances: PerProfile { quick: 3, full: 5 },
     variants: &[
@@ -35,10 +34,9 @@ pub const EXPERIMENT: Experiment = Experiment {
             title: "Line searches",
             largest: PerProfile { quick: 1 << 17, full: usize::MAX },
         },
-        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_pruning", "Pruning"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: super::KERNEL_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_slope_selection", FAMILIES)
@@ -49,6 +47,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         OF_PRUNING.of(Quantity::Count("line_evaluation")).at_least(GrowthModel::Linear),
         OF_PRUNING.of(Quantity::Value("operations_on_parts")),
     ],
+    ..Experiment::COUNTED
 };
 
 const OF_PRUNING: FitPlan = FitPlan::of_operations("by_pruning", FAMILIES).within(Bound::own(GrowthModel::Linear));

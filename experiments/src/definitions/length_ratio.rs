@@ -1,8 +1,6 @@
-//! How near nets and column generation come to the least total length, and with how many directions.
+//! The ratio to which nets and column generation come to the least total length, and with how many directions.
 
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
 use crate::families::clouds::{self, Cloud};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -15,23 +13,23 @@ const POINTS: usize = 24;
 /// Nets of more directions are counted but not solved.
 const SOLVED_NET: usize = 420;
 
-/// How near nets and column generation come to the least total length.
+/// The ratio to which nets and column generation come to the least total length.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "length-ratio",
     title: "Least total length over all directions: ratio and number of directions",
     question: "How near to the least total length do nets and directions as they are needed come, and with how many \
                directions? n is 1 / epsilon; there are 24 points in two, three and four dimensions. `net_size` is \
-               the number of directions that guarantee the ratio 1 + epsilon, `directions` that of those used. \
-               `excess` is what the answer proves of itself: its length over the proven lower bound, minus 1. Nets \
-               of more than 420 directions are counted, not solved.",
+               the number of directions that guarantee the ratio 1 + epsilon, `directions` that of the linear \
+               programs that were solved, 0 where an answer was found without one, `generators` the number of the \
+               answer. `excess` is its length over the lower bound that it proves, minus 1. Nets of more than 420 \
+               directions are counted, not solved.",
     claims: &["theorem-4.7", "direction-net", "size-of-direction-net", "summary-approximate-length"],
     families: &["sphere_2", "sphere_3", "sphere_4"],
-    real_inputs: &[],
     sizes: PerProfile::both(&[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024]),
     instances: PerProfile { quick: 1, full: 2 },
     variants: &[
-        Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "net_of_cells", title: "Corners of cells", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("papers_net", "The paper's net"),
+        Variant::at_all_sizes("net_of_cells", "Corners of cells"),
         Variant {
             id: "by_column_generation",
             title: "Directions as they are needed",
@@ -39,8 +37,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         },
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[
         papers_net(&["sphere_2"], GrowthModel::Linear),
         papers_net(&["sphere_3"], GrowthModel::Quadratic),
@@ -49,6 +45,7 @@ pub const EXPERIMENT: Experiment = Experiment {
         net_of_cells(&["sphere_3"], GrowthModel::Linear),
         net_of_cells(&["sphere_4"], GrowthModel::ThreeHalves),
     ],
+    ..Experiment::COUNTED
 };
 
 const fn papers_net(families: &'static [&'static str], model: GrowthModel) -> FitPlan {

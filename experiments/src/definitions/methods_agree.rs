@@ -2,7 +2,7 @@
 
 use super::REAL_INPUTS;
 use super::kernel_methods::{self, KernelInput};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, Verdict};
 use zonotope::interop::verifier::check_lad;
 use zonotope::lad::{LadOutcome, LadProblem, Method};
 use zonotope::tally::OperationCounts;
@@ -36,19 +36,9 @@ pub const EXPERIMENT: Experiment = Experiment {
     real_inputs: REAL_INPUTS,
     sizes: PerProfile { quick: &[4, 8, 15, 24, 256, 2048], full: &[4, 5, 8, 11, 15, 19, 24, 64, 256, 2048, 16384] },
     instances: PerProfile { quick: 4, full: 8 },
-    variants: &[
-        Variant {
-            id: "by_slope_selection",
-            title: "Slope selection (the paper's search)",
-            largest: PerProfile::both(usize::MAX),
-        },
-        Variant { id: "by_line_search", title: "Line searches", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) },
-    ],
+    variants: kernel_methods::VARIANTS,
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

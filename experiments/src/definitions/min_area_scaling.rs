@@ -2,7 +2,7 @@
 
 use super::{HULL_FAMILIES, SCALING_FAMILIES, SCALING_SIZES};
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -19,7 +19,6 @@ pub const EXPERIMENT: Experiment = Experiment {
                each method of the kernel? The lap `hull` is the hull alone on the same points.",
     claims: &["theorem-4.5", "summary-min-area"],
     families: SCALING_FAMILIES,
-    real_inputs: &[],
     sizes: SCALING_SIZES,
     instances: PerProfile::both(2),
     variants: &[
@@ -28,7 +27,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         variant(Method::LineSearch, PerProfile::both(1 << 16)),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SCALING_SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::of_operations("by_slope_selection", HULL_FAMILIES)
@@ -39,6 +37,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             .at_least(GrowthModel::Linear),
         FitPlan::of_operations("by_line_search", HULL_FAMILIES),
     ],
+    ..Experiment::COUNTED
 };
 
 /// Up to this many points every answer is verified. The exact check takes about 30 microseconds for each vertex of the

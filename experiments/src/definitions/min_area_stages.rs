@@ -1,7 +1,7 @@
-//! Where the operations and the time of 4.1 go: hull, farthest vertices, lines, kernel, output.
+//! The shares of the stages of 4.1 in operations and time: hull, farthest vertices, lines, kernel, output.
 
 use super::{SCALING_FAMILIES, min_area_scaling};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use zonotope::enclosing::bisectors::Bisectors;
 use zonotope::enclosing::min_area_zonogon::Method;
 use zonotope::hull::antipodal::farthest_vertices_counted;
@@ -15,7 +15,7 @@ const SIZES: PerProfile<&[usize]> =
 /// Up to this many points answers are verified here; `min-area-scaling` verifies larger ones on the same instances.
 const VERIFIED_SIZE: usize = 1 << 14;
 
-/// Where the operations and the time of 4.1 go.
+/// The shares of the stages of 4.1 in operations and time.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "min-area-stages",
     title: "Minimum-area enclosing zonogon: cost of each stage",
@@ -28,11 +28,10 @@ pub const EXPERIMENT: Experiment = Experiment {
     real_inputs: &["airports", "canada"],
     sizes: SIZES,
     instances: PerProfile::both(1),
-    variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("by_pruning", "Pruning")],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 5, full: 7 }, prepare }),
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

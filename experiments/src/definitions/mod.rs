@@ -108,6 +108,13 @@ const BODY_POWERS_OF_TWO: [usize; 17] = powers_of_two(4);
 pub const BODY_SIZES: PerProfile<&[usize]> =
     PerProfile { quick: BODY_POWERS_OF_TWO.split_at(11).0, full: &BODY_POWERS_OF_TWO };
 
+/// Powers of two from 2^10, where lower-order terms have become small: to 2^14 in the quick profile, to 2^18 in the
+/// full one.
+pub const LINEAR_SIZES: PerProfile<&[usize]> = PerProfile {
+    quick: BODY_POWERS_OF_TWO.split_at(6).1.split_at(5).0,
+    full: BODY_POWERS_OF_TWO.split_at(6).1.split_at(9).0,
+};
+
 /// The powers of four among them, for times: to 2^12 in the quick profile.
 pub const TIMED_BODY_SIZES: PerProfile<&[usize]> = PerProfile {
     quick: &[1 << 4, 1 << 6, 1 << 8, 1 << 10, 1 << 12],

@@ -1,9 +1,7 @@
 //! The reads of Theorem 4.7, against the number of points.
 
 use super::fixed_directions_methods::{digest, solve};
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
 use crate::families::clouds::Cloud;
 use crate::fit::GrowthModel;
 use zonotope::enclosing::fixed_directions::FixedDirections;
@@ -25,20 +23,15 @@ pub const EXPERIMENT: Experiment = Experiment {
                reads, and what the proof of containment reads, which is our own.",
     claims: &["theorem-4.7"],
     families: FAMILIES,
-    real_inputs: &[],
-    sizes: PerProfile {
-        quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
-        full: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18],
-    },
+    sizes: super::LINEAR_SIZES,
     instances: PerProfile::both(3),
-    variants: &[Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("papers_net", "The paper's net")],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[FitPlan::of_operations("papers_net", FAMILIES)
         .of(Quantity::Count("point_read"))
         .within(Bound::own(GrowthModel::Linear))
         .at_least(GrowthModel::Linear)],
+    ..Experiment::COUNTED
 };
 
 /// The directions of the paper's net: the middles of the cells, and the axes.

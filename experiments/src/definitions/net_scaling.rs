@@ -39,7 +39,7 @@ pub const SPACE: Experiment = Experiment {
     real_inputs: &[],
     sizes: PerProfile::both(&[2, 3, 4]),
     instances: PerProfile { quick: 2, full: 4 },
-    variants: &[Variant { id: "papers_net", title: "The paper's net", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("papers_net", "The paper's net")],
     measure,
     table: Tabulated::MedianAtLargest,
     timing: None,

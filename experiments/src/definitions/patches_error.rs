@@ -1,7 +1,7 @@
 //! The error of Lemma 5.5's reduction against its number of generators.
 
-use super::reduction_error::measure;
-use crate::definition::{Bound, Experiment, FitPlan, PerProfile, Quantity, Tabulated, Variant};
+use super::reduction_error;
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant};
 use crate::fit::GrowthModel;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "lattice_bodies"];
@@ -17,20 +17,47 @@ pub const EXPERIMENT: Experiment = Experiment {
     question: "How far from the body is the reduction of Lemma 5.5, against the number of generators? n is the number \
                k of generators that a body of many is reduced to by its patches: 3 m^2 patches and three generators \
                for what is left of them. `error` is the proven upper bound of the Hausdorff distance in terms of the \
-               diameter.",
+               diameter, and `share_of_bound` its part of the eps for which the lemma, with the constants of its \
+               proof, takes that grid: k = 24 / eps^2 + 3.",
     claims: &["lemma-5.5"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile::both(SIZES),
     instances: PerProfile::both(12),
-    variants: &[Variant {
-        id: "lemma_5_5",
-        title: "Lemma 5.5: patches of directions",
-        largest: PerProfile::both(usize::MAX),
-    }],
+    variants: &[Variant::at_all_sizes("lemma_5_5", "Lemma 5.5: patches of directions")],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
-    fits: &[FitPlan::new(Quantity::Value("error"), "lemma_5_5", FAMILIES, GrowthModel::FALLING)
-        .within(Bound::of_paper(GrowthModel::InverseSquareRoot, "Lemma 5.5"))],
+    fits: &[
+        FitPlan::new(Quantity::Value("share_of_bound"), "lemma_5_5", FAMILIES, GrowthModel::ALL)
+            .within(Bound::number_of_paper(1.0, "Lemma 5.5")),
+        FitPlan::new(Quantity::Value("error"), "lemma_5_5", FAMILIES, GrowthModel::FALLING),
+    ],
+    ..Experiment::COUNTED
 };
+
+/// The patches that eps takes, times eps squared: three faces with (√2 / (c_3 eps))² cells each, c_3 = 1/2.
+const PATCHES_AT_ONE: f64 = 24.0;
+
+/// The generators for what the patches leave.
+const FOR_THE_REST: usize = 3;
+
+fn measure(case: &Case) -> Result<Measurement, String> {
+    let measured = reduction_error::measure(case)?;
+    let error = *measured.values.get("error").ok_or("no error was measured")?;
+    let epsilon = (PATCHES_AT_ONE / (case.n - FOR_THE_REST) as f64).sqrt();
+    Ok(measured.with_value("share_of_bound", error / epsilon))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use zonotope::reduction::by_patches::patch_count;
+
+    /// The sizes are the counts of generators that the library's precisions give.
+    #[test]
+    fn the_bound_of_a_size_is_the_precision_that_takes_its_grid() {
+        for &k in SIZES {
+            let patches = (k - FOR_THE_REST) as f64;
+            let epsilon = (PATCHES_AT_ONE / patches).sqrt();
+            assert_eq!(patch_count(3, epsilon * (1.0 + 1e-9)), patches, "{k} generators");
+        }
+    }
+}

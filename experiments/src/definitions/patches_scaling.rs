@@ -1,6 +1,6 @@
 //! The reads of the construction of Lemma 5.5, against the number of generators.
 
-use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, Variant, Verdict};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Variant, Verdict};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::reduction::Containment;
@@ -23,23 +23,14 @@ pub const EXPERIMENT: Experiment = Experiment {
                is checked.",
     claims: &["lemma-5.5"],
     families: FAMILIES,
-    real_inputs: &[],
-    sizes: PerProfile {
-        quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14],
-        full: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18],
-    },
+    sizes: super::LINEAR_SIZES,
     instances: PerProfile::both(3),
-    variants: &[Variant {
-        id: "lemma_5_5",
-        title: "Lemma 5.5: patches of directions",
-        largest: PerProfile::both(usize::MAX),
-    }],
+    variants: &[Variant::at_all_sizes("lemma_5_5", "Lemma 5.5: patches of directions")],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[FitPlan::of_operations("lemma_5_5", FAMILIES)
         .within(Bound::of_paper(GrowthModel::Linear, "Lemma 5.5"))
         .at_least(GrowthModel::Linear)],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

@@ -1,9 +1,7 @@
 //! Passes and time of 4.2 against the number of points.
 
 use super::fixed_directions_methods;
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing};
 use crate::fit::GrowthModel;
 
 const SIZES: PerProfile<&[usize]> = PerProfile {
@@ -25,12 +23,10 @@ pub const EXPERIMENT: Experiment = Experiment {
                normal, as Theorem 4.6 does.",
     claims: &["theorem-4.6"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile::both(2),
     variants: &fixed_directions_methods::variants(PerProfile::both(1 << 14), PerProfile::both(1 << 14)),
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 2, full: 3 }, prepare }),
     fits: &[
         FitPlan::of_operations("papers_program", FAMILIES)
@@ -42,6 +38,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             .at_least(GrowthModel::Linear),
         FitPlan::of_operations("by_row_generation", FAMILIES).of(Quantity::Time("total")),
     ],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

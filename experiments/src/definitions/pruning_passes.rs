@@ -1,12 +1,12 @@
-//! How often pruning reads its input.
+//! The number of times that pruning reads its input.
 
 use super::{PRUNING_SIZES, lad_scaling};
-use crate::definition::{Bound, Experiment, FitPlan, PerProfile, Quantity, Tabulated, Variant};
+use crate::definition::{Bound, Experiment, FitPlan, PerProfile, Quantity, Variant};
 use crate::fit::GrowthModel;
 
 const FAMILIES: &[&str] = &["random_lines", "lattice_lines", "concurrent_lines", "symmetric_lines", "ellipse_thin"];
 
-/// How often pruning reads its input.
+/// The number of times that pruning reads its input.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "pruning-passes",
     title: "Pruning: passes over the lines",
@@ -15,14 +15,12 @@ pub const EXPERIMENT: Experiment = Experiment {
                the experiment on growth.",
     claims: &["theorem-4.5"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PRUNING_SIZES,
     instances: PerProfile { quick: 3, full: 5 },
-    variants: &[Variant { id: "by_pruning", title: "Pruning", largest: PerProfile::both(usize::MAX) }],
+    variants: &[Variant::at_all_sizes("by_pruning", "Pruning")],
     measure: lad_scaling::measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[FitPlan::new(Quantity::Value("passes"), "by_pruning", FAMILIES, GrowthModel::ALL)
         .within(Bound::own(GrowthModel::Constant))
         .at_least(GrowthModel::Constant)],
+    ..Experiment::COUNTED
 };

@@ -1,7 +1,7 @@
 //! The cost of a query to the structure of Lemma 5.3 against the number of generators, for spaces that grow with it.
 
 use super::query_trade_off::measure_with;
-use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant};
 use crate::fit::GrowthModel;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies"];
@@ -24,21 +24,19 @@ pub const EXPERIMENT: Experiment = Experiment {
                (n^2 / m) log^2 n. Each answer is compared with the question's construction, and its proof is checked.",
     claims: &["lemma-5.3", "corollary-5.4"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile {
         quick: &[1 << 4, 1 << 5, 1 << 6, 1 << 7, 1 << 8, 1 << 9, 1 << 10],
         full: &[1 << 4, 1 << 5, 1 << 6, 1 << 7, 1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12],
     },
     instances: PerProfile::both(3),
     variants: &[
-        Variant { id: LEAST_SPACE, title: "Cutting, m = n", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes(LEAST_SPACE, "Cutting, m = n"),
         Variant { id: MIDDLE_SPACE, title: "Cutting, m = n^(3/2)", largest: PerProfile::both(1 << 10) },
         Variant { id: MOST_SPACE, title: "Cutting, m = n^2", largest: PerProfile::both(1 << 8) },
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[share(LEAST_SPACE), share(MIDDLE_SPACE), share(MOST_SPACE)],
+    ..Experiment::COUNTED
 };
 
 const fn share(variant: &'static str) -> FitPlan {

@@ -1,10 +1,8 @@
-//! What a query costs against the space of the structure of Lemma 5.3.
+//! The cost of a query against the space of the structure of Lemma 5.3.
 
 use super::collision_methods::{PROVED, checked};
 use super::repeated_queries::questions;
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::collision::prepared::by_cutting::PreparedByCutting;
@@ -16,7 +14,7 @@ pub const GENERATORS: usize = 1024;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "near_plane_bodies"];
 
-/// What a query costs against the space of the structure of Lemma 5.3.
+/// The cost of a query against the space of the structure of Lemma 5.3.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "query-trade-off",
     title: "Repeated queries: time against space",
@@ -27,21 +25,15 @@ pub const EXPERIMENT: Experiment = Experiment {
                answer is compared with the question's construction, and its proof is checked.",
     claims: &["lemma-5.3", "corollary-5.4"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile {
         quick: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16],
         full: &[1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16, 1 << 17, 1 << 18, 1 << 19, 1 << 20],
     },
     instances: PerProfile { quick: 2, full: 4 },
-    variants: &[Variant {
-        id: "by_cutting",
-        title: "Cutting of the dual plane",
-        largest: PerProfile::both(usize::MAX),
-    }],
+    variants: &[Variant::at_all_sizes("by_cutting", "Cutting of the dual plane")],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[falling("in_trapezoid").within(Bound::own(GrowthModel::Inverse)), falling("operations")],
+    ..Experiment::COUNTED
 };
 
 const fn falling(value: &'static str) -> FitPlan {

@@ -1,8 +1,6 @@
 //! The error of each rule of order reduction against the number of generators.
 
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::reduction::hausdorff::excess;
@@ -29,7 +27,6 @@ pub const EXPERIMENT: Experiment = Experiment {
                take the counts of grids alone.",
     claims: &["lemma-5.5", "ball-approximation", "zonoid-approximation", "variable-complexity"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile { quick: &[16, 32, 64, 128, 256], full: &[16, 25, 32, 45, 64, 90, 128, 181, 256] },
     instances: PerProfile { quick: 1, full: 2 },
     variants: &[
@@ -42,8 +39,6 @@ pub const EXPERIMENT: Experiment = Experiment {
         variant("adaptive", "Adaptive"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[
         falling("lemma_5_5"),
         falling("cluster").within(Bound::own(GrowthModel::Inverse)),
@@ -53,10 +48,11 @@ pub const EXPERIMENT: Experiment = Experiment {
         falling("scott"),
         falling("adaptive"),
     ],
+    ..Experiment::COUNTED
 };
 
 const fn variant(id: &'static str, title: &'static str) -> Variant {
-    Variant { id, title, largest: PerProfile::both(usize::MAX) }
+    Variant::at_all_sizes(id, title)
 }
 
 const fn falling(variant: &'static str) -> FitPlan {

@@ -20,17 +20,15 @@ pub const EXPERIMENT: Experiment = Experiment {
                place by answers; those of an exact rung are what the family pays for.",
     claims: &[],
     families: BODY_FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile { quick: &[6, 64, 1 << 10], full: &[6, 64, 1 << 10, 1 << 12, 1 << 14] },
     instances: PerProfile { quick: 1, full: 2 },
     variants: &[
-        Variant { id: "by_lad", title: "Kernel: exact gauge", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_lad_location", title: "Kernel: location", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_lad", "Kernel: exact gauge"),
+        Variant::at_all_sizes("by_lad_location", "Kernel: location"),
     ],
     measure,
-    timing: None,
     table: Tabulated::Total,
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::fixed_directions_methods::{digest, directions, solve};
-use crate::definition::{Case, Experiment, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict};
+use crate::definition::{Case, Experiment, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict};
 use crate::families::clouds::Cloud;
 use crate::seed::Digest;
 use zonotope::enclosing::fixed_directions::{FixedDirections, papers_program::extreme_points_of};
@@ -28,17 +28,15 @@ pub const EXPERIMENT: Experiment = Experiment {
                the two variants. `extreme_points` is what the scan finds.",
     claims: &["theorem-4.6", "extreme-points-suffice"],
     families: &["ball_3", "sphere_3"],
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile { quick: 1, full: 2 },
     variants: &[
-        Variant { id: SCAN, title: "Scan for extreme points", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_row_generation", title: "Normals as they are needed", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes(SCAN, "Scan for extreme points"),
+        Variant::at_all_sizes("by_row_generation", "Normals as they are needed"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile { quick: 1, full: 3 }, prepare }),
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn points(case: &Case) -> Result<Vec<[f64; 3]>, String> {

@@ -1,7 +1,7 @@
 //! Operations and time of slope selection against the number of lines.
 
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -25,7 +25,6 @@ pub const EXPERIMENT: Experiment = Experiment {
                degenerate ones?",
     claims: &["theorem-4.5", "halving-search"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: super::SCALING_SIZES,
     instances: PerProfile { quick: 12, full: 4 },
     variants: &[Variant {
@@ -34,11 +33,11 @@ pub const EXPERIMENT: Experiment = Experiment {
         largest: PerProfile { quick: 1 << 13, full: 1 << 17 },
     }],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: super::SCALING_SIZES, repetitions: PerProfile { quick: 3, full: 5 }, prepare }),
     fits: &[FitPlan::of_operations("randomized", FAMILIES)
         .within(Bound::of_paper(GrowthModel::Linearithmic, "section 4.1"))
         .at_least(GrowthModel::Linear)],
+    ..Experiment::COUNTED
 };
 
 fn arrangement(case: &Case) -> Result<LineArrangement<'static>, String> {

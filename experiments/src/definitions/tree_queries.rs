@@ -1,11 +1,9 @@
-//! What a query to a tree over directions reads, against the number of generators.
+//! The reads of a query to a tree over directions, against the number of generators.
 
 use super::PRUNED_BODY_SIZES;
 use super::collision_methods::{PROVED, checked, passes};
 use super::repeated_queries::questions;
-use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, Variant, Verdict,
-};
+use crate::definition::{Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Variant, Verdict};
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
 use zonotope::collision::by_lad;
@@ -15,7 +13,7 @@ use zonotope::zonotope::Zonotope;
 
 const FAMILIES: &[&str] = &["random_bodies", "heavy_tailed_bodies", "polar_bodies", "near_plane_bodies"];
 
-/// What a query to a tree over directions reads, against the number of generators.
+/// The reads of a query to a tree over directions, against the number of generators.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "direction-tree-queries",
     title: "Repeated queries: a tree over directions",
@@ -24,22 +22,20 @@ pub const EXPERIMENT: Experiment = Experiment {
                and generators. Each answer is compared with the question's construction, and its proof is checked.",
     claims: &["corollary-5.4"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: PRUNED_BODY_SIZES,
     instances: PerProfile { quick: 4, full: 2 },
     variants: &[
-        Variant { id: "by_direction_tree", title: "Tree over directions", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_lad", title: "Kernel without a tree", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_direction_tree", "Tree over directions"),
+        Variant::at_all_sizes("by_lad", "Kernel without a tree"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
-    timing: None,
     fits: &[
         FitPlan::new(Quantity::Value("reads"), "by_direction_tree", FAMILIES, GrowthModel::POWERS),
         FitPlan::new(Quantity::Value("passes"), "by_lad", FAMILIES, GrowthModel::ALL)
             .within(Bound::own(GrowthModel::Constant))
             .at_least(GrowthModel::Constant),
     ],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

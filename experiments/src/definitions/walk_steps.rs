@@ -1,7 +1,7 @@
-//! What a step from facet to facet costs, against the number of generators.
+//! The cost of a step from facet to facet, against the number of generators.
 
 use crate::definition::{
-    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, Tabulated, TimedWork, Timing, Variant, Verdict,
+    Bound, Case, Experiment, FitPlan, Measurement, PerProfile, Quantity, TimedWork, Timing, Variant, Verdict,
 };
 use crate::fit::GrowthModel;
 use crate::seed::Digest;
@@ -18,7 +18,7 @@ const SIZES: PerProfile<&[usize]> = PerProfile {
     full: &[1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 13, 1 << 14, 1 << 15, 1 << 16],
 };
 
-/// What a step from facet to facet costs, against the number of generators.
+/// The cost of a step from facet to facet, against the number of generators.
 pub const EXPERIMENT: Experiment = Experiment {
     id: "walk-steps",
     title: "Walking from facet to facet: time of a step",
@@ -27,15 +27,13 @@ pub const EXPERIMENT: Experiment = Experiment {
                the hulls hold. The facets that the walks of both methods visit are compared.",
     claims: &["lemma-5.6"],
     families: FAMILIES,
-    real_inputs: &[],
     sizes: SIZES,
     instances: PerProfile::both(1),
     variants: &[
-        Variant { id: "by_dynamic_hull", title: "Dynamic hulls", largest: PerProfile::both(usize::MAX) },
-        Variant { id: "by_scan", title: "A pass over the generators", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_dynamic_hull", "Dynamic hulls"),
+        Variant::at_all_sizes("by_scan", "A pass over the generators"),
     ],
     measure,
-    table: Tabulated::MedianAtLargest,
     timing: Some(Timing { sizes: SIZES, repetitions: PerProfile::both(3), prepare }),
     fits: &[
         FitPlan::new(
@@ -52,6 +50,7 @@ pub const EXPERIMENT: Experiment = Experiment {
             .within(Bound::of_paper(GrowthModel::Linear, "Lemma 5.6"))
             .at_least(GrowthModel::Linear),
     ],
+    ..Experiment::COUNTED
 };
 
 /// A walk that goes straight on: across the edge opposite to that by which it came, but every seventh time across the

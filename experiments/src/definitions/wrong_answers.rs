@@ -20,21 +20,19 @@ pub const EXPERIMENT: Experiment = Experiment {
                outside, touching.",
     claims: &["theorem-5.2", "difference-of-centers"],
     families: BODY_FAMILIES,
-    real_inputs: &[],
     sizes: PerProfile { quick: &[6, 32], full: &[6, 16, 32, 64, 256, 1 << 10] },
     instances: PerProfile::both(PLACEMENTS.len() as u32),
     variants: &[
-        Variant { id: "by_lad", title: "Kernel", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_lad", "Kernel"),
         Variant { id: "by_slope_selection", title: "Theorem 5.2", largest: PerProfile::both(256) },
         Variant { id: "by_explicit_faces", title: "Explicit faces", largest: PerProfile::both(64) },
-        Variant { id: "by_gjk", title: "Our GJK in floating point", largest: PerProfile::both(usize::MAX) },
+        Variant::at_all_sizes("by_gjk", "Our GJK in floating point"),
         Variant { id: "clarabel", title: "Linear program, proof from clarabel's guess", largest: PerProfile::both(64) },
         Variant { id: "microlp", title: "Linear program, proof from microlp's guess", largest: PerProfile::both(64) },
     ],
     measure,
     table: Tabulated::Total,
-    timing: None,
-    fits: &[],
+    ..Experiment::COUNTED
 };
 
 fn measure(case: &Case) -> Result<Measurement, String> {

@@ -27,7 +27,7 @@ pub mod random_convex;
 pub mod regular_polygon;
 pub mod source;
 
-/// How many points of an instance lie on its convex hull.
+/// The number of points of an instance that lie on its convex hull.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HullSize {
     /// All of them, or all but a few that rounding pushes inside.
@@ -45,9 +45,9 @@ pub struct Family {
     pub id: &'static str,
     /// Name for people.
     pub title: &'static str,
-    /// What the points are, in a sentence.
+    /// The points, in a sentence.
     pub description: &'static str,
-    /// How many points lie on the hull.
+    /// The number of points that lie on the hull.
     pub hull_size: HullSize,
     /// Whether the seed matters; if not, there is one instance of each size.
     pub is_random: bool,

@@ -41,7 +41,7 @@ pub(super) static FINDINGS: &[Findings] = &[
 const COLLISION: &str = "collision-scaling";
 const PASSES: Quantity = Quantity::Value("passes");
 
-/// How many questions have a sign that doubles leave undecided, near the boundary and farther from it.
+/// The number of questions that have a sign that doubles leave undecided, near the boundary and farther from it.
 fn fallbacks(found: &Measured<'_>) -> Option<String> {
     let total = |value| found.total("fallback-rate", "by_lad", value);
     let [asked, fallbacks] = [total("asked")?, total("fallbacks")?];

@@ -21,7 +21,13 @@ pub(super) static FINDINGS: &[Findings] = &[
             |found| {
                 let printed = ["directions-scaling", "papers_program"];
                 let share = Quantity::Value("share_of_bound");
-                span(found, "The part of the rows that its bound allows", printed, share, plain)
+                span(
+                    found,
+                    "The part that the paper's program has of the rows that its bound allows",
+                    printed,
+                    share,
+                    plain,
+                )
             },
         ],
         timed: &[],
@@ -31,11 +37,11 @@ pub(super) static FINDINGS: &[Findings] = &[
         counted: &[
             |found| {
                 let as_needed = ["points-scaling", "by_row_generation"];
-                span(found, "`passes` with normals as they are needed", as_needed, PASSES, plain)
+                span(found, "The number of passes with normals as they are needed", as_needed, PASSES, plain)
             },
             |found| {
                 let printed = ["points-scaling", "papers_program"];
-                span(found, "`passes` of the paper's program", printed, PASSES, plain)
+                span(found, "The number of passes of the paper's program", printed, PASSES, plain)
             },
         ],
         timed: &[],
@@ -43,7 +49,13 @@ pub(super) static FINDINGS: &[Findings] = &[
     Findings {
         experiment: "scan-race",
         counted: &[|found| {
-            span(found, "`passes` with normals as they are needed", ["scan-race", "by_row_generation"], PASSES, plain)
+            span(
+                found,
+                "The number of passes with normals as they are needed",
+                ["scan-race", "by_row_generation"],
+                PASSES,
+                plain,
+            )
         }],
         timed: &[|found| {
             let methods = ["extreme_point_scan", "by_row_generation"];
@@ -58,8 +70,14 @@ pub(super) static FINDINGS: &[Findings] = &[
             |found| used(found, "by_column_generation"),
             |found| {
                 let as_needed = ["length-ratio", "by_column_generation"];
-                let directions = Quantity::Value("directions");
-                course(found, "The number of directions as they are needed", as_needed, directions, plain)
+                let generators = Quantity::Value("generators");
+                course(
+                    found,
+                    "The number of generators with directions as they are needed",
+                    as_needed,
+                    generators,
+                    plain,
+                )
             },
         ],
         timed: &[],
@@ -68,7 +86,13 @@ pub(super) static FINDINGS: &[Findings] = &[
         experiment: "gap-curve",
         counted: &[|found| {
             let method = ["gap-curve", "by_column_generation"];
-            course(found, "`rounds_to_1e-6`", method, Quantity::Value("rounds_to_1e-6"), plain)
+            course(
+                found,
+                "The number of rounds to a relative doubt of 1e-6",
+                method,
+                Quantity::Value("rounds_to_1e-6"),
+                plain,
+            )
         }],
         timed: &[],
     },
@@ -86,7 +110,13 @@ pub(super) static FINDINGS: &[Findings] = &[
             },
             |found| {
                 let quality = ["enclosing-quality", "within_1e-2"];
-                span(found, "That of the box along the axes", quality, Quantity::Value("box_volume_ratio"), plain)
+                span(
+                    found,
+                    "The volume of the box along the axes over that of the hull",
+                    quality,
+                    Quantity::Value("box_volume_ratio"),
+                    plain,
+                )
             },
         ],
         timed: &[],

@@ -1,4 +1,4 @@
-//! What experiments found, in sentences that are made from the records of a run: each number and each word of
+//! The findings of experiments, in sentences that are made from the records of a run: each number and each word of
 //! comparison comes from the numbers, so that a sentence cannot say what the records do not.
 //!
 //! | file | its sentences |
@@ -44,8 +44,8 @@ pub fn timed(experiment: &str, found: &Measured<'_>) -> Vec<String> {
     of(experiment).flat_map(|findings| findings.timed).filter_map(|sentence| sentence(found)).collect()
 }
 
-/// How many sentences about the counts of an experiment a run has no numbers for. After a whole run it is none, or a
-/// sentence asks for what is not recorded.
+/// The number of sentences about the counts of an experiment that a run has no numbers for. After a whole run it is
+/// none, or a sentence asks for what is not recorded.
 pub fn unsaid(experiment: &str, found: &Measured<'_>) -> usize {
     of(experiment).flat_map(|findings| findings.counted).filter(|sentence| sentence(found).is_none()).count()
 }

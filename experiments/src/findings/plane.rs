@@ -19,7 +19,13 @@ pub(super) static FINDINGS: &[Findings] = &[
     Findings {
         experiment: "lad-scaling",
         counted: &[|found| {
-            span(found, "`passes` of pruning", ["lad-scaling", "by_pruning"], Quantity::Value("passes"), plain)
+            span(
+                found,
+                "The number of passes of pruning",
+                ["lad-scaling", "by_pruning"],
+                Quantity::Value("passes"),
+                plain,
+            )
         }],
         timed: &[|found| {
             let methods = ["by_slope_selection", "by_pruning"];
@@ -49,11 +55,23 @@ pub(super) static FINDINGS: &[Findings] = &[
         counted: &[
             |found| {
                 let chain = ["hull-scaling", "by_monotone_chain"];
-                span(found, "Orientation tests of the monotone chain over n", chain, Quantity::Count("turn"), per_size)
+                span(
+                    found,
+                    "The number of orientation tests of the monotone chain over n",
+                    chain,
+                    Quantity::Count("turn"),
+                    per_size,
+                )
             },
             |found| {
                 let wrapping = ["hull-scaling", "brute_force"];
-                span(found, "Orientation tests of gift wrapping over n", wrapping, Quantity::Count("turn"), per_size)
+                span(
+                    found,
+                    "The number of orientation tests of gift wrapping over n",
+                    wrapping,
+                    Quantity::Count("turn"),
+                    per_size,
+                )
             },
         ],
         timed: &[],

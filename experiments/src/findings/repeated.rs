@@ -8,10 +8,36 @@ pub(super) static FINDINGS: &[Findings] = &[
     Findings {
         experiment: "query-trade-off",
         counted: &[
-            |found| course(found, "`in_trapezoid`", CUTTING, Quantity::Value("in_trapezoid"), plain),
-            |found| course(found, "`to_find_it`", CUTTING, Quantity::Value("to_find_it"), plain),
-            |found| span(found, "`share_of_bound`", CUTTING, Quantity::Value("share_of_bound"), plain),
-            |found| course(found, "`bytes_a_unit`", CUTTING, Quantity::Value("bytes_a_unit"), plain),
+            |found| {
+                course(
+                    found,
+                    "The number of operations in a trapezoid",
+                    CUTTING,
+                    Quantity::Value("in_trapezoid"),
+                    plain,
+                )
+            },
+            |found| {
+                course(
+                    found,
+                    "The number of operations to find a trapezoid",
+                    CUTTING,
+                    Quantity::Value("to_find_it"),
+                    plain,
+                )
+            },
+            |found| {
+                span(
+                    found,
+                    "The part that a query takes of its bound",
+                    CUTTING,
+                    Quantity::Value("share_of_bound"),
+                    plain,
+                )
+            },
+            |found| {
+                course(found, "The number of bytes a unit of space", CUTTING, Quantity::Value("bytes_a_unit"), plain)
+            },
         ],
         timed: &[],
     },
@@ -29,20 +55,36 @@ pub(super) static FINDINGS: &[Findings] = &[
     Findings {
         experiment: "reduction-error",
         counted: &[
-            |found| course(found, "`error` of Lemma 5.5's patches", ["reduction-error", "lemma_5_5"], ERROR, plain),
-            |found| course(found, "`error` of fitted cluster sums", ["reduction-error", "cluster"], ERROR, plain),
-            |found| course(found, "`error` of Girard's rule", ["reduction-error", "girard"], ERROR, plain),
+            |found| course(found, "The error of Lemma 5.5's patches", ["reduction-error", "lemma_5_5"], ERROR, plain),
+            |found| course(found, "The error of fitted cluster sums", ["reduction-error", "cluster"], ERROR, plain),
+            |found| course(found, "The error of Girard's rule", ["reduction-error", "girard"], ERROR, plain),
         ],
         timed: &[],
     },
     Findings {
         experiment: "hierarchy-levels",
         counted: &[
-            |found| course(found, "`visited` of bodies apart", ["hierarchy-levels", "apart"], VISITED, plain),
-            |found| course(found, "`share_read` of bodies apart", ["hierarchy-levels", "apart"], SHARE_READ, plain),
+            |found| {
+                course(
+                    found,
+                    "The number of pairs of levels visited of bodies apart",
+                    ["hierarchy-levels", "apart"],
+                    VISITED,
+                    plain,
+                )
+            },
+            |found| {
+                course(
+                    found,
+                    "The share of the generators read of bodies apart",
+                    ["hierarchy-levels", "apart"],
+                    SHARE_READ,
+                    plain,
+                )
+            },
             |found| {
                 let overlapping = ["hierarchy-levels", "overlapping"];
-                course(found, "`share_read` of bodies that overlap", overlapping, SHARE_READ, plain)
+                course(found, "The share of the generators read of bodies that overlap", overlapping, SHARE_READ, plain)
             },
         ],
         timed: &[],
@@ -50,17 +92,33 @@ pub(super) static FINDINGS: &[Findings] = &[
     Findings {
         experiment: "walk-steps",
         counted: &[|found| {
-            span(found, "`bytes` over n", ["walk-steps", "by_dynamic_hull"], Quantity::Value("bytes"), per_size)
+            span(
+                found,
+                "The number of bytes over n",
+                ["walk-steps", "by_dynamic_hull"],
+                Quantity::Value("bytes"),
+                per_size,
+            )
         }],
         timed: &[|found| ratio(found, "Times", "walk-steps", ["by_dynamic_hull", "by_scan"], Quantity::Time("walk"))],
     },
     Findings {
         experiment: "coherence",
         counted: &[
-            |found| course(found, "`reads` of fresh queries", ["coherence", "fresh"], READS, plain),
-            |found| course(found, "`reads` of queries to trees", ["coherence", "trees"], READS, plain),
-            |found| course(found, "`reads` from the last frame's optimum", ["coherence", "warm"], READS, plain),
-            |found| course(found, "`steps` of walking", ["coherence", "walking"], Quantity::Value("steps"), plain),
+            |found| course(found, "The number of reads of fresh queries", ["coherence", "fresh"], READS, plain),
+            |found| course(found, "The number of reads of queries to trees", ["coherence", "trees"], READS, plain),
+            |found| {
+                course(found, "The number of reads from the last frame's optimum", ["coherence", "warm"], READS, plain)
+            },
+            |found| {
+                course(
+                    found,
+                    "The number of steps of walking",
+                    ["coherence", "walking"],
+                    Quantity::Value("steps"),
+                    plain,
+                )
+            },
         ],
         timed: &[],
     },

@@ -162,7 +162,7 @@ fn sentences_say_what_the_records_say() {
         said,
         [
             "The number of reads of a query over √n is 20 at n = 1\u{202f}024 and 20 at n = 4\u{202f}096 on random \
-             bodies; 192 at n = 4\u{202f}096 and 192 at n = 4\u{202f}096 on near plane bodies.",
+             bodies; 192 at n = 4\u{202f}096 on near plane bodies.",
             "Reads of “Tree over directions” over those of “Kernel without a tree”: 0.250 at n = 4\u{202f}096 on \
              random bodies; 3 at n = 4\u{202f}096 on near plane bodies.",
         ]
@@ -171,4 +171,22 @@ fn sentences_say_what_the_records_say() {
     assert_eq!(words::title("wrong-answers", "by_gjk"), "Our GJK in floating point");
     let wrong = words::span(&Measured::of(&records), "x", ["hull-scaling", "a"], Quantity::AllCounts, words::plain);
     assert_eq!(wrong, None);
+}
+
+/// Such a sentence goes on with "is": its subject is a noun in the singular with its article.
+#[test]
+fn sentences_about_one_quantity_begin_with_its_noun() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/findings");
+    let mut seen = 0;
+    for file in ["collision.rs", "lengths.rs", "plane.rs", "repeated.rs"] {
+        let source = std::fs::read_to_string(folder.join(file)).expect("the file is there");
+        for form in ["span(found, ", "course(found, "] {
+            for (at, _) in source.match_indices(form) {
+                let what = &source[at + form.len()..];
+                assert!(what.starts_with("\"The ") || what.starts_with("&what"), "{file}: {}", &what[..20]);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 20, "{seen} sentences are a part of them");
 }

@@ -52,6 +52,13 @@ pub fn at(extreme: &Extreme) -> String {
     format!("{} ({}, n = {})", number(extreme.number), input(&extreme.input), number(extreme.n as f64))
 }
 
+/// The least and the greatest of some numbers, or the one number where both are written alike.
+pub fn between([least, greatest]: [f64; 2]) -> String {
+    let [least, greatest] = [least, greatest].map(number);
+    let is_alike = least == greatest || least.parse::<f64>().is_ok_and(|value| greatest.parse() == Ok(value));
+    if is_alike { greatest } else { format!("{least} to {greatest}") }
+}
+
 /// "What, from the least to the greatest, each with where it was measured, over so many inputs."
 pub fn span(
     found: &Measured<'_>,
@@ -82,7 +89,8 @@ pub fn course(
         let ((first, start), (last, end)) = (found.at_smallest(series, quantity)?, found.at_largest(series, quantity)?);
         let [start, end] = [(first, start), (last, end)].map(|(n, value)| number(made(n as f64, value)));
         let [first, last] = [first, last].map(|n| number(n as f64));
-        Some(format!("{start} at n = {first} and {end} at n = {last} on {}", input(id)))
+        let begin = if first == last { String::new() } else { format!("{start} at n = {first} and ") };
+        Some(format!("{begin}{end} at n = {last} on {}", input(id)))
     });
     let courses: Vec<String> = courses.collect();
     if courses.is_empty() { None } else { Some(format!("{what} is {}.", courses.join("; "))) }
@@ -131,5 +139,9 @@ mod tests {
         let shown = [0.0, 2.0, 4096.0, 1.2345, 0.012345, 123.456, 1234.56, 1.5e-7, -2.5].map(number);
         assert_eq!(shown, ["0", "2", "4\u{202f}096", "1.23", "0.0123", "123", "1\u{202f}235", "1.5e−7", "−2.50"]);
         assert_eq!(percent(0.1234), "12.3 %");
+        assert_eq!(
+            [between([1.0, 1.001]), between([1.001, 1.002]), between([0.5, 2.0])],
+            ["1.00", "1.00", "0.500 to 2"]
+        );
     }
 }

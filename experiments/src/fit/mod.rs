@@ -89,7 +89,7 @@ pub struct ModelFit {
     pub excess_exponent: Estimate,
     /// Whether y / M(n) bends away from a power of n.
     pub lack_of_fit: LackOfFit,
-    /// What the excess exponent says.
+    /// The verdict of the excess exponent.
     pub verdict: ModelVerdict,
 }
 

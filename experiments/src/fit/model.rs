@@ -42,7 +42,7 @@ impl GrowthModel {
     pub const POWERS: &'static [Self] =
         &[Self::SquareRoot, Self::Linear, Self::ThreeHalves, Self::Quadratic, Self::Cubic];
 
-    /// What errors and times fall like when more is spent on them.
+    /// The models of errors and times that fall when more is spent on them.
     pub const FALLING: &'static [Self] =
         &[Self::InverseFiveQuarters, Self::Inverse, Self::InverseSquareRoot, Self::Constant];
 

@@ -17,8 +17,8 @@ impl Regression {
     /// At least three points with different x: the caller has counted them.
     ///
     /// The variance behind the interval is that of the residuals, with (independent points - 2) degrees of freedom.
-    /// Where the test finds a lack of fit, points of one x share most of their residual; then it is that of the means,
-    /// with (different x - 2) degrees of freedom.
+    /// With a lack of fit that the test finds, points of one x share most of their residual; then it is that of the
+    /// means, with (different x - 2) degrees of freedom.
     pub fn new(points: &[(f64, f64)]) -> Self {
         let m = points.len() as f64;
         let mean_x = points.iter().map(|p| p.0).sum::<f64>() / m;

@@ -1,4 +1,4 @@
-//! How far a straight line misses the means of the sizes, beside how far the instances of a size differ.
+//! The distance by which a straight line misses the means of the sizes, beside how far the instances of a size differ.
 //!
 //! Instances of one size differ by chance alone (pure error); the means of the sizes miss the line by chance and by the
 //! bend of the true law (lack of fit). If there is no bend, both mean squares estimate the same variance, and their
@@ -41,9 +41,9 @@ pub(super) fn by_size(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     sorted
 }
 
-/// How many of the samples of one size are independent: all of them, but only one where all are equal. Then the method
-/// does the same on every instance, and whoever has seen one has seen them all; where some differ, chance is at work,
-/// and others that are equal are draws of their own.
+/// The number of samples of one size that are independent: all of them, but only one where all are equal. Then the
+/// method does the same on every instance, and whoever has seen one has seen them all; where some differ, chance is at
+/// work, and others that are equal are draws of their own.
 pub(super) fn independent(group: &[(f64, f64)]) -> usize {
     if group.iter().all(|sample| sample.1 == group[0].1) { 1 } else { group.len() }
 }

@@ -85,7 +85,7 @@ fn equal_instances_of_a_size_are_one_sample() {
     assert_eq!(fit_growth(&short, &[]), Err(FitError::TooFew { samples: 3, sizes: 3 }));
 }
 
-/// Where instances of a size differ, two of them that are equal are two draws: chance made them so.
+/// Two instances of a size that are equal are two draws where others differ: chance made them so.
 #[test]
 fn equal_draws_among_different_ones_count_each() {
     let samples: Vec<(f64, f64)> = [64.0, 128.0, 256.0, 512.0]

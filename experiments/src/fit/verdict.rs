@@ -1,9 +1,9 @@
-//! What samples say about a bound from above, by an interval and a slack that was fixed beforehand.
+//! The verdict of samples on a bound from above, by an interval and a slack that was fixed beforehand.
 
 use super::Estimate;
 use serde::Serialize;
 
-/// How far above zero the exponent of y / M(n) may be for lower-order terms alone.
+/// The height above zero that the exponent of y / M(n) may have for lower-order terms alone.
 ///
 /// Counts are nearly free of noise, so an interval can be so narrow that a lower-order term keeps it off zero: 3n + 5
 /// log n is no pure 3n at any size. The slack must tell neighbouring models apart: a factor log n has a local exponent
@@ -11,7 +11,7 @@ use serde::Serialize;
 /// smaller one is 0.05.
 pub const EXPONENT_SLACK: f64 = 0.05;
 
-/// What the samples say about one model; the module of the fits defines it.
+/// The verdict of the samples on one model; the module of the fits defines it.
 ///
 /// It is a test of non-inferiority: that the samples grow no faster than the model has to be shown, and an interval
 /// that is wide shows nothing.

@@ -1,5 +1,5 @@
-//! What the methods of other libraries did beside ours: the record that the program of `experiments/peers` writes, and
-//! its tables.
+//! The results of the methods of other libraries beside ours: the record that the program of `experiments/peers`
+//! writes, and its tables.
 //!
 //! The record is committed as `data/peers.json`, with the machine it was measured on; the tables of README and of the
 //! report are made from it.
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 /// A run of every contender.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PeersRecord {
-    /// Where and with what it was made.
+    /// The machine and the programs with which it was made.
     pub environment: Option<Environment>,
     /// The seed of the questions.
     pub seed: u64,
@@ -29,13 +29,13 @@ pub struct PeersRecord {
 pub struct Cell {
     /// The family of bodies.
     pub family: String,
-    /// Where the questions' points lie.
+    /// The place of the questions' points.
     pub placement: String,
-    /// How many generators.
+    /// The number of generators.
     pub n: usize,
-    /// How many questions could be made.
+    /// The number of questions that could be made.
     pub questions: u32,
-    /// What each contender did with them.
+    /// The results of each contender on them.
     pub entries: Vec<Entry>,
 }
 
@@ -57,7 +57,7 @@ pub struct Entry {
 /// The L1 line fit by `palb` and by the kernel, on the same points.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct LineFit {
-    /// How many points.
+    /// The number of points.
     pub n: usize,
     /// Raw times of `palb`.
     pub palb_ns: Vec<f64>,

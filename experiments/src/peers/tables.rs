@@ -26,7 +26,7 @@ const SIZES: [usize; 5] = [6, 1 << 10, 1 << 12, 1 << 16, 1 << 20];
 /// A table of text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
-    /// What it shows, in a sentence.
+    /// The content, in a sentence.
     pub caption: String,
     /// The heads of the columns.
     pub head: Vec<String>,
@@ -156,11 +156,11 @@ struct Race {
     placements: &'static [&'static str],
     /// Of this family; of all families if there is none.
     family: Option<&'static str>,
-    /// What it runs against.
+    /// The contender that it runs against.
     ours: &'static str,
 }
 
-/// How often the time of our location goes into that of others.
+/// The number of times that our location's time goes into that of others.
 fn lead(record: &PeersRecord) -> Table {
     const GAPS_OF_1E_9: &[&str] = &["inside_1e-9", "outside_1e-9"];
     const RANDOM: Option<&str> = Some("random_bodies");

@@ -25,16 +25,16 @@ use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-/// How to run.
+/// The options of a run.
 #[derive(Clone, Debug)]
 pub struct RunOptions {
-    /// How much.
+    /// The profile.
     pub profile: Profile,
     /// Master seed: every other seed is derived from it.
     pub seed: u64,
     /// Threads for counting; 0 for all processors. Timing always uses one.
     pub threads: usize,
-    /// Where records go; nothing is written without it.
+    /// The folder of the records; nothing is written without it.
     pub directory: Option<PathBuf>,
     /// Whether to time after counting.
     pub times: bool,
@@ -64,7 +64,7 @@ pub struct Records {
     pub counts: Vec<CountRow>,
     /// One row a timed repetition.
     pub times: Vec<TimeRow>,
-    /// Where the times were measured.
+    /// The machine on which the times were measured.
     pub environment: Environment,
 }
 

@@ -28,7 +28,7 @@ use std::fmt::Write as _;
 /// A measured series with a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What was measured.
+    /// The quantity that was measured.
     pub name: String,
     /// Further lines for the legend: on what, the fitted model, its constants, its interval.
     pub notes: Vec<String>,
@@ -45,21 +45,21 @@ pub struct Curve {
 pub struct Plot {
     /// Its title, for readers who hear the picture as well.
     pub title: String,
-    /// What there is to see.
+    /// The content to see.
     pub description: String,
-    /// What the horizontal axis counts.
+    /// The quantity of the horizontal axis.
     pub x_name: String,
-    /// How sizes are laid out.
+    /// The layout of sizes.
     pub x_scale: Scale,
-    /// What the vertical axis counts.
+    /// The quantity of the vertical axis.
     pub y_name: String,
     /// The series, in the order of the legend.
     pub curves: Vec<Curve>,
-    /// How the legend names the series.
+    /// The way in which the legend names the series.
     pub naming: Naming,
 }
 
-/// How a legend names the series of a plot.
+/// The way in which a legend names the series of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Naming {
     /// Each series has its name, with its notes below.

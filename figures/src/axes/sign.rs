@@ -7,7 +7,7 @@ use plotters::element::{EmptyElement, Polygon};
 use plotters::prelude::DrawingBackend;
 use std::ops::Add;
 
-/// How many shapes there are.
+/// The number of shapes.
 pub(crate) const SHAPE_COUNT: usize = 14;
 
 /// Corners in tenths of a page unit.
@@ -72,7 +72,7 @@ const SHAPES: [&[(i32, i32)]; SHAPE_COUNT] = [
     &[(-45, -40), (0, -8), (45, -40), (45, 40), (0, 8), (-45, 40)],
 ];
 
-/// How the points and the curve of a series are drawn.
+/// The drawing of the points and the curve of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
     /// The colour of the curve and of the signs.
@@ -99,7 +99,7 @@ impl Look {
         Self::new(SERIES[number % SERIES.len()], number)
     }
 
-    /// What a sign is made of, the lowest first: what is cut out of a hollow one has the colour of the page.
+    /// The parts of a sign, the lowest first: what is cut out of a hollow one has the colour of the page.
     pub(super) fn layers(self) -> impl Iterator<Item = Layer> {
         let rim = self.is_singled_out.then_some((20, INK));
         let body = (if self.is_singled_out { 14 } else { 10 }, self.color);

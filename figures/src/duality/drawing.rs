@@ -36,7 +36,7 @@ pub(crate) struct Separator {
     pub(crate) named: bool,
 }
 
-/// Where the plane of the lines lies in a window of the page.
+/// The place of the plane of the lines in a window of the page.
 pub(crate) fn arrangement_frame(pair: &DualPair, window: PageBox, separator: Option<Separator>) -> Frame {
     let height = |x: f64, &[a, b, c]: &[f64; 3]| -(a * x + c) / b;
     let met = separator.iter().flat_map(|separator| {
@@ -48,7 +48,7 @@ pub(crate) fn arrangement_frame(pair: &DualPair, window: PageBox, separator: Opt
     Frame::fit(&WorldBox::around(&places).grown(0.16), window)
 }
 
-/// Where the tiling lies in a window of the page.
+/// The place of the tiling in a window of the page.
 pub(crate) fn tiling_frame(pair: &DualPair, window: PageBox) -> Frame {
     Frame::fit(&WorldBox::around(&pair.outline()), window)
 }

@@ -12,17 +12,17 @@ pub(crate) struct DualPair {
     pub(crate) generators: Vec<[f64; 3]>,
     /// The crossings from left to right.
     pub(crate) crossings: Vec<Crossing>,
-    /// How far the separators at the ends stand beside all crossings.
+    /// The distance at which the separators at the ends stand beside all crossings.
     margin: f64,
 }
 
-/// How far the separators at the ends stand beside the crossings of a figure.
+/// The distance at which the separators at the ends stand beside the crossings of a figure.
 const FIGURE_MARGIN: f64 = 0.4;
 
 /// The coefficients of the two generators at the corners of a tile, in order: first the first one changes.
 const AROUND: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
 
-/// Where two lines cross, and the tile dual to it.
+/// The crossing of two lines, and the tile dual to it.
 #[derive(Clone, Debug)]
 pub(crate) struct Crossing {
     pub(crate) place: [f64; 2],

@@ -1,4 +1,5 @@
-//! What the figures of the duality share: the arrangement, the tiling and one separator of both, drawn side by side.
+//! Shared parts of the figures of the duality: the arrangement, the tiling and one separator of both, drawn side by
+//! side.
 
 mod drawing;
 mod dual_pair;

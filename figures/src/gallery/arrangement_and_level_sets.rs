@@ -102,7 +102,7 @@ const fn shade(depth: usize) -> Color {
     PAPER.mixed(DEEP, 40 + 30 * depth as u16)
 }
 
-/// Where the boundary of a convex polygon around `center` meets the ray from there.
+/// The point where the boundary of a convex polygon around `center` meets the ray from there.
 fn crossing_with_ray(corners: &[[f64; 2]], center: [f64; 2], ray: [f64; 2]) -> Option<[f64; 2]> {
     let side = |point: [f64; 2]| ray[0] * (point[1] - center[1]) - ray[1] * (point[0] - center[0]);
     (0..corners.len()).find_map(|i| {

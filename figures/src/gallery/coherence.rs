@@ -1,4 +1,4 @@
-//! What a frame of a motion reads, against the speed of the motion.
+//! The reads of a frame of a motion, against the speed of the motion.
 
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::growth_plot::GrowthPlot;

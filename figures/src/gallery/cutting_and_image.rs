@@ -43,7 +43,7 @@ const R: u32 = 2;
 const PANEL: [f64; 2] = [470.0, 470.0];
 const TOP: f64 = 40.0;
 
-/// How far from a crossing its faces are asked for their trapezoid, in terms of the values of the lines.
+/// The distance from a crossing at which its faces are asked for their trapezoid, in terms of the values of the lines.
 const BESIDE: f64 = 1e-3;
 
 fn draw(_: &FigureInput<'_>) -> Result<String, FigureError> {

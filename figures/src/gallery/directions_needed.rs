@@ -1,4 +1,4 @@
-//! How many directions a promised ratio takes.
+//! The number of directions that a promised ratio takes.
 
 use crate::figure::{Figure, FigureError, FigureInput};
 use crate::growth_plot::GrowthPlot;

@@ -1,4 +1,4 @@
-//! How the gap between length and lower bound closes, round by round.
+//! The gap between length and lower bound, round by round.
 
 use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};

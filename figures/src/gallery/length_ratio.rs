@@ -1,4 +1,4 @@
-//! How near nets and directions found as needed come to the least total length.
+//! The ratio to which nets and directions found as needed come to the least total length.
 
 use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};

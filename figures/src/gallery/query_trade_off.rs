@@ -1,4 +1,4 @@
-//! What a query costs against the space of the structure of Lemma 5.3.
+//! The cost of a query against the space of the structure of Lemma 5.3.
 
 use crate::axes::{Curve, Look, Naming, Plot, Scale};
 use crate::figure::{Figure, FigureError, FigureInput};

@@ -177,7 +177,7 @@ struct Step<'a> {
     vertices: &'a [Vertex],
 }
 
-/// What a panel shows, and how many times as large as the first panel does.
+/// The content of a panel, and its scale beside that of the first panel.
 fn view_of(drawn: &Step<'_>) -> (WorldBox, f64) {
     let &Step { step, strip, vertices, .. } = drawn;
     let all = WorldBox::around(vertices.iter().map(|vertex| &vertex.place)).grown(0.05);

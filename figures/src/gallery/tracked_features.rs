@@ -46,7 +46,7 @@ const PATH: Stroke = Stroke::new(INK, weight::MEDIUM);
 const GAP: Stroke = Stroke::new(INK, weight::FINE);
 const EDGE: Stroke = Stroke::new(INPUT, weight::FINE);
 
-/// What is known of a frame.
+/// The facts about a frame.
 struct Tracked {
     displacement: [f64; 3],
     /// The nearest points of both bodies.

@@ -1,7 +1,7 @@
 //! Level sets of a convex function that is affine on every cell of a line arrangement.
 //!
 //! A bounded level set is a convex polygon with its corners on the lines, and a line meets it in at most two points.
-//! So the corners are found line by line: on a line the function is convex and affine between consecutive crossings,
+//! The corners are found line by line: on a line the function is convex and affine between consecutive crossings,
 //! and between (or beyond) the right two of them the level is met.
 
 use super::DrawnLine;

@@ -1,4 +1,4 @@
-//! What the figures of section 4.1 share: a polygon with its lines ℓ_t, the area f of Z(O), and its level sets.
+//! Shared parts of the figures of section 4.1: a polygon with its lines ℓ_t, the area f of Z(O), and its level sets.
 
 pub mod level_sets;
 

@@ -13,13 +13,13 @@ pub(super) struct Request {
     pub(super) line: Line,
     pub(super) style: TextStyle,
     pub(super) anchor: PagePoint,
-    /// Where it would like to stand, seen from the anchor; zero if it does not care.
+    /// The place where it would like to stand, seen from the anchor; zero if it does not care.
     pub(super) wish: [f64; 2],
     /// Distance from the anchor to the nearest point of the letters.
     pub(super) gap: f64,
 }
 
-/// What labels should not cover.
+/// The parts that labels should not cover.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Obstacle {
     /// A drawn line.

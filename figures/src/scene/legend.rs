@@ -5,7 +5,7 @@ use super::page::PagePoint;
 use super::text::{Anchor, Line, TextStyle};
 use crate::style::{INK, Marker, Paint, Stroke, text_size};
 
-/// What a legend shows of a sign.
+/// The part of a sign that a legend shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sample {
     /// A short line.
@@ -21,7 +21,7 @@ pub enum Sample {
 pub struct LegendEntry<'a> {
     /// The sign.
     pub sample: Sample,
-    /// What it stands for.
+    /// The thing that it stands for.
     pub meaning: &'a str,
 }
 

@@ -164,7 +164,7 @@ impl Frame {
         &self.page
     }
 
-    /// Where a point of the world lies on the page.
+    /// The place of a point of the world on the page.
     pub fn place(&self, point: [f64; 2]) -> PagePoint {
         let middle = self.page.center();
         PagePoint::new(

@@ -28,7 +28,7 @@ impl<'a> Panel<'a> {
         self.scene
     }
 
-    /// Where a point of the world lies on the page.
+    /// The place of a point of the world on the page.
     pub fn place(&self, point: [f64; 2]) -> PagePoint {
         self.frame.place(point)
     }

@@ -74,7 +74,7 @@ impl TextStyle {
 const SUBSCRIPT_SIZE: f64 = 0.72;
 const SUBSCRIPT_DROP: f64 = 0.26;
 const SUPERSCRIPT_RISE: f64 = 0.38;
-/// How far a slanted letter leans over what follows: a prime moves out of its way.
+/// The distance that a slanted letter leans over what follows: a prime moves out of its way.
 const LEAN: f64 = 0.1;
 
 impl Line {

@@ -10,6 +10,7 @@
 //! | `upper_hull` | the facets that look up, and the crossings dual to them |
 //! | `enclosing` | zonotopes along given directions, in any dimension |
 //! | `pyramids` | volumes in any dimension |
+//! | `signs` | faces and arrangements in any dimension |
 //! | `linear_program` | small linear programs |
 //! | `ratio` | shorthand for exact rationals |
 
@@ -19,6 +20,7 @@ pub mod plane;
 pub(crate) mod pyramids;
 pub(crate) mod ratio;
 pub(crate) mod runs;
+pub(crate) mod signs;
 pub mod space;
 pub(crate) mod subdifferential;
 pub(crate) mod upper_hull;

@@ -156,7 +156,7 @@ impl Bisector {
         Point::new(-&self.edge.y, self.edge.x.clone())
     }
 
-    /// Where the two lines meet, or `None` when they are parallel.
+    /// The point where the two lines meet, or `None` when they are parallel.
     pub fn intersection(&self, other: &Bisector) -> Option<Point> {
         let determinant = self.edge.cross(&other.edge);
         (determinant != RBig::ZERO).then(|| {

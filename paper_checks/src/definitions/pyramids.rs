@@ -52,7 +52,7 @@ fn determinant(rows: &[Row]) -> RBig {
 }
 
 /// The vector without its coordinate along `axis`.
-fn without(vector: &[RBig], axis: usize) -> Row {
+pub(crate) fn without(vector: &[RBig], axis: usize) -> Row {
     [&vector[..axis], &vector[axis + 1..]].concat()
 }
 

@@ -11,7 +11,7 @@ use crate::instances::bodies::{BodyInstance, bodies_in_general_position};
 pub(crate) struct UpperFacet {
     /// The two generators that span it, in increasing order.
     pub(crate) pair: [usize; 2],
-    /// Where the lines a x + b y + c = 0 of the two generators (a, b, c) cross.
+    /// The crossing of the lines a x + b y + c = 0 of the two generators (a, b, c).
     pub(crate) crossing: Point,
     /// The corners of its projection, counter-clockwise.
     pub(crate) tile: Vec<Point>,

@@ -1,11 +1,13 @@
-//! What the checks are run on: random instances from a seed, and the degenerate ones that random draws miss.
+//! Instances for the checks: random instances from a seed, and the degenerate ones that random draws miss.
 //!
 //! | file | what it draws |
 //! |---|---|
 //! | [`polygons`] | convex polygons and points of the plane |
 //! | [`bodies`] | zonotopes of R^3 |
+//! | `higher` | generators of R^4 and R^5 |
 //! | `sphere` | unit vectors, spread evenly |
 
 pub mod bodies;
+pub(crate) mod higher;
 pub mod polygons;
 pub(crate) mod sphere;

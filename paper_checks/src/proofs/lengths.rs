@@ -8,7 +8,7 @@ use crate::definitions::enclosing::{Row, absolute, dot, exact_rows, first_outsid
 use crate::definitions::ratio::{exactly, fraction, integer};
 use crate::definitions::space::{Body, Vector};
 
-/// How far, relatively, the sum of rounded lengths may be above the exact one.
+/// The relative excess that the sum of rounded lengths may have over the exact one.
 fn rounding() -> RBig {
     fraction(1, 1_000_000_000_000)
 }

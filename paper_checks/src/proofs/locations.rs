@@ -6,7 +6,7 @@ use zonotope::collision::{Location, Separation, Witness};
 use crate::definitions::ratio::{exactly, integer};
 use crate::definitions::space::Vector;
 
-/// What an answer proves about a displacement p and the zonotope of some generators about the origin.
+/// The proof of an answer about a displacement p and the zonotope of some generators about the origin.
 #[derive(Debug)]
 pub(crate) enum Proof {
     /// Coefficients in [−1, 1] with Σ δ_i g_i = p, exactly.

@@ -29,7 +29,7 @@ pub(crate) fn written(folder: &TempDir, name: &str, content: impl AsRef<[u8]>) -
     file
 }
 
-/// What a command that succeeds prints.
+/// The output of a command that succeeds.
 pub(crate) fn output(command: &mut Command) -> String {
     String::from_utf8(command.assert().success().get_output().stdout.clone()).expect("the output is text")
 }

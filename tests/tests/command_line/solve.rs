@@ -28,7 +28,7 @@ fn support_of_a_hexagon() {
     assert_eq!(point, [Some(10.0), Some(2.0)]);
 }
 
-/// What the format refuses, with the code that it promises.
+/// The refusals of the format, with the code that it promises.
 const REFUSED: [(&str, &str); 12] = [
     ("not json", "bad_json"),
     (r#"{"id":"a","kind":"support""#, "bad_json"),

@@ -39,7 +39,7 @@ fn answers<const D: usize>(problem: &FixedDirections<'_, D>) -> Vec<(String, Ans
     answers
 }
 
-/// How near a value and a bound must come to the truth.
+/// The distance to which a value and a bound must come to the truth.
 #[derive(Clone, Copy, PartialEq)]
 enum Nearness {
     /// Both to a relative 1e-12.
@@ -101,7 +101,7 @@ fn agrees<const D: usize>(instance: &Instance<D>, nearness: Nearness) -> Result<
     Ok(())
 }
 
-/// What a zonotope along the directions costs that makes up for a centre rounded to doubles in every coordinate, three
+/// The cost of a zonotope along the directions that makes up for a centre rounded to doubles in every coordinate, three
 /// times over; `None` where the directions do not span.
 fn cost_of_rounding<const D: usize>(instance: &Instance<D>) -> Option<RBig> {
     let largest = instance.points.iter().flatten().fold(0.0, |max: f64, c| max.max(c.abs()));

@@ -1,4 +1,4 @@
-//! What the code may not do: each rule with the place where its exception lives.
+//! Rules for the code: each rule with the place where its exception lives.
 
 use tests::sources::{BATCH, LIBRARY, Source, VERIFIER, files};
 

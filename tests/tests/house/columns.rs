@@ -1,4 +1,4 @@
-//! How wide texts are: a line that has to be scrolled sideways is not read.
+//! The width of texts: a line that has to be scrolled sideways is not read.
 
 use tests::sources::files;
 

@@ -125,7 +125,7 @@ fn circles(sources: &[Source], folder: &str) -> Vec<Vec<String>> {
     found
 }
 
-/// What one file imports, directly or through others.
+/// The imports of one file, directly or through others.
 fn reachable<'a>(start: &Module, uses: &'a BTreeMap<Module, BTreeSet<Module>>) -> BTreeSet<&'a Module> {
     let mut found = BTreeSet::new();
     let mut fresh: Vec<&Module> = uses.get(start).into_iter().flatten().collect();

@@ -1,7 +1,8 @@
-//! The rules of the house, held by tests: code, columns, documentation, ids, layout, manual.
+//! The rules of the house, held by tests: code, columns, comments, documentation, ids, layout, manual.
 
 mod code;
 mod columns;
+mod comments;
 mod documentation;
 mod ground_floor;
 mod ids;

@@ -23,7 +23,7 @@ pub fn planted(value: &Value) -> Vec<(String, Value)> {
     found
 }
 
-/// What one value may be changed to, its parts as they are.
+/// The values that one value may be changed to, its parts as they are.
 fn changes(value: &Value) -> Vec<Value> {
     match value {
         Value::Bool(flag) => vec![Value::Bool(!flag)],

@@ -235,8 +235,8 @@ fn near(exact: &RBig, claimed: &Value) -> Option<bool> {
     Some((exact.to_f64().value() - claimed).abs() <= SAME * claimed.abs())
 }
 
-/// What rounding centre and generators to doubles may add to an area: (2^-49 · largest coordinate + 2^-1068) · (width +
-/// height).
+/// The amount that rounding centre and generators to doubles may add to an area: (2^-49 · largest coordinate + 2^-1068)
+/// · (width + height).
 fn rounding(points: &[Vec<RBig>]) -> Option<RBig> {
     let extent = |axis: usize| {
         let (least, most) = (points.iter().map(|p| &p[axis]).min()?, points.iter().map(|p| &p[axis]).max()?);

@@ -184,7 +184,7 @@ proptest! {
     }
 }
 
-/// How many mutants an ordinary run makes, of all kinds together.
+/// The number of mutants that an ordinary run makes, of all kinds together.
 const MUTANTS: usize = 17_000;
 
 /// The variable of the environment that names another number of mutants.

@@ -15,7 +15,7 @@ use crate::{fields, judges, mutation};
 /// Each answer is changed so many times.
 pub const MUTANTS_AN_ANSWER: usize = 250;
 
-/// What became of the mutants of a kind.
+/// The fate of the mutants of a kind.
 #[derive(Debug, Default, Clone)]
 pub struct Counts {
     /// All that differ from the answer.

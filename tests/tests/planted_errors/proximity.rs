@@ -14,7 +14,7 @@ const DEPTH_ACCURACY: f64 = 0.01;
 struct Question {
     p: Vec<RBig>,
     generators: Vec<Vec<RBig>>,
-    /// How many generators are those of the first body.
+    /// The number of generators of the first body.
     count: usize,
 }
 

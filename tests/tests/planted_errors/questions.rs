@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::dice::Dice;
 
-/// How the numbers of a question are made.
+/// The way in which the numbers of a question are made.
 #[derive(Clone, Copy)]
 enum Style {
     Whole,

@@ -5,7 +5,7 @@
 //! [`answer_line`] and [`check`] do the same for a caller who numbers the lines of a batch, chooses a seed, or has
 //! read the JSON already.
 //!
-//! What a question is refused for is looked for in this order: a line that is too long or is not JSON; a number that
+//! Reasons to refuse a question are looked for in this order: a line that is too long or is not JSON; a number that
 //! is not finite, anywhere in the input; the fields of the question; its kind; its method; the fields and values of
 //! the input.
 //!

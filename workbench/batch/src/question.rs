@@ -109,7 +109,7 @@ fn unreadable(number: u64, text: &[u8], error: &ReadError) -> Unread {
     Unread { refusal, id: names.id, kind: names.kind }
 }
 
-/// What is read of a line whose input cannot be taken.
+/// The reading of a line whose input cannot be taken.
 #[derive(Default, Deserialize)]
 struct Names {
     id: Option<String>,

@@ -10,7 +10,7 @@ use crate::exact::plain_point::PlainPoint;
 use crate::exact::polygon::ConvexPolygon;
 use crate::verdict::Verdict;
 
-/// How large a proved hull is.
+/// The size of a proved hull.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ConvexHullProof {
     /// The number of points that it contains.

@@ -80,7 +80,7 @@ pub enum LadAnswer<const D: usize> {
     },
 }
 
-/// What was proved of an answer.
+/// The proof of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LadProof {
     /// The point is a minimiser.

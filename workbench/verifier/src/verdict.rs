@@ -1,8 +1,8 @@
-//! What a check says about an answer.
+//! The verdict of a check on an answer.
 
 use std::fmt::{self, Display};
 
-/// What a check says about one answer. A right answer comes with what was proved of it.
+/// The verdict of a check on one answer. A right answer comes with what was proved of it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Verdict<P = String> {
     /// Every statement of the answer was proved.
@@ -24,7 +24,7 @@ impl<P> Verdict<P> {
         matches!(self, Self::Wrong(_))
     }
 
-    /// What was proved, or the text of the verdict.
+    /// The proof, or the text of the verdict.
     ///
     /// # Errors
     /// The text of a verdict that is not [`Right`](Self::Right).

@@ -11,7 +11,7 @@ use crate::commands::{
 #[derive(Debug, Parser)]
 #[command(name = "zonobench", version, arg_required_else_help = true)]
 pub struct Cli {
-    /// What to do.
+    /// The work to do.
     #[command(subcommand)]
     pub command: Command,
 }

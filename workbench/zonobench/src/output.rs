@@ -60,7 +60,7 @@ impl<'a> Results<'a> {
     }
 }
 
-/// Where the results of a command go: to files, and one of them to standard output if it is named `-`.
+/// The destinations of the results of a command: to files, and one of them to standard output if it is named `-`.
 #[derive(Debug, Clone, Copy)]
 pub struct Outputs {
     existing: Existing,
@@ -125,7 +125,7 @@ impl Outputs {
         first_failure(outcomes).and(told.map_err(Into::into))
     }
 
-    /// What became of each result.
+    /// The fate of each result.
     fn write_all(&self, results: Results<'_>) -> Vec<anyhow::Result<()>> {
         results.0.into_iter().map(|(file, content)| Ok(self.write(file, &content?)?)).collect()
     }

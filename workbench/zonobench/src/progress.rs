@@ -7,10 +7,10 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// What is done sooner needs no bar.
+/// Work that is done sooner needs no bar.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How often the elapsed time is drawn anew.
+/// The interval after which the elapsed time is drawn anew.
 const TICK: Duration = Duration::from_millis(250);
 
 /// A bar that appears after a second and vanishes when it is dropped.

@@ -2,8 +2,8 @@
 //!
 //! rustc compiles a generic function anew in each crate that calls it, and each of these functions brings thousands
 //! with it: whole linear programs in two kinds of arithmetic. One that is never inlined is taken from the crate that
-//! defines it, if that crate has compiled it. So the functions below are marked so, and compiled here: a build of all
-//! programs and tests takes half the time.
+//! defines it, if that crate has compiled it. So the functions below are marked so, and compiled here, once for all
+//! programs and tests.
 
 use crate::collision::{self, distance};
 use crate::enclosing::{self, fixed_directions, min_total_length};

@@ -1,6 +1,6 @@
 //! The methods that run side by side.
 //!
-//! What a method needs before it can be asked (its own form of the body) is prepared outside the measurement; that
+//! The preparation of a method (its own form of the body) is outside the measurement; that
 //! favours those that need much, the explicit polyhedra above all.
 
 mod linear_programs;
@@ -23,7 +23,7 @@ pub struct Contender {
 /// The work that is measured.
 pub type Work<'a> = Box<dyn FnMut() -> Answer + 'a>;
 
-/// What a method says.
+/// The answer of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// Whether the displacement lies in the body, that is, whether the two bodies meet.

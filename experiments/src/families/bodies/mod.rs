@@ -30,7 +30,7 @@ pub struct BodyFamily<const D: usize> {
     pub id: &'static str,
     /// Name for people.
     pub title: &'static str,
-    /// What the generators are, in a sentence.
+    /// The generators, in a sentence.
     pub description: &'static str,
     /// Whether the seed matters; if not, there is one body of each size.
     pub is_random: bool,

@@ -24,7 +24,7 @@ pub enum Cloud {
 }
 
 impl Cloud {
-    /// How many points there are.
+    /// The number of points.
     pub fn len(&self) -> usize {
         match self {
             Self::Plane(points) => points.len(),

@@ -24,7 +24,7 @@ pub struct LineFamily {
     pub id: &'static str,
     /// Name for people.
     pub title: &'static str,
-    /// What the lines are, in a sentence.
+    /// The lines, in a sentence.
     pub description: &'static str,
     /// The instance with `n` lines for a seed: a pure function.
     pub generate: fn(n: usize, seed: u64) -> Vec<LineRow>,

@@ -37,7 +37,7 @@ fn check(_context: &CheckContext) -> Verdict {
     }
 }
 
-/// How far the ball reaches beyond the hull of points of its surface: 1 less the least distance of a facet's plane. Of
+/// The reach of the ball beyond the hull of points of its surface: 1 less the least distance of a facet's plane. Of
 /// the planes through three points those of facets have all points on one side.
 fn distance_from_ball(count: usize) -> f64 {
     let points = spread_over_sphere(count);

@@ -89,16 +89,17 @@ fn growth_evidence(context: &CheckContext) -> Result<String, String> {
     let mut evidence = Vec::new();
     for (name, halves) in [("m = n", 2), ("m = n^1.5", 3)] {
         let mut samples = Vec::new();
-        for exponent in [6, 7, 8, 9, 10] {
+        for half_doublings in 10..=20 {
             for _ in 0..3 {
-                let (n, space) = (1u32 << exponent, (1u64 << (exponent * halves)).isqrt());
+                let n = (1u64 << half_doublings).isqrt();
+                let space = n.pow(halves).isqrt();
                 let rows = (0..n).map(|_| std::array::from_fn(|_| random.random_range(-1.0..=1.0))).collect();
                 let body = Zonotope::new([0.0; 3], rows).map_err(|error| error.to_string())?;
                 let mut counts = OperationCounts::default();
                 PreparedByCutting::new_counted(body, space, context.seed, &mut counts)
                     .map_err(|error| error.to_string())?;
                 let (n, operations) = growth::sample(n as usize, &counts);
-                samples.push((n, operations / (space as f64 * f64::from(exponent))));
+                samples.push((n, operations / (space as f64 * libm::log2(n))));
             }
         }
         let building = format!("building with {name}, over m log n");

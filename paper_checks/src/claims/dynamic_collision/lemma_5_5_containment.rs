@@ -24,7 +24,7 @@ pub static CLAIM: Claim = Claim {
 /// The precision: a part of the diameter.
 const EPSILON: f64 = 0.9;
 
-/// How many generators the bodies have: enough for some patches to have several.
+/// The number of generators of the bodies: enough for some patches to have several.
 const GENERATORS: usize = 150;
 
 /// Approximates bodies of many generators and holds them against the approximation along each of its facet normals.

@@ -106,7 +106,8 @@ impl Site for Counted<'_> {
     }
 }
 
-/// What a step asks of the hulls, over log² n: in sets of points on a parabola, all of them vertices, and in a square.
+/// The questions of a step to the hulls, over log² n: in sets of points on a parabola, all of them vertices, and in a
+/// square.
 fn growth_evidence(context: &CheckContext) -> Result<String, String> {
     let mut random = generator(context.seed, 90);
     let mut evidence = Vec::new();

@@ -18,7 +18,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::reduction::by_clusters"],
     figures: &["reduction-error"],
     check: Check::Run(check),
-    tried: Tried::On(&["random bodies"]),
+    tried: Tried::On(&["random bodies of R^2 to R^4"]),
     ..Claim::LISTED
 };
 

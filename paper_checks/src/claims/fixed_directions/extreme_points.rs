@@ -20,7 +20,7 @@ pub static CLAIM: Claim = Claim {
     remedy: Some("for directions that span; see the correction for those that do not"),
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::papers_program"],
     check: Check::Run(check),
-    tried: Tried::On(&["random directions", "directions with parallel ones"]),
+    tried: Tried::On(&["directions of R^2 and R^3"]),
     ..Claim::LISTED
 };
 

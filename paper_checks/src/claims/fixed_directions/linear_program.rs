@@ -32,7 +32,7 @@ pub static CLAIM: Claim = Claim {
     ],
     figures: &["zonogons-along-directions", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
-    tried: Tried::On(&["random directions", "directions with parallel ones"]),
+    tried: Tried::On(&["directions of R^2 and R^3"]),
 };
 
 /// The printed program on the extreme points and one inequality for each normal have one optimum; the library's three

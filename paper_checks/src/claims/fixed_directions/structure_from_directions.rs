@@ -23,7 +23,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::zonotope::faces", "zonotope::enclosing::fixed_directions"],
     figures: &["mesh-in-zonohedra"],
     check: Check::Run(check),
-    tried: Tried::On(&["random bodies", "degenerate bodies", "bodies in general position"]),
+    tried: Tried::On(&["bodies of R^3"]),
 };
 
 /// Bodies with their generators stretched by random factors: the same facets meet in the same vertices.

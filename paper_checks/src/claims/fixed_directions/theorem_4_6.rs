@@ -26,7 +26,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::fixed_directions", "zonotope::enclosing::fixed_directions::by_row_generation"],
     figures: &["zonogons-along-directions", "mesh-in-zonohedra", "scaling-program-rows", "scaling-program-times"],
     check: Check::Run(check),
-    tried: Tried::Growth(&["points on a sphere"]),
+    tried: Tried::Growth(&["points on a sphere of R^3"]),
     ..Claim::LISTED
 };
 

@@ -15,7 +15,7 @@ pub static CLAIM: Claim = Claim {
         p and generators v_i, and conversely",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
-    tried: Tried::On(&["random segments", "points"]),
+    tried: Tried::On(&["segments of R^3"]),
     ..Claim::LISTED
 };
 

@@ -16,7 +16,7 @@ pub static CLAIM: Claim = Claim {
     statement: "The Minkowski sum of n segments is the same set as an affine image of the unit cube of R^n",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
-    tried: Tried::On(&["random bodies", "degenerate bodies"]),
+    tried: Tried::On(&["bodies of R^3"]),
     ..Claim::LISTED
 };
 

@@ -18,7 +18,7 @@ pub static CLAIM: Claim = Claim {
     statement: "Spherical arrangements can be mapped to hyperplane arrangements by a projective map",
     code: &["zonotope::arrangement"],
     check: Check::Run(check),
-    tried: Tried::On(&["random bodies", "degenerate bodies"]),
+    tried: Tried::On(&["bodies of R^3"]),
     ..Claim::LISTED
 };
 

@@ -7,8 +7,7 @@ pub static CLAIM: Claim = Claim {
     id: "complexity-bound",
     place: Place { section: "1", label: "fourth paragraph" },
     kind: ClaimKind::Statement,
-    statement: "A zonotope in R^d has O(n^(d-1)) faces and can be built in that time; a zonohedron may have of order \
-        n^2 faces",
+    statement: "A zonotope in R^d has O(n^(d-1)) faces, and a zonohedron may have of order n^2",
     check: Check::Restates("face-count"),
     ..Claim::LISTED
 };

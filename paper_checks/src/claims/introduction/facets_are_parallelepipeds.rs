@@ -1,8 +1,13 @@
 //! Facets of a zonotope.
 
+use std::collections::BTreeMap;
+
 use crate::claim::{Check, CheckContext, Claim, ClaimKind, Place, Tried, Verdict};
+use crate::definitions::enclosing::subsets;
+use crate::definitions::signs::{faces, lies_in};
 use crate::definitions::space::{Facet, Vector};
 use crate::instances::bodies::{bodies_in_general_position, degenerate_bodies};
+use crate::instances::higher::spanning;
 use crate::instances::polygons::generator;
 
 /// The claim.
@@ -16,7 +21,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::zonotope::faces"],
     check: Check::Run(check),
-    tried: Tried::On(&["bodies in general position", "degenerate bodies"]),
+    tried: Tried::On(&["bodies of R^3", "bodies of R^4", "bodies of R^5"]),
     ..Claim::LISTED
 };
 
@@ -53,10 +58,45 @@ fn check(context: &CheckContext) -> Verdict {
     if hexagons != 8 {
         return Verdict::Inconclusive(format!("the truncated octahedron has {hexagons} hexagons"));
     }
-    Verdict::Holds(format!(
-        "all {facets} facets of {} bodies of 3 to 9 generators in general position are parallelograms of two \
-         generators, two for each pair; without general position it fails: the truncated octahedron has {hexagons} \
-         hexagons of three generators each",
-        instances.len()
-    ))
+    match [higher::<4>(context.seed, 115), higher::<5>(context.seed, 116)] {
+        [Ok(four), Ok(five)] => Verdict::Holds(format!(
+            "all {facets} facets of {} bodies of 3 to 9 generators in general position are parallelograms of two \
+             generators, two for each pair; {four} and {five} are parallelepipeds of D - 1 generators, two for each \
+             choice; without general position it fails: the truncated octahedron has {hexagons} hexagons of three \
+             generators each",
+            instances.len()
+        )),
+        [Err(witness), _] | [_, Err(witness)] => Verdict::Refuted(witness),
+    }
+}
+
+/// In general position a facet has D − 1 generators along it and a vertex for each choice of their signs, and each
+/// choice of D − 1 generators has two facets.
+fn higher<const D: usize>(seed: u64, stream: u64) -> Result<String, String> {
+    let instances = spanning::<D>(&mut generator(seed, stream), 24);
+    let (mut bodies, mut facets) = (0, 0);
+    for instance in instances.iter().filter(|instance| instance.is_general) {
+        let by_dimension = faces(&instance.rows(), D);
+        let mut spanned: BTreeMap<Vec<usize>, usize> = BTreeMap::new();
+        for facet in &by_dimension[D - 1] {
+            let along: Vec<usize> = (0..facet.len()).filter(|&index| facet[index] == 0).collect();
+            let corners = by_dimension[0].iter().filter(|vertex| lies_in(vertex, facet)).count();
+            if along.len() != D - 1 || corners != 1 << (D - 1) {
+                return Err(format!("{:?} in R^{D}: a facet {facet:?} of {corners} vertices", instance.generators));
+            }
+            *spanned.entry(along).or_default() += 1;
+        }
+        let mut choices = 0;
+        subsets(instance.generators.len(), D - 1, &mut |_| choices += 1);
+        if spanned.len() != choices || spanned.values().any(|&count| count != 2) {
+            return Err(format!(
+                "{:?} in R^{D}: {} sets of generators have facets",
+                instance.generators,
+                spanned.len()
+            ));
+        }
+        bodies += 1;
+        facets += by_dimension[D - 1].len();
+    }
+    Ok(format!("all {facets} of {bodies} bodies of R^{D}"))
 }

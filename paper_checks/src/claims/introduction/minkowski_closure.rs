@@ -18,7 +18,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::zonotope", "zonotope::collision"],
     check: Check::Run(check),
-    tried: Tried::On(&["random bodies", "degenerate bodies"]),
+    tried: Tried::On(&["bodies of R^3"]),
     ..Claim::LISTED
 };
 

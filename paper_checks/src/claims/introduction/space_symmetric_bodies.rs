@@ -39,11 +39,24 @@ fn check(_context: &CheckContext) -> Verdict {
     if !symmetric || vertices.iter().all(|vertex| corners.contains(vertex)) {
         return Verdict::Refuted("the octahedron is the sum of its edges".to_owned());
     }
+    if !(3..=5).all(has_triangle) {
+        return Verdict::Inconclusive("a cross-polytope has no triangle".to_owned());
+    }
     Verdict::Holds(format!(
         "the octahedron is centrally symmetric, and the sum of its {} edge directions at the edges' length is a body \
-         of {} vertices and not the octahedron of {}",
+         of {} vertices and not the octahedron of {}; in R^3, R^4 and R^5 the cross-polytope has a triangle for a \
+         face, and the two-dimensional faces of a zonotope are zonogons",
         edges.len(),
         vertices.len(),
         corners.len()
     ))
+}
+
+/// Whether three vertices of the cross-polytope ± e_i are all that it has farthest along e_1 + e_2 + e_3: the corners
+/// of a face of two dimensions that has no centre of symmetry.
+fn has_triangle(dimension: usize) -> bool {
+    let along = |axis: usize, sign: i64| if axis < 3 { sign } else { 0 };
+    let corners = (0..dimension).flat_map(|axis| [1, -1].map(|sign| along(axis, sign)));
+    let heights: Vec<i64> = corners.collect();
+    heights.iter().max() == Some(&1) && heights.iter().filter(|height| **height == 1).count() == 3
 }

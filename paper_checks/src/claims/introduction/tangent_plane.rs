@@ -14,7 +14,7 @@ pub static CLAIM: Claim = Claim {
     statement: "For any unit vector there is a unique hyperplane normal to it and tangent to the zonotope at some face",
     code: &["zonotope::zonotope"],
     check: Check::Run(check),
-    tried: Tried::On(&["random bodies", "degenerate bodies"]),
+    tried: Tried::On(&["bodies of R^3"]),
     ..Claim::LISTED
 };
 

@@ -49,8 +49,8 @@ fn check(context: &CheckContext) -> Verdict {
     ))
 }
 
-/// How many facets a walk across the edges of this direction meets before it returns to the first; `None` if an edge
-/// has not two facets.
+/// The number of facets that a walk across the edges of this direction meets before it returns to the first; `None` if
+/// an edge has not two facets.
 fn band_length(zone: &[&Facet], direction: &Vector) -> Option<usize> {
     let mut sharing: BTreeMap<[Vector; 2], Vec<usize>> = BTreeMap::new();
     for (index, facet) in zone.iter().enumerate() {

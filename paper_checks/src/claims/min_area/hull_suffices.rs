@@ -17,7 +17,7 @@ pub static CLAIM: Claim = Claim {
         hull",
     code: &["zonotope::hull"],
     check: Check::Run(check),
-    tried: Tried::On(&["random points", "points that repeat or are collinear"]),
+    tried: Tried::On(&["points of the plane"]),
     ..Claim::LISTED
 };
 

@@ -24,7 +24,7 @@ pub static CLAIM: Claim = Claim {
     ..Claim::LISTED
 };
 
-/// How many bodies were compared.
+/// The number of bodies that were compared.
 #[derive(Default)]
 struct Compared {
     full_dimensional: usize,

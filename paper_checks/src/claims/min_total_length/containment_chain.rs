@@ -23,7 +23,7 @@ pub static CLAIM: Claim = Claim {
     ),
     code: &["zonotope::enclosing::min_total_length::by_direction_net", "zonotope::enclosing::fixed_directions"],
     check: Check::Run(check),
-    tried: Tried::On(&["random zonotopes"]),
+    tried: Tried::On(&["random zonotopes of R^2 and R^3"]),
     ..Claim::LISTED
 };
 

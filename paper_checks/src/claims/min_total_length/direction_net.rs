@@ -20,7 +20,7 @@ pub static CLAIM: Claim = Claim {
     code: &["zonotope::enclosing::min_total_length::direction_net"],
     figures: &["directions-needed"],
     check: Check::Run(check),
-    tried: Tried::On(&["random directions", "corners of cells"]),
+    tried: Tried::On(&["random directions of R^2 to R^4", "corners of cells of R^2 to R^4"]),
     ..Claim::LISTED
 };
 

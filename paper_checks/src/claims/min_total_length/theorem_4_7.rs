@@ -26,7 +26,7 @@ pub static CLAIM: Claim = Claim {
     ],
     figures: &["length-ratio", "directions-needed", "dual-zonotope", "gap-curve"],
     check: Check::Run(check),
-    tried: Tried::On(&["points on spheres"]),
+    tried: Tried::On(&["points on spheres of R^2 and R^3"]),
 };
 
 /// Each answer's containment, length and lower bound are checked exactly; its ratio is at most 1 + eps; the nets' sizes

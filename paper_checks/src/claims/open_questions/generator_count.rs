@@ -22,7 +22,7 @@ pub static CLAIM: Claim = Claim {
     tried: Tried::On(&["solids"]),
 };
 
-/// How far, relatively, a length may be above the least one.
+/// The relative excess that a length may have over the least one.
 const EPSILON: f64 = 0.01;
 
 /// The numbers of generators that are tried.

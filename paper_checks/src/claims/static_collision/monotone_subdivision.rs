@@ -38,7 +38,7 @@ fn check(context: &CheckContext) -> Verdict {
     ))
 }
 
-/// How often the boundary of a polygon changes between rising and falling.
+/// The number of times that the boundary of a polygon changes between rising and falling.
 fn turns(polygon: &[Point]) -> usize {
     let next = |k: usize| &polygon[(k + 1) % polygon.len()];
     let steps = (0..polygon.len()).map(|k| next(k).y.cmp(&polygon[k].y));

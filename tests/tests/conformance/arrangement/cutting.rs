@@ -39,7 +39,7 @@ fn agrees(instance: Instance) -> Result<(), TestCaseError> {
 
 tests::test_on_line_families!(mod small: 1..=12, mixed 1..=7, CASES, agrees);
 
-/// How many questions the location of a point takes at most, of a grid of points around the origin.
+/// The number of questions that the location of a point takes at most, of a grid of points around the origin.
 fn most_questions(rows: &[[f64; 3]], cutting: &Cutting) -> u32 {
     let row = |line: LineIndex| rows[line.position()];
     let grid = (-20..20).flat_map(|x| (-20..20).map(move |y| [f64::from(x) / 9.7, f64::from(y) / 9.3]));

@@ -18,7 +18,7 @@ use zonotope::interop::verifier::check_location;
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::{PreparedBody, Zonotope};
 
-/// How many generators the bodies have.
+/// The number of generators of the bodies.
 const SIZES: [[usize; 2]; 8] = [[0, 3], [1, 2], [3, 4], [20, 0], [30, 25], [100, 60], [40, 300], [256, 256]];
 
 /// Frames of a long run for each family, size and motion: 11 · 8 · 7 · 200, about 123,000.

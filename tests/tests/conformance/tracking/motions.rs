@@ -29,10 +29,10 @@ pub const MOTIONS: [Motion; 7] = [
     Motion { id: "distort", only_translates: false, frames: distort },
 ];
 
-/// How far a motion goes in a frame, in terms of the size of the bodies or of a radian.
+/// The distance that a motion goes in a frame, in terms of the size of the bodies or of a radian.
 const SPEEDS: [f64; 5] = [1e-9, 1e-6, 1e-4, 1e-2, 0.3];
 
-/// How far from contact a motion keeps, in terms of the size of the bodies.
+/// The distance from contact that a motion keeps, in terms of the size of the bodies.
 const GAPS: [f64; 6] = [0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-2];
 
 fn vector(source: &mut RandomSource) -> [f64; 3] {

@@ -71,7 +71,7 @@ impl Tree {
         }
     }
 
-    /// What the value is, for a message: "a string", "a list", …
+    /// The kind of the value, for a message: "a string", "a list", …
     pub fn describe(&self) -> &'static str {
         match self {
             Self::Null => "null",

@@ -23,7 +23,7 @@ const PLACED: [&str; 1] = ["pose"];
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
-    /// What it asks, in one line.
+    /// The question, in one line.
     pub summary: &'static str,
     /// The fields that its input must have.
     pub fields: &'static [&'static str],

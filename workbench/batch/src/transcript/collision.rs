@@ -87,7 +87,7 @@ pub(super) fn gauge(input: Traced<'_>, result: Traced<'_>) -> Result<Verdict, St
     Ok(check_gauge(&Displaced::to_point(&body.body(), &q)?, &answer).in_words())
 }
 
-/// How much work it was says nothing about the points, so no check repeats it; but some counts cannot be.
+/// The amount of work says nothing about the points, so no check repeats it; but some counts cannot be.
 pub(super) fn member_batch(input: Traced<'_>, answer: Traced<'_>) -> Result<Verdict, String> {
     let result = member(answer, "result")?;
     let body = Placed::read(input, "center")?;

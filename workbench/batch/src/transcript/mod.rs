@@ -79,7 +79,7 @@ fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     Ok(unchecked_beside(&unread, proved).map_or(verdict, Verdict::Unchecked))
 }
 
-/// What is said where a check has proved something but has not read some fields; nothing if it has read all.
+/// The note where a check has proved something but has not read some fields; nothing if it has read all.
 fn unchecked_beside(unread: &[Place], proved: &str) -> Option<String> {
     match unread {
         [] => None,

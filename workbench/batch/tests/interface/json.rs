@@ -1,4 +1,4 @@
-//! What is read of a JSON document, and what is refused.
+//! Readings and refusals of a JSON document.
 
 use batch::json::{MAX_VALUES, ReadError, Tree, read};
 

@@ -1,4 +1,4 @@
-//! What the check of an answer says of right, wrong and unreadable lines.
+//! The verdicts of the check of an answer on right, wrong and unreadable lines.
 
 use batch::json::{MAX_VALUES, read};
 use batch::{Verdict, check, verify};
@@ -59,7 +59,7 @@ fn what_no_check_reads_is_not_called_right() {
         (with("\"method\"", "\"gap\":0"), "gap"),
     ] {
         assert_eq!(unread(QUESTION, &claimed), format!("the field `{place}` is not checked"));
-        // What is wrong stays wrong, whatever else is claimed.
+        // An answer that is wrong stays wrong, whatever else is claimed.
         assert!(matches!(verdict(QUESTION, &claimed.replace("\"area\":4", "\"area\":5")), Verdict::Wrong(_)));
     }
     let several = with("\"area\"", "\"gap\":0,\"ratio\":1,\"length\":2");

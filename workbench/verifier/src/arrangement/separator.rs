@@ -25,7 +25,7 @@ pub fn check_separator(generators: &[Vec<f64>], k: u64, chain: &[[Fraction; 2]])
     ordered(generators, k, chain).map(|()| SeparatorProof { left: k }).into()
 }
 
-/// How many tiles lie on the left of the chain.
+/// The number of tiles that lie on the left of the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SeparatorProof {
     /// The number of tiles.

@@ -31,7 +31,7 @@ pub fn check_slope_selection(generators: &[Vec<f64>], ranks: &[u64], x: &[Fracti
     counted(generators, ranks, x).map(|()| SlopeSelectionProof { abscissas: x.len() }).into()
 }
 
-/// How many abscissas were proved.
+/// The number of abscissas that were proved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SlopeSelectionProof {
     /// The number of abscissas.
@@ -84,7 +84,7 @@ impl Lines {
         Ok(lines)
     }
 
-    /// How many vertices lie left of an abscissa, and how many not right of it.
+    /// The number of vertices left of an abscissa, and that of those not right of it.
     fn vertices_left_of(&self, abscissa: &Fraction) -> [u64; 2] {
         let (x, w) = (abscissa.numerator(), abscissa.denominator());
         let heights: Vec<IBig> = self.graphs.iter().map(|line| -(&line[0] * x + &line[2] * w)).collect();

@@ -72,7 +72,7 @@ pub struct Tile {
     pub dual: [Fraction; 2],
 }
 
-/// How large a proved tiling is.
+/// The size of a proved tiling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TilingProof {
     /// The number of tiles.

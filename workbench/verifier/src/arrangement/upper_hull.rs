@@ -18,7 +18,7 @@ use crate::exact::proportion::Proportion;
 use crate::exact::subsets::{count_subsets, subsets};
 use crate::verdict::{Proved, Stop, Verdict};
 
-/// So many products of vertices and generators are tried.
+/// The number of products of vertices and generators that are tried.
 const MOST_TRIALS: u64 = 3_000_000;
 
 /// Checks the height over p_0, which is absent beside Q, if the body is small enough for that.

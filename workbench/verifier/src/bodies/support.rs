@@ -234,7 +234,7 @@ mod tests {
         assert!(check_support(&[0.0], &[1.0], &[vec![1e308]], &within).is_wrong());
     }
 
-    /// What lies on a facet is decided on all axes at once.
+    /// The generators along a facet are decided on all axes at once.
     #[test]
     fn points_beside_a_face_within_its_reach_on_every_axis() {
         let generators = [vec![1.0, -1.0]];

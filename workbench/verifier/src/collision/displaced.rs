@@ -9,7 +9,7 @@ use crate::exact::linear::{Vector, dot};
 /// The exact vector from one point to another, and generators, all of one dimension.
 #[derive(Debug, Clone)]
 pub struct Displaced {
-    /// Where the vector begins and ends.
+    /// The start and the end of the vector.
     pub(crate) from: Vector,
     pub(crate) to: Vector,
     pub(crate) p: Vector,

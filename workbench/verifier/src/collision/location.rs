@@ -17,7 +17,7 @@ use crate::exact::linear::{Echelon, Vector, dot, reduced, solve};
 use crate::exact::proportion::{Proportion, check_coefficient};
 use crate::faces::cone::{combined, common_direction};
 
-/// Where a vector lies relative to a zonotope.
+/// The place of a vector relative to a zonotope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// In the interior; a flat zonotope has none.
@@ -68,7 +68,7 @@ pub enum LocationCertificate {
     },
 }
 
-/// What was proved of a location.
+/// The proof of a location.
 #[derive(Debug, Clone)]
 pub(crate) enum Located {
     /// p = Σ δ_i g_i, with these exact coefficients.
@@ -110,7 +110,7 @@ impl Display for LocationProof {
     }
 }
 
-/// What the certificate of an answer proves, if that is the status of the answer.
+/// The proof of the certificate of an answer, if that is the status of the answer.
 pub(super) fn located(question: &Displaced, answer: &LocationAnswer) -> Result<Located, String> {
     let found = proven(question, &answer.certificate)?;
     match (&found, answer.status) {
@@ -128,7 +128,7 @@ pub(super) fn located(question: &Displaced, answer: &LocationAnswer) -> Result<L
     }
 }
 
-/// What a certificate proves by itself: that the vector lies in the zonotope, or that it does not.
+/// The proof of a certificate by itself: that the vector lies in the zonotope, or that it does not.
 pub(crate) fn proven(question: &Displaced, certificate: &LocationCertificate) -> Result<Located, String> {
     match certificate {
         LocationCertificate::Separation(u) if u.len() != question.dimension() => {

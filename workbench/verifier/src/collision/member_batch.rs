@@ -15,10 +15,10 @@ use crate::exact::linear::{Echelon, Vector};
 use crate::exact::proportion::Proportion;
 use crate::faces::facets::Facets;
 
-/// So many products of facets and points are tried.
+/// The number of products of facets and points that are tried.
 const MOST_TRIALS: usize = 20_000_000;
 
-/// How many points were held against every facet.
+/// The number of points that were held against every facet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MemberBatchProof {
     /// The number of points.

@@ -1,5 +1,5 @@
-//! Where a displacement lies relative to a zonotope: membership and intersection, the gauge, the distance, many points
-//! at once.
+//! The place of a displacement relative to a zonotope: membership and intersection, the gauge, the distance, many
+//! points at once.
 
 pub(crate) mod displaced;
 pub(crate) mod distance;

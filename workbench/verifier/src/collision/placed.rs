@@ -88,7 +88,7 @@ impl Frame {
         let places = || bodies.iter().flat_map(|body| body.places()).chain(points.iter().copied().flatten());
         let matrices = || bodies.iter().flat_map(|body| body.matrix());
         check_finite("the question", places().chain(matrices()))?;
-        // What has no pose is multiplied by the 1 of the matrices.
+        // A vector without a pose is multiplied by the 1 of the matrices.
         let matrices = Grid::at(Grid::of(matrices().copied()).exponent().min(0));
         Ok(Self { places: Grid::of(places().copied()), matrices })
     }

@@ -24,7 +24,7 @@ use crate::verdict::{Stop, Verdict};
 /// The kinds of face by their dimension.
 const FEATURES: [&str; 3] = ["vertex", "edge", "facet"];
 
-/// What a common point of two bodies is in where their interiors meet.
+/// The body that a common point of two bodies is in where their interiors meet.
 const INTERIOR: &str = "interior";
 
 /// An answer as it was written.
@@ -32,13 +32,13 @@ const INTERIOR: &str = "interior";
 pub struct ProximityAnswer {
     /// The claimed distance: 0 for bodies that meet.
     pub distance: f64,
-    /// Where the displacement of the centres lies, with its proof.
+    /// The place of the displacement of the centres, with its proof.
     pub location: LocationAnswer,
     /// The claimed nearest points of the first and of the second body.
     pub nearest: [Vec<f64>; 2],
     /// The names of the faces on which they lie.
     pub features: [String; 2],
-    /// What is claimed of bodies that are disjoint, of bodies that touch, of bodies that meet.
+    /// The claims about bodies that are disjoint, about bodies that touch, about bodies that meet.
     pub parts: ProximityParts,
 }
 
@@ -53,7 +53,7 @@ pub struct ProximityParts {
     pub penetration: Option<PenetrationAnswer>,
 }
 
-/// What was proved.
+/// The proof.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProximityProof {
     /// The distance as it was written.

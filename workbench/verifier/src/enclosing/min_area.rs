@@ -62,7 +62,7 @@ pub struct Certificate {
     pub basis: Vec<usize>,
 }
 
-/// What was proved of an answer.
+/// The proof of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MinAreaProof {
     /// The answer's area, which agrees with the exact one.
@@ -71,7 +71,7 @@ pub struct MinAreaProof {
     pub proven_bound: f64,
     /// The exact area above the proven bound, relative to the area; 0 when both are 0.
     pub gap: f64,
-    /// How many points the zonogon contains.
+    /// The number of points that the zonogon contains.
     pub points: usize,
 }
 

@@ -39,10 +39,10 @@ pub struct MinLengthAnswer {
     pub forces: Vec<(usize, Vec<f64>)>,
 }
 
-/// What was proved of an answer.
+/// The proof of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MinLengthProof {
-    /// How many points there are.
+    /// The number of points.
     pub points: usize,
     /// The answer's total length, which agrees with the exact one.
     pub length: f64,
@@ -191,7 +191,7 @@ fn check_ratio(answer: &MinLengthAnswer, length: &Proportion) -> Result<(), Stri
     }
 }
 
-/// What the forces prove, in units of the grid of the points; 0 if that is more.
+/// The bound that the forces prove, in units of the grid of the points; 0 if that is more.
 fn proven_bound(points: &[Vector], forces: &[(usize, Vec<f64>)]) -> Result<Result<Proportion, TooMany>, String> {
     let dimension = points[0].len();
     let zero = Proportion::whole(IBig::ZERO, 0);

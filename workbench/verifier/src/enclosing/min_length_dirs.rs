@@ -29,7 +29,7 @@ pub struct Directed {
     pub points: Vec<Vec<f64>>,
     /// The directions, of the same dimension.
     pub directions: Vec<Vec<f64>>,
-    /// What a unit of each costs.
+    /// The cost of a unit of each.
     pub weights: Vec<f64>,
 }
 
@@ -61,12 +61,12 @@ pub enum DirectedAnswer {
 /// A value that exceeds the proven bound by more than this part of it may not be the least.
 const PROVEN_GAP: f64 = 1e-11;
 
-/// What was proved of an answer.
+/// The proof of an answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DirectedProof {
     /// The zonotope contains the points, and its value is this far above the proven bound, relative to the value.
     Optimal {
-        /// How many points the zonotope contains.
+        /// The number of points that the zonotope contains.
         points: usize,
         /// The answer's value, which agrees with the exact one.
         value: f64,
@@ -127,7 +127,7 @@ fn figures(answer: &DirectedAnswer) -> Option<[f64; 2]> {
     }
 }
 
-/// What rounding a value and its bound costs at most, whatever their size: two of the smallest doubles, and nothing
+/// The most that rounding a value and its bound costs, whatever their size: two of the smallest doubles, and nothing
 /// where the bound says nothing.
 fn rounding(lower_bound: f64) -> f64 {
     if lower_bound > 0.0 { f64::from_bits(2) } else { 0.0 }

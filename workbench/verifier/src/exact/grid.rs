@@ -25,7 +25,7 @@ impl Grid {
         self.exponent
     }
 
-    /// How many units the number is.
+    /// The number of units that the number is.
     pub(crate) fn units(self, number: f64) -> IBig {
         let (mantissa, exponent) = decode(number);
         if mantissa == 0 {
@@ -35,7 +35,7 @@ impl Grid {
         IBig::from(mantissa) << shift
     }
 
-    /// How many units a point's coordinates are.
+    /// The number of units that a point's coordinates are.
     pub(crate) fn point(self, point: [f64; 2]) -> [IBig; 2] {
         point.map(|coordinate| self.units(coordinate))
     }

@@ -51,7 +51,7 @@ impl Corner for PlainPoint {
         let (left, right) = ((ax - px) * (by - py), (ay - py) * (bx - px));
         let doubt = (left.abs() + right.abs()) * CROSS_ERROR + CROSS_UNDERFLOW;
         let turn = left - right;
-        // Where a product leaves the range of doubles, so does the doubt, or nothing compares.
+        // The doubt leaves the range of doubles where a product does, or nothing compares.
         if turn > doubt && doubt.is_finite() {
             return Ordering::Greater;
         }

@@ -57,7 +57,7 @@ impl Proportion {
         self.exponent
     }
 
-    /// How many whole units 2^exponent the number holds, for a unit not above its own.
+    /// The number of whole units 2^exponent that the number holds, for a unit not above its own.
     pub(crate) fn floor_at(&self, exponent: i32) -> IBig {
         shifted(&self.numerator, self.exponent - exponent).div_euclid(&self.denominator)
     }

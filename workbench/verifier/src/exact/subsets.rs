@@ -1,6 +1,6 @@
 //! The subsets of a given size of the first so many numbers.
 
-/// How many there are, or the largest number.
+/// The number of subsets, or the largest number.
 pub(crate) fn count_subsets(count: usize, size: usize) -> u64 {
     if size > count {
         return 0;

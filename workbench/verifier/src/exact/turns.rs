@@ -32,7 +32,7 @@ const TURN_ERROR: f64 = 8.0 * f64::EPSILON;
 fn side((a_image, a): &([f64; 2], Vector), (b_image, b): &([f64; 2], Vector)) -> Ordering {
     let (left, right) = (a_image[0] * b_image[1], a_image[1] * b_image[0]);
     let doubt = (left.abs() + right.abs()) * TURN_ERROR;
-    // Where a product leaves the range of doubles, nothing compares. Whole numbers have no small products but zero.
+    // Nothing compares where a product leaves the range of doubles. Whole numbers have no small products but zero.
     match left - right {
         turn if turn > doubt => Ordering::Greater,
         turn if turn < -doubt => Ordering::Less,
@@ -46,7 +46,7 @@ pub(crate) fn turns(vectors: Vec<Vector>) -> IBig {
     by_angle(vectors).iter().map(|v| turn(&passed(&mut before, v), v)).sum()
 }
 
-/// What was before v, which is then counted as passed.
+/// The part before v, which is then counted as passed.
 fn passed(before: &mut Vector, v: &Vector) -> Vector {
     let after = before.iter().zip(v).map(|(before, component)| before + component).collect();
     std::mem::replace(before, after)

@@ -15,10 +15,10 @@ use crate::faces::normals::{
     DOT_ERROR, Image, MOST_COORDINATES, Normal, TooMany, image_dot, image_size, images, normals, reach_bounds,
 };
 
-/// So many pairs of a facet and a point are gone through, and of an open facet and a generator.
+/// The number of pairs of a facet and a point that are gone through, and of an open facet and a generator.
 const MOST_PAIRS: u64 = 4_000_000_000;
 
-/// So many exact products of a facet normal and a generator are taken.
+/// The number of exact products of a facet normal and a generator that are taken.
 const MOST_EXACT_PRODUCTS: u64 = 3_000_000;
 
 /// Finding a facet takes as long as this many points.

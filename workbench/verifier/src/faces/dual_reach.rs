@@ -1,4 +1,4 @@
-//! How far the zonotope Σ [−1, 1] λ_j reaches from the origin: the distance of its farthest vertex, squared and exact.
+//! The reach of the zonotope Σ [−1, 1] λ_j from the origin: the distance of its farthest vertex, squared and exact.
 //!
 //! A vertex is Σ ± λ_j with the signs that some direction in general position gives. The signs change only where a
 //! direction is orthogonal to a vector, so each choice of signs that occurs does so next to a direction u orthogonal
@@ -12,7 +12,7 @@ use crate::exact::linear::{Echelon, Vector, dot, is_zero};
 use crate::exact::subsets::count_subsets;
 use crate::faces::normals::{Image, MOST_COORDINATES, TooMany, image_dot, images, normals, side};
 
-/// So many pairs of a direction and a vector are gone through.
+/// The number of pairs of a direction and a vector that are gone through.
 const MOST_PAIRS: u64 = 2_000_000_000;
 
 /// Choices of signs that fall short of the farthest vertex so far by more than this part are passed over.

@@ -17,7 +17,7 @@ use crate::faces::normals::{
     DOT_ERROR, Image, MOST_COORDINATES, UNDERFLOW, image_dot, image_size, images, normals, reach_bounds,
 };
 
-/// So many products of facets and generators are tried where the certificate does not name the facet.
+/// The number of products of facets and generators that are tried where the certificate does not name the facet.
 const MOST_TRIALS: u64 = 3_000_000;
 
 /// A relative bound for what the quotient of two bounds, and the root of a sum of squares, lose by rounding.
@@ -78,7 +78,7 @@ impl Facets {
         })
     }
 
-    /// How many facets there are.
+    /// The number of facets.
     pub(crate) fn count(&self) -> usize {
         self.facets.len()
     }

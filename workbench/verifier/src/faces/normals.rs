@@ -18,7 +18,7 @@ pub(crate) type Image = [f64; MOST_COORDINATES];
 /// products.
 pub(crate) const DOT_ERROR: f64 = 1.0 / (1_u64 << 47) as f64;
 
-/// What products may lose where they leave the range of normal doubles; images are not larger than 1.
+/// The loss of products where they leave the range of normal doubles; images are not larger than 1.
 pub(crate) const UNDERFLOW: f64 = 1e-290;
 
 /// The images of vectors of at most [`MOST_COORDINATES`] components, the largest component of all in [1/2, 1).

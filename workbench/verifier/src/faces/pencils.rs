@@ -7,7 +7,7 @@
 
 use crate::faces::normals::{Image, MOST_COORDINATES, UNDERFLOW, image_dot, image_size};
 
-/// How far each component of a computed normal may be off, relative to the product of its vectors' sums of absolute
+/// The error of each component of a computed normal, relative to the product of its vectors' sums of absolute
 /// components: a component is a sum of at most six products of three images, each within 2^-52.
 const NORMAL_ERROR: f64 = 1.0 / (1_u64 << 47) as f64;
 

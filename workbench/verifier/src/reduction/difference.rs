@@ -14,7 +14,8 @@ use crate::exact::linear::{Vector, is_zero, reduced};
 /// Generators of two zonotopes, no two of them parallel, whose support functions differ by as much as those of the
 /// given ones in every direction.
 pub(super) fn without_common_summands([first, second]: [&[Vector]; 2]) -> [Vec<Vector>; 2] {
-    // How often the primitive vector of a line goes into the generators of the first body, less those of the second.
+    // The number of times that the primitive vector of a line goes into the generators of the first body, less those of
+    // the second.
     let mut lines: BTreeMap<Vector, IBig> = BTreeMap::new();
     for (generators, sign) in [(first, 1), (second, -1)] {
         for generator in generators.iter().filter(|generator| !is_zero(generator)) {

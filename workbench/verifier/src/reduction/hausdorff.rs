@@ -149,7 +149,7 @@ pub fn check_hausdorff(a: (&[f64], &[Vec<f64>]), b: (&[f64], &[Vec<f64>]), answe
     bounded.into()
 }
 
-/// What was proved, and the bounds of the distance.
+/// The proof, and the bounds of the distance.
 pub(super) fn words(proved: &str, [lower, upper]: [f64; 2]) -> String {
     format!("{proved}; the distance is {lower:?} to {upper:?}")
 }

@@ -20,10 +20,10 @@ use crate::exact::proportion::Proportion;
 /// The work of one round beside that of a generator.
 const ROUND_WORK: u64 = 40;
 
-/// So many more bits of the numbers make a step take as long again.
+/// The number of further bits of the numbers that make a step take as long again.
 const BITS_A_STEP: usize = 400;
 
-/// How a point lies relative to a distance from a zonotope.
+/// The place of a point relative to a distance from a zonotope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reach {
     /// Some point of the zonotope is that near.

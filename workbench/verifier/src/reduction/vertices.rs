@@ -9,7 +9,7 @@ use crate::exact::linear::{Echelon, Vector};
 use crate::exact::subsets::count_subsets;
 use crate::faces::normals::{MOST_COORDINATES, images, normals, side};
 
-/// So many pairs of a facet and a generator are gone through for the vertices of a zonotope.
+/// The number of pairs of a facet and a generator that are gone through for the vertices of a zonotope.
 const MOST_PAIRS: u64 = 3_000_000;
 
 /// Of so few generators every choice of signs is taken in dimensions in which facets are not gone through.

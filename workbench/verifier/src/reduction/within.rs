@@ -18,10 +18,10 @@ use crate::exact::proportion::Proportion;
 use crate::faces::normals::{Image, MOST_COORDINATES, images};
 use crate::verdict::Stop;
 
-/// So many pairs of a vertex and a generator of the other zonotope are gone through.
+/// The number of pairs of a vertex and a generator of the other zonotope that are gone through.
 const MOST_PRODUCTS: usize = 3_000_000;
 
-/// So many steps are taken for nearest points that are found exactly: some tenths of a microsecond each.
+/// The number of steps that are taken for nearest points that are found exactly: some tenths of a microsecond each.
 const MOST_EXACT_STEPS: u64 = 1_500_000;
 
 /// Two zonotopes in whole numbers of a unit, the first to lie within a distance of the second.

@@ -10,7 +10,7 @@ use batch::KINDS;
 /// Options of `list`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// What to list; everything if absent.
+    /// The list to print; all of them if absent.
     what: Option<What>,
 }
 

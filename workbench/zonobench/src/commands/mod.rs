@@ -32,7 +32,7 @@ use anyhow::Context;
 pub use usage::Usage;
 pub(crate) use usage::tell;
 
-/// How a command ended that ran to its end.
+/// The ending of a command that ran to its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
     /// Everything is as it should be.

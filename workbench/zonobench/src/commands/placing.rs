@@ -15,7 +15,7 @@ use super::usage::tell;
 use crate::input::{BodySource, Format, Layout, OptionNames, Placed};
 use batch::placement::Placement;
 
-/// How a body is read, and where it is put.
+/// The reading of a body, and the place where it is put.
 #[derive(Debug, Clone, Default, PartialEq, Args)]
 pub struct Placing {
     /// Put the body where the pose of a file puts it.
@@ -163,7 +163,7 @@ pub(super) fn smaller_reach(bodies: &[Placed; 2]) -> f64 {
     if a == 0.0 || b == 0.0 { a.max(b) } else { a.min(b) }
 }
 
-/// What is said of a body whose centre and generators are rounded images under its pose.
+/// The note on a body whose centre and generators are rounded images under its pose.
 pub(super) fn rounded_in_words(off: f64) -> String {
     format!("the body under the pose is taken in doubles, no point of it farther off than {}", figure(off))
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// What is said of a body whose generators are rounded products of directions and coefficients.
+/// The note on a body whose generators are rounded products of directions and coefficients.
 pub(super) const ROUNDED: &str = "; coefficients times directions, rounded";
 
 const LABEL_WIDTH: usize = 14;

@@ -39,7 +39,7 @@ pub struct Options {
     /// `intersect`, `distance` and `contains`.
     #[arg(value_name = "FILE", num_args = 2..=3, required = true)]
     files: Vec<PathBuf>,
-    /// What the answer does not record of the question that was asked about files.
+    /// Facts that the answer does not record of the question that was asked about files.
     #[command(flatten)]
     asking: Asking,
 }
@@ -146,7 +146,7 @@ fn of_questions(questions: &Path, mut answers: impl Iterator<Item = Document>) -
     Ok(if is_good { Ending::Good } else { Ending::Bad })
 }
 
-/// What is said where the lines are not a question and an answer, so that nothing can be judged.
+/// The note where the lines are not a question and an answer, so that nothing can be judged.
 fn exchanged(question: &Tree, answer: &Tree) -> Option<&'static str> {
     let is_answer = |line: &Tree| line.field("result").or(line.field("error")).is_some();
     let is_question = |line: &Tree| line.field("input").is_some();
@@ -161,7 +161,7 @@ fn exchanged(question: &Tree, answer: &Tree) -> Option<&'static str> {
     }
 }
 
-/// How many documents are left.
+/// The number of documents that are left.
 fn counted(documents: impl Iterator<Item = Document>) -> anyhow::Result<u64> {
     let mut count = 0;
     for document in documents {

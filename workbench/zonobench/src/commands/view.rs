@@ -1,4 +1,4 @@
-//! How bodies of several dimensions are seen on a page: what the pictures of the commands share.
+//! Views of bodies of several dimensions on a page: what the pictures of the commands share.
 
 use figures::style::{Color, INK, INPUT, PAPER};
 use zonotope::numeric::dyadic::Dyadic;
@@ -80,7 +80,7 @@ pub(super) fn lattice(generators: &[Vec<f64>]) -> Option<FaceLattice> {
     }
 }
 
-/// How far a polygon of space is turned to the eye: the cosine of the angle of its normal, by twice its area.
+/// The turn of a polygon of space to the eye: the cosine of the angle of its normal, by twice its area.
 pub(super) fn facing(corners: &[[f64; 3]]) -> f64 {
     let mut normal = [0.0; 3];
     for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {

@@ -1,4 +1,4 @@
-//! What can be wrong with a data file, each as one line that names the file and the place.
+//! Faults of a data file, each as one line that names the file and the place.
 
 use std::path::{Path, PathBuf};
 
@@ -10,9 +10,9 @@ use thiserror::Error;
 pub struct InputError {
     /// The file as the caller named it.
     pub file: PathBuf,
-    /// Where in the file.
+    /// The place in the file.
     pub place: Place,
-    /// What is wrong there.
+    /// The fault there.
     pub problem: Problem,
 }
 
@@ -46,7 +46,7 @@ impl Place {
     }
 }
 
-/// What is wrong at a place of a data file.
+/// The fault at a place of a data file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum Problem {
@@ -65,7 +65,7 @@ pub enum Problem {
     /// The file holds more points or values than the reader takes.
     #[error("is too large: more than {limit} {what}")]
     TooMany {
-        /// What is counted.
+        /// The quantity that is counted.
         what: &'static str,
         /// The limit.
         limit: usize,
@@ -190,7 +190,7 @@ pub enum Problem {
     ChooseColumns {
         /// Cells in the first row.
         cells: usize,
-        /// How many there should be.
+        /// The number that there should be.
         wanted: &'static str,
     },
     /// A row of numbers holds a text as well, so that only some of the columns can be coordinates.
@@ -200,7 +200,7 @@ pub enum Problem {
         text: String,
         /// Cells in the row.
         cells: usize,
-        /// How many columns there should be.
+        /// The number of columns that there should be.
         wanted: &'static str,
     },
     /// Points of another dimension are needed.
@@ -228,7 +228,7 @@ pub enum Problem {
     Mesh {
         /// The name of the format.
         format: String,
-        /// What its reader says.
+        /// The message of its reader.
         complaint: String,
     },
     /// The file is no array, or none that is read.

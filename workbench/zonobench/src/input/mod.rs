@@ -51,7 +51,8 @@ pub struct PointSource {
     pub format: Option<Format>,
     /// The columns that hold the coordinates; guessed if absent.
     pub columns: Option<Columns>,
-    /// How many lines of a table are left out at its start; none, and a header is told from its cells, if absent.
+    /// The number of lines of a table that are left out at its start; none, and a header is told from its cells, if
+    /// absent.
     pub skip: Option<u64>,
     /// Whether points with a missing or non-finite coordinate are left out; absent where there is no such choice.
     pub skip_nan: Option<bool>,

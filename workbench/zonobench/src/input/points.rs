@@ -44,7 +44,7 @@ impl Points {
         }
     }
 
-    /// How many coordinates each has.
+    /// The number of coordinates of each.
     pub fn dimension(&self) -> usize {
         match self {
             Self::Line(_) => 1,
@@ -54,7 +54,7 @@ impl Points {
         }
     }
 
-    /// How many there are.
+    /// The number of them.
     pub fn len(&self) -> usize {
         self.rows().len()
     }
@@ -75,7 +75,7 @@ impl Points {
     }
 }
 
-/// What points a file should hold.
+/// The points that a file should hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wanted {
     /// Two coordinates: of a table with more, two columns are guessed by their names or must be chosen. Columns x, y
@@ -96,7 +96,7 @@ impl Wanted {
         }
     }
 
-    /// How many columns there should be, in words.
+    /// The number of columns that there should be, in words.
     pub(super) fn in_words(self) -> &'static str {
         match self {
             Self::Planar => "two",

@@ -1,4 +1,4 @@
-//! What was read of a file: the points, and which part of the file they are.
+//! The content of a file: the points, and which part of the file they are.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! What a chapter of the report is: a static value, one for every problem that the workbench solves.
+//! A chapter of the report: a static value, one for every problem that the workbench solves.
 
 use experiments::fit::GrowthModel;
 use experiments::measured::Measured;
@@ -10,19 +10,19 @@ pub struct Chapter {
     pub id: &'static str,
     /// Its title.
     pub title: &'static str,
-    /// Where the paper treats it.
+    /// The place where the paper treats it.
     pub place: &'static str,
     /// The problem, for a reader who has not read the paper.
     pub statement: &'static str,
-    /// What was learned, in one sentence with the numbers of this run; none where the run made no such records.
+    /// The lesson, in one sentence with the numbers of this run; none where the run made no such records.
     pub lesson: fn(&Measured<'_>) -> Option<String>,
     /// The figures that stand open, in their order; the chapter's other figures are folded up.
     pub pictures: &'static [&'static str],
     /// The table that stands open.
     pub table: ChapterTable,
-    /// How it is solved, one paragraph each.
+    /// The way it is solved, one paragraph each.
     pub method: &'static [&'static str],
-    /// What the methods cost.
+    /// The costs of the methods.
     pub costs: &'static [Cost],
     /// The claims of the paper that it is about.
     pub claims: &'static [&'static str],
@@ -30,7 +30,7 @@ pub struct Chapter {
     /// first claim that they name; figures belong where their experiments do, or else to the chapter of their first
     /// claim.
     pub experiments: &'static [&'static str],
-    /// How to run it alone: a command, and what it does.
+    /// The commands that run it alone, each with its effect.
     pub commands: &'static [(&'static str, &'static str)],
 }
 
@@ -39,11 +39,11 @@ pub struct Chapter {
 pub struct Cost {
     /// The sentence.
     pub text: &'static str,
-    /// What states or measures the law.
+    /// The claim or experiment that states or measures the law.
     pub held: Held,
 }
 
-/// What holds a sentence that states a law. A test looks that it is the same law.
+/// The evidence for a sentence that states a law. A test looks that it is the same law.
 #[derive(Clone, Copy, Debug)]
 pub enum Held {
     /// The claim of this id states it.

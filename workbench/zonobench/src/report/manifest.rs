@@ -22,7 +22,7 @@ impl OutputFile {
     }
 }
 
-/// What a run was.
+/// The description of a run.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Manifest {
     /// The program's version.

@@ -29,7 +29,7 @@ pub use repeat::USUAL_SEED;
 /// Everything that a report is made of.
 #[derive(Debug)]
 pub struct Evidence {
-    /// How much was run.
+    /// The profile that was run.
     pub profile: Profile,
     /// The master seed.
     pub seed: u64,
@@ -39,7 +39,7 @@ pub struct Evidence {
     pub config: Option<PathBuf>,
     /// The experiments that were run.
     pub experiments: Vec<&'static Experiment>,
-    /// What the experiments recorded.
+    /// The records of the experiments.
     pub records: Records,
     /// The growth laws found in the records, in the order of the catalog.
     pub fits: Vec<FittedGrowth>,
@@ -71,7 +71,7 @@ pub fn fits(experiments: &[&Experiment], records: &Records) -> Vec<FittedGrowth>
     experiments.iter().flat_map(|experiment| analysis::fits(experiment, records)).collect()
 }
 
-/// What the claims' checks are told of the growth that operation counts show.
+/// The measurements that the claims' checks are told of the growth that operation counts show.
 pub fn check_context(seed: u64, fits: &[FittedGrowth]) -> CheckContext {
     CheckContext { seed, measurements: tables::measurements(fits) }
 }

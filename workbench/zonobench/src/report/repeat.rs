@@ -6,13 +6,13 @@ use figures::figure::Figure;
 use super::Evidence;
 use super::html::Escaped;
 
-/// How a checkout runs the program.
+/// The command with which a checkout runs the program.
 const IN_A_CHECKOUT: &str = "cargo run --release --";
 
 /// The seed of runs that name none.
 pub const USUAL_SEED: u64 = 2003;
 
-/// What a run was, as far as its parts must be asked for in the same way.
+/// The description of a run, as far as its parts must be asked for in the same way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Repeat {
     profile: Profile,

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 const SPACE: &str = "name,x,y,z\nA,0,0,1\nB,3,1,0\nC,1,2,5\nD,-1,0.5,2\n";
 
-/// What `enclose` prints about a file in the folder; the answer goes to `a.json`.
+/// The output of `enclose` about a file in the folder; the answer goes to `a.json`.
 fn enclosed(folder: &Path, file: &str, words: &[&str]) -> String {
     let outcome = run(folder, &[&["enclose", file, "--json", "a.json", "--force"], words].concat());
     assert_eq!((outcome.status, outcome.stderr.as_str()), (0, ""), "{file} {words:?}");

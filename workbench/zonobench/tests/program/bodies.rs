@@ -191,7 +191,7 @@ fn options_turn_and_move_and_say_the_numbers_that_are_taken() {
     }
 }
 
-/// What is computed in doubles says so; what is exact does not.
+/// Numbers computed in doubles say so; those that are exact do not.
 #[test]
 fn a_body_whose_image_is_rounded_says_how_far_it_is_off() {
     let folder = folder(&[("a.json", r#"{"generators": [[1, 0, 0.1], [0, 1, 0.3], [1, 1, 0.4], [0.2, 0, 1]]}"#)]);

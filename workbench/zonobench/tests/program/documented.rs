@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// How a checkout runs the program; in the commands below its path takes the place.
+/// The command with which a checkout runs the program; in the commands below its path takes the place.
 const IN_A_CHECKOUT: &str = "cargo run --release -- ";
 
 /// Commands that other programs run, or this one elsewhere: the first words of each, and where it is run.

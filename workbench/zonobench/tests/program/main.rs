@@ -17,7 +17,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// What a run of the program left.
+/// The output of a run of the program.
 struct Outcome {
     status: i32,
     stdout: String,

@@ -1,7 +1,7 @@
 //! Exact binary numbers of at most 127 bits: what coordinates of few digits need, without memory of their own.
 //!
 //! Where the numbers of an input are short (whole numbers, say, or points of a grid), their products and sums are, too,
-//! and then an exact sign costs nanoseconds where [`Dyadic`] takes a hundred.
+//! and then an exact sign costs less than with [`Dyadic`], which takes memory for its digits.
 
 use super::dyadic::Dyadic;
 use super::scaling::decompose;

@@ -27,16 +27,16 @@ use zonotope::zonotope::Zonotope;
 /// The number of facets that are tried before a placement is given up for a body.
 const FACET_LIMIT: usize = 24;
 
-/// Where the displacement `to` − `from` lies relative to the zonotope of the generators, with the truth.
+/// The place of the displacement `to` − `from` relative to the zonotope of the generators, with the truth.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// The placement that was asked for.
     pub placement: Placement,
     /// The generators, in the order of the family.
     pub generators: Vec<[f64; 3]>,
-    /// Where the displacement starts.
+    /// The start of the displacement.
     pub from: [f64; 3],
-    /// Where the displacement ends.
+    /// The end of the displacement.
     pub to: [f64; 3],
     /// Certified bounds of the gauge less 1; both are zero for a touching question.
     pub excess: [f64; 2],

@@ -1,9 +1,9 @@
-//! Where a question's point lies: clearly in, clearly out, near the boundary on either side, or on it.
+//! The place of a question's point: clearly in, clearly out, near the boundary on either side, or on it.
 
 use crate::families::source::RandomSource;
 use zonotope::numeric::dyadic::Dyadic;
 
-/// Where the point lies relative to the boundary of the body.
+/// The place of the point relative to the boundary of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Stable name.

@@ -36,7 +36,7 @@ const PAIR_LIMIT: usize = 1_000_000_000;
 /// The most generators of which a cutting is made.
 const CUTTING_LIMIT: usize = 2_000;
 
-/// What is said of each point, and how many operations it took to prepare for the points and to answer.
+/// The answer on each point, and the operations that it took to prepare for the points and to answer.
 struct Answers {
     found: Vec<(Status, f64)>,
     build: u64,

@@ -14,7 +14,7 @@ use self::posed::{Posed, Prism, SPACE};
 use crate::json::vector_to_json;
 use crate::refusal::{Code, Refusal};
 
-/// What a kind asks of its methods.
+/// The demands of a kind on its methods.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Task {
     /// A location with its proof.
@@ -78,8 +78,8 @@ fn refuse_many<const D: usize>(method: Method, generators: usize) -> Result<(), 
     }
 }
 
-/// Where a displacement lies, with a proof that a verifier takes, and the method that proved it: what a linear program
-/// leaves open is decided by the kernel, or by brute force in dimensions that the kernel does not reach.
+/// The place of a displacement, with a proof that a verifier takes, and the method that proved it: what a linear
+/// program leaves open is decided by the kernel, or by brute force in dimensions that the kernel does not reach.
 fn locate<const D: usize>(
     method: Method,
     question: &Query<'_, D>,
@@ -105,7 +105,8 @@ fn gauge<const D: usize>(method: Method, question: &Query<'_, D>) -> Gauge<D> {
     gauge.expect("the dimension and the number of generators were checked when the method was chosen")
 }
 
-/// Where the displacement of two posed bodies lies, with a proof that a verifier takes, and the method that proved it.
+/// The place of the displacement of two posed bodies, with a proof that a verifier takes, and the method that proved
+/// it.
 fn locate_posed<const D: usize>(
     [first, second]: [&Posed<D>; 2],
     asked: Option<&'static str>,

@@ -29,7 +29,7 @@ const FEATURES: [FeatureKind; 3] = [FeatureKind::Vertex, FeatureKind::Edge, Feat
 pub(super) struct Posed<const D: usize> {
     pub(super) body: Zonotope<D>,
     placement: Placement,
-    /// Where the pose stands in the question.
+    /// The place of the pose in the question.
     place: Place,
 }
 
@@ -107,7 +107,7 @@ impl<const D: usize> Prism<D> {
         PosedQuery::of_point(point, body, pose).expect("the numbers of a question are finite")
     }
 
-    /// What the answer hides.
+    /// The part that the answer hides.
     pub(super) fn hidden(&self) -> &Hidden<D> {
         &self.hidden
     }

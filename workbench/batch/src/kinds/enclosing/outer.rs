@@ -36,7 +36,7 @@ impl<const D: usize> OuterPoints<D> {
         self.places.as_ref().map_or(index, |places| places[index])
     }
 
-    /// What a refusal calls the points.
+    /// The name of the points in a refusal.
     pub(super) fn described(&self) -> String {
         let count = self.points.len();
         if self.places.is_some() { format!("{count} corners of the points' hull") } else { format!("{count} points") }

@@ -22,7 +22,7 @@ use crate::exact::subsets::{count_subsets, subsets};
 use crate::exact::turns::turns;
 use crate::verdict::{Proved, Stop, Verdict};
 
-/// So many steps are made for the counts, and for the measure: a step takes some tenths of a microsecond.
+/// The number of steps that are made for the counts, and for the measure: a step takes some tenths of a microsecond.
 const MOST_STEPS: u64 = 30_000_000;
 
 /// An answer as it was written.
@@ -30,13 +30,13 @@ const MOST_STEPS: u64 = 30_000_000;
 pub struct CombinatoricsAnswer {
     /// The dimension of the affine hull.
     pub affine_dim: usize,
-    /// How many vertices there are.
+    /// The number of vertices.
     pub vertices: u64,
-    /// How many edges.
+    /// The number of edges.
     pub edges: u64,
-    /// How many facets, within the affine hull.
+    /// The number of facets, within the affine hull.
     pub facets: u64,
-    /// How many facets have so many vertices.
+    /// The number of facets that have so many vertices.
     pub facet_sizes: BTreeMap<usize, u64>,
     /// The volume in the space of the generators.
     pub measure: Fraction,
@@ -124,7 +124,7 @@ fn expect(name: &str, claimed: u64, exact: u64) -> Result<(), String> {
     if claimed == exact { Ok(()) } else { Err(format!("{name} is {claimed}, exactly it is {exact}")) }
 }
 
-/// How many bits the components take.
+/// The number of bits that the components take.
 fn longest(vectors: &[Vector]) -> u64 {
     vectors.iter().flatten().map(|component| component.bit_len() as u64).max().unwrap_or(0)
 }
@@ -181,7 +181,7 @@ fn modulo(vectors: &[Vector], g: &Vector) -> Vec<Vector> {
     vectors.iter().map(along).collect()
 }
 
-/// What holds for every zonotope: faces come in opposite pairs; in space V − E + F = 2, and each edge belongs to two
+/// The relations of every zonotope: faces come in opposite pairs; in space V − E + F = 2, and each edge belongs to two
 /// facets.
 fn relations(rank: usize, answer: &CombinatoricsAnswer) -> Result<(), String> {
     // Claimed counts may be as large as they like.

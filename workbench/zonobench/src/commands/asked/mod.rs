@@ -42,7 +42,7 @@ impl Asked {
         &self.answer["result"]
     }
 
-    /// What the verifier, which shares no code with the solvers, says about the answer.
+    /// The verdict of the verifier, which shares no code with the solvers, on the answer.
     pub(super) fn verdict(&self) -> Verdict {
         batch::verify(&self.question.to_string(), &self.answer.to_string())
     }

@@ -1,4 +1,4 @@
-//! What an answer about bodies records of the files that it is about, so that `verify` asks the same question again.
+//! The record of an answer about bodies of the files that it is about, so that `verify` asks the same question again.
 
 use batch::json::{Tree, vector_to_json};
 use serde_json::{Map, Value, json};
@@ -6,12 +6,12 @@ use serde_json::{Map, Value, json};
 use crate::commands::asking::{POINT_FIELDS, PointOptions, RecordError, field, record_points, recorded_points, truth};
 use crate::input::{Layout, Origin, Placed, Reading};
 
-/// What is asked about the bodies of files, by the command that asks it.
+/// The question about the bodies of files, by the command that asks it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum About {
     /// Whether two bodies meet.
     Intersect,
-    /// How far apart two bodies are.
+    /// The distance of two bodies.
     Distance,
     /// Which points a body contains.
     Contains,
@@ -60,7 +60,7 @@ impl About {
         }
     }
 
-    /// What an answer is about: what its request says, or its kind where it has none.
+    /// The subject of an answer: what its request says, or its kind where it has none.
     pub(crate) fn of_answer(answer: &Tree) -> Option<Self> {
         let text = |tree: &Tree, name: &str| tree.field(name).and_then(Tree::text).map(str::to_owned);
         let recorded = answer.field("request").map(|request| text(request, "command"));
@@ -129,7 +129,7 @@ const COLUMNS_ARE_GENERATORS: &str = "columns_are_generators";
 const CENTER_FIRST: &str = "center_first";
 
 impl BodyFile {
-    /// What a request records of it: how the file is read and placed, and its SHA-256.
+    /// The record of a request on it: how the file is read and placed, and its SHA-256.
     pub(crate) fn record(&self) -> Value {
         let mut record = json!({"format": self.origin.format.to_string()});
         let Layout { columns_are_generators, center_first } = self.layout;
@@ -170,7 +170,7 @@ pub(crate) fn record(
     Value::Object(request)
 }
 
-/// What an answer records of its files.
+/// The record of an answer on its files.
 #[derive(Debug, Default)]
 pub(crate) struct Recorded {
     /// The files, in the order of the command line.
@@ -181,12 +181,12 @@ pub(crate) struct Recorded {
     pub(crate) unknown: Option<String>,
 }
 
-/// What an answer records of a file.
+/// The record of an answer on a file.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct RecordedFile {
-    /// How points are read; of a body the format alone.
+    /// The reading of points; of a body the format alone.
     pub(crate) points: PointOptions,
-    /// How the vectors of a body are read.
+    /// The reading of the vectors of a body.
     pub(crate) layout: Layout,
     /// The pose of a body.
     pub(crate) pose: Option<Tree>,
@@ -195,12 +195,12 @@ pub(crate) struct RecordedFile {
 }
 
 impl Recorded {
-    /// What an answer about something records; `None` if it records nothing.
+    /// The record of an answer about something; `None` if it records nothing.
     pub(crate) fn of(about: About, answer: &Tree) -> Option<Result<Self, RecordError>> {
         answer.field("request").map(|request| recorded(about, request))
     }
 
-    /// What is known of the files of an answer that records nothing.
+    /// Facts about the files of an answer that records nothing.
     pub(crate) fn nothing(about: About) -> Self {
         Self { files: vec![RecordedFile::default(); about.roles().len()], ..Self::default() }
     }

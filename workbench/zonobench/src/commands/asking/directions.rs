@@ -9,7 +9,7 @@ use zonotope::enclosing::min_total_length::direction_net::cell_corners;
 
 use crate::input::{Format, PointSource, Wanted};
 
-/// Where directions come from.
+/// The source of directions.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Directions {
     /// The unit vectors of the coordinate axes.

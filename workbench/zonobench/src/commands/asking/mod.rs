@@ -1,4 +1,5 @@
-//! What is asked of the points of a file: the objective of `enclose`, which `verify` reads from the answer's `request`.
+//! The question about the points of a file: the objective of `enclose`, which `verify` reads from the answer's
+//! `request`.
 
 mod directions;
 mod points;
@@ -17,13 +18,13 @@ use super::usage::{Usage, tell};
 use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
 
-/// How to read the points, and what zonotope around them is wanted.
+/// The options for reading the points, and for the zonotope around them.
 #[derive(Debug, Clone, Default, Args)]
 pub struct Asking {
-    /// How to read the points.
+    /// The options for reading the points.
     #[command(flatten)]
     pub points: PointOptions,
-    /// What is to be least: the area (in the plane), the total length of the generators, or the volume (in space).
+    /// The objective: the area (in the plane), the total length of the generators, or the volume (in space).
     ///
     /// Of the volume a local minimum is found. Without this option it is the area of points of the plane, and the
     /// length of points of space (a mesh, or columns named x, y and z) and where three or four columns, directions, a
@@ -35,7 +36,7 @@ pub struct Asking {
     /// The directions of a net are the corners of K cells along each side of the faces of a cube.
     #[arg(long, value_name = "FILE|axes|net:K", conflicts_with = "epsilon")]
     directions: Option<Directions>,
-    /// How far the length may exceed the least one, relative to it: between 0 and 1 [default: 0.001].
+    /// The part by which the length may exceed the least one, relative to it: between 0 and 1 [default: 0.001].
     #[arg(long, value_parser = precision)]
     epsilon: Option<f64>,
     /// Use so many generators at most, and as short ones as are found.
@@ -46,7 +47,7 @@ pub struct Asking {
     max_generators: Option<u64>,
 }
 
-/// What is to be least.
+/// The objective.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Objective {
     /// The area, in the plane.
@@ -105,7 +106,7 @@ impl Asking {
         }
     }
 
-    /// What is to be least, if the options say it and agree about it.
+    /// The objective, if the options say it and agree about it.
     pub(super) fn stated_objective(&self, file: &Path) -> Result<Option<Objective>, Usage> {
         let is_mesh = self.points.source(file)?.known_format().is_some_and(Format::is_mesh);
         let reason = if self.directions.is_some() {

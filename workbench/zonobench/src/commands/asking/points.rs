@@ -1,4 +1,4 @@
-//! How the points of a file are read: the options that every command with points has.
+//! The reading of the points of a file: the options that every command with points has.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use clap::Args;
 use crate::commands::usage::Usage;
 use crate::input::{Columns, Format, PointSource};
 
-/// How to read the points of a file.
+/// The options for reading the points of a file.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Args)]
 pub struct PointOptions {
     /// The columns that hold the coordinates, two to four, by name or by number from 1.
@@ -16,7 +16,7 @@ pub struct PointOptions {
     /// The format, where the extension does not tell it.
     #[arg(long)]
     pub format: Option<Format>,
-    /// How many lines of a table to leave out at its start.
+    /// The number of lines of a table to leave out at its start.
     ///
     /// 1 leaves out a first line that holds other things than data; 0 says that a first line which might be taken for
     /// such a line holds data.

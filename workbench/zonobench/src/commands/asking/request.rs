@@ -1,4 +1,4 @@
-//! What an answer records of the question: the options, the columns that were read, the data's SHA-256.
+//! The record of the question in an answer: the options, the columns that were read, the data's SHA-256.
 
 use clap::ValueEnum;
 use serde_json::{Map, Value};
@@ -77,7 +77,7 @@ pub(crate) fn record_points(options: &PointOptions, reading: &Reading) -> Value 
     Value::Object(record)
 }
 
-/// How the points were read.
+/// The reading of the points.
 fn insert_points(request: &mut Map<String, Value>, options: &PointOptions, reading: &Reading) {
     if let Some(format) = reading.format {
         request.insert("format".to_owned(), format.to_string().into());
@@ -100,7 +100,7 @@ fn insert_points(request: &mut Map<String, Value>, options: &PointOptions, readi
 /// The fields of the record of a file with points.
 pub(crate) const POINT_FIELDS: [&str; 5] = ["format", "columns", "skip", "skip_nan", "sha256"];
 
-/// How the points of a record were read.
+/// The reading of the points of a record.
 pub(crate) fn recorded_points(record: &Tree) -> Result<PointOptions, RecordError> {
     Ok(PointOptions {
         columns: field(record, "columns", columns)?,

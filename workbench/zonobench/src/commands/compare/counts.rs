@@ -6,7 +6,7 @@ use std::fmt;
 use experiments::definition::Verdict;
 use experiments::record::{CaseKey, CountOutcome, CountRow};
 
-/// What the cases of two runs have in common.
+/// The common part of the cases of two runs.
 #[derive(Debug)]
 pub(super) struct Comparison<'a> {
     /// The number of cases that both runs have.
@@ -58,7 +58,7 @@ impl fmt::Display for Difference<'_> {
     }
 }
 
-/// What differs in two records of a case.
+/// Differences of two records of a case.
 fn differing(first: &CountRow, second: &CountRow) -> Vec<[String; 3]> {
     let records = [first, second].map(|row| {
         let mut record = BTreeMap::new();

@@ -36,7 +36,7 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     Ok(if is_same && comparison.common > 0 { Ending::Good } else { Ending::Bad })
 }
 
-/// What the counts of both runs say.
+/// The comparison of the counts of both runs.
 fn summary(options: &Options, runs: [Option<&Run>; 2], comparison: &Comparison) -> String {
     let Comparison { common, reseeded, alone, differences } = comparison;
     let mut table = Table::default();

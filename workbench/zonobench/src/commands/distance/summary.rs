@@ -1,4 +1,4 @@
-//! What a person reads of a distance.
+//! The summary for a person of a distance.
 
 use super::Options;
 use crate::commands::asked::{Asked, float, floats, how_to_verify};

@@ -19,7 +19,7 @@ use crate::output::{Existing, Outputs};
 /// Options of `draw`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// What to draw.
+    /// The thing to draw.
     what: Picture,
     /// The data: a zonotope of space, or points of the plane; `-` is standard input.
     ///
@@ -46,7 +46,7 @@ pub struct Options {
     force: bool,
 }
 
-/// What there is to draw.
+/// The things to draw.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Picture {
     /// The upper hull of a zonotope seen from above: a tile for every two generators.

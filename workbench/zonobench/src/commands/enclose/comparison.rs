@@ -1,4 +1,4 @@
-//! How a zonotope compares with the convex hull and with boxes around the same points.
+//! Comparison of a zonotope with the convex hull and with boxes around the same points.
 //!
 //! All sizes are ratios in floating point, of lengths scaled by a power of two: they are not proven. The boxes are
 //! those of [`oriented_box`](zonotope::enclosing::oriented_box): the smallest rectangle in the plane, and the smallest
@@ -84,7 +84,7 @@ fn compared(measure: &str, size: Size, body: Size) -> String {
     format!("{larger} times the zonotope's {measure}, {longer} times its length")
 }
 
-/// What to ask for where the box along the axes is smaller than a body of least length; nothing where it is not.
+/// The advice where the box along the axes is smaller than a body of least length; nothing where it is not.
 fn advice(measure: &str, axis_box: Size, body: Size) -> String {
     if axis_box.measure < body.measure {
         format!("; the length was asked for and not the {measure}, which is --objective {measure}")

@@ -1,4 +1,4 @@
-//! What a person reads of an answer.
+//! The summary for a person of an answer.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! What of a body is quickly measured.
+//! Quick measures of a body.
 
 use zonotope::numeric::dyadic::Dyadic;
 use zonotope::zonotope::{Directions, Zonotope};
@@ -12,7 +12,7 @@ const PAIRED_GENERATOR_LIMIT: usize = 20_000;
 pub(super) struct Measures {
     /// The ends of the bounding box along each axis.
     pub(super) bounds: Vec<[f64; 2]>,
-    /// How many generators are zero, and how many directions the others have.
+    /// The number of generators that are zero, and that of the directions of the others.
     pub(super) zeros: usize,
     pub(super) directions: usize,
     /// Σ of the generators' lengths.

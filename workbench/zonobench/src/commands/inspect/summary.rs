@@ -1,4 +1,4 @@
-//! What a person reads of a body.
+//! The summary for a person of a body.
 
 use serde_json::Value;
 use zonotope::numeric::Rational;

@@ -25,7 +25,7 @@ pub enum VerticesError {
     NotPlanar {
         /// The body.
         name: String,
-        /// How many coordinates it has.
+        /// The number of its coordinates.
         dimension: usize,
     },
 }

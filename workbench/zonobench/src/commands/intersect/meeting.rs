@@ -19,8 +19,8 @@ pub(in crate::commands) struct Meeting {
     pub(in crate::commands) exact: [ExactBody; 2],
     pub(in crate::commands) asked: Asked,
     pub(in crate::commands) status: String,
-    /// How many times both bodies, as doubles hold them, must be taken about their centres to touch, unless they are
-    /// too large for it to be found.
+    /// The factor by which both bodies, as doubles hold them, must be taken about their centres to touch, unless they
+    /// are too large for it to be found.
     pub(in crate::commands) gauge: Option<f64>,
     /// Whether doubles hold both bodies, so that the gauge is that of the bodies as they are.
     pub(in crate::commands) is_exact: bool,
@@ -43,7 +43,7 @@ pub(in crate::commands) struct Gap {
     pub(in crate::commands) direction: Vec<f64>,
     /// Their distance.
     pub(in crate::commands) width: f64,
-    /// How far the second centre lies above the first in this direction, and how far both bodies together reach.
+    /// The height of the second centre above the first in this direction, and the reach of both bodies together.
     pub(in crate::commands) centers: f64,
     pub(in crate::commands) reach: f64,
 }
@@ -77,7 +77,7 @@ impl Meeting {
         Ok(Self { placed, bodies, exact, asked, status, gauge, is_exact, proof })
     }
 
-    /// How many coordinates there are.
+    /// The number of coordinates.
     pub(in crate::commands) fn dimension(&self) -> usize {
         self.bodies[0].center.len()
     }

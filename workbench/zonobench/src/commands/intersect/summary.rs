@@ -1,4 +1,4 @@
-//! What a person reads of an intersection.
+//! The summary for a person of an intersection.
 
 use super::Options;
 use super::meeting::{Meeting, Proof};

@@ -29,20 +29,20 @@ pub enum RecordsError {
         file: PathBuf,
         /// The line, counted from 1.
         line: usize,
-        /// What is wrong with it.
+        /// Its fault.
         source: serde_json::Error,
     },
 }
 
-/// What a run of `reproduce` recorded.
+/// The record of a run of `reproduce`.
 pub(in crate::commands) struct RunRecords {
     pub(in crate::commands) counts: Vec<CountRow>,
     pub(in crate::commands) times: Vec<TimeRow>,
-    /// What the run was; an interrupted one does not say.
+    /// The description of the run; an interrupted one does not say.
     pub(in crate::commands) run: Option<Run>,
 }
 
-/// What a run was, as its manifest has it.
+/// The description of a run, as its manifest has it.
 #[derive(Debug, Deserialize)]
 pub(in crate::commands) struct Run {
     pub(in crate::commands) seed: u64,

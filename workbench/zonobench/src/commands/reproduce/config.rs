@@ -46,7 +46,7 @@ pub enum ConfigError {
         line: usize,
         /// The column, from 1.
         column: usize,
-        /// What is wrong there.
+        /// The fault there.
         problem: String,
     },
     /// A file of points cannot be read.
@@ -74,7 +74,7 @@ struct Document {
 /// The names of the fields of a file and of a section.
 const FIELDS: [&str; 7] = ["experiment", "families", "inputs", "sizes", "instances", "repetitions", "variants"];
 
-/// What is given takes the place of what the catalog has.
+/// Fields that are given take the place of what the catalog has.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Section {
@@ -86,7 +86,7 @@ struct Section {
     variants: Option<Vec<Spanned<String>>>,
 }
 
-/// What the inputs of an experiment are.
+/// The inputs of an experiment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sort {
     Points,

@@ -31,7 +31,7 @@ use crate::report::{self, Evidence, Manifest, OutputFile, USUAL_SEED};
 /// Options of `reproduce`.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// How much to run: a few minutes, or everything up to the largest sizes.
+    /// The profile: a few minutes, or everything up to the largest sizes.
     #[arg(long, value_enum, default_value_t = Extent::Quick)]
     profile: Extent,
     /// The folder for the report and all that belongs to it.
@@ -154,7 +154,7 @@ fn write_all(
     Ok(folder.release()?)
 }
 
-/// What a person wants to know at the end; the ending is bad if an answer was wrong or a figure is missing.
+/// The words that a person wants at the end; the ending is bad if an answer was wrong or a figure is missing.
 fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> {
     let faults = evidence.records.counts.iter().filter_map(|row| Some((&row.key.case, row.fault()?)));
     let missing = evidence.figures.iter().filter_map(|figure| Some((figure.figure.id, figure.drawing.as_ref().err()?)));
@@ -199,7 +199,7 @@ fn summarize(evidence: &Evidence, out: Option<&Path>) -> anyhow::Result<Ending> 
     Ok(ending)
 }
 
-/// What a run takes up.
+/// The extent of a run.
 struct Plan {
     selection: Selection,
     /// The ids that the run is restricted to.

@@ -66,7 +66,7 @@ fn figure(experiment: &'static Experiment, quantity: Quantity, caption: String) 
     }
 }
 
-/// What the curves show, and no more.
+/// The content of the curves, and no more.
 fn caption(curves: &[Curve]) -> String {
     let has_law = |curve: &Curve| curve.notes.len() > 1;
     let mut text = "Every method of the experiment on every input that was run: the colour is the method's, the sign \

@@ -1,4 +1,4 @@
-//! What a run takes up: everything, or a few experiments and figures with what belongs to them.
+//! The extent of a run: everything, or a few experiments and figures with what belongs to them.
 
 use experiments::catalog::EXPERIMENTS;
 use experiments::definition::Experiment;

@@ -9,12 +9,12 @@ use batch::{Verdict, check};
 
 use crate::commands::Ending;
 
-/// What is said of an answer to another question than the one at hand, as far as anyone knows.
+/// The note on an answer to another question than the one at hand, as far as anyone knows.
 pub(super) const NO_RECORD: &str =
     "the answer does not record what was asked, and as an answer to these options it fails";
 pub(super) const OTHER_DATA: &str = "the data are not those that the answer was computed from, and for these it fails";
 
-/// What is said of an answer that is right, but records other files than those at hand, or the same in another order.
+/// The note on an answer that is right, but records other files than those at hand, or the same in another order.
 const OF_OTHER_FILES: &str = "right for these files, but the answer was computed from others, as its request says";
 
 /// A question about files.
@@ -37,7 +37,7 @@ impl AboutData {
         self.question.as_ref().ok()
     }
 
-    /// What is to be said of an answer, and whether the command has done what it was asked to: it has not where
+    /// The words on an answer, and whether the command has done what it was asked to: it has not where
     /// nothing could be judged.
     pub(super) fn judge(&self, answer: &Tree) -> (Verdict, Ending) {
         let question = match &self.question {
@@ -57,7 +57,7 @@ impl AboutData {
         }
     }
 
-    /// What is said of an answer for which something has been proved.
+    /// The note on an answer for which something has been proved.
     fn beside_what_is_unknown(&self, proved: String) -> Verdict {
         match &self.unknown {
             None => Verdict::Right(proved),

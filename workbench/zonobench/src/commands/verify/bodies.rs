@@ -14,7 +14,7 @@ use crate::commands::asking::{Asking, PointOptions};
 use crate::commands::usage::{Usage, tell};
 use crate::input::{BodySource, OptionNames, Reading, Wanted};
 
-/// What is said where two files are those of the answer, but in the other order.
+/// The note where two files are those of the answer, but in the other order.
 const OTHER_ORDER: &str = "the files are those of the answer in the other order, and so it fails";
 
 /// The question about the files that an answer is about.

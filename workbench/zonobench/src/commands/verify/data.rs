@@ -19,7 +19,7 @@ pub(super) fn question(file: &Path, asking: &Asking, answer: Option<&Tree>) -> a
     let recorded_format = recorded.as_ref().and_then(|recorded| recorded.as_ref().ok()?.asking.points.format);
     let is_standard_input = file.as_os_str() == "-";
     let format = asking.points.source(file)?.known_format().or(recorded_format.filter(|_| !is_standard_input));
-    // What the name does not tell, the content does.
+    // The content tells what the name does not.
     let is_named = Format::of_extension(file).is_some_and(|format| format != Format::Json);
     if format.is_none() || (asking.points.format.is_none() && !is_named && holds_lines(file)?) {
         return Ok(None);

@@ -5,7 +5,7 @@ use super::{Body, OptionNames};
 use crate::input::error::{InputError, Place, Problem};
 use std::path::Path;
 
-/// How the vectors of a body lie in a table, in an array, or in a list of lists.
+/// The layout of the vectors of a body in a table, in an array, or in a list of lists.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Layout {
     /// Whether the columns are the vectors; the rows are if not.
@@ -17,7 +17,7 @@ pub struct Layout {
 /// Names of a column that holds the centre.
 const CENTERS: [&str; 3] = ["center", "centre", "c"];
 
-/// What the names of columns before their numbers say a generator is.
+/// The form of a generator by the names of columns before their numbers.
 const GENERATORS: [&str; 4] = ["g", "gen", "generator", "generators"];
 
 impl Layout {
@@ -67,7 +67,7 @@ impl Layout {
     }
 }
 
-/// What a header says of the columns.
+/// The meaning of a header for the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Named {
     /// Nothing about bodies, or there is none.

@@ -37,12 +37,12 @@ pub struct ExactBody {
 pub struct RoundedBody {
     /// The body whose centre and generators are the nearest vectors of doubles.
     pub body: Body,
-    /// How far a point of it may be from the exact image, and the other way round; 0 where they are equal.
+    /// The distance that a point of it may be from the exact image, and the other way round; 0 where they are equal.
     pub off: f64,
 }
 
 impl Placed {
-    /// How many coordinates there are.
+    /// The number of coordinates.
     pub fn dimension(&self) -> usize {
         self.body.center.len()
     }

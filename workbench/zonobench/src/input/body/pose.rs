@@ -1,4 +1,4 @@
-//! What a file of a pose holds.
+//! The content of a file of a pose.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use crate::input::error::{InputError, Place, Problem, on_one_line};
 use crate::input::{Format, npy, table};
 use batch::json::Tree;
 
-/// What a file of a pose holds.
+/// The content of a file of a pose.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PoseDocument {
     /// The rows of a matrix.

@@ -14,7 +14,7 @@ use super::points::Points;
 use super::reading::{Reading, Skipping};
 use super::{Format, number, push_limited};
 
-/// What was read of a mesh.
+/// The content of a mesh.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Mesh {
     /// The vertices, in the order of the file; NaN for one that is left out, until [`Mesh::finish`].
@@ -88,7 +88,7 @@ pub(super) fn points(
     Ok(Reading { faces, notes, ..Reading::without_columns(Points::Space(vertices), left_out) })
 }
 
-/// What is wrong, and where in the file.
+/// The fault, and its place in the file.
 type Misplaced = (Problem, Place);
 
 /// The coordinates that three words on a line spell, the first in the given column, or why a coordinate is missing; a

@@ -4,7 +4,7 @@ use csv::ByteRecord;
 
 use crate::input::number::is_number;
 
-/// What a row is.
+/// The kind of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Opening {
     /// A header: it cannot be data.
@@ -13,7 +13,7 @@ pub(super) enum Opening {
     Data,
 }
 
-/// What the first row is, of which the given columns are read. A number anywhere in it makes it data.
+/// The kind of the first row, of which the given columns are read. A number anywhere in it makes it data.
 pub(super) fn opening(first: &ByteRecord, chosen: &[usize]) -> Opening {
     let cell = |column: usize| first.get(column).unwrap_or_default();
     let has_number = has_number(first);

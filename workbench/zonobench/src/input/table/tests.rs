@@ -259,7 +259,7 @@ fn a_number_in_the_first_row_makes_it_data() {
     let below = "# a comment\n\nx,2024\n3,4\n";
     assert_eq!(complaint(below, None, None, Wanted::Planar), text("line 3, column 1", "x", 3));
     assert_eq!(complaint("x,y,2024\n3,4,5\n", None, None, Wanted::Planar), text("line 1, column 1", "x", 1));
-    // What the error says is what helps.
+    // The error says what helps.
     let reading = points(Path::new("p.csv"), below.as_bytes(), None, Some(3), Wanted::Planar).expect("a point");
     assert_eq!(reading.points, Points::Plane(vec![[3.0, 4.0]]));
     let columns = "x,2024".parse().expect("well formed");

@@ -59,7 +59,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     )],
 };
 
-/// What numbers the tiles; the chapter has no experiment of its own.
+/// The numbering of the tiles; the chapter has no experiment of its own.
 fn lesson(_: &Measured<'_>) -> Option<String> {
     let lesson = "The crossings of the lines, counted from the left, number the tiles: one crossing selected and the \
                   lines sorted there give a chain with a given number of tiles on its left, and none of the tiles is \

@@ -28,9 +28,10 @@ pub(super) static CHAPTER: Chapter = Chapter {
          are merged, flat bodies have their faces within their own plane or line. Every comparison is exact.",
     ],
     costs: &[
-        Cost { text: "The paper: O(n^(d−1)) faces, in that time.", held: Held::Claim("complexity-bound") },
+        Cost { text: "The paper: O(n^(d−1)) faces.", held: Held::Claim("face-count") },
+        Cost { text: "The paper: found in O(n^(d−1)) time.", held: Held::Claim("construction-time") },
         Cost {
-            text: "Here: O(n²) facets in space; the sweep that lists them sorts along each circle beside that.",
+            text: "Here: O(n²) facets in space; the sweep that lists them also sorts along each circle.",
             held: Held::Fit { experiment: "faces-scaling", method: "by_sweep", law: GrowthModel::Quadratic },
         },
     ],
@@ -61,7 +62,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     )],
 };
 
-/// How many facets few generators stand for, on each kind of bodies.
+/// The number of facets that few generators stand for, on each kind of bodies.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let mut facets = found.over_inputs("faces-scaling", "by_sweep", Quantity::Value("facets"));
     facets.sort_by(|a, b| b.number.total_cmp(&a.number));

@@ -3,6 +3,7 @@
 use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
 use crate::report::html::grouped;
 use experiments::definition::Quantity;
+use experiments::findings::words;
 use experiments::fit::GrowthModel;
 use experiments::measured::{Measured, range};
 
@@ -61,16 +62,22 @@ pub(super) static CHAPTER: Chapter = Chapter {
 /// Wrong answers near contact, and how many questions they are among.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let total = |method, value| found.total("wrong-answers", method, value).map(|sum| grouped(sum as u64));
-    let [fewest, most] = range(found.over_inputs("gauge-passes", "by_lad", PASSES).iter().map(|end| end.number))?;
+    let ends = found.over_inputs("gauge-passes", "by_lad", PASSES);
+    let passes = range(ends.iter().map(|end| end.number))?;
+    let [_, ever] = found.extremes("gauge-passes", "by_lad", PASSES, words::plain)?;
     Some(format!(
         "Of {} questions about bodies apart, overlapping and nearly touching, the kernel gets {} wrong and proves \
-         every answer; our own GJK in floating point gets {} of {} wrong, and to {} it finds no answer. An exact gauge \
-         takes {fewest:.1} to {most:.1} passes over the generators, by the kind of bodies.",
+         every answer; our own GJK in floating point gets {} of {} wrong, and to {} it finds no answer. The median \
+         number of passes that an exact gauge takes over {} generators is {}, by the kind of bodies; the most at \
+         any size are {}.",
         total("by_lad", "asked")?,
         total("by_lad", "wrong")?,
         total("by_gjk", "wrong")?,
         total("by_gjk", "asked")?,
-        total("by_gjk", "failed")?
+        total("by_gjk", "failed")?,
+        grouped(ends.iter().map(|end| end.n).max()?),
+        words::between(passes),
+        words::at(&ever)
     ))
 }
 

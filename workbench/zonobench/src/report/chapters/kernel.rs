@@ -53,15 +53,17 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How often pruning reads its input, on all kinds of lines; what the clock says of the methods stands with the times.
+/// The number of times that pruning reads its input, on all kinds of lines; what the clock says of the methods stands
+/// with the times.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let passes = found.over_inputs("pruning-passes", "by_pruning", Quantity::Value("passes"));
-    let [fewest, most] = range(passes.iter().map(|end| end.number))?;
+    let ends = range(passes.iter().map(|end| end.number))?;
     let [_, ever] = found.extremes("pruning-passes", "by_pruning", Quantity::Value("passes"), words::plain)?;
     Some(format!(
-        "Pruning finds the optimum among {} lines in {fewest:.2} to {most:.2} passes over them, on {} kinds of lines; \
-         the most passes at any size are {}.",
+        "The median number of passes that pruning takes over {} lines is {}, on {} kinds of lines; the most at any \
+         size are {}.",
         grouped(passes.iter().map(|end| end.n).max()?),
+        words::between(ends),
         passes.len(),
         words::at(&ever)
     ))

@@ -66,7 +66,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How much larger than the hull the smallest zonogon is, around real outlines and around anything, and how well that
+/// The ratio of the smallest zonogon to the hull, around real outlines and around anything, and how well that
 /// is proved.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let of = |value| {

@@ -35,7 +35,7 @@ mod tests {
         spelled.chars().filter(|c| !c.is_whitespace() && *c != '^').collect()
     }
 
-    /// What stands between the brackets of each O( … ).
+    /// The text between the brackets of each O( … ).
     fn laws(text: &str) -> Vec<String> {
         let text = plain(text);
         let starts = text.match_indices("O(").map(|(at, _)| at + 2);

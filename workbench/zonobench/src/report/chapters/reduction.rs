@@ -1,8 +1,8 @@
 //! Bodies of few generators around bodies of many.
 
-use experiments::definition::Quantity;
-
 use crate::report::chapter::{Chapter, ChapterTable, Cost, Held};
+use experiments::definition::Quantity;
+use experiments::findings::words;
 use experiments::measured::{Measured, range};
 
 pub(super) static CHAPTER: Chapter = Chapter {
@@ -49,12 +49,12 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How far three rules are from the body with as many generators, on all kinds of bodies.
+/// The distances of three rules from the body with as many generators, on all kinds of bodies.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let error = |method| {
         let errors = found.over_inputs("reduction-error", method, Quantity::Value("error"));
-        let [low, high] = range(errors.iter().map(|end| end.number))?;
-        Some((errors.iter().map(|end| end.n).max()?, errors.len(), format!("{low:.3} to {high:.3}")))
+        let ends = range(errors.iter().map(|end| end.number))?;
+        Some((errors.iter().map(|end| end.n).max()?, errors.len(), words::between(ends)))
     };
     let ((count, kinds, fitted), (_, _, patches), (_, _, girard)) =
         (error("cluster")?, error("lemma_5_5")?, error("girard")?);

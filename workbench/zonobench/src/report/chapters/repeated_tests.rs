@@ -60,7 +60,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     )],
 };
 
-/// What a structure and what the last frame save, on all kinds of bodies.
+/// The savings of a structure and of the last frame, on all kinds of bodies.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let reads = |experiment, method| found.over_inputs(experiment, method, Quantity::Value("reads"));
     let shares = |experiment, [method, other]: [&'static str; 2]| {

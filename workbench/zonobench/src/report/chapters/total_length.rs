@@ -84,7 +84,7 @@ pub(super) static CHAPTER: Chapter = Chapter {
     ],
 };
 
-/// How near to the shortest zonotopes are proved to be, and how much smaller than boxes they are, around meshes and
+/// The proven ratio of zonotopes to the shortest, and how much smaller than boxes they are, around meshes and
 /// around everything.
 fn lesson(found: &Measured<'_>) -> Option<String> {
     let of = |value| {

@@ -2,7 +2,7 @@
 
 use experiments::analysis::FittedGrowth;
 use experiments::definition::{Experiment, Tabulated};
-use experiments::fit::ModelVerdict;
+use experiments::fit::{GrowthModel, ModelVerdict};
 use paper_checks::Finding;
 
 use super::experiment;
@@ -120,7 +120,8 @@ fn laws<'a>(experiments: &[&'static Experiment], evidence: &'a Evidence) -> Vec<
     all.filter(|fit| fit.is_deterministic()).collect()
 }
 
-/// How the growth compares with the bounds, and the chapter's claims by what was found, each a link to the ledger.
+/// The growth beside the bounds, and the chapter's claims by what was found, each a link to the
+/// ledger.
 fn findings(part: &Part<'_>, evidence: &Evidence) -> String {
     let mut lines = Vec::new();
     let verdicts: Vec<ModelVerdict> =
@@ -154,18 +155,37 @@ fn findings(part: &Part<'_>, evidence: &Evidence) -> String {
     format!("<p class=\"findings\">{}</p>\n", lines.join("<br>\n"))
 }
 
-/// A law of a cost with a link to what holds it, where the page has that.
+/// A law of a cost with a link to what holds it, where the page has that, and how far that bears it.
 fn cost_line(cost: &Cost, evidence: &Evidence) -> String {
-    let (anchor, name, is_shown) = match cost.held {
-        Held::Claim(id) => ("claim", id, evidence.claims.iter().any(|result| result.claim.id == id)),
-        Held::Fit { experiment, .. } => {
-            ("experiment", experiment, evidence.experiments.iter().any(|shown| shown.id == experiment))
+    let (anchor, name, found) = match cost.held {
+        Held::Claim(id) => {
+            let result = evidence.claims.iter().find(|result| result.claim.id == id);
+            ("claim", id, result.map(|result| format!(": {}", result.finding().words())))
+        }
+        Held::Fit { experiment, method, law } => {
+            let shown = evidence.experiments.iter().find(|shown| shown.id == experiment);
+            ("experiment", experiment, shown.map(|shown| judged(evidence.fits_of(shown), method, law)))
         }
     };
-    match is_shown {
-        true => format!("{} <small>(<a href=\"#{anchor}-{name}\">{name}</a>)</small>", prose(cost.text)),
-        false => prose(cost.text),
+    match found {
+        Some(found) => format!("{} <small>(<a href=\"#{anchor}-{name}\">{name}</a>{found})</small>", prose(cost.text)),
+        None => prose(cost.text),
     }
+}
+
+/// The number of fits of a method against a law that keep it, and of those that do not or leave it open.
+fn judged<'a>(fits: impl Iterator<Item = &'a FittedGrowth>, method: &str, law: GrowthModel) -> String {
+    let judges = |fit: &&FittedGrowth| fit.variant == method && fit.bound.is_some_and(|bound| bound.model == law);
+    let verdicts: Vec<ModelVerdict> = fits.filter(judges).filter_map(|fit| fit.verdict()).collect();
+    let count = |keeps: Option<bool>| verdicts.iter().filter(|verdict| verdict.keeps_bound() == keeps).count();
+    let all = verdicts.len();
+    let counted = [(Some(true), "kept"), (Some(false), "exceeded"), (None, "undecided")]
+        .map(|(keeps, word)| (count(keeps), word))
+        .into_iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, word)| format!("{word} in {count} of {all} fits"));
+    let words: Vec<String> = counted.collect();
+    if words.is_empty() { String::new() } else { format!(": {}", words.join(", ")) }
 }
 
 fn commands(chapter: &Chapter) -> String {

@@ -5,7 +5,7 @@ use experiments::fit::ModelVerdict;
 
 use crate::report::Evidence;
 use crate::report::html::{Escaped, badge, grouped, prose, table};
-use crate::report::tables::{interval, method_title, quantity_name};
+use crate::report::tables::{beyond, method_title, quantity_name};
 
 /// The section; nothing where no law has a bound.
 pub(super) fn section(evidence: &Evidence) -> String {
@@ -30,7 +30,8 @@ pub(super) fn section(evidence: &Evidence) -> String {
         "<section id=\"laws\">\n<h2>Growth laws by what was found</h2>\n\
          <p>Every law on the counts of an experiment, over all sizes and over the last doublings. A bound is kept \
          where the whole interval is at most the slack of 0.05; where the interval reaches beyond it and does not lie \
-         beyond it altogether, the law is {}. {} more laws have no bound.</p>\n",
+         beyond it altogether, the law is {}. A bound that is a number is kept where no sample \
+         exceeds it. {} more laws have no bound.</p>\n",
         badge("plain", "undecided"),
         grouped(measured as u64)
     );
@@ -60,6 +61,7 @@ pub(super) fn section(evidence: &Evidence) -> String {
 /// A law that is exceeded or undecided, in a line.
 fn item(fit: &FittedGrowth) -> String {
     let (Ok(growth), Some(bound)) = (&fit.growth, fit.bound_fit()) else { return String::new() };
+    let law = fit.bound.and_then(|bound| bound.most).map_or_else(|| bound.model.to_string(), |most| most.to_string());
     let place = fit.paper_place().map_or_else(String::new, |place| format!(" of {place}"));
     format!(
         "<li><a href=\"#experiment-{0}\">{0}</a>: {1} of {2} on {3}, n = {4} to {5}: beyond {6}{place} by {7}</li>\n",
@@ -69,7 +71,7 @@ fn item(fit: &FittedGrowth) -> String {
         Escaped(&fit.family.replace('_', " ")),
         grouped(growth.smallest as u64),
         grouped(growth.largest as u64),
-        prose(&bound.model.to_string()),
-        interval(bound.excess_exponent),
+        prose(&law),
+        beyond(fit),
     )
 }

@@ -1,4 +1,4 @@
-//! What stands where in the report: the chapters with their figures, experiments and claims, and the numbers of
+//! The order of the report: the chapters with their figures, experiments and claims, and the numbers of
 //! figures.
 
 use experiments::definition::Experiment;

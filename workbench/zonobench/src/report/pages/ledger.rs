@@ -61,7 +61,7 @@ fn sections(claims: &[ClaimResult]) -> Vec<&'static str> {
     sections
 }
 
-/// How many of the claims have each finding: "3 [holds] 2 [erratum]".
+/// The number of claims that have each finding: "3 [holds] 2 [erratum]".
 fn tally(results: &[&ClaimResult]) -> String {
     let counted = Finding::ALL.into_iter().filter_map(|finding| {
         let count = results.iter().filter(|result| result.finding() == finding).count();

@@ -3,7 +3,7 @@
 use crate::report::Evidence;
 use crate::report::html::Escaped;
 
-/// How the workbench asks to be cited, as a file of its own beside the report.
+/// The citation of the workbench, as a file of its own beside the report.
 pub const CITATION: &str = include_str!("../../../../../CITATION.cff");
 
 /// The paper and the workbench, for a bibliography.
@@ -20,14 +20,16 @@ pub(super) fn section(evidence: &Evidence) -> String {
          remains after division by the bound. If its whole interval is at most 0.05, a slack that was fixed \
          beforehand, the count is <i>within the bound</i>, and if all of it is under −0.05, <i>below the bound</i>, \
          which a bound from above allows; if all of it is over 0.05, it is <i>above the bound</i>; and an interval \
-         that also reaches beyond 0.05 leaves the bound <i>undecided</i>. Bounds that the paper states are named after \
-         their place there, the others are our own. “Bend” is an F test: whether the means of the sizes miss the law \
-         by more than the instances of a size differ. Where they do, the interval rests on the means alone; where the \
-         instances of a size are equal, or there is one, nothing can be tested. “Closest” names the law that fits best \
-         of those that were compared. Where counts that have to read the whole input seem to grow slower than it, \
-         <i>lower-order terms show</i>, and they are not called below the bound.</p>\n\
+         that also reaches beyond 0.05 leaves the bound <i>undecided</i>. A bound that has its constant with it is a \
+         number, which every sample keeps or breaks; beside it stands the largest sample. Bounds that the paper states \
+         are named after their place there, the others are our own. “Bend” is an F test: whether the means of the \
+         sizes miss the law by more than the instances of a size differ. Where they do, the interval rests on the \
+         means alone; where the instances of a size are equal, or there is one, nothing can be tested. “Closest” names \
+         the law that fits best of those that were compared. Where counts that have to read the whole input seem to \
+         grow slower than it, <i>lower-order terms show</i>, and they are not called below the bound.</p>\n\
          <p><b>Claims</b> are checked in exact arithmetic on instances from a fixed seed. “Holds” means that it held \
-         on instances of several kinds, or of the one kind that it is about; each correction shows a witness.</p>\n\
+         on instances of several kinds, or of the one kind that it is about; a statement about any dimension that was \
+         tried in one alone “holds where tried”; each correction shows a witness.</p>\n\
          </details>\n\
          <p><b>Everything here</b> comes from the profile {} with seed {}. <a \
          href=\"manifest.json\"><code>manifest.json</code></a> lists every file with its hash and says which ones \

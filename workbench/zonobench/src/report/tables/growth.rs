@@ -3,6 +3,7 @@
 use experiments::analysis::FittedGrowth;
 use experiments::catalog;
 use experiments::definition::{Bound, StatedBy};
+use experiments::findings::words;
 use experiments::fit::{
     Estimate, Growth, GrowthModel, LAST_DOUBLINGS, LackOfFit, ModelVerdict, SIZES_OF_LAST_DOUBLINGS, in_decimals,
 };
@@ -12,7 +13,8 @@ use super::variant::variant_title;
 use crate::report::html::{Escaped, badge, grouped, prose, table};
 use experiments::measured::range;
 
-/// What the fits of each method in each experiment say of its bound, in one sentence, leaving out what a clock says.
+/// The sentence on the bound of each method in each experiment that its fits make, leaving out what a clock
+/// says.
 pub(in crate::report) fn measurements(fits: &[FittedGrowth]) -> Vec<Measurement> {
     let judged = |fit: &&FittedGrowth| fit.is_deterministic() && fit.verdict().is_some();
     let fits: Vec<&FittedGrowth> = fits.iter().filter(judged).collect();
@@ -30,14 +32,16 @@ fn measurement(fits: &[&FittedGrowth]) -> Option<Measurement> {
     let excess = fits.iter().filter_map(|fit| fit.bound_fit()).map(|fit| fit.excess_exponent.high);
     let undecided = fits.iter().filter(|fit| fit.verdict() == Some(ModelVerdict::Undecided)).count();
     let open = if undecided == 0 { String::new() } else { format!(", undecided on {undecided}") };
-    let summary = format!(
-        "{} of {} on {} inputs, n = {smallest} to {largest}: exponents {low} to {high}, beyond {} at most {}{open}",
-        first.quantity,
-        first.variant,
-        fits.len(),
-        bound.model,
-        in_decimals(excess.fold(f64::NEG_INFINITY, f64::max), 3),
-    );
+    let measured =
+        format!("{} of {} on {} inputs, n = {smallest} to {largest}", first.quantity, first.variant, fits.len());
+    let summary = match (bound.most, fits.iter().filter_map(|fit| fit.greatest()).reduce(f64::max)) {
+        (Some(most), Some(greatest)) => format!("{measured}: at most {}, of {most}", words::number(greatest)),
+        _ => format!(
+            "{measured}: exponents {low} to {high}, beyond {} at most {}{open}",
+            bound.model,
+            in_decimals(excess.fold(f64::NEG_INFINITY, f64::max), 3),
+        ),
+    };
     let agrees = fits.iter().all(|fit| fit.supports_bound() == Some(true));
     let (experiment, method) = (first.experiment.to_owned(), first.variant.to_owned());
     Some(Measurement { experiment, method, summary, agrees, is_of_paper: first.paper_place().is_some() })
@@ -113,7 +117,7 @@ fn summary_row(fits: &[&FittedGrowth]) -> Option<Vec<String>> {
     ])
 }
 
-/// How many of some fits have each verdict, or the verdict alone where all have the same.
+/// The number of fits with each verdict, or the verdict alone where all have the same.
 fn summary_of_verdicts(fits: &[&FittedGrowth]) -> String {
     let verdicts: Vec<ModelVerdict> = fits.iter().filter_map(|fit| fit.verdict()).collect();
     let counted: Vec<(ModelVerdict, usize)> = ModelVerdict::ALL
@@ -138,7 +142,7 @@ fn summary_of_verdicts(fits: &[&FittedGrowth]) -> String {
 }
 
 /// A number with its interval.
-pub(in crate::report) fn interval(estimate: Estimate) -> String {
+fn interval(estimate: Estimate) -> String {
     let [value, low, high] = [estimate.value, estimate.low, estimate.high].map(|number| in_decimals(number, 3));
     format!("{value} [{low}, {high}]").replace('-', "−")
 }
@@ -175,11 +179,20 @@ fn row(fit: &FittedGrowth, growth: &Growth) -> Vec<String> {
         sizes(growth),
         interval(growth.exponent),
         fit.bound.map_or("–".to_owned(), bound_name),
-        fit.bound_fit().map_or("–".to_owned(), |bound| interval(bound.excess_exponent)),
+        beyond(fit),
         fit.lack_of_fit().map_or("–".to_owned(), bend),
         growth.best().map_or("–".to_owned(), |best| model_name(best.model)),
         verdict,
     ]
+}
+
+/// The excess over the bound: an exponent with its interval, or the greatest sample beside a number.
+pub(in crate::report) fn beyond(fit: &FittedGrowth) -> String {
+    match (fit.beside_number(), fit.bound_fit()) {
+        (Some(greatest), _) => format!("at most {}", words::number(greatest)),
+        (None, Some(bound)) => interval(bound.excess_exponent),
+        (None, None) => "–".to_owned(),
+    }
 }
 
 /// The range of the sizes; where it is not five sizes over four doublings at least, how many sizes and doublings.
@@ -192,7 +205,7 @@ fn sizes(growth: &Growth) -> String {
     format!("{range} <small>{} sizes, {} doublings</small>", growth.sizes, in_decimals(doublings, 1))
 }
 
-/// What the test of a lack of fit says.
+/// The words for the test of a lack of fit.
 fn bend(lack_of_fit: LackOfFit) -> String {
     match lack_of_fit {
         LackOfFit::NoReplicates => "<small>no replicates</small>".to_owned(),
@@ -218,7 +231,8 @@ fn bound_name(bound: Bound) -> String {
         StatedBy::Paper(place) => place,
         StatedBy::Workbench => "our own",
     };
-    format!("{} <small>{place}</small>", model_name(bound.model))
+    let law = bound.most.map_or_else(|| model_name(bound.model), |most| format!("{most} in each case"));
+    format!("{law} <small>{place}</small>")
 }
 
 /// The title of the method whose growth was fitted.

@@ -1,4 +1,4 @@
-//! What the program says of itself: a sentence each in the short help, lines as wide as the terminal.
+//! The program's words on itself: a sentence each in the short help, lines as wide as the terminal.
 
 use std::path::Path;
 use std::process::Command;

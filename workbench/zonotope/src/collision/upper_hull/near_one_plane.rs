@@ -1,7 +1,7 @@
 //! Heights over bodies whose generators lie in one plane but for rounding.
 //!
 //! The lines of such generators meet in one point but for their last digits, so that doubles tell nothing about their
-//! order, and exact arithmetic on every line takes a hundred times as long. In coordinates around a point of doubles
+//! order, and every line would need exact arithmetic. In coordinates around a point of doubles
 //! near that one, the offset a x + b y + c of a line is tiny, and pairs of doubles know it to its last digits.
 
 use crate::lad::kernel_input::{Columns, ExactLine, ExactLines, LineError};

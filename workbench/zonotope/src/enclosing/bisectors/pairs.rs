@@ -1,7 +1,7 @@
 //! The lines ℓ_t by pairs of doubles: their common points, and on which side a point lies, with bounds on every error.
 //!
-//! The coordinates of a few points are of about one size, so pairs of doubles tell nearly everything about them; exact
-//! numbers would cost fifty times as much.
+//! The coordinates of a few points are of about one size, so pairs of doubles tell nearly everything about them, at
+//! less cost than exact numbers.
 
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::tolerance::{UNDERFLOW, UNIT};

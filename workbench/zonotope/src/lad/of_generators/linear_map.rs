@@ -3,7 +3,7 @@
 //!
 //! Let m be the sum of the magnitudes of all nine entries. No row and no column has a larger sum, so m bounds by how
 //! much a coordinate grows, and every rounding error is a few u m. The determinant is not asked for: [`Frame`] has the
-//! sharper bounds that a search needs, and costs several times as much.
+//! sharper bounds that a search needs, at a higher cost.
 //!
 //! [`Frame`]: super::frame::Frame
 

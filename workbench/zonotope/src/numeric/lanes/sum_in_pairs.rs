@@ -3,7 +3,7 @@
 //!
 //! The product of two doubles and what rounding it leaves behind are two doubles (Dekker); so are their sums (Knuth).
 //! The large parts of all products are summed up with what each addition rounds off, the small parts as they are. That
-//! is ten times the arithmetic of a pass in doubles, yet of many generators most of the time is spent on reading them.
+//! is more arithmetic than a pass in doubles has, on generators that are read once as well.
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 

@@ -22,8 +22,8 @@
 //! 4. Exact binary integers ([`Dyadic`]) for what cannot be scaled (magnitudes that span more than 2^879).
 //!
 //! # Complexity
-//! Constant time and space. The filter costs 4 subtractions, 2 products and 4 further operations; on points without
-//! structure it fails about once in 10^15 tries. Steps 2 and 3 cost tens of nanoseconds, step 4 microseconds.
+//! Constant time and space. The filter costs 4 subtractions, 2 products and 4 further operations; it fails on
+//! points that are collinear or nearly so. The later a step, the more it costs.
 //!
 //! # Shapes
 //! Points are `[f64; 2]`, x first.

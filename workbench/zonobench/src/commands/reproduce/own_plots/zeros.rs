@@ -5,7 +5,7 @@ use figures::axes::Curve;
 /// Curves that have a place on logarithmic axes.
 pub(super) struct Placed {
     pub(super) curves: Vec<Curve>,
-    /// How many points each curve lost.
+    /// The number of points that each curve lost.
     lost: Vec<usize>,
     /// The curves that have no other value than 0, in words.
     all_zero: Vec<String>,
@@ -34,7 +34,7 @@ impl Placed {
         placed
     }
 
-    /// What is not drawn, in sentences; nothing if all is.
+    /// Parts that are not drawn, in sentences; nothing if all is.
     pub(super) fn left_out(&self) -> String {
         let mut text = String::new();
         let lost: usize = self.lost.iter().sum();

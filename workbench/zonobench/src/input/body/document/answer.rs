@@ -12,7 +12,7 @@ use batch::json::Tree;
 /// The name of the multiples of directions that make generators.
 const COEFFICIENTS: &str = "coefficients";
 
-/// What a result says of the zonotope that it holds.
+/// The words of a result on the zonotope that it holds.
 const SAID: [&str; 13] = [
     "status",
     "area",

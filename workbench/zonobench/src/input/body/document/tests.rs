@@ -64,7 +64,7 @@ fn two_centres_and_two_lists_of_generators_are_named() {
     twice(r#"{"result":{"center":[1,2],"c":[1,2],"generators":[[1,0]]}}"#, ["`center`", "result.c: "]);
 }
 
-/// What would make another body of it is refused by its name, wherever the zonotope stands.
+/// A field that would make another body of it is refused by its name, wherever the zonotope stands.
 #[test]
 fn fields_that_could_change_the_body_are_named() {
     let names = "\

@@ -79,7 +79,7 @@ fn ranges_that_are_short_and_replicates_that_are_missing_are_told() {
     assert!(tested.contains("none, p = "), "{tested}");
 }
 
-/// What was found on several inputs is counted by verdict, the undecided ones in grey.
+/// The findings on several inputs are counted by verdict, the undecided ones in grey.
 #[test]
 fn a_summary_counts_each_verdict_apart() {
     let fits = [powers(|n| 3.0 * n), powers(|n| n * n), noisy()].map(|samples| fit_of(&samples, Some(PAPERS), None));

@@ -267,7 +267,7 @@ impl Moments {
         let determinant = dot(&rows[0], &minors[0]);
         let inverse = 1.0 / determinant;
         let is_thick = determinant > THICK_DETERMINANT * trace * trace * trace;
-        // written out: a function for each entry costs a tenth of a question about a box
+        // written out: calls for each entry show in the time of a question about a box
         let [a, b, c] = &minors;
         is_thick.then(|| [dot(a, r) * inverse, dot(b, r) * inverse, dot(c, r) * inverse])
     }

@@ -13,7 +13,7 @@ use crate::numeric::exact_linear::sum_of_products;
 use crate::numeric::linear::inverse;
 use crate::numeric::scaling::scale_by_power_of_two;
 
-/// The pivots for all points of a body may take this much work together, in products of words: some tenths of a second.
+/// The pivots for all points of a body may take this much work together, in products of words.
 pub(super) const RATIONAL_WORK_LIMIT: u64 = 1 << 29;
 
 /// A zonotope along the kept directions of a problem, whose containment of points is proved.

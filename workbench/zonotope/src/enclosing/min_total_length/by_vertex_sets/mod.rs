@@ -50,7 +50,7 @@
 //! where the search before ended. There are some ten to hundred steps, at most 400, and they end with the work: 10^11
 //! operations, those of the looks included. In a plane the method takes O(n log n) for each of some
 //! fifty centres. Leaving out points takes some passes over at most 500 points for each point. A step with pairs of
-//! doubles costs about fifty times as much.
+//! doubles costs a constant factor more.
 //!
 //! # Shapes
 //! `points`: n × D, any order, duplicates allowed; `generators`: half-lengths.

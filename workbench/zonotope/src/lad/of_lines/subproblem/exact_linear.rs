@@ -8,8 +8,8 @@ use crate::numeric::dyadic::Dyadic;
 
 /// A linear term in parts: a known vector, plus the signed normals of the lines that the subproblem leaves out.
 ///
-/// A search that prunes several times keeps a layer of signs for each time. The exact sum over a layer costs as much as
-/// hundreds of passes in floating point, and hardly ever does a decision need it.
+/// A search that prunes several times keeps a layer of signs for each time. The exact sum over a layer costs more
+/// than a pass in floating point, and is made where a decision needs it.
 #[derive(Debug, Clone)]
 pub(crate) struct ExactLinear {
     known: [Dyadic; 2],
