@@ -18,7 +18,7 @@ use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
 
 /// How to read the points, and what zonotope around them is wanted.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 pub struct Asking {
     /// How to read the points.
     #[command(flatten)]
