@@ -6,7 +6,9 @@ use serde_json::Value;
 pub fn are_exact(kind: &str, answer: &Value) -> bool {
     let Some(envelope) = answer.as_object() else { return false };
     let known = ["id", "kind", "method", "request", "result"];
-    envelope.keys().all(|name| known.contains(&name.as_str())) && of_result(kind, &answer["result"])
+    envelope.keys().all(|name| known.contains(&name.as_str()))
+        && envelope.get("method").is_none_or(Value::is_string)
+        && of_result(kind, &answer["result"])
 }
 
 fn of_result(kind: &str, result: &Value) -> bool {

@@ -3,11 +3,11 @@
 //! Every number, name, flag and list of an answer is changed in several ways. A change may leave an answer true:
 //! another vertex that is as far away, a figure within the accepted rounding. So whenever the verifier still calls the
 //! answer right, a judge decides whether it is, from the definition and in rationals, by code that shares nothing with
-//! the verifier. Beside the errors that are planted one by one there are random mutants, a million of them where
-//! `ZONOTOPE_MUTANTS` asks for so many.
+//! the verifier. Beside the errors that are planted one by one there are random mutants, of answers about ordinary
+//! numbers and about numbers of any size, a million of each where `ZONOTOPE_MUTANTS` asks for so many.
 
 mod bounds;
-mod dice;
+mod enclosures;
 mod errors;
 mod fields;
 mod judges;
@@ -15,7 +15,6 @@ mod mutants;
 mod mutation;
 mod plain;
 mod proximity;
-mod questions;
 mod rationals;
 mod truth;
 
@@ -23,10 +22,11 @@ use std::collections::BTreeMap;
 
 use batch::json::{MAX_VALUES, Tree, read};
 use batch::{KINDS, Line, Verdict, answer_line, check};
-use dice::Dice;
-use mutants::{Counts, MUTANTS_AN_ANSWER};
+use mutants::{Counts, MUTANTS_AN_ANSWER, answered};
 use proptest::prelude::*;
 use serde_json::{Value, json};
+use tests::dice::Dice;
+use tests::questions::{self, Population};
 
 fn tree(value: &Value) -> Tree {
     read(value.to_string().as_bytes(), MAX_VALUES).expect("an answer is JSON")
@@ -184,36 +184,59 @@ proptest! {
     }
 }
 
-/// The number of mutants that an ordinary run makes, of all kinds together.
+/// The number of mutants that an ordinary run makes of each population, of all kinds together.
 const MUTANTS: usize = 17_000;
 
 /// The variable of the environment that names another number of mutants.
 const MUTANTS_VARIABLE: &str = "ZONOTOPE_MUTANTS";
 
-#[test]
-fn random_mutants_are_judged_as_by_the_definition() {
+/// A message shows so many faults of a kind.
+const SHOWN: usize = 3;
+
+/// Makes mutants of all kinds from a population of questions: none that is false is called right.
+fn mutants_are_judged_as_by_the_definition(population: Population) {
     let wanted = std::env::var(MUTANTS_VARIABLE).map_or(MUTANTS, |text| text.parse().expect("a number of mutants"));
     let questions = wanted.div_ceil(KINDS.len() * MUTANTS_AN_ANSWER);
     let mut counts: BTreeMap<String, Counts> = BTreeMap::new();
+    let mut faults = Vec::new();
     for (number, kind) in (1..).zip(KINDS) {
         let mut dice = Dice::new(number);
         let mut pairs = Vec::new();
         // Refused questions have no answer to change.
         while pairs.len() < questions {
-            let question = questions::question(&mut dice, kind.name, &format!("{} {}", kind.name, pairs.len()));
-            let answer = answer_line(1, &Line::Content(question.to_string().into_bytes()), 0).content;
+            let id = format!("{} {}", kind.name, pairs.len());
+            let question = questions::question(&mut dice, population, kind.name, &id);
+            let answer = answered(&question);
             if answer.get("result").is_some() {
                 pairs.push((question, answer));
             }
         }
         mutants::judge(&mut dice, &pairs, &mut counts);
-        let Counts { mutants, harmless, wrong, unchecked, faults } = &counts[kind.name];
-        println!("{}: {mutants} mutants, {wrong} wrong, {unchecked} unchecked, {harmless} right", kind.name);
-        assert!(faults.is_empty(), "{} of {mutants} mutants of {}: {}", faults.len(), kind.name, faults[0]);
+        let Counts { mutants, harmless, wrong, unchecked, faults: own } = &counts[kind.name];
+        println!(
+            "{}: {mutants} mutants, {wrong} wrong, {unchecked} unchecked, {harmless} right, {} faults",
+            kind.name,
+            own.len()
+        );
         assert!(wrong + unchecked > 2 * harmless, "{harmless} mutants of {} are harmless", kind.name);
+        if !own.is_empty() {
+            let shown = own[..own.len().min(SHOWN)].join("\n");
+            faults.push(format!("{} of {mutants} mutants of {}: {shown}", own.len(), kind.name));
+        }
     }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
     let mutants: usize = counts.values().map(|counts| counts.mutants).sum();
     assert!(mutants >= wanted / 2, "{mutants}");
+}
+
+#[test]
+fn random_mutants_of_ordinary_numbers_are_judged_as_by_the_definition() {
+    mutants_are_judged_as_by_the_definition(Population::Ordinary);
+}
+
+#[test]
+fn random_mutants_of_numbers_of_any_size_are_judged_as_by_the_definition() {
+    mutants_are_judged_as_by_the_definition(Population::AnySize);
 }
 
 /// Points of a face are as far as any other, so an answer may be changed to another right one.

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use serde_json::Value;
 
-use crate::judges::{placed, proves, same_fields, same_figure};
+use crate::judges::{self, placed, proves, same_fields, same_figure};
 use crate::rationals::{absolute, dot, indices, minus, number, solved, vector};
 use crate::truth::{reach, squared_depth};
 
@@ -25,26 +25,67 @@ pub fn judged(input: &Value, right: &Value, changed: &Value) -> Option<(bool, bo
     let question = Question { p, generators: [own, others].concat(), count };
     let is_same = same_fields(&["status", "features"], right, changed)
         && same_figure(&right["distance"], &changed["distance"])
-        && is_one_point(right, changed)
-        && ["a", "b"].iter().all(|name| is_near(input, &right["nearest"][name], &changed["nearest"][name]));
+        && is_one_point(right, changed);
+    let is_common = right["status"] != "outside";
+    // Of bodies that meet any common point is right, of others the nearest ones are those of the right answer.
+    let is_placed = if is_common {
+        let point = common_point(&question, from, &changed["certificate"])?;
+        is_near(input, &point, &changed["nearest"]["a"])
+    } else {
+        ["a", "b"].iter().all(|name| {
+            let point = coordinates(&right["nearest"][name]);
+            point.is_some_and(|point| is_near(input, &point, &changed["nearest"][name]))
+        })
+    };
     let is_proved = proves(&Some(question.p.clone()), &Some(question.generators.clone()), right, changed)?;
     let parts = match right["status"].as_str()? {
         "outside" => is_nearest(&question, &changed["distance_certificate"])?,
-        "boundary" => supports(&question, right, changed)? && right["penetration"] == changed["penetration"],
+        "boundary" => {
+            supports(&question, right, changed)? && judges::is_same(&right["penetration"], &changed["penetration"])
+        }
         _ => is_deep(&question, &changed["penetration"])?,
     };
-    Some((is_same && is_proved, parts))
+    Some((is_same && is_placed && is_proved, parts))
 }
 
 /// Whether the nearest points of bodies that meet are one.
 fn is_one_point(right: &Value, changed: &Value) -> bool {
-    let [a, b] = ["a", "b"].map(|name| vector(&changed["nearest"][name]));
+    let [a, b] = ["a", "b"].map(|name| coordinates(&changed["nearest"][name]));
     right["status"] == "outside" || a == b
 }
 
+/// A point of which infinite coordinates count as the largest double.
+fn coordinates(point: &Value) -> Option<Vec<RBig>> {
+    let largest = RBig::try_from(f64::MAX).ok()?;
+    let coordinate = |value: &Value| match value.as_str() {
+        Some("Infinity") => Some(largest.clone()),
+        Some("-Infinity") => Some(-largest.clone()),
+        _ => number(value),
+    };
+    point.as_array()?.iter().map(coordinate).collect()
+}
+
+/// The point of the first body, around `center`, that the coefficients of a certificate make.
+fn common_point(question: &Question, center: Vec<RBig>, certificate: &Value) -> Option<Vec<RBig>> {
+    let (mut coefficients, basis) = (vector(&certificate["coefficients"])?, indices(&certificate["basis"])?);
+    let add = |sum: Vec<RBig>, factor: &RBig, g: &[RBig]| -> Vec<RBig> {
+        sum.iter().zip(g).map(|(sum, c)| sum + factor * c).collect()
+    };
+    let off = (0..question.generators.len()).filter(|index| !basis.contains(index));
+    let rest = off.fold(question.p.clone(), |rest, i| add(rest, &-&coefficients[i], &question.generators[i]));
+    let columns: Option<Vec<&Vec<RBig>>> = basis.iter().map(|&index| question.generators.get(index)).collect();
+    for (&index, exact) in basis.iter().zip(solved(&columns?, &rest)?) {
+        coefficients[index] = exact;
+    }
+    let own = question.generators.iter().zip(&coefficients).take(question.count);
+    let largest = RBig::try_from(f64::MAX).ok()?;
+    let point = own.fold(center, |sum, (g, factor)| add(sum, factor, g));
+    Some(point.into_iter().map(|c| c.min(largest.clone()).max(-largest.clone())).collect())
+}
+
 /// Whether a point is the same but for rounding.
-fn is_near(input: &Value, right: &Value, changed: &Value) -> bool {
-    let Some((right, changed)) = vector(right).zip(vector(changed)) else { return right == changed };
+fn is_near(input: &Value, right: &[RBig], changed: &Value) -> bool {
+    let Some(changed) = coordinates(changed) else { return false };
     let bodies = [placed(&input["a"], "center"), placed(&input["b"], "center")];
     let size = bodies.iter().flatten().flat_map(|(center, list)| center.iter().chain(list.iter().flatten()));
     let size = size.fold(RBig::ZERO, |sum, c| sum + absolute(c.clone()));
@@ -112,7 +153,9 @@ fn supports(question: &Question, right: &Value, changed: &Value) -> Option<bool>
 fn is_deep(question: &Question, changed: &Value) -> Option<bool> {
     let (lower, u) = (number(&changed["lower"])?, vector(&changed["direction"])?);
     let is_infinite = changed["upper"] == "Infinity";
-    let upper = if is_infinite { RBig::try_from(f64::MAX).ok()? } else { number(&changed["upper"])? };
+    // A bound that is rounded up leaves the range of doubles where the depth nearly does.
+    let nearly = RBig::try_from(1.0 - 1e-12).ok()? * RBig::try_from(f64::MAX).ok()?;
+    let upper = if is_infinite { nearly } else { number(&changed["upper"])? };
     let squared = squared_depth(&question.p, &question.generators)?;
     let is_true = lower >= RBig::ZERO
         && &lower * &lower <= squared
@@ -122,6 +165,8 @@ fn is_deep(question: &Question, changed: &Value) -> Option<bool> {
     let size = question.generators.iter().flatten().fold(RBig::ZERO, |sum, c| sum + absolute(c.clone()));
     let most = upper + size * RBig::try_from(4.0 * f64::EPSILON).ok()?;
     let length = dot(&u, &u);
-    let is_about = length > RBig::ZERO && &along * &along <= &most * &most * length;
+    let accuracy = RBig::try_from(1.0 - DEPTH_ACCURACY).ok()?;
+    let is_near = is_infinite && &along * &along * &accuracy * accuracy <= &squared * &length;
+    let is_about = length > RBig::ZERO && (is_near || &along * &along <= &most * &most * length);
     Some(u.len() == question.p.len() && is_true && is_about)
 }

@@ -54,10 +54,15 @@ pub fn guarded(check: impl FnOnce() -> Verdict) -> Verdict {
 
 fn checked(question: &Tree, answer: &Tree) -> Result<Verdict, String> {
     for name in ["id", "kind"] {
-        let (asked, answered) = (question.field(name), answer.field(name));
-        if asked.and_then(Tree::text) != answered.and_then(Tree::text) {
-            return Err(format!("the {name} is not the question's"));
+        let [asked, answered] = [question, answer].map(|tree| tree.field(name).and_then(Tree::text));
+        if asked != answered {
+            let told = |text: Option<&str>| text.map_or("none".to_owned(), |text| format!("`{text}`"));
+            return Err(format!("the {name} is {}, and the question's is {}", told(answered), told(asked)));
         }
+    }
+    // Another method may have stepped in for the one that was asked for, but a method has a name.
+    if let Some(method) = answer.field("method").filter(|method| method.text().is_none()) {
+        return Err(format!("`method` is {}, not a name", method.describe()));
     }
     if let Some(error) = answer.field("error") {
         let text = |name| error.field(name).and_then(Tree::text).unwrap_or("?");

@@ -17,7 +17,9 @@ fn an_answer_is_read_and_proved() {
         "certificate":{"hull":[0,1,2],"farthest":[2,0,1],"coefficients":[0,-1,0],"basis":[0,2]}}}"#;
     assert!(matches!(verdict(QUESTION, answer), Verdict::Right(_)));
     let other = answer.replace("\"t\"", "\"s\"");
-    assert_eq!(verdict(QUESTION, &other), Verdict::Wrong("the id is not the question's".into()));
+    assert_eq!(verdict(QUESTION, &other), Verdict::Wrong("the id is `s`, and the question's is `t`".into()));
+    let unnamed = answer.replace("\"m\"", "7");
+    assert_eq!(verdict(QUESTION, &unnamed), Verdict::Wrong("`method` is a number, not a name".into()));
     let partial = answer.replace("\"basis\"", "\"base\"");
     assert_eq!(verdict(QUESTION, &partial), Verdict::Wrong("`basis` is missing".into()));
 }

@@ -89,18 +89,63 @@ fn held<G: AsRef<[f64]>>(
             }
             continue;
         }
-        let exact = facets.as_ref().map_or(Proportion::of_double(0.0), |facets| facets.gauge(index));
-        let truth = match exact.compare(&Proportion::of_double(1.0)) {
-            Ordering::Greater => Status::Outside,
-            Ordering::Less if span.rank() == dimension => Status::Inside,
-            _ => Status::Boundary,
-        };
-        if *status != truth {
-            return Err(format!("point {number} is said to be {}, but it is {}", status.name(), truth.name()).into());
+        let is_full = span.rank() == dimension;
+        let bounds = facets.as_ref().and_then(|facets| facets.gauge_bounds(index));
+        if let Some(told) = bounds.and_then(|bounds| told_by(&bounds, is_full, number, *status, *gauge)) {
+            told?;
+            continue;
         }
-        check_gauge_figure(&format!("the gauge of point {number}"), *gauge, &exact)?;
+        let exact = facets.as_ref().map_or(Proportion::of_double(0.0), |facets| facets.gauge(index));
+        let truth = status_at(&exact, is_full);
+        check_status(number, *status, truth)?;
+        check_gauge_figure(&name_of_gauge(number), *gauge, &exact)?;
     }
     Ok(MemberBatchProof { points: points.len() })
+}
+
+/// The status of a point of the span with the gauge.
+fn status_at(gauge: &Proportion, is_full: bool) -> Status {
+    match gauge.compare(&Proportion::of_double(1.0)) {
+        Ordering::Greater => Status::Outside,
+        Ordering::Less if is_full => Status::Inside,
+        _ => Status::Boundary,
+    }
+}
+
+fn check_status(number: usize, claimed: Status, truth: Status) -> Result<(), String> {
+    if claimed == truth {
+        return Ok(());
+    }
+    Err(format!("point {number} is said to be {}, but it is {}", claimed.name(), truth.name()))
+}
+
+fn name_of_gauge(number: usize) -> String {
+    format!("the gauge of point {number}")
+}
+
+/// The verdict that bounds of the gauge give on a status and a figure: `None` if they are too far apart for that, or
+/// about 1. A figure that is right at both bounds is right between them.
+fn told_by(
+    [low, high]: &[Proportion; 2],
+    is_full: bool,
+    number: usize,
+    status: Status,
+    gauge: f64,
+) -> Option<Result<(), String>> {
+    let one = Proportion::of_double(1.0);
+    if low.compare(&one).is_le() && high.compare(&one).is_ge() {
+        return None;
+    }
+    if let Err(complaint) = check_status(number, status, status_at(low, is_full)) {
+        return Some(Err(complaint));
+    }
+    // The largest double stands for all that is beyond the doubles, which is left to the exact gauge.
+    if !(0.0..f64::MAX).contains(&gauge) {
+        return None;
+    }
+    // A false figure is told beside the exact one.
+    let name = name_of_gauge(number);
+    [low, high].iter().all(|bound| check_gauge_figure(&name, gauge, bound).is_ok()).then_some(Ok(()))
 }
 
 #[cfg(test)]
@@ -148,5 +193,36 @@ mod tests {
         ];
         assert_eq!(check(&[], &nothing), Ok(4));
         assert!(check(&square, &[]).is_err());
+    }
+
+    /// Bounds in floating point tell of most points; what they leave open, and what is beyond the doubles, the exact
+    /// gauge tells.
+    #[test]
+    fn points_about_bodies_of_any_size() {
+        for exponents in [[0, 0, 0], [900, -900, 0], [-1_040, 300, -600], [1_000, 1_000, -1_060]] {
+            let [a, b, c] =
+                exponents.map(|exponent: i32| 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2));
+            let generators = [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]];
+            let body = Body { center: &[0.0; 3], generators: &generators, pose: None };
+            let points = [vec![0.5 * a, -0.25 * b, 0.0], vec![a, b, -c], vec![0.0, 3.0 * b, c], vec![0.0; 3]];
+            let verdict = |answers: [(Status, f64); 4]| check_member_batch(&body, &points, &answers);
+            let right = [(Status::Inside, 0.5), (Status::Boundary, 1.0), (Status::Outside, 3.0), (Status::Inside, 0.0)];
+            assert!(verdict(right).is_right(), "{exponents:?}");
+            for (index, false_answer) in [
+                (0, (Status::Boundary, 0.5)),
+                (0, (Status::Inside, 0.5 + 1e-11)),
+                (1, (Status::Outside, 1.0)),
+                (1, (Status::Boundary, 1.0 - 1e-11)),
+                (2, (Status::Inside, 3.0)),
+                (2, (Status::Outside, f64::MAX)),
+                (2, (Status::Outside, f64::INFINITY)),
+                (3, (Status::Inside, f64::from_bits(1))),
+                (3, (Status::Boundary, 0.0)),
+            ] {
+                let mut answers = right;
+                answers[index] = false_answer;
+                assert!(verdict(answers).is_wrong(), "{exponents:?} {index} {false_answer:?}");
+            }
+        }
     }
 }

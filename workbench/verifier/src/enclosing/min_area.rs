@@ -87,9 +87,9 @@ impl Display for MinAreaProof {
 ///
 /// `area` may differ from the exact area by the relative [`RELATIVE_ERROR`]; `lower_bound` may not exceed the proven
 /// bound. The exact area may exceed that bound by the relative [`RELATIVE_ERROR`] and, since the centre and the
-/// generators of thin bodies and of those far from the origin cannot be rounded any closer, by (2^-49 · largest
-/// coordinate + 2^-1068) · (width + height); it may exceed `lower_bound` by as much, but for values that leave the
-/// range of normal doubles.
+/// generators of thin bodies and of those far from the origin cannot be rounded any closer, by (2^-49 · largest x +
+/// 2^-1068) · height + (2^-49 · largest y + 2^-1068) · width, unless one of the extents is zero; it may exceed
+/// `lower_bound` by as much, but for values that leave the range of normal doubles.
 pub fn check_min_area(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Verdict<MinAreaProof> {
     proved(points, answer).into()
 }
@@ -131,19 +131,19 @@ fn proved(points: &[[f64; 2]], answer: &MinAreaAnswer) -> Result<MinAreaProof, S
             bound.nearest()
         ));
     }
-    let allowed = allowed.plus(&rounding_allowance(points));
-    if area.minus(&bound).compare(&allowed) == Ordering::Greater {
+    let rounding = rounding_allowance(points);
+    if area.minus(&bound).compare(&allowed.plus(&rounding)) == Ordering::Greater {
         return Err(format!(
             "the area {:?} is above the proven bound {:?} by more than rounding",
             area.nearest(),
             bound.nearest()
         ));
     }
-    let smallest = Proportion::of_double(f64::MIN_POSITIVE);
     // The largest double is the most that can be claimed.
-    let largest = Proportion::of_double(f64::MAX);
-    let most = if area.compare(&largest) == Ordering::Greater { &largest } else { &area };
-    if most.minus(&claimed).compare(&allowed.plus(&smallest)) == Ordering::Greater {
+    let [smallest, largest] = [f64::MIN_POSITIVE, f64::MAX * (1.0 - RELATIVE_ERROR)].map(Proportion::of_double);
+    let weakest = area.minus(&allowed.plus(&rounding).plus(&smallest));
+    let weakest = if weakest.compare(&largest) == Ordering::Greater { &largest } else { &weakest };
+    if claimed.compare(weakest) == Ordering::Less {
         return Err(format!(
             "lower_bound {:?} says less than the certificate proves, {:?}",
             answer.lower_bound,
@@ -208,16 +208,23 @@ fn proved_exactly(points: &[[f64; 2]], certificate: &Certificate, exact: &ExactM
     Ok(())
 }
 
+/// The amount that rounding the centre and the generators to doubles may cost an enclosing zonogon: along an axis they
+/// are off by a few units in the last place of the largest coordinate there, which counts as often as the points extend
+/// along the other axis. Along an axis on which all points agree nothing needs to be rounded.
 fn rounding_allowance(points: &[[f64; 2]]) -> Proportion {
-    let extent = |axis: usize| {
+    let [units, floor] = [2.0_f64.powi(-49), 64.0 * f64::from_bits(1)].map(Proportion::of_double);
+    let axis = |axis: usize| {
         let values = points.iter().map(|point| point[axis]);
         let low = values.clone().fold(f64::INFINITY, f64::min);
         let high = values.fold(f64::NEG_INFINITY, f64::max);
-        Proportion::of_double(high).minus(&Proportion::of_double(low))
+        let largest = Proportion::of_double(low.abs().max(high.abs()));
+        (Proportion::of_double(high).minus(&Proportion::of_double(low)), largest.times(&units).plus(&floor))
     };
-    let largest = points.iter().flatten().fold(0.0f64, |largest, coordinate| largest.max(coordinate.abs()));
-    let [units, floor] = [2.0_f64.powi(-49), 64.0 * f64::from_bits(1)].map(Proportion::of_double);
-    extent(0).plus(&extent(1)).times(&Proportion::of_double(largest).times(&units).plus(&floor))
+    let [(width, off_in_x), (height, off_in_y)] = [axis(0), axis(1)];
+    if width.is_zero() || height.is_zero() {
+        return Proportion::whole(IBig::ZERO, 0);
+    }
+    width.times(&off_in_y).plus(&height.times(&off_in_x))
 }
 
 /// Twice the bound that a certificate with the right hull proves for every zonogon around the points; 0 for points on a

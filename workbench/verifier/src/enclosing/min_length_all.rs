@@ -39,7 +39,10 @@ pub struct MinLengthAnswer {
     pub forces: Vec<(usize, Vec<f64>)>,
 }
 
-/// The proof of an answer.
+/// The amount that rounding may cost a length, relative to the sizes of the coordinates.
+const ROUNDING: f64 = 1.0 / (1_u64 << 46) as f64;
+
+/// The parts of an answer that were proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MinLengthProof {
     /// The number of points.
@@ -67,7 +70,8 @@ impl Display for MinLengthProof {
 ///
 /// `length` and `ratio` may differ from their exact values by the relative [`RELATIVE_ERROR`]; `lower_bound` may not
 /// exceed the proven bound. `length` may exceed (1 + ε) · `lower_bound` by what rounding to doubles costs bodies that
-/// are thin, far from the origin or tiny: 2^-46 · d · (largest coordinate, at least the smallest normal double).
+/// are thin, far from the origin or tiny: 2^-46 times the sum over the axes on which the points differ of the largest
+/// coordinate there, at least the smallest normal double.
 pub fn check_min_length_all(points: &[Vec<f64>], epsilon: f64, answer: &MinLengthAnswer) -> Verdict<MinLengthProof> {
     let checked = proved(points, epsilon, answer, true).and_then(|proof| {
         if proof.is_within {
@@ -146,10 +150,7 @@ fn proved(
     // A length beyond the range of doubles is measured exactly.
     let claimed = if answer.length.is_finite() { Proportion::of_double(answer.length) } else { length.clone() };
     check_ratio(answer, &claimed)?;
-    let largest = points.iter().flatten().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
-    let rounding = Proportion::of_double(largest)
-        .times(&Proportion::of_double(dimension as f64 * 2.0_f64.powi(-46)))
-        .plus(&length.times(&relative));
+    let rounding = rounding_allowance(points).plus(&length.times(&relative));
     let lower_bound = Proportion::of_double(answer.lower_bound);
     let share = Proportion::of_double(1.0).plus(&Proportion::of_double(epsilon));
     let is_within = claimed.compare(&lower_bound.times(&share).plus(&rounding)) != Ordering::Greater;
@@ -167,6 +168,19 @@ fn proved(
     }
     let (length, ratio) = (answer.length, answer.ratio);
     Ok(MinLengthProof { points: points.len(), length, proven_bound: bound.nearest(), ratio, is_within })
+}
+
+/// The amount that rounding the centre and the generators to doubles may cost: some units in the last place of the
+/// largest coordinate of each axis, nothing along an axis on which all points agree.
+fn rounding_allowance(points: &[Vec<f64>]) -> Proportion {
+    let dimension = points.first().map_or(0, Vec::len);
+    let along = |axis: usize| {
+        let values = points.iter().map(|point| point[axis]);
+        let is_one = values.clone().all(|x| points.first().is_some_and(|first| x == first[axis]));
+        if is_one { 0.0 } else { values.fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs())) }
+    };
+    let sizes = (0..dimension).map(|axis| Proportion::of_double(along(axis)));
+    sizes.fold(Proportion::whole(IBig::ZERO, 0), |sum, size| sum.plus(&size)).times(&Proportion::of_double(ROUNDING))
 }
 
 /// Checks the quotient of the length and the lower bound; that of an infinite length may be infinite as well.
@@ -305,5 +319,15 @@ mod tests {
         };
         assert!(check_min_length_all(&[vec![3.0]], 0.5, &nothing).is_right());
         assert!(check_min_length_all(&[vec![4.0]], 0.5, &nothing).is_wrong());
+        // what is longer than nothing by however little is not the shortest, whatever rounding costs elsewhere
+        let tiny = f64::from_bits(1);
+        let longer = MinLengthAnswer {
+            length: tiny,
+            generators: vec![vec![tiny]],
+            ratio: f64::INFINITY,
+            within_epsilon: None,
+            ..nothing
+        };
+        assert!(check_min_length_all(&[vec![3.0], vec![3.0]], 0.5, &longer).is_wrong());
     }
 }

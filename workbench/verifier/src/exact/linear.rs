@@ -1,14 +1,30 @@
 //! Linear algebra over big integers: everything is exact, lengths of vectors do not matter.
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, Gcd};
+use dashu_int::ops::{Abs, BitTest, Gcd};
 
 /// A vector on some grid.
 pub(crate) type Vector = Vec<IBig>;
 
+/// Products of numbers of so many bits in all are taken as they are.
+const SHORT_BITS: usize = 1_024;
+
+/// The product. On a grid over many orders of magnitude a double is a short number before a long row of zeros, which
+/// are left out of it.
+pub(crate) fn product(a: &IBig, b: &IBig) -> IBig {
+    if a.bit_len() + b.bit_len() <= SHORT_BITS {
+        return a * b;
+    }
+    let [(a, zeros), (b, others)] = [a, b].map(|number| {
+        let zeros = number.trailing_zeros().unwrap_or(0);
+        (number >> zeros, zeros)
+    });
+    (a * b) << (zeros + others)
+}
+
 /// The inner product.
 pub(crate) fn dot(u: &[IBig], v: &[IBig]) -> IBig {
-    u.iter().zip(v).map(|(u, v)| u * v).sum()
+    u.iter().zip(v).map(|(u, v)| product(u, v)).sum()
 }
 
 /// Whether every component is zero.
@@ -187,6 +203,14 @@ mod tests {
         assert!(solve(&columns, &vector(&[1, 1, 1])).is_none());
         assert!(solve(&[columns[0], columns[0]], &vector(&[2, 0, 2])).is_none());
         assert!(solve(&[], &vector(&[0, 0])).is_some());
+    }
+
+    #[test]
+    fn products_of_long_numbers_are_exact() {
+        let long = (IBig::from(-3) << 4_000) + (IBig::from(5) << 2_100);
+        for (a, b) in [(long.clone(), IBig::from(7) << 900), (long.clone(), long), (IBig::ZERO, IBig::ONE << 9_000)] {
+            assert_eq!(product(&a, &b), &a * &b);
+        }
     }
 
     #[test]

@@ -10,6 +10,7 @@ pub(crate) mod polygon;
 pub(crate) mod proportion;
 pub(crate) mod subsets;
 pub(crate) mod turns;
+pub(crate) mod wide;
 
 use dashu_int::IBig;
 

@@ -101,6 +101,11 @@ impl Proportion {
         Self { numerator: self.numerator.clone().abs(), ..self.clone() }
     }
 
+    /// Whether it is zero.
+    pub(crate) fn is_zero(&self) -> bool {
+        self.numerator == IBig::ZERO
+    }
+
     /// Whether it is below zero.
     pub(crate) fn is_negative(&self) -> bool {
         self.numerator < IBig::ZERO

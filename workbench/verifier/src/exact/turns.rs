@@ -4,11 +4,11 @@ use std::cmp::Ordering;
 
 use dashu_int::IBig;
 
-use crate::exact::linear::{Vector, is_zero};
+use crate::exact::linear::{Vector, is_zero, product};
 
 /// a × b in the plane.
 pub(crate) fn turn(a: &Vector, b: &Vector) -> IBig {
-    &a[0] * &b[1] - &a[1] * &b[0]
+    product(&a[0], &b[1]) - product(&a[1], &b[0])
 }
 
 /// The vectors of the plane that are not zero, turned into one half of it, in the order of their angles.

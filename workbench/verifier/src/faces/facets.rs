@@ -6,59 +6,61 @@
 use std::cell::OnceCell;
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, BitTest};
+use dashu_int::ops::Abs;
 
+use super::wide_vector::WideVector;
 use crate::exact::length::Length;
 use crate::exact::linear::{Echelon, Vector, dot, is_zero};
 use crate::exact::proportion::Proportion;
 use crate::exact::subsets::{count_subsets, subsets};
 use crate::exact::turns::edges;
-use crate::faces::normals::{
-    DOT_ERROR, Image, MOST_COORDINATES, UNDERFLOW, image_dot, image_size, images, normals, reach_bounds,
-};
+use crate::exact::wide::Wide;
+use crate::faces::normals::{MOST_COORDINATES, normals};
 
-/// The number of products of facets and generators that are tried where the certificate does not name the facet.
-const MOST_TRIALS: u64 = 3_000_000;
+/// Limit of the products of facets and generators that are tried where the certificate does not name the facet: in
+/// dimensions in which floating point passes over what is clear, and in others.
+const MOST_TRIALS: u64 = 12_000_000;
+const MOST_EXACT_TRIALS: u64 = 3_000_000;
 
 /// A relative bound for what the quotient of two bounds, and the root of a sum of squares, lose by rounding.
-const QUOTIENT_ERROR: f64 = 16.0 * f64::EPSILON;
+const QUOTIENT_ERROR: f64 = 64.0 * f64::EPSILON;
 
 /// A body with an interior, all its facets, one of each pair of opposite ones, and points.
 pub(crate) struct Facets {
     generators: Vec<Vector>,
     points: Vec<Vector>,
     facets: Vec<Facet>,
-    /// The images of the points, to the same scale as those of the generators, in dimensions that have images.
-    point_images: Vec<Image>,
+    /// The points in floating point.
+    point_images: Vec<WideVector>,
 }
 
 struct Facet {
     normal: Vector,
     /// Σ |u · g_i| for the normal u, where it has been needed.
     reach: OnceCell<IBig>,
-    /// The normal, and bounds of Σ |u · g_i| to the scale of the images, in dimensions that have images.
-    rounded: Option<(Image, [f64; 2])>,
+    /// The normal in floating point and bounds of Σ |u · g_i|, in dimensions in which facets are many.
+    rounded: Option<(WideVector, [Wide; 2])>,
 }
 
 impl Facets {
     /// All facets, unless they are too many.
     pub(crate) fn of(dimension: usize, generators: &[Vector], points: &[Vector]) -> Option<Self> {
         let trials = count_subsets(generators.len(), dimension.checked_sub(1)?);
-        if dimension != 2 && trials.saturating_mul(generators.len() as u64) > MOST_TRIALS {
+        let has_images = (3..=MOST_COORDINATES).contains(&dimension);
+        let most = if has_images { MOST_TRIALS } else { MOST_EXACT_TRIALS };
+        if dimension != 2 && trials.saturating_mul(generators.len() as u64) > most {
             return None;
         }
-        let has_images = (3..=MOST_COORDINATES).contains(&dimension);
-        let all: Vec<Vector> = generators.iter().chain(points).cloned().collect();
-        let all = if has_images { images(&all) } else { Vec::new() };
-        let (generator_images, point_images) = all.split_at(if has_images { generators.len() } else { 0 });
+        let images = |list: &[Vector]| if has_images { list.iter().map(WideVector::of).collect() } else { Vec::new() };
+        let (generator_images, point_images) = (images(generators), images(points));
         let exactly = |(normal, reach)| Facet { normal, reach: OnceCell::from(reach), rounded: None };
         let facets = match dimension {
             2 => edges(generators.to_vec()).into_iter().map(exactly).collect(),
             _ if has_images => normals(dimension, generators)
-                .map(|normal| Facet {
-                    rounded: Some((normal.image, reach_bounds(&normal, generator_images))),
-                    reach: OnceCell::new(),
-                    normal: normal.exact,
+                .map(|normal| {
+                    let image = WideVector::of(&normal.exact);
+                    let reach = image.reach(&generator_images, &normal.subset);
+                    Facet { rounded: Some((image, reach)), reach: OnceCell::new(), normal: normal.exact }
                 })
                 .collect(),
             _ => subsets(generators.len(), dimension - 1)
@@ -70,12 +72,7 @@ impl Facets {
                 })
                 .collect(),
         };
-        Some(Self {
-            generators: generators.to_vec(),
-            points: points.to_vec(),
-            facets,
-            point_images: point_images.to_vec(),
-        })
+        Some(Self { generators: generators.to_vec(), points: points.to_vec(), facets, point_images })
     }
 
     /// The number of facets.
@@ -87,6 +84,27 @@ impl Facets {
         facet.reach.get_or_init(|| reach(&self.generators, &facet.normal))
     }
 
+    /// Bounds of |u · p| / Σ |u · g_i| for a facet and one of the points, where the facet is known in floating point.
+    fn quotient(&self, facet: &Facet, point: usize) -> Option<[Wide; 2]> {
+        let (normal, [low, high]) = facet.rounded.as_ref()?;
+        let [least, most] = normal.along(&self.point_images[point]);
+        Some([least.over(*high)?.moved(-QUOTIENT_ERROR), most.over(*low)?.moved(QUOTIENT_ERROR)])
+    }
+
+    /// Bounds of the gauge of one of the points, where floating point has any.
+    pub(crate) fn gauge_bounds(&self, point: usize) -> Option<[Proportion; 2]> {
+        let mut largest = [Wide::ZERO; 2];
+        for facet in &self.facets {
+            let own = self.quotient(facet, point)?;
+            for (bound, own) in largest.iter_mut().zip(own) {
+                if own.compare(*bound).is_gt() {
+                    *bound = own;
+                }
+            }
+        }
+        Some(largest.map(Wide::exactly))
+    }
+
     /// The largest of |u · p| / Σ |u · g_i| for one of the points.
     pub(crate) fn gauge(&self, point: usize) -> Proportion {
         let p = &self.points[point];
@@ -94,18 +112,14 @@ impl Facets {
         if is_zero(p) {
             return Proportion::new(largest.0, largest.1, 0);
         }
-        let bounds = |facet: &Facet| {
-            let (normal, [low, high]) = facet.rounded.as_ref()?;
-            let (along, doubt) = self.along(normal, point);
-            let most = if *low > 0.0 { (along + doubt) / low * (1.0 + QUOTIENT_ERROR) } else { f64::INFINITY };
-            Some([(along - doubt).max(0.0) / high * (1.0 - QUOTIENT_ERROR), most])
-        };
-        let mut rounded = (0.0, 0);
-        for facet in self.contenders(|facet| bounds(facet).map(|[low, high]| [-high, -low])) {
+        let bounds = |facet: &Facet| self.quotient(facet, point).map(|[low, high]| [high.negated(), low.negated()]);
+        let mut rounded = Wide::ZERO;
+        for facet in self.contenders(bounds) {
             let (along, reach) = (dot(&facet.normal, p).abs(), self.reach(facet));
-            let own = rounded_quotient(&along, reach);
+            let Some(own) = Wide::of_whole(&along).over(Wide::of_whole(reach)) else { continue };
             // Products of long numbers take long, and are needed for quotients near each other alone.
-            if !is_surely_less(own, rounded) && &along * &largest.1 > &largest.0 * reach {
+            let is_less = own.moved(QUOTIENT_ERROR).compare(rounded).is_lt();
+            if !is_less && &along * &largest.1 > &largest.0 * reach {
                 largest = (along, reach.clone());
                 rounded = own;
             }
@@ -119,10 +133,14 @@ impl Facets {
         let p = &self.points[point];
         let bounds = |facet: &Facet| {
             let (normal, [low, high]) = facet.rounded.as_ref()?;
-            let (along, doubt) = self.along(normal, point);
-            let length = image_dot(normal, normal).sqrt();
-            let room = doubt + (high + along) * QUOTIENT_ERROR + UNDERFLOW;
-            Some([(low - along - room) / length, (high - along + room) / length])
+            let [least, most] = normal.along(&self.point_images[point]);
+            let [shortest, longest] = normal.along(normal).map(Wide::root);
+            // A difference is off by a part of the larger number, so that both are moved before.
+            let [down, up] = [-QUOTIENT_ERROR, QUOTIENT_ERROR];
+            let nearest = low.moved(down).minus(most.moved(up));
+            let farthest = high.moved(up).minus(least.moved(down));
+            let [by_low, by_high] = if nearest.mantissa() < 0.0 { [shortest, shortest] } else { [longest, shortest] };
+            Some([nearest.over(by_low)?.moved(-QUOTIENT_ERROR), farthest.over(by_high)?.moved(QUOTIENT_ERROR)])
         };
         let depths = self.contenders(bounds).filter_map(|facet| {
             Length::along(&Proportion::whole(self.reach(facet) - dot(&facet.normal, p).abs(), 0), &facet.normal)
@@ -130,40 +148,18 @@ impl Facets {
         depths.reduce(|a, b| if b.compare_length(&a).is_lt() { b } else { a })
     }
 
-    /// |u · p| for the image of a normal, and by how much it may be off.
-    fn along(&self, normal: &Image, point: usize) -> (f64, f64) {
-        let image = &self.point_images[point];
-        (image_dot(normal, image).abs(), image_size(normal, image) * DOT_ERROR + UNDERFLOW)
-    }
-
     /// The facets at which a quantity may be least, given bounds of it.
-    fn contenders(&self, bounds: impl Fn(&Facet) -> Option<[f64; 2]>) -> impl Iterator<Item = &Facet> {
-        let lows: Vec<f64> = self.facets.iter().map(|facet| bounds(facet).map_or(f64::NAN, |[low, _]| low)).collect();
-        let highs = self.facets.iter().filter_map(bounds).map(|[_, high]| high);
-        let least = highs.filter(|high| !high.is_nan()).fold(f64::INFINITY, f64::min);
-        // Whatever does not compare may be the least.
-        let may_be = move |low: f64| low.is_nan() || low <= least;
-        self.facets.iter().zip(lows).filter(move |(_, low)| may_be(*low)).map(|(facet, _)| facet)
+    fn contenders(&self, bounds: impl Fn(&Facet) -> Option<[Wide; 2]>) -> impl Iterator<Item = &Facet> {
+        let bounds: Vec<Option<[Wide; 2]>> = self.facets.iter().map(bounds).collect();
+        let highs = bounds.iter().flatten().map(|[_, high]| *high);
+        let least = highs.reduce(|a, b| if b.compare(a).is_lt() { b } else { a });
+        // A facet without bounds may have the least.
+        let may_be = move |bounds: Option<[Wide; 2]>| match (bounds, least) {
+            (Some([low, _]), Some(least)) => low.compare(least).is_le(),
+            _ => true,
+        };
+        self.facets.iter().zip(bounds).filter(move |(_, bounds)| may_be(*bounds)).map(|(facet, _)| facet)
     }
-}
-
-/// The quotient of two whole numbers that are not negative as m · 2^e, m within a few roundings and 0 or from 1/4 to 4.
-fn rounded_quotient(numerator: &IBig, denominator: &IBig) -> (f64, i64) {
-    let leading = |number: &IBig| {
-        let dropped = number.bit_len().saturating_sub(64);
-        let kept = (number >> dropped).to_f64().value();
-        // Long numbers keep 64 bits, short ones are whole.
-        let length = number.bit_len() - dropped;
-        (kept / 2.0_f64.powi(length as i32), (dropped + length) as i64)
-    };
-    let ((above, up), (below, down)) = (leading(numerator), leading(denominator));
-    (above / below, up - down)
-}
-
-/// Whether a quotient is less than another one, beyond all doubt of rounding.
-fn is_surely_less(a: (f64, i64), b: (f64, i64)) -> bool {
-    let apart = (a.1 - b.1).clamp(-1_000, 1_000) as i32;
-    a.0 * 2.0_f64.powi(apart) < b.0 * (1.0 - 64.0 * f64::EPSILON)
 }
 
 /// The support function Σ |u · g_i|.
@@ -195,6 +191,13 @@ mod tests {
         let flat = Facets::of(1, &vectors(&[&[-2], &[1]]), &vectors(&[&[2]])).expect("few");
         assert_eq!((flat.gauge(0).nearest(), flat.depth(0).map(|depth| depth.rounded_at(0))), (2.0 / 3.0, Some(1.0)));
         assert!(Facets::of(0, &[], &[]).is_none());
+    }
+
+    /// The manual names this size.
+    #[test]
+    fn facets_are_gone_through_up_to_the_stated_size() {
+        let trials = |count: usize| count_subsets(count, 2) * count as u64;
+        assert!(trials(280) <= MOST_TRIALS && trials(300) > MOST_TRIALS);
     }
 
     /// Numbers of thousands of bits leave their images empty: whatever these do not decide is decided exactly.

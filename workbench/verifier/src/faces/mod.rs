@@ -6,3 +6,4 @@ pub(crate) mod dual_reach;
 pub(crate) mod facets;
 pub(crate) mod normals;
 mod pencils;
+mod wide_vector;

@@ -4,7 +4,7 @@
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
-use crate::exact::linear::{Vector, dot, is_zero};
+use crate::exact::linear::{Vector, dot, is_zero, product};
 use crate::exact::subsets::subsets;
 
 /// The most coordinates that an image has.
@@ -100,12 +100,12 @@ fn determinant(rows: &[&Vector], columns: &[usize]) -> IBig {
         return IBig::ONE;
     };
     if let ([second], [a, b]) = (rest, columns) {
-        return &first[*a] * &second[*b] - &first[*b] * &second[*a];
+        return product(&first[*a], &second[*b]) - product(&first[*b], &second[*a]);
     }
     let mut sum = IBig::ZERO;
     for (position, &column) in columns.iter().enumerate() {
         let others: Vec<usize> = columns.iter().copied().filter(|&other| other != column).collect();
-        let term = &first[column] * determinant(rest, &others);
+        let term = product(&first[column], &determinant(rest, &others));
         sum = if position % 2 == 0 { sum + term } else { sum - term };
     }
     sum

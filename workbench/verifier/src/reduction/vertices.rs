@@ -9,8 +9,8 @@ use crate::exact::linear::{Echelon, Vector};
 use crate::exact::subsets::count_subsets;
 use crate::faces::normals::{MOST_COORDINATES, images, normals, side};
 
-/// The number of pairs of a facet and a generator that are gone through for the vertices of a zonotope.
-const MOST_PAIRS: u64 = 3_000_000;
+/// Limit of the pairs of a facet and a generator that are gone through for the vertices of a zonotope.
+const MOST_PAIRS: u64 = 12_000_000;
 
 /// Of so few generators every choice of signs is taken in dimensions in which facets are not gone through.
 const MOST_FREE_SIGNS: usize = 14;

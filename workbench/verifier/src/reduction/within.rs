@@ -18,10 +18,10 @@ use crate::exact::proportion::Proportion;
 use crate::faces::normals::{Image, MOST_COORDINATES, images};
 use crate::verdict::Stop;
 
-/// The number of pairs of a vertex and a generator of the other zonotope that are gone through.
-const MOST_PRODUCTS: usize = 3_000_000;
+/// Limit of the pairs of a vertex and a generator of the other zonotope that are gone through.
+const MOST_PRODUCTS: usize = 12_000_000;
 
-/// The number of steps that are taken for nearest points that are found exactly: some tenths of a microsecond each.
+/// Limit of the steps for nearest points that are found exactly: some tenths of a microsecond each.
 const MOST_EXACT_STEPS: u64 = 1_500_000;
 
 /// Two zonotopes in whole numbers of a unit, the first to lie within a distance of the second.
@@ -158,6 +158,34 @@ mod tests {
         assert!(check(&[0, 0, 1], &segment, &segment, 1.0).is_ok());
         assert!(is_wrong(check(&[0, 0, 1], &segment, &segment, 0.99)));
         assert!(check(&[0, 3], &[], &[&[0, 1]], 2.0).is_ok());
+    }
+
+    /// Generators of so many coordinates, in general position.
+    fn in_general_position(dimension: usize, count: usize) -> Vec<Vector> {
+        let mut state = 9_u64;
+        let mut component = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            IBig::from((state >> 33) as i64 - (1 << 30))
+        };
+        (0..count).map(|_| (0..dimension).map(|_| component()).collect()).collect()
+    }
+
+    /// The manual names these sizes; the second one is told by the products of its vertices and generators.
+    #[test]
+    fn bounds_are_checked_up_to_the_stated_sizes() {
+        for (dimension, count) in [(2, 1_000), (3, 200)] {
+            let first = in_general_position(dimension, count);
+            let offset = vec![IBig::ZERO; dimension];
+            let second = &first[..1];
+            let within = Within { offset: &offset, first: &first[1..], second, exponent: 0 };
+            assert!(is_wrong(within.check(1.0)), "{dimension}");
+            assert!(count_of_vertices(dimension, count) * count <= MOST_PRODUCTS, "{dimension}");
+        }
+    }
+
+    /// The number of vertices of a zonotope in general position.
+    fn count_of_vertices(dimension: usize, count: usize) -> usize {
+        if dimension == 2 { 2 * count } else { count * (count - 1) + 2 }
     }
 
     #[test]

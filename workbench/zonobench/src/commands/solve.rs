@@ -7,6 +7,8 @@ use anyhow::Context;
 use clap::Args;
 use thiserror::Error;
 
+use super::table::counted;
+use super::usage::tell;
 use super::{Ending, open};
 use crate::lines::Lines;
 use crate::output::check_standard_output;
@@ -39,7 +41,12 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
                 BatchError::Write(error) => error.into(),
             }
         })?;
-    Ok(if options.strict && refused > 0 { Ending::Bad } else { Ending::Good })
+    if options.strict && refused > 0 {
+        let questions = counted(refused, "question was", "questions were");
+        tell(&format!("--strict: {questions} refused; the answers with `error` say why"));
+        return Ok(Ending::Bad);
+    }
+    Ok(Ending::Good)
 }
 
 /// Why a batch ended before its last line.

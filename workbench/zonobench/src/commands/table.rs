@@ -1,6 +1,6 @@
 //! Two columns of text: what a person reads of an answer.
 
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 
 /// The note on a body whose generators are rounded products of directions and coefficients.
 pub(super) const ROUNDED: &str = "; coefficients times directions, rounded";
@@ -26,8 +26,9 @@ impl Table {
 }
 
 /// A number of things: "1 vertex", "4 vertices".
-pub(super) fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
+pub(super) fn counted<N: Display + PartialEq + From<u8>>(count: N, one: &str, many: &str) -> String {
+    let is_one = count == N::from(1);
+    format!("{count} {}", if is_one { one } else { many })
 }
 
 /// A number as it is written in the answer: enough digits to be read back unchanged.

@@ -3,23 +3,22 @@
 mod about;
 mod bodies;
 mod data;
+mod documents;
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
 use clap::Args;
 
 use self::about::AboutData;
+use self::documents::{Documents, Sort, first_document, standard_input_holds_questions};
+use super::Ending;
 use super::asked::About;
 use super::asking::Asking;
+use super::table::counted;
 use super::usage::{Usage, check_inputs};
-use super::{Ending, open};
 use crate::input::on_one_line;
-use crate::lines::Lines;
-use batch::Line;
-use batch::MAX_LINE_BYTES;
-use batch::json::{self, MAX_VALUES, Tree};
+use batch::json::Tree;
 use batch::{Verdict, check, check_unread};
 
 /// The files of each sort of answer.
@@ -39,7 +38,7 @@ pub struct Options {
     /// `intersect`, `distance` and `contains`.
     #[arg(value_name = "FILE", num_args = 2..=3, required = true)]
     files: Vec<PathBuf>,
-    /// Facts that the answer does not record of the question that was asked about files.
+    /// The parts that the answer does not record of the question that was asked about files.
     #[command(flatten)]
     asking: Asking,
 }
@@ -50,12 +49,11 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     let Options { files, asking } = options;
     check_inputs(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>())?;
     let Some((answers, files)) = files.split_last() else { return Ok(Ending::Bad) };
-    let mut answers = documents(answers)?.peekable();
-    if let Some(Err(_)) = answers.peek() {
-        answers.next().transpose()?;
+    let mut answers = Documents::of(answers)?;
+    if !answers.begin_with(Sort::Answer)? {
+        return nothing_judged(&no_answers(files, &mut answers)?);
     }
-    let first = answers.peek().and_then(|answer| answer.as_ref().ok()).and_then(Option::as_ref);
-    let Some(about_data) = about_files(files, asking, first)? else {
+    let Some(about_data) = about_files(files, asking, answers.first()?.flatten())? else {
         if !asking.is_empty() {
             return Err(Usage::OptionsForQuestions(files[0].clone()).into());
         }
@@ -63,18 +61,59 @@ pub fn run(options: &Options) -> anyhow::Result<Ending> {
     };
     let mut output = BufWriter::new(io::stdout().lock());
     let (verdict, ending) = match answers.next().transpose()? {
-        None => (Verdict::Wrong("there is no answer".to_owned()), Ending::Bad),
-        Some(None) => (Verdict::Wrong("the answer is not JSON".to_owned()), Ending::Bad),
         Some(Some(answer)) => about_data.judge(&answer),
+        _ => (Verdict::Wrong("the answer is not JSON".to_owned()), Ending::Bad),
     };
     let names: Vec<String> = files.iter().map(|file| question_name(file)).collect();
     write_verdict(&mut output, &names.join(" and "), about_data.question(), &verdict)?;
-    let others = counted(answers)?;
+    let others = answers.counted()?;
     if others > 0 {
         writeln!(output, "-\t-\tWRONG\t{} answers to 1 question", others + 1)?;
     }
     output.flush()?;
     Ok(if others > 0 { Ending::Bad } else { ending })
+}
+
+/// Says in one line why nothing can be judged.
+fn nothing_judged(reason: &str) -> anyhow::Result<Ending> {
+    let mut output = io::stdout().lock();
+    writeln!(output, "-\t-\tunchecked\t{}", on_one_line(reason))?;
+    Ok(Ending::Bad)
+}
+
+/// The message where the last file holds no answers.
+fn no_answers(files: &[PathBuf], answers: &mut Documents) -> anyhow::Result<String> {
+    let found = answers.described()?;
+    for file in files.iter().filter(|file| file.as_os_str() != "-") {
+        if Sort::of(first_document(file)?.as_ref()) == Sort::Answer {
+            let file = file.display();
+            return Ok(format!("{found}, where the answers are expected; {file} holds answers, so name it last"));
+        }
+    }
+    Ok(format!(
+        "{found}, where the answers are expected: what `solve` wrote, or a command by --json; before them stand the \
+         questions, or the files that the answer is about"
+    ))
+}
+
+/// The message where the file before the answers holds neither questions nor data; nothing if it may hold questions.
+fn no_questions(questions: &mut Documents) -> anyhow::Result<Option<String>> {
+    let sort = questions.first()?.map(Sort::of);
+    let expected = match sort {
+        Some(Sort::Answer) => {
+            "where the questions are expected, or the files that the command was given: zonobench verify FILE ANSWER, \
+             or A B ANSWER"
+        }
+        None | Some(Sort::Body | Sort::Points | Sort::List | Sort::Value) => {
+            "where the questions are expected, and the answer does not record a file that it is about"
+        }
+        Some(Sort::Question | Sort::Object | Sort::NoJson) => return Ok(None),
+    };
+    Ok(if questions.begin_with(Sort::Question)? {
+        None
+    } else {
+        Some(format!("{}, {expected}", questions.described()?))
+    })
 }
 
 /// The question that was asked about some files; `None` where the one file holds questions, or answers.
@@ -102,20 +141,24 @@ fn is_named_by_kind(file: &Path) -> anyhow::Result<bool> {
     Ok(first_document(file)?.is_some_and(|first| first.field("kind").is_some()))
 }
 
-/// Whether a file may hold the questions: standard input does unless its format is told; others if the first line is a
-/// question.
+/// Whether a file may hold the questions: if the first line is a question, and standard input is not said to be of a
+/// format.
 fn may_hold_questions(file: &Path, asking: &Asking) -> anyhow::Result<bool> {
     if file.as_os_str() == "-" {
-        return Ok(asking.points.format.is_none());
+        return Ok(asking.points.format.is_none() && standard_input_holds_questions());
     }
     Ok(first_document(file)?.is_some_and(|first| first.field("kind").is_some() && first.field("input").is_some()))
 }
 
 /// Checks the answers to questions that are lines of JSON.
-fn of_questions(questions: &Path, mut answers: impl Iterator<Item = Document>) -> anyhow::Result<Ending> {
+fn of_questions(questions: &Path, mut answers: Documents) -> anyhow::Result<Ending> {
+    let mut questions = Documents::of(questions)?;
+    if let Some(reason) = no_questions(&mut questions)? {
+        return nothing_judged(&reason);
+    }
     let mut output = BufWriter::new(io::stdout().lock());
-    let (mut asked, mut is_good) = (0_u64, true);
-    for question in documents(questions)? {
+    let (mut asked, mut of_others, mut is_good) = (0_u64, 0_u64, true);
+    for question in questions {
         asked += 1;
         let (question, answer) = (question?, answers.next().transpose()?);
         let verdict = match (&question, &answer) {
@@ -127,48 +170,40 @@ fn of_questions(questions: &Path, mut answers: impl Iterator<Item = Document>) -
                     is_good = false;
                     Verdict::Unchecked(reason.to_owned())
                 }
-                None => check(question, answer),
+                None => {
+                    of_others += u64::from(is_of_another(question, answer));
+                    check(question, answer)
+                }
             },
         };
         is_good &= !matches!(verdict, Verdict::Wrong(_));
         write_verdict(&mut output, &format!("question {asked}"), question.as_ref(), &verdict)?;
     }
-    let others = counted(answers)?;
-    if asked + others == 0 {
-        is_good = false;
-        writeln!(output, "-\t-\tunchecked\tthere is no question and no answer")?;
-    }
+    let others = answers.counted()?;
     if others > 0 {
         is_good = false;
-        writeln!(output, "-\t-\tWRONG\t{} answers to {asked} questions", asked + others)?;
+        writeln!(output, "-\t-\tWRONG\t{} answers to {}", asked + others, counted(asked, "question", "questions"))?;
+    }
+    if asked > 1 && of_others == asked {
+        writeln!(output, "-\t-\tWRONG\tno answer has the id of its question, so they are not of one run")?;
     }
     output.flush()?;
     Ok(if is_good { Ending::Good } else { Ending::Bad })
 }
 
-/// The note where the lines are not a question and an answer, so that nothing can be judged.
-fn exchanged(question: &Tree, answer: &Tree) -> Option<&'static str> {
-    let is_answer = |line: &Tree| line.field("result").or(line.field("error")).is_some();
-    let is_question = |line: &Tree| line.field("input").is_some();
-    match (is_question(question), is_answer(question), is_question(answer), is_answer(answer)) {
-        (false, true, true, false) => Some("the answer comes first and then the question; name the question first"),
-        (false, true, ..) => Some(
-            "the first file holds an answer and no question; before an answer stand its questions, or the files that \
-             the command was given: zonobench verify FILE ANSWER, or A B ANSWER",
-        ),
-        (true, _, true, false) => Some("the second file holds a question and no answer"),
-        _ => None,
-    }
+/// Whether an answer has another id than the question.
+fn is_of_another(question: &Tree, answer: &Tree) -> bool {
+    let [asked, answered] = [question, answer].map(|tree| tree.field("id").and_then(Tree::text));
+    asked != answered
 }
 
-/// The number of documents that are left.
-fn counted(documents: impl Iterator<Item = Document>) -> anyhow::Result<u64> {
-    let mut count = 0;
-    for document in documents {
-        document?;
-        count += 1;
+/// The message where the lines are not a question and an answer, so that nothing can be judged.
+fn exchanged(question: &Tree, answer: &Tree) -> Option<&'static str> {
+    match (Sort::of(Some(question)), Sort::of(Some(answer))) {
+        (Sort::Answer, _) => Some("an answer stands in the place of the question"),
+        (_, Sort::Question) => Some("a question stands in the place of the answer"),
+        _ => None,
     }
-    Ok(count)
 }
 
 /// Writes the line of a question; one without an id has the given name.
@@ -191,22 +226,4 @@ fn write_verdict(
 /// The id of the question that a data file stands for.
 pub(super) fn question_name(file: &Path) -> String {
     file.file_name().map_or_else(|| "points".to_owned(), |name| name.to_string_lossy().into_owned())
-}
-
-/// The JSON document of a line; `None` for a line that is not JSON.
-type Document = anyhow::Result<Option<Tree>>;
-
-/// The documents of a file's lines, read as they are asked for.
-fn documents(file: &Path) -> anyhow::Result<impl Iterator<Item = Document>> {
-    let unreadable = format!("{}: cannot be read", file.display());
-    let lines = Lines::new(open(Some(file))?, MAX_LINE_BYTES);
-    Ok(lines.map(move |line| match line.with_context(|| unreadable.clone())? {
-        (_, Line::Content(text)) => Ok(json::read(&text, MAX_VALUES).ok()),
-        (_, Line::TooLong) => Ok(None),
-    }))
-}
-
-/// The document of a file's first line, if that is JSON.
-fn first_document(file: &Path) -> anyhow::Result<Option<Tree>> {
-    documents(file)?.next().transpose().map(Option::flatten)
 }

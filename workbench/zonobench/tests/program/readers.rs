@@ -60,10 +60,11 @@ fn a_column_of_text_is_told_at_the_first_row() {
     let folder = folder.path();
     fs::write(folder.join("p.csv"), cities).expect("written");
     fs::write(folder.join("z.csv"), "1,0,0\n0,1,0\n0,0,1\n").expect("written");
+    fs::write(folder.join("a.json"), r#"{"id":"p","kind":"min_length_all","result":{}}"#).expect("written");
     let number = "p.csv: line 1, column 3: 'north' is not a number";
     let commands: [(&[&str], &str); 5] = [
         (&["contains", "z.csv", "p.csv"], text),
-        (&["verify", "p.csv", "z.csv", "--epsilon", "0.1"], text),
+        (&["verify", "p.csv", "a.json", "--epsilon", "0.1"], text),
         (&["draw", "zonogon", "p.csv", "--svg", "z.svg"], text),
         (&["inspect", "p.csv"], number),
         (&["intersect", "z.csv", "p.csv"], number),

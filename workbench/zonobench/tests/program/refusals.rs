@@ -212,6 +212,10 @@ fn answers_keep_the_order_and_strict_tells_of_refusals() {
     assert!(found[0]["result"]["area"].as_f64().is_some_and(|area| (area - 4.0).abs() < 1e-11));
     let strict = run_with_input(Path::new("."), &["solve", "--strict"], input.as_bytes());
     assert_eq!((strict.status, strict.stdout.lines().count()), (1, 3));
+    let refused = strict.stdout.matches("\"error\":").count();
+    let told =
+        format!("zonobench: --strict: {refused} question{} refused", if refused == 1 { " was" } else { "s were" });
+    assert!(strict.stderr.starts_with(&told), "{}", strict.stderr);
     let good = run_with_input(Path::new("."), &["solve", "--strict"], min_area("[[0,0]]").as_bytes());
     assert_eq!(good.status, 0);
 }

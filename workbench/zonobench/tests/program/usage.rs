@@ -99,7 +99,8 @@ fn questions_take_no_options() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let question = r#"{"id":"q","kind":"min_area","input":{"points":[[0,0]]}}"#;
     fs::write(folder.path().join("q.jsonl"), question).expect("written");
-    let outcome = run(folder.path(), &["verify", "q.jsonl", "q.jsonl", "--epsilon", "0.1"]);
+    fs::write(folder.path().join("a.jsonl"), r#"{"id":"q","kind":"min_area","result":{}}"#).expect("written");
+    let outcome = run(folder.path(), &["verify", "q.jsonl", "a.jsonl", "--epsilon", "0.1"]);
     assert!(outcome.stderr.starts_with("zonobench: q.jsonl: read as questions"), "{}", outcome.stderr);
     assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""));
 }

@@ -1,5 +1,6 @@
 //! `verify`: right answers pass, every changed one is caught.
 
+mod files;
 mod requests;
 
 use std::fs;

@@ -7,11 +7,37 @@
 use super::shares::{Share, Shares};
 use crate::numeric::linear::{add_multiple, dot};
 use crate::numeric::scaling::{binary_exponent, largest_magnitude, scale_by_power_of_two};
-use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, UNIT};
+use crate::numeric::tolerance::{LONG_SUM, PRODUCT_UNDERFLOW, SQUARABLE_SIZES, UNIT};
 use crate::zonotope::Zonotope;
 
 /// Roundings of a term of the sums, of up to six coordinates.
 const TERM_ROUNDINGS: f64 = 32.0;
+
+/// The root of the sum of squares. Squares of short vectors leave the range of doubles, and their root is far longer
+/// than what is lost of them, so these vectors are made longer first.
+fn length(v: &[f64]) -> f64 {
+    let square = |factor: i64| -> f64 {
+        let scaled = v.iter().map(|&c| scale_by_power_of_two(c, factor));
+        scaled.map(|c| c * c).sum()
+    };
+    match own_exponent(v) {
+        Some(exponent) if largest_magnitude(v) < SQUARABLE_SIZES.start => {
+            scale_by_power_of_two(square(-exponent).sqrt(), exponent)
+        }
+        _ => square(0).sqrt(),
+    }
+}
+
+/// The exponent of the largest component; none of zero.
+fn own_exponent(v: &[f64]) -> Option<i64> {
+    binary_exponent(largest_magnitude(v)).map(i64::from)
+}
+
+/// The vector times a power of two that brings its largest component to magnitude 1.
+fn of_ordinary_length<const D: usize>(v: &[f64; D]) -> [f64; D] {
+    let exponent = own_exponent(v).unwrap_or(0);
+    v.map(|c| scale_by_power_of_two(c, -exponent))
+}
 
 /// A bound on a distance beside the size of the inner body, both times a power of two.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +57,7 @@ impl ShareDistance {
         let exponent = -i64::from(binary_exponent(largest[0].max(largest[1])).unwrap_or(0));
         let scaled = |v: &[f64; D]| v.map(|c| scale_by_power_of_two(c, exponent));
         let outer: Vec<[f64; D]> = outer.generators().iter().map(scaled).collect();
-        let length = |v: &[f64; D]| dot(v, v).sqrt();
+        let length = |v: &[f64; D]| length(v);
         // what shares leave of each generator, and how many of them are not all of one
         let mut left = vec![1.0; outer.len()];
         let mut parts = vec![0u32; outer.len()];
@@ -54,10 +80,10 @@ impl ShareDistance {
             }
         }
         let frame = &shares.frame;
-        let is_orthogonal = (0..frame.len()).all(|i| (0..i).all(|j| dot(&outer[frame[i]], &outer[frame[j]]) == 0.0));
+        let axes: Vec<[f64; D]> = frame.iter().map(|&index| of_ordinary_length(&outer[index])).collect();
+        let is_orthogonal = (0..axes.len()).all(|i| (0..i).all(|j| dot(&axes[i], &axes[j]) == 0.0));
         let lengths = || frame.iter().map(|&index| length(&outer[index]));
-        let diagonal =
-            if is_orthogonal { lengths().map(|length| length * length).sum::<f64>().sqrt() } else { lengths().sum() };
+        let diagonal = if is_orthogonal { self::length(&lengths().collect::<Vec<_>>()) } else { lengths().sum() };
         let whole = (0..outer.len()).filter(|index| !frame.contains(index));
         // each part that is taken off costs a rounding
         let unshared: f64 =
@@ -101,6 +127,19 @@ mod tests {
         assert!(distance.bound() > exact && distance.bound() < exact * 1.000_01, "{distance:?}");
         let own = ShareDistance::new(&Shares::each_its_own(2), &square, &square);
         assert!(own.bound() < 1e-200 && own.is_within(1e-200), "{own:?}");
+    }
+
+    /// Squares of the short generators beside a long one are below all doubles.
+    #[test]
+    fn short_generators_beside_a_long_one_count() {
+        let body = |list: &[[f64; 1]]| Zonotope::new([0.0], list.to_vec()).expect("finite");
+        let inner = body(&[[0.75], [4.5e-56], [-1e219], [-0.96]]);
+        let problem = Problem::new(&inner, 2).expect("two are enough");
+        let reduced = Method::Combastel.reduce(&problem).expect("it is short");
+        let Containment::Shares(shares) = &reduced.proof else { panic!("shares prove it") };
+        let bound = ShareDistance::new(shares, &inner, &reduced.body).bound();
+        assert!(squared_excess(&reduced.body, &inner) <= rational(bound) * rational(bound), "{bound}");
+        assert!((length(&[3e-300, 4e-300]) - 5e-300).abs() < 1e-314 && length(&[0.0]) == 0.0);
     }
 
     proptest! {

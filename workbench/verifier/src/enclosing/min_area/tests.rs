@@ -153,3 +153,42 @@ fn exact_optima() {
     };
     assert_eq!(check(&larger), complaint("the certificate does not prove that the area is the least"));
 }
+
+/// Two points of a horizontal line: a segment holds them, and nothing that is thicker by however little is the least.
+#[test]
+fn nothing_is_rounded_along_an_axis_on_which_points_agree() {
+    let points = [[-6e10, 0.5], [-7e9, 0.5]];
+    let segment = MinAreaAnswer {
+        area: 0.0,
+        center: [-3.35e10, 0.5],
+        generators: vec![[2.65e10, 0.0]],
+        lower_bound: 0.0,
+        certificate: Certificate { hull: vec![0, 1], farthest: vec![], coefficients: vec![], basis: vec![] },
+    };
+    assert!(check_min_area(&points, &segment).is_right());
+    let tiny = f64::from_bits(1);
+    let thick = MinAreaAnswer { area: 4.0 * 2.65e10 * tiny, generators: vec![[2.65e10, 0.0], [0.0, tiny]], ..segment };
+    let complaint = check_min_area(&points, &thick).proof().expect_err("it is thicker");
+    assert!(complaint.contains("by more than rounding"), "{complaint}");
+}
+
+/// A square of an area beyond all doubles: the bound is the largest double, and one that says less is noticed.
+#[test]
+fn a_bound_below_an_area_beyond_the_doubles_says_what_can_be_said() {
+    let (points, answer) = triangle();
+    let far = 2.0_f64.powi(600);
+    let scaled = |v: &[f64; 2]| v.map(|c| c * far);
+    let points: Vec<[f64; 2]> = points.iter().map(scaled).collect();
+    let with = |lower_bound: f64| MinAreaAnswer {
+        area: f64::INFINITY,
+        center: scaled(&answer.center),
+        generators: answer.generators.iter().map(scaled).collect(),
+        lower_bound,
+        certificate: answer.certificate.clone(),
+    };
+    assert!(check_min_area(&points, &with(f64::MAX)).is_right());
+    for weak in [0.0, f64::MAX / 2.0, f64::MAX * (1.0 - 1e-11)] {
+        let complaint = check_min_area(&points, &with(weak)).proof().expect_err("it says less");
+        assert!(complaint.contains("says less"), "{complaint}");
+    }
+}

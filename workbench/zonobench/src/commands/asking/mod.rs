@@ -19,7 +19,7 @@ use crate::input::{Format, Points, Reading, Wanted};
 use batch::json::{self, Tree, to_json, vector_to_json};
 
 /// The options for reading the points, and for the zonotope around them.
-#[derive(Debug, Clone, Default, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 pub struct Asking {
     /// The options for reading the points.
     #[command(flatten)]

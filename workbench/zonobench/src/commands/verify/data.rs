@@ -9,7 +9,8 @@ use std::path::Path;
 use batch::json::Tree;
 
 use super::about::{AboutData, NO_RECORD, OTHER_DATA};
-use super::{first_document, question_name};
+use super::documents::{first_document, standard_input_holds_questions};
+use super::question_name;
 use crate::commands::asking::{Asking, Recorded};
 use crate::input::Format;
 
@@ -17,9 +18,8 @@ use crate::input::Format;
 pub(super) fn question(file: &Path, asking: &Asking, answer: Option<&Tree>) -> anyhow::Result<Option<AboutData>> {
     let recorded = answer.and_then(Recorded::of);
     let recorded_format = recorded.as_ref().and_then(|recorded| recorded.as_ref().ok()?.asking.points.format);
-    let is_standard_input = file.as_os_str() == "-";
-    let format = asking.points.source(file)?.known_format().or(recorded_format.filter(|_| !is_standard_input));
-    // The content tells what the name does not.
+    let format = asking.points.source(file)?.known_format().or(recorded_format);
+    // The content tells the format where the name does not.
     let is_named = Format::of_extension(file).is_some_and(|format| format != Format::Json);
     if format.is_none() || (asking.points.format.is_none() && !is_named && holds_lines(file)?) {
         return Ok(None);
@@ -43,12 +43,14 @@ fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Res
     let (question, reading) = match recorded.asking.question(&name, file) {
         Ok(question) => question,
         Err(error) => {
-            let reason = format!("the question that the answer records cannot be asked: {error:#}");
+            let reason = format!("the question that the answer records cannot be asked of this file: {error:#}");
             return Ok(AboutData::without_question(reason));
         }
     };
-    if !asking.is_empty() {
-        let asked = asking.or(&recorded.asking).question(&name, file).map(|(question, _)| question);
+    let wanted = asking.or(&recorded.asking);
+    // Standard input can be read once, so options that repeat what is recorded do not read the data again.
+    if wanted != recorded.asking {
+        let asked = wanted.question(&name, file).map(|(question, _)| question);
         if !asked.is_ok_and(|asked| asked == question) {
             let reason = "the options ask for something else than the answer records".to_owned();
             return Ok(AboutData::without_question(reason));
@@ -61,5 +63,8 @@ fn with_record(asking: &Asking, recorded: &Recorded, file: &Path) -> anyhow::Res
 
 /// Whether the first line of a file is a question or an answer: data have no kind.
 fn holds_lines(file: &Path) -> anyhow::Result<bool> {
+    if file.as_os_str() == "-" {
+        return Ok(standard_input_holds_questions());
+    }
     Ok(first_document(file)?.is_some_and(|first| first.field("kind").is_some()))
 }

@@ -35,7 +35,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// How far it reaches from its centre along an axis at most; infinite beyond the range of doubles.
+    /// The largest reach from the centre along an axis; infinite beyond the range of doubles.
     pub fn reach(&self) -> f64 {
         let along = |axis: usize| self.generators.iter().map(|generator| generator[axis].abs()).sum();
         (0..self.center.len()).map(along).fold(0.0, f64::max)

@@ -105,7 +105,7 @@ impl Placed {
         (nearest(&center), doubles(&center).is_some())
     }
 
-    /// How far the image reaches from its centre along an axis at most, as the nearest generators tell.
+    /// The largest reach of the image from its centre along an axis, as the nearest generators tell.
     pub fn reach(&self) -> f64 {
         match &self.pose {
             None => self.body.reach(),

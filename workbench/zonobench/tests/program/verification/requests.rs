@@ -130,11 +130,14 @@ fn two_answers_are_no_question_and_its_answer() {
         assert_eq!(run(folder, &[words, &["--json", answer]].concat()).status, 0, "{words:?}");
     }
     for (given, reason) in [
-        (["around.json", "meeting.json"], "the first file holds an answer and no question; "),
-        (["meeting.json", "meeting.json"], "the first file holds an answer and no question; "),
-        (["meeting.json", "around.json"], "the first file holds an answer and no question; "),
-        (["meeting.json", "q.json"], "the answer comes first and then the question; "),
-        (["q.json", "q.json"], "the second file holds a question and no answer"),
+        (["around.json", "meeting.json"], "around.json holds answers, where the questions are expected, or the files "),
+        (["meeting.json", "meeting.json"], "meeting.json holds answers, where the questions are expected, "),
+        (["meeting.json", "around.json"], "meeting.json holds answers, where the questions are expected, "),
+        (
+            ["meeting.json", "q.json"],
+            "q.json holds questions, where the answers are expected; meeting.json holds answers, so name it last",
+        ),
+        (["q.json", "q.json"], "q.json holds questions, where the answers are expected: what `solve` wrote, "),
         (["a.json", "meeting.json"], "the answer is about two files: zonobench verify A B ANSWER checks it"),
     ] {
         let (status, cells) = verified(folder, &given);
@@ -153,9 +156,10 @@ fn two_answers_are_no_question_and_its_answer() {
         let outcome = run(folder, words);
         assert_eq!((outcome.status, outcome.stdout.as_str()), (2, ""), "{words:?}: {}", outcome.stderr);
     }
-    // A batch of answers in the place of questions says it for each line.
+    // A batch of answers in the place of questions says it once.
     let answers = fs::read_to_string(folder.join("meeting.json")).expect("written").repeat(2);
     fs::write(folder.join("answers.jsonl"), answers).expect("written");
     let outcome = run(folder, &["verify", "answers.jsonl", "answers.jsonl"]);
-    assert_eq!((outcome.status, outcome.stdout.matches("\tunchecked\tthe first file").count()), (1, 2));
+    assert_eq!((outcome.status, outcome.stdout.lines().count()), (1, 1), "{}", outcome.stdout);
+    assert!(outcome.stdout.starts_with("-\t-\tunchecked\tanswers.jsonl holds answers, where the questions"));
 }

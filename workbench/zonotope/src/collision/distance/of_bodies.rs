@@ -33,8 +33,8 @@ impl<const D: usize> Zonotope<D> {
 }
 
 impl PosedZonotope<'_> {
-    /// The Euclidean distance of two closed bodies where their poses put them, 0 where they meet; within two units in the
-    /// last place. The cost is that of [`proximity`](Self::proximity).
+    /// The Euclidean distance of two closed bodies where their poses put them, 0 where they meet; within two units in
+    /// the last place. The cost is that of [`proximity`](Self::proximity).
     pub fn distance<'b>(&self, other: impl Into<PosedZonotope<'b>>) -> f64 {
         by_support_simplex::proximity_posed(&self.query(&other.into())).distance()
     }

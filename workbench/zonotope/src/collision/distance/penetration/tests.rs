@@ -7,6 +7,7 @@ use crate::collision::Query;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::{cross, dot};
+use crate::tally::{Operation, OperationCounts};
 use by_inner_polytope::ACCURACY;
 
 fn holds<const D: usize>(depth: &Penetration<D>, squared: &Rational) -> bool {
@@ -106,6 +107,28 @@ fn needles_and_plates() {
     let depth = by_inner_polytope::penetration(&Query::new([0.0; 3], [0.0; 3], &generators).expect("finite"));
     assert!(depth.lower <= sizes[2] && sizes[2] <= depth.upper && depth.is_within(ACCURACY), "{depth:?}");
     assert_eq!(depth.direction.map(f64::abs), [0.0, 0.0, 1.0]);
+}
+
+/// The smallest doubles have no places, in which a search would go on without coming nearer; the depth of a needle is
+/// far below all doubles in units of its length.
+#[test]
+fn bodies_of_the_smallest_doubles_and_needles_take_few_steps() {
+    let tiny = f64::from_bits(1);
+    let smallest =
+        [[-8.0, -2.0, 3.0], [-2.0, 8.0, 2.0], [-6.0, 8.0, 8.0], [-8.0, -3.0, -4.0]].map(|g| g.map(|c| c * tiny));
+    let needle = |thin: f64, long: f64| [[long, 0.0, 0.0], [0.0, thin, 0.0], [long, thin, 2.0 * thin]];
+    let bodies: [&[[f64; 3]]; 5] =
+        [&smallest, &needle(1e-300, 1.0), &needle(1e-160, 1e160), &needle(3.0 * tiny, 1e300), &needle(tiny, 1e-200)];
+    for generators in bodies {
+        let query = Query::new([0.0; 3], [0.0; 3], generators).expect("finite");
+        let mut counts = OperationCounts::default();
+        let depth = by_inner_polytope::penetration_counted(&query, &mut counts);
+        let truth = brute_force::squared_depth(&query).expect("the centre is inside");
+        assert!(holds(&depth, &truth), "{generators:?} {depth:?}");
+        assert!(counts.get(Operation::SearchStep) < 50, "{generators:?} {}", counts.get(Operation::SearchStep));
+        let rounding = 4.0 * tiny;
+        assert!(depth.upper * (1.0 - ACCURACY) <= depth.lower + rounding, "{generators:?} {depth:?}");
+    }
 }
 
 /// A point of the facet of the first two generators, moved toward the centre by a part of its distance.

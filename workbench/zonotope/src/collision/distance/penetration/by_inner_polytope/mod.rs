@@ -64,6 +64,7 @@ use crate::collision::by_lad::{locate_counted, locate_posed_counted};
 use crate::lad::of_generators::generators::{KernelQuery, Posed};
 use crate::numeric::linear::{Ring, cross, dot};
 use crate::numeric::scaling::scale_by_power_of_two;
+use crate::numeric::tolerance::PRODUCT_UNDERFLOW;
 use crate::tally::{Operation, Tally};
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::query::Query;
@@ -81,6 +82,9 @@ const VERTEX_LIMIT: usize = 1 << 11;
 
 /// The most vertices that the polytope gets in exact numbers; the bounds hold where it ends.
 const EXACT_VERTEX_LIMIT: usize = 1 << 12;
+
+/// The exponent by which units are smaller where the depth is below all products in them.
+const UNIT_STEP: i64 = 800;
 
 /// How deep the displacement of a query lies in the zonotope.
 pub fn penetration(query: &Query<'_, 3>) -> Penetration<3> {
@@ -119,19 +123,21 @@ fn of_inner_point(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration
 
 /// The depth by a polytope in exact numbers.
 ///
-/// In units of the body's size the depth of a very thin body underflows, so that there are no units but where the depth
-/// is beyond the doubles.
+/// The distances of its faces are doubles in units of the body's size. In these the depth of a very thin body is below
+/// all doubles, so that it is found anew in smaller units.
 fn in_exact_numbers(query: &dyn KernelQuery, tally: &mut dyn Tally) -> Penetration<3> {
-    let mut exactly = |exponent: i64| {
+    let mut in_units = |exponent: i64| {
         let (generators, end) = precision::exact_body(query, exponent);
-        outward(&grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally), exponent)
+        grown(&Listed::exactly(generators, end), EXACT_VERTEX_LIMIT, tally)
     };
-    let depth = exactly(0);
-    if depth.upper.is_finite() {
-        return depth;
-    }
     let exponents = (0..query.len()).flat_map(|index| query.exact_generator(index)).filter_map(|c| c.binary_exponent());
-    exactly(exponents.max().unwrap_or(0))
+    let size = exponents.max().unwrap_or(0);
+    let (mut exponent, mut depth) = (size, in_units(size));
+    while is_too_short(&depth) && exponent >= size - UNIT_STEP {
+        exponent -= UNIT_STEP;
+        depth = in_units(exponent);
+    }
+    outward(&depth, exponent)
 }
 
 /// Bounds of a scaled body as bounds of the body: normal doubles but where the depth is nearly out of their range.
@@ -141,6 +147,11 @@ fn outward(depth: &Penetration<3>, exponent: i64) -> Penetration<3> {
         upper: scale_by_power_of_two(depth.upper, exponent).next_up(),
         direction: depth.direction,
     }
+}
+
+/// Whether the depth is so far below the unit that doubles may not tell its bounds apart.
+fn is_too_short(depth: &Penetration<3>) -> bool {
+    depth.upper < PRODUCT_UNDERFLOW
 }
 
 /// Whether the bounds are as near to each other as they must be.
@@ -164,7 +175,7 @@ fn grown<P: Precision>(body: &P, vertex_limit: usize, tally: &mut dyn Tally) -> 
         if look.distance < depth.upper {
             (depth.upper, depth.direction) = (look.distance, look.direction);
         }
-        if is_settled(&depth) || !polytope.add_with_mirror_image(look.vertex) {
+        if is_settled(&depth) || is_too_short(&depth) || !polytope.add_with_mirror_image(look.vertex) {
             break;
         }
     }

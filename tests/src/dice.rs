@@ -4,6 +4,7 @@
 pub struct Dice(u64);
 
 impl Dice {
+    /// The numbers of a seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -30,6 +31,7 @@ impl Dice {
         (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
+    /// One of a list, all equally likely.
     pub fn choose<'a, T>(&mut self, among: &'a [T]) -> &'a T {
         &among[self.below(among.len())]
     }
