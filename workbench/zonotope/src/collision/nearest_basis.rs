@@ -11,7 +11,7 @@
 
 use super::basis_solve::{left_over, solve};
 use super::query::{Gauge, Location, Witness};
-use crate::lad::of_generators::linear_map::LinearMap;
+use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
 use crate::numeric::combined_sum::combined_sum;

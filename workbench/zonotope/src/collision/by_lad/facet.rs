@@ -53,10 +53,10 @@ use super::proof;
 use crate::collision::{Gauge, Location};
 #[cfg(test)]
 use crate::lad::of_generators::exact::solve::ExactOptimum;
-use crate::lad::of_generators::generators::KernelQuery;
 use crate::lad::of_generators::goal::Goal;
 use crate::lad::of_generators::nearest_gauge::nearest_gauge;
 use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::lad::of_generators::{solve, solve_from};
 use crate::tally::Tally;
 

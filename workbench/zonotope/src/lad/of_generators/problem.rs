@@ -6,7 +6,7 @@ use super::certify::rounded_optimum::RoundedOptimum;
 use super::goal::Goal;
 use super::optimum::Told;
 use super::plane::rounded_chart::RoundedChart;
-use crate::lad::of_generators::generators::KernelQuery;
+use super::seam::generators::KernelQuery;
 use crate::numeric::bounded::BoundedVector;
 
 /// Of more generators than this, a vertex is certified before a location is proved from it: for a separating direction,

@@ -4,7 +4,7 @@
 use crate::collision::Separation;
 use crate::lad::of_generators::certify::direction_of_doubles::Beyond;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::dyadic::Dyadic;

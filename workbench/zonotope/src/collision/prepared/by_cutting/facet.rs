@@ -6,9 +6,9 @@ use std::cmp::Ordering;
 use super::vertex::Vertex;
 use crate::collision::by_lad::proof;
 use crate::collision::{Gauge, Location, Status};
-use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::optimum::Optimum;
+use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
 use crate::numeric::exact_linear::negated;
 use crate::zonotope::query::Query;
 

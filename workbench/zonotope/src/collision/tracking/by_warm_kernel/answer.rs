@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use crate::collision::by_lad::{locate_posed, proof};
 use crate::collision::{Location, Separation, Status};
-use crate::lad::of_generators::generators::Posed;
 use crate::lad::of_generators::optimum::{Optimum, Told};
+use crate::lad::of_generators::seam::generators::Posed;
 use crate::zonotope::posed_query::PosedQuery;
 
 /// How two bodies meet in a frame.

@@ -6,8 +6,8 @@
 //! products with u. No direction w separates unless w · (p − S) exceeds |w · v| of the two, which takes O(1) and turns
 //! nearly all down; what is left is tried with all generators.
 
-use crate::lad::of_generators::exact::direction_signs::DirectionSigns;
-use crate::lad::of_generators::generators::KernelQuery;
+use crate::lad::of_generators::seam::direction_signs::DirectionSigns;
+use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::linear::dot;

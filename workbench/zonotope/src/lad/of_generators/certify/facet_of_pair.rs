@@ -11,10 +11,10 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use super::facet_coefficients::facet_coefficients;
 use super::facet_in_pairs::location_in_pairs;
 use super::three_coefficients::{minus, solve};
 use super::touching_facet::touching;
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::level::level;

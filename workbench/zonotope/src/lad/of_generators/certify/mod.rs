@@ -10,12 +10,10 @@
 //! | [`direction_of_doubles`] | doubles near the normal of a facet separate as the normal does |
 //! | [`touching_facet`] | the displacement is exactly on the facet of such a vertex |
 //! | [`three_coefficients`] | three generators make up for what the others leave |
-//! | [`facet_coefficients`] | the coefficients of many generators of one facet, by a weighted median |
 //! | [`unit_gauge_bound`] | how thick the body is at least |
 //! | [`gauge_interval`] | on which side of the boundary the displacement ends |
 
 pub(crate) mod direction_of_doubles;
-pub(crate) mod facet_coefficients;
 mod facet_in_pairs;
 pub(crate) mod facet_of_pair;
 pub(crate) mod gauge_interval;

@@ -9,8 +9,8 @@
 
 use std::cmp::Ordering;
 
-use super::facet_coefficients::facet_coefficients;
 use super::three_coefficients::{cross_terms, minus, solve};
+use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};

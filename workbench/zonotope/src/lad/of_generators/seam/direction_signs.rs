@@ -1,7 +1,7 @@
 //! The signs of generators for an exact direction: two doubles a coordinate tell nearly all, exact arithmetic the
 //! others.
 
-use crate::lad::of_generators::generators::{KernelQuery, Part};
+use super::generators::{KernelQuery, Part};
 use crate::numeric::double_double::DoubleDoubleDirection;
 use crate::numeric::exact_linear::{ExactVector, dot};
 

@@ -5,7 +5,7 @@
 //! much a coordinate grows, and every rounding error is a few u m. The determinant is not asked for: [`Frame`] has the
 //! sharper bounds that a search needs, and costs several times as much.
 //!
-//! [`Frame`]: super::frame::Frame
+//! [`Frame`]: crate::lad::of_generators::seam::frame::Frame
 
 use crate::numeric::linear::{dot, max_norm, sum_norm};
 use crate::numeric::tolerance::{FIVE_ROUNDINGS, MATRIX_SIZES, SQUARABLE_SIZES, UNDERFLOW};

@@ -5,9 +5,9 @@
 //! u. It is the same pass that bodies without a pose have. What the pose adds is a few roundings before and after the
 //! pass, which widen the cell and the error bound of the sum.
 
-use super::cells::direction_cone::DirectionCone;
-use super::cells::sign_pass::FixedSum;
+use super::direction_cone::DirectionCone;
 use super::linear_map::LinearMap;
+use super::sign_pass::FixedSum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::ExactVector;
 use crate::numeric::linear::{max_norm, sum_norm};

@@ -16,9 +16,9 @@
 
 use std::fmt;
 
-use super::cells::direction_cone::DirectionCone;
-use super::cells::sign_pass::{FixedSum, Places};
+use super::direction_cone::DirectionCone;
 use super::frame::Frame;
+use super::sign_pass::{FixedSum, Places};
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
