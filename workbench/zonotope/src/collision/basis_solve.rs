@@ -1,12 +1,12 @@
 //! The coefficients of a basis that make up for what other coefficients leave, exactly: the step that ends a search for
 //! a witness.
 
-use super::query::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear;
 use crate::numeric::exact_sum::ExactSum;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::zonotope::location::Witness;
 use crate::zonotope::query::Query;
 
 /// The displacement minus the generators off the basis, each with its coefficient. O(n) exact additions.

@@ -52,7 +52,6 @@
 //! ```
 
 use super::basis_solve::{left_over, solve};
-use super::query::{Gauge, Location, Separation, Witness};
 use super::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
 use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend};
@@ -60,6 +59,7 @@ use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::dot;
 use crate::tally::Tally;
+use crate::zonotope::location::{Gauge, Location, Separation, Witness};
 use crate::zonotope::query::Query;
 
 /// Where a displacement lies relative to the zonotope of its generators, with a proof.

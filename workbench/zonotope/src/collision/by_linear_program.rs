@@ -48,10 +48,10 @@
 
 mod proof;
 
-use super::query::{Location, Witness};
 use crate::linear_program::{BoundedVariable, Engine, Guess, LinearProgram, Relation, Row};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::scaling::{binary_exponent, scale_by_power_of_two};
+use crate::zonotope::location::{Location, Witness};
 use crate::zonotope::query::Query;
 
 /// What an engine's optimum proves.

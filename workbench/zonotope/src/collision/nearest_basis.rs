@@ -10,7 +10,6 @@
 //! its neighbours to choose from, or the basis does not span the space, exact arithmetic answers.
 
 use super::basis_solve::{left_over, solve};
-use super::query::{Gauge, Location, Witness};
 use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
@@ -20,6 +19,7 @@ use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, exact, sum};
 use crate::numeric::linear::{cross, dot, sum_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_IMAGES, LONG_SUM, MODERATE_SIZES, PRODUCT_UNDERFLOW, UNIT};
+use crate::zonotope::location::{Gauge, Location, Witness};
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::query::Query;

@@ -1,9 +1,9 @@
 //! From rational coefficients of a member to a witness, whose coefficients off a basis are doubles.
 
-use super::query::Witness;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::dependence;
+use crate::zonotope::location::Witness;
 
 /// The witness of exact coefficients in [−1, 1]. They are moved along dependences of the generators until those that no
 /// double says belong to independent generators, the basis; each move takes one of them to −1 or 1. O(n) eliminations.

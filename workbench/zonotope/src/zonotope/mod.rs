@@ -6,6 +6,7 @@
 //! | [`combinatorics()`] | counts of faces and exact volume, in any dimension |
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
+//! | `location` | what is answered about a displacement: where it lies, with its proof, and its gauge |
 //! | `operations`, `cleanup` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
@@ -20,6 +21,7 @@ mod combinatorics;
 pub mod directions;
 pub mod faces;
 mod implicit;
+pub(crate) mod location;
 mod matrices;
 pub mod named;
 mod operations;

@@ -2,9 +2,9 @@
 
 use super::Answer;
 use crate::collision::basis_solve::near_witness;
-use crate::collision::query::{Location, Separation};
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
+use crate::zonotope::location::{Location, Separation};
 use crate::zonotope::query::Query;
 
 /// The separation that a direction or its opposite is.

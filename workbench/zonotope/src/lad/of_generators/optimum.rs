@@ -4,7 +4,7 @@
 use super::certify::gauge_interval::DecidedOptimum;
 use super::exact::solve::ExactOptimum;
 use super::span::prism::Prism;
-use crate::collision::Separation;
+use crate::zonotope::location::Separation;
 
 /// The optimum of a query, or a direction that made it unnecessary.
 #[derive(Debug)]

@@ -9,7 +9,6 @@ use std::cmp::Ordering;
 
 use super::direction_of_doubles::{Beyond, Pairs};
 use super::three_coefficients::cross_terms;
-use crate::collision::Separation;
 use crate::lad::of_generators::optimum::Told;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
@@ -17,6 +16,7 @@ use crate::numeric::exact_linear::{self, exact};
 use crate::numeric::lanes::rows::Rows;
 use crate::numeric::linear::{cross, cyclic_cross_products, dot, max_norm};
 use crate::numeric::tolerance::{DETERMINANT_OF_ROWS, PRODUCT_UNDERFLOW};
+use crate::zonotope::location::Separation;
 use crate::zonotope::query::Query;
 
 /// Where p lies, with its proof, from the computed normal u of two generators, which is a × b or, if it is reversed,

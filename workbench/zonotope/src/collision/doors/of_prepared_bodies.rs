@@ -1,9 +1,10 @@
 //! What a prepared body of space is asked: the questions that a [`Zonotope`](crate::zonotope::Zonotope) answers, with
 //! the same answers.
 
-use super::{Gauge, Location, PosedZonotope};
+use super::of_posed_bodies::PosedZonotope;
 use crate::collision::{Query, by_lad};
 use crate::numeric::non_finite::NonFinite;
+use crate::zonotope::location::{Gauge, Location};
 use crate::zonotope::pose::Pose;
 use crate::zonotope::prepared::{BodyView, PreparedBody};
 

@@ -1,4 +1,4 @@
-//! The answer to a [`Query`](crate::collision::Query), with its proof.
+//! The answers to a [`Query`], each with its proof: a location, a gauge.
 
 use std::fmt;
 
@@ -52,9 +52,21 @@ pub enum Separation<const D: usize> {
     Exact(Box<[Rational; D]>),
 }
 
+/// How many times a zonotope Z centred at the origin must be taken to hold a displacement p: min { t ≥ 0 : p ∈ t Z }.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gauge<const D: usize> {
+    /// The gauge, within [`error`](Self::error); infinite where no multiple of Z holds p (a flat Z), then without
+    /// error.
+    pub value: f64,
+    /// A bound for |`value` − gauge|.
+    pub error: f64,
+    /// Where p lies relative to Z, decided exactly: the gauge is at most 1 just when p is a member. With its proof.
+    pub location: Location<D>,
+}
+
 impl<const D: usize> Separation<D> {
     /// The separation by an exact direction that separates, in doubles if the rounded direction does, too. O(n).
-    pub(in crate::collision) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
+    pub(crate) fn near(question: &Query<'_, D>, direction: &[Dyadic; D]) -> Self {
         let largest = direction.iter().filter_map(Dyadic::binary_exponent).max().unwrap_or(0);
         let scaled = direction.clone().map(|v| v.scaled(-largest));
         let rounded = scaled.clone().map(|v| v.to_f64());

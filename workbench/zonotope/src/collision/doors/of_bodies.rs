@@ -3,11 +3,11 @@
 //! They hold no geometry of their own. A caller who wants another method, or operation counts, makes the [`Query`]
 //! himself and hands it to a [`Method`].
 
-use super::{Gauge, Location};
 use crate::collision::{Finding, Method, Query};
 use crate::numeric::non_finite::NonFinite;
 use crate::seed::DEFAULT_SEED;
 use crate::zonotope::Zonotope;
+use crate::zonotope::location::{Gauge, Location};
 
 impl<const D: usize> Zonotope<D> {
     /// Whether a point lies in the closed body, exactly. O(n) expected in up to four dimensions, O(n^D) in rationals
@@ -22,7 +22,7 @@ impl<const D: usize> Zonotope<D> {
     /// Where a point lies relative to the body, with a proof: coefficients of the generators, or a separating
     /// direction. The cost is that of [`contains`](Self::contains), and a pass over the generators for the last digits
     /// of the coefficients, which are such that a verifier takes them
-    /// ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
+    /// ([`Witness::with_nearest_basis`](crate::collision::Witness::with_nearest_basis)).
     ///
     /// # Errors
     /// [`NonFinite`] if a coordinate of the point is NaN or infinite.

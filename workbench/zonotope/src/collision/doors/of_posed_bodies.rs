@@ -1,10 +1,10 @@
 //! What a body of space under a pose is asked. A moved body keeps its generators: the pose is part of the question, and
 //! exact like it.
 
-use super::{Gauge, Location};
 use crate::collision::by_lad::{locate_posed, nearest_gauge_posed};
 use crate::numeric::non_finite::NonFinite;
 use crate::zonotope::Zonotope;
+use crate::zonotope::location::{Gauge, Location};
 use crate::zonotope::pose::Pose;
 use crate::zonotope::posed_query::PosedQuery;
 use crate::zonotope::prepared::{BodyView, PreparedBody};

@@ -1,8 +1,8 @@
 //! How near bodies are and how deep they overlap, as methods of the bodies.
 
-use super::penetration::{self, Penetration};
-use super::{Proximity, by_support_simplex};
 use crate::collision::PosedZonotope;
+use crate::collision::distance::penetration::{self, Penetration};
+use crate::collision::distance::{Proximity, by_support_simplex};
 use crate::zonotope::Zonotope;
 use crate::zonotope::query::Query;
 

@@ -5,8 +5,10 @@ use std::ops::RangeInclusive;
 use thiserror::Error;
 
 #[cfg(feature = "linear-programming")]
-use super::by_linear_program;
-use super::{Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_gjk, by_lad, by_slope_selection};
+use crate::collision::by_linear_program;
+use crate::collision::{
+    Gauge, Location, Query, Separation, brute_force, by_explicit_faces, by_gjk, by_lad, by_slope_selection,
+};
 #[cfg(feature = "linear-programming")]
 use crate::linear_program::Clarabel;
 use crate::tally::Tally;
@@ -17,7 +19,7 @@ use crate::zonotope::faces::FacesError;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 #[non_exhaustive]
 pub enum Method {
-    /// [`by_lad`], the default; in four dimensions it is [`by_lad_in_r4`](super::by_lad_in_r4).
+    /// [`by_lad`], the default; in four dimensions it is [`by_lad_in_r4`](crate::collision::by_lad_in_r4).
     #[default]
     ByLad,
     /// [`by_slope_selection`], the paper's search.
@@ -250,7 +252,7 @@ impl Method {
 
     /// [`gauge`](Self::gauge) as answers of bodies have it: within four units in the last place where the method is
     /// exact or the kernel, its proof with the doubles nearest to the coefficients of the basis
-    /// ([`Witness::with_nearest_basis`](super::Witness::with_nearest_basis)).
+    /// ([`Witness::with_nearest_basis`](crate::collision::Witness::with_nearest_basis)).
     ///
     /// # Errors
     /// Those of [`gauge`](Self::gauge).
