@@ -50,7 +50,7 @@
 
 use std::cmp::Ordering;
 
-use super::tightest_facet::{TightestFacet, Vector, witness};
+use super::proof::tightest_facet::{TightestFacet, Vector, witness};
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::Span;

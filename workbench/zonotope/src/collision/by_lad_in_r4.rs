@@ -51,8 +51,8 @@
 //! assert_eq!((gauge.value, gauge.location.status()), (3.0, Status::Outside));
 //! ```
 
-use super::basis_solve::{left_over, solve};
-use super::to_doubles::rounded_off_a_basis;
+use super::proof::balance::solve::{left_over, solve};
+use super::proof::to_doubles::rounded_off_a_basis;
 use crate::lad::of_forms::SpaceCertificate;
 use crate::lad::of_forms::homogeneous::{Descent, Instance, Source, Vector4, descend};
 use crate::numeric::Rational;

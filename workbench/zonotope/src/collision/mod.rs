@@ -34,7 +34,6 @@
 //!
 //! Sets are closed: a point of the boundary belongs to the body, bodies that touch intersect.
 
-mod basis_solve;
 pub mod brute_force;
 pub mod by_explicit_faces;
 pub mod by_gjk;
@@ -46,10 +45,8 @@ pub mod by_slope_selection;
 pub mod distance;
 mod doors;
 pub mod hierarchy;
-mod nearest_basis;
 pub mod prepared;
-mod tightest_facet;
-mod to_doubles;
+pub(crate) mod proof;
 pub mod tracking;
 pub mod upper_hull;
 
@@ -59,4 +56,4 @@ pub use crate::zonotope::location::{Gauge, Location, Separation, Status, Witness
 pub use crate::zonotope::posed_query::PosedQuery;
 pub use crate::zonotope::query::Query;
 pub use doors::{Finding, Method, MethodError, PosedZonotope};
-pub use nearest_basis::Proved;
+pub use proof::balance::nearest::Proved;

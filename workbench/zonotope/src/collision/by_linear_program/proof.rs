@@ -1,7 +1,7 @@
 //! What the numbers of an optimum prove, exactly.
 
 use super::Answer;
-use crate::collision::basis_solve::near_witness;
+use crate::collision::proof::balance::solve::near_witness;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;
 use crate::zonotope::location::{Location, Separation};

@@ -24,10 +24,10 @@
 //! | [`ladder`] | the optimum and the rung that answered | an answer; the only file with fallbacks | never |
 //!
 //! Beside the stages: [`seam`] has what the kernel asks of whoever holds the generators, under a pose or not;
-//! [`plane`] has the coordinates of the plane of directions;
-//! [`span`] makes bodies that do not span space into prisms that do; [`support`] evaluates h(u) in one pass;
-//! [`problem`] and [`optimum`] are what goes in and what comes out;
-//! [`nearest_gauge`] has the last digits of the gauge.
+//! [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do not span space into prisms
+//! that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`goal`] are what goes in, [`optimum`] and [`told`]
+//! what comes out; [`nearest_gauge`] has the last digits of the gauge. The kernel proves no location: a caller that
+//! wants one hands a function down ([`goal::AtVertex`]), which makes what it can of the vertices of a search.
 
 pub(crate) mod cells;
 pub(crate) mod certify;
@@ -43,6 +43,7 @@ pub(crate) mod seam;
 pub(crate) mod search;
 pub(crate) mod span;
 pub(crate) mod support;
+pub(crate) mod told;
 
 use self::goal::Goal;
 use self::optimum::Optimum;

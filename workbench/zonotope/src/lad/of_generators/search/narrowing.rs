@@ -111,7 +111,7 @@ pub(crate) fn narrow_last(
     {
         let generators = last.indices_of(vertex);
         if !problem.is_known(generators)
-            && let Some(told) = problem.location_by_pair(generators)
+            && let Some(told) = problem.proof_at(generators)
         {
             return Ok(Searched::Told(told));
         }

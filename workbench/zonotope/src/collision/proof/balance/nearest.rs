@@ -9,7 +9,7 @@
 //! corrections of the basis in plain doubles, with a bound. Where that bound leaves more than the nearest double and
 //! its neighbours to choose from, or the basis does not span the space, exact arithmetic answers.
 
-use super::basis_solve::{left_over, solve};
+use super::solve::{left_over, solve};
 use crate::lad::of_generators::seam::linear_map::LinearMap;
 use crate::numeric::Rational;
 use crate::numeric::bounded::Bounded;
@@ -33,7 +33,7 @@ impl Proved<3> for PosedQuery<'_> {}
 
 /// What completes a proof; no type outside of the library has it.
 mod sealed {
-    use super::Witness;
+    use crate::collision::Witness;
 
     pub trait Completed {
         /// How many generators there are.

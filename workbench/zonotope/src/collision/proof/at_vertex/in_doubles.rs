@@ -11,11 +11,11 @@
 
 use fearless_simd::{Simd, dispatch, f64x8, prelude::*};
 
-use super::facet_in_pairs::location_in_pairs;
-use super::three_coefficients::{minus, solve};
-use super::touching_facet::touching;
+use super::contact::touching;
+use super::in_pairs::location_in_pairs;
+use crate::collision::proof::balance::three_coefficients::{minus, solve};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
-use crate::lad::of_generators::optimum::Told;
+use crate::lad::of_generators::told::Told;
 use crate::numeric::bounded::{self, Bounded, BoundedVector};
 use crate::numeric::lanes::level::level;
 use crate::numeric::lanes::number::{Number, Units, product};
@@ -218,7 +218,7 @@ impl Facet<'_> {
 mod tests {
     use super::*;
     use crate::collision::brute_force;
-    use crate::collision::by_lad::proof::of_told;
+    use crate::collision::proof::of_optimum::of_told;
     use crate::interop::verifier::check_location;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;

@@ -7,7 +7,7 @@ use crate::zonotope::location::Witness;
 
 /// The witness of exact coefficients in [−1, 1]. They are moved along dependences of the generators until those that no
 /// double says belong to independent generators, the basis; each move takes one of them to −1 or 1. O(n) eliminations.
-pub(super) fn rounded_off_a_basis(
+pub(in crate::collision) fn rounded_off_a_basis(
     mut coefficients: Vec<Rational>,
     generator: impl Fn(usize) -> Vec<Rational>,
 ) -> Witness {

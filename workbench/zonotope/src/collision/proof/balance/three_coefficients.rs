@@ -7,14 +7,18 @@ use crate::numeric::tolerance::{
 
 /// A sum less a multiple of a vector.
 #[inline]
-pub(super) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
+pub(in crate::collision) fn minus(sum: [f64; 3], factor: f64, v: &[f64; 3]) -> [f64; 3] {
     [sum[0] - factor * v[0], sum[1] - factor * v[1], sum[2] - factor * v[2]]
 }
 
 /// The coefficients of three vectors that make up a rest whose coordinates are off by at most so much: those that are
 /// certainly within (−1, 1). `None` if the three may be dependent.
 #[inline]
-pub(super) fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3]) -> Option<[Option<f64>; 3]> {
+pub(in crate::collision) fn solve(
+    [a, b, c]: &[[f64; 3]; 3],
+    rest: &[f64; 3],
+    errors: &[f64; 3],
+) -> Option<[Option<f64>; 3]> {
     let normals = cyclic_cross_products(a, b, c);
     let areas = [cross_terms(b, c), cross_terms(c, a), cross_terms(a, b)];
     let determinant = dot(c, &normals[2]);
@@ -38,7 +42,7 @@ pub(super) fn solve([a, b, c]: &[[f64; 3]; 3], rest: &[f64; 3], errors: &[f64; 3
 
 /// The sums of the magnitudes of the terms of a cross product, with room for what underflows.
 #[inline]
-pub(super) fn cross_terms(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+pub(in crate::collision) fn cross_terms(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     let terms = |i: usize, j: usize| (a[i] * b[j]).abs() + (a[j] * b[i]).abs() + PRODUCT_UNDERFLOW;
     [terms(1, 2), terms(2, 0), terms(0, 1)]
 }

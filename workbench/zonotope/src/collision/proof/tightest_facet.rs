@@ -11,21 +11,21 @@ use crate::numeric::exact_linear::{Span, hyperplane_normal, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
 
 /// A vector of exact coordinates, as many as the space at hand has.
-pub(super) type Vector = Vec<Dyadic>;
+pub(in crate::collision) type Vector = Vec<Dyadic>;
 
 /// The normal that bounds the gauge from below best, with the support values on both sides.
-pub(super) struct TightestFacet {
-    pub(super) normal: Vector,
+pub(in crate::collision) struct TightestFacet {
+    pub(in crate::collision) normal: Vector,
     /// normal · p, not negative.
-    pub(super) along_point: Dyadic,
+    pub(in crate::collision) along_point: Dyadic,
     /// Σ |normal · g_i|, positive.
-    pub(super) along_zonotope: Dyadic,
+    pub(in crate::collision) along_zonotope: Dyadic,
 }
 
 impl TightestFacet {
     /// The facet of generators that span the space, by trying the normal of each r − 1 of them. In no dimension the
     /// gauge is 0.
-    pub(super) fn of(point: &[Dyadic], generators: &[Vector]) -> Self {
+    pub(in crate::collision) fn of(point: &[Dyadic], generators: &[Vector]) -> Self {
         let rank = point.len();
         let mut best: Option<Self> = None;
         for_each_subset(generators.len(), rank.saturating_sub(1), |subset| {
@@ -50,7 +50,7 @@ impl TightestFacet {
     }
 
     /// The facet of generators within their span, which holds the point, as one of the whole space.
-    pub(super) fn within(span: &Span, point: &[Dyadic], generators: &[Vector]) -> Self {
+    pub(in crate::collision) fn within(span: &Span, point: &[Dyadic], generators: &[Vector]) -> Self {
         let inside: Vec<Vector> = generators.iter().map(|g| span.project(g)).collect();
         let facet = Self::of(&span.project(point), &inside);
         Self { normal: span.embed(&facet.normal), ..facet }
@@ -58,7 +58,7 @@ impl TightestFacet {
 
     /// Coefficients with Σ δ_i g_i = point whose largest magnitude is the gauge of the point, this being the facet of
     /// the zonotope's multiple that has the point on its boundary.
-    pub(super) fn coefficients(&self, point: &[Dyadic], generators: &[Vector]) -> Vec<Rational> {
+    pub(in crate::collision) fn coefficients(&self, point: &[Dyadic], generators: &[Vector]) -> Vec<Rational> {
         let Self { normal, along_point, along_zonotope } = self;
         let gauge = along_point.to_rational() / along_zonotope.to_rational();
         // What the generators of the facet have to make up, times the denominator of the gauge, so that it stays
@@ -87,7 +87,7 @@ impl TightestFacet {
 }
 
 /// The witness of a member.
-pub(super) fn witness(point: &[Dyadic], generators: &[Vector]) -> Witness {
+pub(in crate::collision) fn witness(point: &[Dyadic], generators: &[Vector]) -> Witness {
     let coefficients = smallest_coefficients(point, generators);
     rounded_off_a_basis(coefficients, |i| generators[i].iter().map(Dyadic::to_rational).collect())
 }

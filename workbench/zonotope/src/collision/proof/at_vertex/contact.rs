@@ -9,9 +9,9 @@
 
 use std::cmp::Ordering;
 
-use super::three_coefficients::{cross_terms, minus, solve};
+use crate::collision::proof::balance::three_coefficients::{cross_terms, minus, solve};
 use crate::lad::of_generators::guess::facet_coefficients::facet_coefficients;
-use crate::lad::of_generators::optimum::Told;
+use crate::lad::of_generators::told::Told;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{self, ExactVector, exact};
 use crate::numeric::linear::{cross, dot};
@@ -142,10 +142,10 @@ impl<I: Iterator<Item = usize> + Clone> Touched<'_, I> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::facet_of_pair::location_by_pair;
     use super::*;
     use crate::collision::brute_force;
-    use crate::collision::by_lad::proof::of_told;
+    use crate::collision::proof::at_vertex::in_doubles::location_by_pair;
+    use crate::collision::proof::of_optimum::of_told;
     use crate::interop::verifier::check_location;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;

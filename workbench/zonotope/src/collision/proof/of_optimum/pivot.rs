@@ -9,9 +9,9 @@
 
 use std::cmp::Ordering;
 
+use super::exactly::{Combination, rounded};
 use crate::collision::Witness;
-use crate::collision::by_lad::proof::basis::Basis;
-use crate::collision::by_lad::proof::member_from_exact::{Combination, rounded};
+use crate::collision::proof::balance::basis::Basis;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::exact_linear::{ExactVector, difference, multiple};
 

@@ -4,32 +4,32 @@
 //! | rung | what it proves | without room for rounding |
 //! |---|---|---|
 //! | `RoundedDirection` | outside: the facet's direction in doubles, with room for every rounding error | the exact optimum |
-//! | `RoundedCoefficients` | a member: one factor for all generators but three, the two of the facet and a third ([`member_in_doubles`]) | `WellSpreadBasis` |
+//! | `RoundedCoefficients` | a member: one factor for all generators but three, the two of the facet and a third ([`in_doubles`]) | `WellSpreadBasis` |
 //! | `WellSpreadBasis` | a member: one factor for all generators but three others, where those of the facet are nearly parallel | the exact optimum |
 //! | `DirectionOfDoubles` | outside, exactly: a direction of doubles near the exact one ([`separation`]) | `RationalDirection` |
 //! | `RationalDirection` | outside, exactly: the direction itself | |
-//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`member_from_exact`]) | `PivotedCoefficients` |
-//! | `PivotedCoefficients` | a member, exactly: group after group of coefficients is rounded ([`pivot_to_doubles`]) | |
+//! | `ScaledSigns` | a member, exactly: one factor for all generators off a basis ([`exactly`]) | `PivotedCoefficients` |
+//! | `PivotedCoefficients` | a member, exactly: group after group of coefficients is rounded ([`pivot`]) | |
 
-pub(crate) mod basis;
-pub(crate) mod member_from_exact;
-pub(crate) mod member_in_doubles;
-pub(crate) mod pivot_to_doubles;
+pub(crate) mod exactly;
+mod in_doubles;
+pub(crate) mod pivot;
 pub(crate) mod separation;
 
 use std::cmp::Ordering;
 
-use self::basis::Basis;
-use self::member_from_exact::Combination;
-use self::member_in_doubles::witness;
-use self::pivot_to_doubles::walk;
+use self::exactly::Combination;
+use self::in_doubles::witness;
+use self::pivot::walk;
+use super::at_vertex::in_doubles::location_by_pair;
+use super::balance::basis::Basis;
 use crate::collision::{Location, Separation, Witness};
-use crate::lad::of_generators::certify::facet_of_pair::location_by_pair;
 use crate::lad::of_generators::certify::gauge_interval::DecidedOptimum;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::ladder;
-use crate::lad::of_generators::optimum::{FlatOptimum, Optimum, Told};
+use crate::lad::of_generators::optimum::{FlatOptimum, Optimum};
 use crate::lad::of_generators::seam::generators::KernelQuery;
+use crate::lad::of_generators::told::Told;
 use crate::numeric::Rational;
 use crate::numeric::exact_linear::ExactVector;
 use crate::tally::{Rung, Tally};

@@ -4,10 +4,10 @@
 //! in doubles. With a third generator in the basis, all others may be scaled by the same double c, near 1 / λ or,
 //! close to the boundary, 1 itself: p − c Σ_off sign v is one exact vector, and its three coefficients decide. Where
 //! both values of c fail, because p is so close to the edge of a facet that rounding the scale leaves the facet, the
-//! exact solution with 1 / λ is walked to one in doubles (`pivot_to_doubles`).
+//! exact solution with 1 / λ is walked to one in doubles (`pivot`).
 
 use crate::collision::Witness;
-use crate::collision::by_lad::proof::basis::Basis;
+use crate::collision::proof::balance::basis::Basis;
 use crate::lad::of_generators::exact::solve::ExactOptimum;
 use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::dyadic::Dyadic;

@@ -10,7 +10,7 @@ use crate::zonotope::location::Witness;
 use crate::zonotope::query::Query;
 
 /// The displacement minus the generators off the basis, each with its coefficient. O(n) exact additions.
-pub(super) fn left_over<const D: usize>(
+pub(in crate::collision) fn left_over<const D: usize>(
     question: &Query<'_, D>,
     displacement: &[Dyadic; D],
     coefficients: &[f64],
@@ -35,7 +35,7 @@ pub(super) fn left_over<const D: usize>(
 
 /// The coefficients with Σ δ_b g_b = `sum` over the basis; `None` if its generators are dependent or nothing solves the
 /// equation.
-pub(super) fn solve<const D: usize>(
+pub(in crate::collision) fn solve<const D: usize>(
     question: &Query<'_, D>,
     basis: &[usize],
     sum: &[Dyadic; D],
@@ -47,7 +47,7 @@ pub(super) fn solve<const D: usize>(
 
 /// The witness with nearly these coefficients of [−1, 1] and a basis with much room, and whether it proves an inner
 /// point: D coefficients of the basis strictly between −1 and 1. `None` if the basis leaves [−1, 1].
-pub(super) fn near_witness<const D: usize>(
+pub(in crate::collision) fn near_witness<const D: usize>(
     question: &Query<'_, D>,
     displacement: &[Dyadic; D],
     mut coefficients: Vec<f64>,

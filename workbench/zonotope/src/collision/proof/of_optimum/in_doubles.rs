@@ -6,7 +6,7 @@
 //! it may do as far as c can grow towards 1.
 
 use crate::collision::Witness;
-use crate::collision::by_lad::early::correcting_basis::well_spread;
+use crate::collision::proof::balance::well_spread::well_spread;
 use crate::lad::of_generators::cells::nested::NestedCells;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::seam::generators::KernelQuery;

@@ -7,9 +7,9 @@
 
 use std::cmp::Ordering;
 
-use super::direction_of_doubles::{Beyond, Pairs};
-use super::three_coefficients::cross_terms;
-use crate::lad::of_generators::optimum::Told;
+use crate::collision::proof::balance::three_coefficients::cross_terms;
+use crate::collision::proof::direction_of_doubles::{Beyond, Pairs};
+use crate::lad::of_generators::told::Told;
 use crate::numeric::combined_sum::combined_sum;
 use crate::numeric::double_double::BoundedDoubleDouble;
 use crate::numeric::exact_linear::{self, exact};
@@ -149,7 +149,7 @@ fn solve(query: &Query<'_, 3>, p: &Pairs, basis: [usize; 3], coefficients: &mut 
 mod tests {
     use super::*;
     use crate::collision::brute_force;
-    use crate::collision::by_lad::proof::of_told;
+    use crate::collision::proof::of_optimum::of_told;
     use crate::interop::verifier::check_location;
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;

@@ -2,7 +2,7 @@
 //! an exact direction.
 
 use crate::collision::Separation;
-use crate::lad::of_generators::certify::direction_of_doubles::Beyond;
+use crate::collision::proof::direction_of_doubles::Beyond;
 use crate::lad::of_generators::certify::rounded_optimum::RoundedOptimum;
 use crate::lad::of_generators::seam::generators::KernelQuery;
 use crate::numeric::bounded::{Bounded, BoundedVector};
