@@ -56,7 +56,7 @@ pub const FACADES_IN_CIRCLES: [&str; 39] = [
 ];
 
 /// Files and folders side by side in a folder that import each other in circles.
-pub const ROOMS_IN_CIRCLES: [&str; 15] = [
+pub const ROOMS_IN_CIRCLES: [&str; 7] = [
     "experiments/src/definition",
     "experiments/src/record",
     "experiments/src/runner",
@@ -64,12 +64,4 @@ pub const ROOMS_IN_CIRCLES: [&str; 15] = [
     "paper_checks/src/instances",
     "workbench/zonobench/src/commands/records",
     "workbench/zonobench/src/commands/reproduce",
-    "workbench/zonotope/src/enclosing/fixed_directions/by_row_generation",
-    "workbench/zonotope/src/enclosing/fixed_directions/contain",
-    "workbench/zonotope/src/enclosing/fixed_directions/rational",
-    "workbench/zonotope/src/enclosing/fixed_directions/solve",
-    "workbench/zonotope/src/enclosing/min_total_length",
-    "workbench/zonotope/src/enclosing/min_total_length/by_vertex_sets/interior",
-    "workbench/zonotope/src/enclosing/min_total_length/by_vertex_sets/vertex_sets",
-    "workbench/zonotope/src/enclosing/oriented_box",
 ];

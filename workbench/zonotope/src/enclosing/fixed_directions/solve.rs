@@ -9,12 +9,12 @@
 //! 6. `rational` finds the optimum in rationals where the bounds do not meet and the problem is small.
 
 use super::answer::{DirectedZonotope, Enclosure, OffSpan};
-use super::by_row_generation::Generation;
 use super::contain::contain;
 use super::contain::flat_center::{cheapest_center, nearest_doubles};
 use super::lower_bound::proven_bound;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::rational::refine;
+use super::row_generation::generation::Generation;
 use super::scaled::{KeptDirection, Scaled, Setting};
 use crate::enclosing::answer::Effort;
 use crate::enclosing::fixed_directions::departure::first_departure;

@@ -46,7 +46,6 @@
 //! ```
 
 mod refine;
-pub(super) mod simplex;
 
 use dashu_int::ops::Abs;
 
@@ -54,9 +53,9 @@ use super::answer::ExactOptimum;
 use super::problem::FixedDirections;
 use crate::enclosing::fixed_directions::departure::first_departure;
 use crate::numeric::Rational;
+use crate::numeric::exact_linear::simplex::{ANY_WORK, Column, NoOptimum, maximize};
 use crate::numeric::exact_linear::{Span, hyperplane_normal, rational, sum_of_products};
 use crate::numeric::subsets::for_each_subset;
-use simplex::{ANY_WORK, Column, NoOptimum, maximize};
 
 pub(super) use refine::refine;
 

@@ -8,7 +8,7 @@
 //! cell's middle and within 2 sqrt(d − 1)/m of each of its corners. The faces lie outside the open unit ball, where x ↦
 //! x/|x| increases no distance. So the bounds hold for the unit vectors as well.
 
-/// The nets that [`by_direction_net`](super::by_direction_net) takes.
+/// The nets that [`by_direction_net`](crate::enclosing::min_total_length::by_direction_net) takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Net {
     /// The net of Theorem 4.7: middles of cells with mesh ε/d, and the axes.

@@ -70,15 +70,10 @@
 //! # Ok::<(), zonotope::enclosing::fixed_directions::FixedDirectionsError>(())
 //! ```
 
-mod generation;
-mod normal_simplex;
-
 use super::answer::Enclosure;
 use super::problem::{FixedDirections, FixedDirectionsError};
 use super::solve::solve_with;
 use crate::tally::Tally;
-
-pub(crate) use generation::Generation;
 
 /// The smallest zonotope along the directions around the points.
 ///
