@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use tests::sources::Source;
 
-use super::paths::{code, expanded, has_functions, named, taken_apart};
+use super::paths::{code, expanded, has_functions, has_word, named, taken_apart};
 
 /// The path of a module, from the crate's root.
 pub type Module = Vec<String>;
@@ -68,9 +68,13 @@ impl Files {
             let code = code(source);
             let (statements, rest) = taken_apart(&code);
             let (mut names, mut mentions) = (BTreeMap::new(), Vec::new());
-            for import in statements.into_iter().flat_map(expanded) {
-                if let Some(path) = absolute(&import.path, &own, &modules) {
-                    mentions.push(path.clone());
+            for statement in statements {
+                let hands_on = statement.is_public && is_facade(&source.path);
+                for import in expanded(statement.tree) {
+                    let Some(path) = absolute(&import.path, &own, &modules) else { continue };
+                    if !hands_on || has_word(&rest, &import.name) {
+                        mentions.push(path.clone());
+                    }
                     names.insert(import.name, path);
                 }
             }

@@ -28,8 +28,16 @@ pub fn code(source: &Source) -> String {
     text
 }
 
-/// The statements of a code that import, each as the text after `use`, and the code without them.
-pub fn taken_apart(code: &str) -> (Vec<&str>, String) {
+/// A statement that imports.
+pub struct Statement<'a> {
+    /// The text after `use`.
+    pub tree: &'a str,
+    /// Whether the statement hands on what it imports.
+    pub is_public: bool,
+}
+
+/// The statements of a code that import, and the code without them.
+pub fn taken_apart(code: &str) -> (Vec<Statement<'_>>, String) {
     let (mut imports, mut others) = (Vec::new(), String::new());
     for statement in code.split(';') {
         let word = statement.rfind("use ").filter(|at| {
@@ -37,7 +45,9 @@ pub fn taken_apart(code: &str) -> (Vec<&str>, String) {
             before.is_empty() || before.ends_with(['}', '{', ']', ')']) || before.ends_with("pub")
         });
         if let Some(at) = word {
-            imports.push(&statement[at + 4..]);
+            let before = statement[..at].trim_end();
+            let visibility = before.rsplit(['}', '{', ']', ';', '\n']).next().unwrap_or(before).trim_start();
+            imports.push(Statement { tree: &statement[at + 4..], is_public: visibility.starts_with("pub") });
         }
         others.push_str(&statement[..word.unwrap_or(statement.len())]);
         others.push(';');
@@ -83,6 +93,13 @@ pub fn named(code: &str) -> Vec<Vec<String>> {
     let is_part = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == ':';
     let words = code.split(|letter: char| !is_part(letter));
     words.filter(|word| word.contains("::") && !word.starts_with(':')).map(segments).collect()
+}
+
+/// Whether a word is in a code, outside of the texts in quotation marks.
+pub fn has_word(code: &str, word: &str) -> bool {
+    let unquoted = code.replace("'\"'", "").replace("\\\"", "");
+    let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
+    unquoted.split('"').step_by(2).any(|part| part.split(|letter| !is_part(letter)).any(|own| own == word))
 }
 
 /// Whether a code has functions.
