@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::graph::Module;
 
-/// What each file, or each room, rests on.
+/// For each file, or each room, those that it rests on.
 pub type Graph = BTreeMap<Module, BTreeSet<Module>>;
 
 /// The members of each circle.
@@ -21,7 +21,7 @@ pub fn circles(uses: &Graph) -> Vec<Vec<Module>> {
     found
 }
 
-/// What one file imports, directly or through others.
+/// The files or rooms that one imports, directly or through others.
 fn reachable<'a>(start: &Module, uses: &'a Graph) -> BTreeSet<&'a Module> {
     let mut found = BTreeSet::new();
     let mut fresh: Vec<&Module> = uses.get(start).into_iter().flatten().collect();

@@ -17,9 +17,14 @@ pub fn code(source: &Source) -> String {
     let mut for_tests = false;
     for (_, line) in source.code_lines() {
         let line = line.split("//").next().unwrap_or(line);
+        // the path of a visibility is no import
+        let line = match line.split_once("pub(in ") {
+            Some((before, after)) => format!("{before}pub{}", after.split_once(')').map_or("", |(_, rest)| rest)),
+            None => line.to_owned(),
+        };
         for_tests |= line.trim() == "#[cfg(test)]";
         if !for_tests {
-            text.push_str(line);
+            text.push_str(&line);
             text.push('\n');
         }
         // an attribute for tests goes before a statement, or before a function that ends at its own margin

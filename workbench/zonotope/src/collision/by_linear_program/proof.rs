@@ -1,6 +1,6 @@
 //! What the numbers of an optimum prove, exactly.
 
-use super::Answer;
+use super::answer::Answer;
 use crate::collision::proof::balance::solve::near_witness;
 use crate::numeric::dyadic::Dyadic;
 use crate::numeric::linear::dot;

@@ -30,7 +30,7 @@
 //! 6. `contain` enlarges coefficients until every point is inside, exactly.
 //!
 //! That is all for ordinary input. Three pieces serve the rest, each behind one function: `contain/flat_center` for
-//! directions that do not span the space, `contain/thickened` for flat and needle-shaped bodies, and `rational/refine`
+//! directions that do not span the space, `contain/thickened` for flat and needle-shaped bodies, and `solve/refine`
 //! for small problems whose bounds do not meet.
 
 #[cfg(feature = "linear-programming")]

@@ -4,8 +4,8 @@ use super::told::Told;
 use crate::numeric::bounded::BoundedVector;
 use crate::zonotope::query::Query;
 
-/// What a caller makes of a vertex at which a search ended: a proof that ends the search, from the query, its
-/// displacement in doubles and the two generators of the vertex.
+/// The proof that a caller finds at a vertex, and that ends the search there: from the query, its displacement in
+/// doubles and the two generators of the vertex.
 pub(crate) type AtVertex = fn(&Query<'_, 3>, &BoundedVector, [usize; 2]) -> Option<Told>;
 
 /// What a caller wants to know.
@@ -25,7 +25,7 @@ impl Goal {
         matches!(self, Self::Gauge)
     }
 
-    /// What the caller makes of a vertex, if a proof is all that is asked.
+    /// The search for a proof at a vertex, if a proof is all that is asked.
     pub(crate) fn at_vertex(self) -> Option<AtVertex> {
         match self {
             Self::Proof(at_vertex) => Some(at_vertex),

@@ -27,7 +27,7 @@
 //! [`plane`] has the coordinates of the plane of directions; [`span`] makes bodies that do not span space into prisms
 //! that do; [`support`] evaluates h(u) in one pass; [`problem`] and [`goal`] are what goes in, [`optimum`] and [`told`]
 //! what comes out; [`nearest_gauge`] has the last digits of the gauge. The kernel proves no location: a caller that
-//! wants one hands a function down ([`goal::AtVertex`]), which makes what it can of the vertices of a search.
+//! wants one hands a function down ([`goal::AtVertex`]), which looks for a proof at the vertices of a search.
 
 pub(crate) mod cells;
 pub(crate) mod certify;

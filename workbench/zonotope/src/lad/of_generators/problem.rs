@@ -39,7 +39,8 @@ impl<'q> Problem<'q> {
         self.goal.at_vertex().is_some() && self.query.len() <= PROOF_LIMIT
     }
 
-    /// What the caller makes of two generators, if a proof is all that is asked and they give one. O(n).
+    /// The proof of the location at the vertex of two generators, if a proof is all that is asked and the vertex gives
+    /// one. O(n).
     pub(crate) fn proof_at(&self, pair: [usize; 2]) -> Option<Told> {
         self.goal.at_vertex()?(&self.query.as_query()?, &self.p, pair)
     }

@@ -10,25 +10,25 @@ use crate::numeric::linear::dot;
 /// A vector (x_0, x') with the head x_0 and the rest x'. It is in the cone if the head is at least the length of the
 /// rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::enclosing::min_total_length::by_vertex_sets) struct ConeVector<R, const D: usize> {
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) head: R,
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) rest: [R; D],
+pub(super) struct ConeVector<R, const D: usize> {
+    pub(super) head: R,
+    pub(super) rest: [R; D],
 }
 
 impl<R: Scalar, const D: usize> ConeVector<R, D> {
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn zero() -> Self {
+    pub(super) fn zero() -> Self {
         Self { head: R::from(0.0), rest: zero() }
     }
 
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn dot(&self, other: &Self) -> R {
+    pub(super) fn dot(&self, other: &Self) -> R {
         self.head * other.head + dot(&self.rest, &other.rest)
     }
 
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn plus(&self, factor: R, other: &Self) -> Self {
+    pub(super) fn plus(&self, factor: R, other: &Self) -> Self {
         Self { head: self.head + factor * other.head, rest: plus(&self.rest, factor, &other.rest) }
     }
 
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn minus(&self, other: &Self) -> Self {
+    pub(super) fn minus(&self, other: &Self) -> Self {
         self.plus(R::from(-1.0), other)
     }
 
@@ -42,19 +42,19 @@ impl<R: Scalar, const D: usize> ConeVector<R, D> {
     }
 
     /// The determinant xᵀ J x = x_0² − |x'|², positive inside the cone.
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn determinant(&self) -> R {
+    pub(super) fn determinant(&self) -> R {
         let length = dot(&self.rest, &self.rest).sqrt();
         (self.head - length) * (self.head + length)
     }
 
     /// The dual variable z = μ s⁻¹ of this slack s on the central path, where s ∘ z = (μ, 0).
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn dual_at(&self, mu: R) -> Self {
+    pub(super) fn dual_at(&self, mu: R) -> Self {
         self.reflected().times(mu / self.determinant())
     }
 
     /// The multiple of a direction that leads from this vector, inside the cone, to the boundary of the cone; infinite
     /// if every multiple stays inside.
-    pub(in crate::enclosing::min_total_length::by_vertex_sets) fn reach(&self, direction: &Self) -> f64 {
+    pub(super) fn reach(&self, direction: &Self) -> f64 {
         let none = R::from(0.0);
         let a = direction.head * direction.head - dot(&direction.rest, &direction.rest);
         let b = self.head * direction.head - dot(&self.rest, &direction.rest);
@@ -68,9 +68,6 @@ impl<R: Scalar, const D: usize> ConeVector<R, D> {
 }
 
 /// The Jordan product a ∘ b.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) fn jordan<R: Scalar, const D: usize>(
-    a: &ConeVector<R, D>,
-    b: &ConeVector<R, D>,
-) -> ConeVector<R, D> {
+pub(super) fn jordan<R: Scalar, const D: usize>(a: &ConeVector<R, D>, b: &ConeVector<R, D>) -> ConeVector<R, D> {
     ConeVector { head: a.dot(b), rest: std::array::from_fn(|c| a.head * b.rest[c] + b.head * a.rest[c]) }
 }

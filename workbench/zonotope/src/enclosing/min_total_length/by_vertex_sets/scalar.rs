@@ -7,10 +7,10 @@ use crate::numeric::lanes::{product_in_eights, products_of_four_rows};
 use crate::numeric::linear::{Ring, sum_of_products};
 
 /// The number of rows in a block whose products with two other rows are computed at once.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) const BLOCK: usize = 4;
+pub(super) const BLOCK: usize = 4;
 
 /// A floating-point number in which the interior-point method computes.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) trait Scalar:
+pub(super) trait Scalar:
     Ring
     + Copy
     + PartialOrd
@@ -79,27 +79,21 @@ impl Scalar for f64 {
 }
 
 /// The zero vector.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) fn zero<R: Scalar, const D: usize>() -> [R; D] {
+pub(super) fn zero<R: Scalar, const D: usize>() -> [R; D] {
     [R::from(0.0); D]
 }
 
 /// A vector of doubles as a vector of scalars.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) fn real<R: Scalar, const D: usize>(v: &[f64; D]) -> [R; D] {
+pub(super) fn real<R: Scalar, const D: usize>(v: &[f64; D]) -> [R; D] {
     v.map(R::from)
 }
 
 /// The doubles nearest to the scalars of a vector.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) fn values<R: Scalar, const D: usize>(
-    v: &[R; D],
-) -> [f64; D] {
+pub(super) fn values<R: Scalar, const D: usize>(v: &[R; D]) -> [f64; D] {
     v.map(R::value)
 }
 
 /// The vector a + factor · b.
-pub(in crate::enclosing::min_total_length::by_vertex_sets) fn plus<R: Scalar, const D: usize>(
-    a: &[R; D],
-    factor: R,
-    b: &[R; D],
-) -> [R; D] {
+pub(super) fn plus<R: Scalar, const D: usize>(a: &[R; D], factor: R, b: &[R; D]) -> [R; D] {
     std::array::from_fn(|c| a[c] + factor * b[c])
 }

@@ -4,11 +4,11 @@
 //! contains all points, it is a candidate for the answer. A point for which the candidate was enlarged joins the active
 //! set, and the program is solved again.
 
-use super::optimum_within;
 use crate::enclosing::fixed_directions::answer::{DirectedZonotope, ExactOptimum, Multiplier, TIGHT_RELATIVE_GAP};
 use crate::enclosing::fixed_directions::contain::contain;
 use crate::enclosing::fixed_directions::contain::flat_center::cheapest_center;
 use crate::enclosing::fixed_directions::problem::{FixedDirections, FixedDirectionsError};
+use crate::enclosing::fixed_directions::rational::optimum_within;
 use crate::enclosing::fixed_directions::scaled::Setting;
 use crate::numeric::Rational;
 use crate::numeric::dyadic::Dyadic;
