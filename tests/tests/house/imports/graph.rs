@@ -104,8 +104,8 @@ impl Files {
         None
     }
 
-    /// The files that each file rests on. A facade without functions rests on nothing: it says what its folder has. One with
-    /// functions is a file like the others.
+    /// The files that each file rests on. A facade without functions rests on nothing: it says what its folder has. One
+    /// with functions is a file like the others.
     pub fn uses(&self) -> BTreeMap<Module, BTreeSet<Module>> {
         let has_code = |module: &Module| !self.0[module].is_facade || self.0[module].has_functions;
         let of = |(own, file): (&Module, &File)| {

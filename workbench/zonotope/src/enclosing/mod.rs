@@ -9,8 +9,6 @@
 //! | [`min_total_length`] | the zonotope of least total length around points of any dimension (4.3) |
 //! | [`oriented_box`] | a small box, which others are compared with |
 //!
-//! [`direction_net`] has nets of directions with a proven mesh, which two of them take.
-//!
 //! Three of them have a function each that asks the default method, and one shape of answer, [`Enclosing`]: a body,
 //! the value that is minimised, a lower bound of it, what proves the bound, and the work done.
 //!
@@ -29,7 +27,7 @@ mod answer;
 pub mod bisectors;
 mod boundary_vertex;
 pub mod centered_zonogon;
-pub mod direction_net;
+mod cube_grids;
 pub mod fixed_directions;
 mod front;
 mod half_turn;

@@ -7,7 +7,7 @@
 //! | [`Directions`] | parallel generators together, zero ones left out |
 //! | [`faces`] | what only space allows: the face lattice |
 //! | `location` | what is answered about a displacement: where it lies, with its proof, and its gauge |
-//! | `operations`, `cleanup` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
+//! | `operations` | Minkowski sums, reflection, linear maps, projections, boxes; zero and parallel generators |
 //! | `matrices` | generators as rows and as matrices |
 //! | [`named`] | zonohedra with names |
 //! | [`passes`] | support function and extreme vertex in doubles: one vectorised pass, with error bounds |
@@ -16,7 +16,6 @@
 //! | `ray_exit` | where a ray from the centre leaves, in floating point |
 //! | [`zonogon`] | what only the plane allows: vertices in order, exact area |
 
-mod cleanup;
 mod combinatorics;
 pub mod directions;
 pub mod faces;

@@ -43,6 +43,7 @@ pub mod by_direction_net;
 pub mod by_vertex_sets;
 mod conclude;
 mod contain;
+pub mod direction_net;
 mod dual_zonotope;
 pub mod few_generators;
 mod frame;
@@ -53,8 +54,8 @@ mod method;
 mod on_a_line;
 mod sheared_box;
 
-pub use super::direction_net::{self, Net};
 pub use answer::{LengthMultiplier, LengthProof, MinLengthError, MinLengthZonotope, Outcome};
+pub use direction_net::Net;
 pub use method::Method;
 
 #[cfg(test)]

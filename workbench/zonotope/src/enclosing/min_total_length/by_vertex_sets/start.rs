@@ -3,9 +3,9 @@
 use super::members::Members;
 use super::scalar::Scalar;
 use super::vertex_sets::VertexSets;
-use crate::enclosing::direction_net::{Net, cell_corners};
 use crate::enclosing::fixed_directions::{Generation, balanced};
 use crate::enclosing::min_total_length::box_coordinates::BoxCoordinates;
+use crate::enclosing::min_total_length::direction_net::{Net, cell_corners};
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::enclosing::min_total_length::frame_zonotope::FrameZonotope;
 use crate::enclosing::min_total_length::lower_bound::BestBound;

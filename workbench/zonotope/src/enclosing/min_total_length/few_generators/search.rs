@@ -14,7 +14,7 @@ use super::Search;
 use super::along::{Along, Programs, unit};
 use super::merging::Merging;
 use super::moving::{Aim, moved};
-use crate::enclosing::direction_net::cell_corners;
+use crate::enclosing::min_total_length::direction_net::cell_corners;
 use crate::enclosing::min_total_length::frame::Frame;
 use crate::numeric::linear::dot;
 

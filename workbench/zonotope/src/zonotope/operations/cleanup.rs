@@ -1,9 +1,9 @@
 //! Generators put in order: zero ones left out, parallel ones merged. Nothing else in the library does this behind the
 //! caller's back.
 
-use super::directions::Directions;
-use super::{Zonotope, ZonotopeError};
 use crate::numeric::outward::Loss;
+use crate::zonotope::directions::Directions;
+use crate::zonotope::{Zonotope, ZonotopeError};
 
 impl<const D: usize> Zonotope<D> {
     /// The same body without its zero generators. O(n).
